@@ -1,0 +1,146 @@
+#include "base/option.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+
+namespace bole {
+
+std::string_view tier_name(Tier tier) {
+  switch (tier) {
+    case Tier::basic: return "basic";
+    case Tier::advanced: return "advanced";
+    case Tier::expert: return "expert";
+  }
+  return "";
+}
+
+std::string number_text(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  if (std::isnan(value)) return "nan";
+  char buffer[40];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
+  return {buffer, end};
+}
+
+std::string option_text(const OptionValue& value) {
+  if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
+  if (const auto* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
+  if (const auto* d = std::get_if<double>(&value)) return number_text(*d);
+  return std::get<std::string>(value);
+}
+
+std::string_view OptionSpec::type_name() const {
+  switch (default_value.index()) {
+    case 0: return "boolean";
+    case 1: return "integer";
+    case 2: return "number";
+    default: break;
+  }
+  switch (text_kind) {
+    case TextKind::choice: return "choice";
+    case TextKind::input_path: return "path";
+    case TextKind::json: return "json";
+    case TextKind::plain: break;
+  }
+  return "text";
+}
+
+std::string OptionSpec::needed() const {
+  const auto unit_text = unit_symbol(unit).empty() ? std::string{} : " " + std::string(unit_symbol(unit));
+  const auto range_text = " from " + number_text(min) + " to " + number_text(max) + unit_text;
+  switch (default_value.index()) {
+    case 0: return "true or false";
+    case 1: return "a whole number" + range_text;
+    case 2: return "a number" + range_text;
+    default: break;
+  }
+  if (text_kind != TextKind::choice) return "text";
+  std::string list = "one of";
+  for (const auto& c : choices) list += " " + c;
+  return list;
+}
+
+OptionValue OptionSpec::checked(const OptionValue& value) const {
+  const auto wrong = [&] { return bad_input("option " + name + " is '" + option_text(value) + "'", needed()); };
+  OptionValue v = value;
+  if (std::holds_alternative<std::string>(v) && !std::holds_alternative<std::string>(default_value)) return parsed(std::get<std::string>(v));
+  if (std::holds_alternative<double>(default_value) && std::holds_alternative<std::int64_t>(v)) v = static_cast<double>(std::get<std::int64_t>(v));
+  // A whole number written as 5.0 is a whole number.
+  if (const auto* d = std::get_if<double>(&v); d && std::holds_alternative<std::int64_t>(default_value) && std::nearbyint(*d) == *d && std::abs(*d) < 1e15) v = static_cast<std::int64_t>(*d);
+  if (v.index() != default_value.index()) throw wrong();
+  if (const auto* i = std::get_if<std::int64_t>(&v); i && (static_cast<double>(*i) < min || static_cast<double>(*i) > max)) throw wrong();
+  if (const auto* d = std::get_if<double>(&v); d && !(*d >= min && *d <= max)) throw wrong();
+  if (const auto* s = std::get_if<std::string>(&v); s && text_kind == TextKind::choice && std::ranges::find(choices, *s) == choices.end()) throw wrong();
+  return v;
+}
+
+OptionValue OptionSpec::parsed(std::string_view text) const {
+  const auto wrong = [&] { return bad_input("option " + name + " is '" + std::string(text) + "'", needed()); };
+  if (std::holds_alternative<std::string>(default_value)) return checked(std::string(text));
+  if (std::holds_alternative<bool>(default_value)) {
+    if (text == "true" || text == "1" || text == "yes" || text == "on") return true;
+    if (text == "false" || text == "0" || text == "no" || text == "off") return false;
+    throw wrong();
+  }
+  double number = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (code != std::errc{} || end != text.data() + text.size()) throw wrong();
+  return checked(number);
+}
+
+const OptionSpec* OptionTable::find(std::string_view name) const {
+  const auto it = std::ranges::find(specs, name, &OptionSpec::name);
+  return it == specs.end() ? nullptr : &*it;
+}
+
+const OptionSpec& OptionTable::at(std::string_view name) const {
+  if (const auto* spec = find(name)) return *spec;
+  std::vector<std::string> names;
+  for (const auto& s : specs) names.push_back(s.name);
+  std::string hint;
+  for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
+  throw bad_input("there is no option '" + std::string(name) + "'", specs.empty() ? "no option: there is none here" : "the name of an option", hint.empty() ? hint : hint + "?");
+}
+
+void OptionSet::set(std::string_view name, const OptionValue& value) {
+  const auto& spec = table_->at(name);
+  spec.assign(values_.get(), spec.checked(value));
+}
+
+void OptionSet::set_text(std::string_view name, std::string_view text) {
+  const auto& spec = table_->at(name);
+  spec.assign(values_.get(), spec.parsed(text));
+}
+
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names, std::size_t most) {
+  std::vector<std::pair<std::size_t, std::string>> ranked;
+  for (const auto& n : names) ranked.emplace_back(edit_distance(word, n), n);
+  std::ranges::stable_sort(ranked, {}, &std::pair<std::size_t, std::string>::first);
+  std::vector<std::string> nearest;
+  for (const auto& [distance, n] : ranked)
+    if (nearest.size() < most && distance <= std::max<std::size_t>(3, word.size() / 2)) nearest.push_back(n);
+  return nearest;
+}
+
+}  // namespace bole

@@ -1,0 +1,199 @@
+// Options are declared once, beside their struct, and everything else is derived from that table: validation, command
+// line, `--set`, schema, printed pages, forms, the appendix of the report.
+//
+//   struct SliceOptions { double height = 1.30; double thickness = 0.10; };
+//   const OptionTable& option_table(const SliceOptions*) {
+//     using S = SliceOptions;
+//     static const OptionTable table = make_option_table<S>({
+//         Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height of the slice centre above ground."},
+//     });
+//     return table;
+//   }
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace bole {
+
+enum class Tier { basic, advanced, expert };
+std::string_view tier_name(Tier tier);
+
+// What a text option holds. An input path is resolved against the document's folder, its content counts for the cache.
+enum class TextKind { plain, choice, input_path, json };
+
+using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
+
+template <class T>
+struct Range {
+  T min{}, max{};
+};
+
+template <class S, class T>
+struct Option;
+
+template <class S>
+struct Option<S, double> {
+  std::string_view name;
+  double S::*member;
+  Unit unit;
+  Range<double> range;
+  Tier tier;
+  std::string_view help;
+};
+
+template <class S>
+struct Option<S, int> {
+  std::string_view name;
+  int S::*member;
+  Unit unit;
+  Range<int> range;
+  Tier tier;
+  std::string_view help;
+};
+
+template <class S>
+struct Option<S, bool> {
+  std::string_view name;
+  bool S::*member;
+  Tier tier;
+  std::string_view help;
+};
+
+template <class S>
+struct Option<S, std::string> {
+  std::string_view name;
+  std::string S::*member;
+  TextKind kind;
+  std::vector<std::string> choices;  // for TextKind::choice
+  Tier tier;
+  std::string_view help;
+};
+
+// One option, with its struct's type erased.
+struct OptionSpec {
+  std::string name;
+  Unit unit = Unit::none;
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
+  TextKind text_kind = TextKind::plain;
+  std::vector<std::string> choices;
+  Tier tier = Tier::basic;
+  std::string help;
+  OptionValue default_value;
+  std::function<OptionValue(const void*)> get;
+  std::function<void(void*, const OptionValue&)> assign;  // of the right type and in range already
+
+  std::string_view type_name() const;  // "boolean", "integer", "number", "text", "choice", "path", "json"
+
+  // `value` brought to this option's type (an integer serves as a number; text is parsed). Throws Error{bad_input} that
+  // names the option, the value and what was needed.
+  OptionValue checked(const OptionValue& value) const;
+  OptionValue parsed(std::string_view text) const;
+  std::string needed() const;  // "a number from 0.1 to 5 m"
+};
+
+class OptionTable {
+ public:
+  std::vector<OptionSpec> specs;
+  std::function<std::shared_ptr<void>()> make;                           // a fresh struct with defaults
+  std::function<std::shared_ptr<void>(const void*)> copy;                // a copy of one
+  std::function<void(const void*)> check_all = [](const void*) {};      // relations between options; throws Error
+
+  const OptionSpec* find(std::string_view name) const;
+  // Throws Error{bad_input} with the nearest names as the hint.
+  const OptionSpec& at(std::string_view name) const;
+};
+
+// A value of an options struct together with its table: what a stage object holds. Copies are deep.
+class OptionSet {
+ public:
+  explicit OptionSet(const OptionTable& table) : table_(&table), values_(table.make()) {}
+  OptionSet(const OptionSet& other) : table_(other.table_), values_(other.table_->copy(other.values_.get())) {}
+  OptionSet& operator=(const OptionSet& other) {
+    table_ = other.table_;
+    values_ = table_->copy(other.values_.get());
+    return *this;
+  }
+
+  const OptionTable& table() const { return *table_; }
+  OptionValue get(std::string_view name) const { return table_->at(name).get(values_.get()); }
+  void set(std::string_view name, const OptionValue& value);
+  void set_text(std::string_view name, std::string_view text);
+  void reset(std::string_view name) { set(name, table_->at(name).default_value); }
+  bool is_default(std::string_view name) const { return get(name) == table_->at(name).default_value; }
+  void check_all() const { table_->check_all(values_.get()); }
+
+  template <class S>
+  const S& as() const {
+    return *static_cast<const S*>(values_.get());
+  }
+  const void* raw() const { return values_.get(); }
+
+ private:
+  const OptionTable* table_;
+  std::shared_ptr<void> values_;
+};
+
+// A number as a person writes it: shortest text that reads back to the same double.
+std::string number_text(double value);
+std::string option_text(const OptionValue& value);
+
+// Up to `most` of `names` nearest to `word` by edit distance, for "did you mean".
+std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names, std::size_t most = 3);
+
+template <class S>
+class OptionEntry {
+ public:
+  OptionEntry(const Option<S, double>& o) : spec(base(o.name, o.unit, o.tier, o.help)) {  // NOLINT: entries read as Option rows
+    spec.min = o.range.min, spec.max = o.range.max;
+    bind<double, double>(o.member);
+  }
+  OptionEntry(const Option<S, int>& o) : spec(base(o.name, o.unit, o.tier, o.help)) {  // NOLINT
+    spec.min = o.range.min, spec.max = o.range.max;
+    bind<int, std::int64_t>(o.member);
+  }
+  OptionEntry(const Option<S, bool>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) { bind<bool, bool>(o.member); }  // NOLINT
+  OptionEntry(const Option<S, std::string>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {                        // NOLINT
+    spec.text_kind = o.kind, spec.choices = o.choices;
+    bind<std::string, std::string>(o.member);
+  }
+  OptionSpec spec;
+
+ private:
+  static OptionSpec base(std::string_view name, Unit unit, Tier tier, std::string_view help) {
+    OptionSpec s;
+    s.name = name, s.unit = unit, s.tier = tier, s.help = help;
+    return s;
+  }
+  template <class Member, class Value>
+  void bind(Member S::*member) {
+    spec.get = [member](const void* s) -> OptionValue { return static_cast<Value>(static_cast<const S*>(s)->*member); };
+    spec.assign = [member](void* s, const OptionValue& v) { static_cast<S*>(s)->*member = static_cast<Member>(std::get<Value>(v)); };
+    const S defaults{};
+    spec.default_value = spec.get(&defaults);
+  }
+};
+
+// `check` may test relations between options (throws Error{bad_input}).
+template <class S>
+OptionTable make_option_table(std::vector<OptionEntry<S>> entries, std::function<void(const S&)> check = {}) {
+  OptionTable table;
+  for (auto& e : entries) table.specs.push_back(std::move(e.spec));
+  table.make = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
+  table.copy = [](const void* s) { return std::static_pointer_cast<void>(std::make_shared<S>(*static_cast<const S*>(s))); };
+  if (check) table.check_all = [check](const void* s) { check(*static_cast<const S*>(s)); };
+  return table;
+}
+
+}  // namespace bole

@@ -1,0 +1,88 @@
+#include "pipeline/stage.h"
+
+#include <sys/resource.h>
+
+#include <chrono>
+
+namespace bole {
+namespace {
+
+const Port* find_port(const std::vector<Port>& ports, std::string_view name) {
+  for (const auto& p : ports)
+    if (p.name == name) return &p;
+  return nullptr;
+}
+
+double peak_resident_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void check_inputs(const StageType& type, const DataSet& inputs) {
+  for (const auto& port : type.inputs) {
+    if (!inputs.has(port.name)) {
+      if (port.optional) continue;
+      throw bad_input("input '" + port.name + "' is not connected", std::string(data_kind_name(port.kind)) + ": " + port.help);
+    }
+    const auto& data = inputs.all().find(port.name)->second;
+    if (data_kind(data) != port.kind) throw bad_input("input '" + port.name + "' is a " + std::string(data_kind_name(data_kind(data))), "a " + std::string(data_kind_name(port.kind)));
+    if (port.kind == DataKind::cloud)
+      for (const auto& array : port.arrays)
+        if (!inputs.cloud(port.name).has(array)) inputs.cloud(port.name).column(array.name);  // throws with the list of arrays
+  }
+}
+
+}  // namespace
+
+const Port* StageType::input(std::string_view port) const { return find_port(inputs, port); }
+const Port* StageType::output(std::string_view port) const { return find_port(outputs, port); }
+
+StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run) {
+  try {
+    const auto start = std::chrono::steady_clock::now();
+    options.check_all();
+    check_inputs(type, inputs);
+    run.check_cancel();
+    StageResult result = type.run(inputs, options, run);
+    result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.report.peak_mib = peak_resident_mib();
+    return result;
+  } catch (const Error& e) {
+    throw e.at(type.name);
+  } catch (const std::bad_alloc&) {
+    throw failure("out of memory", "less data at once", "Crop or thin the cloud first").at(type.name);
+  }
+}
+
+StageRegistry& StageRegistry::global() {
+  static StageRegistry registry;
+  return registry;
+}
+
+void StageRegistry::add(StageType type) {
+  const auto name = type.name;
+  types_.try_emplace(name, std::make_unique<StageType>(std::move(type)));
+}
+
+const StageType* StageRegistry::find(std::string_view name) const {
+  const auto it = types_.find(name);
+  return it == types_.end() ? nullptr : it->second.get();
+}
+
+const StageType& StageRegistry::at(std::string_view name) const {
+  if (const auto* type = find(name)) return *type;
+  std::vector<std::string> names;
+  for (const auto& [n, t] : types_) names.push_back(n);
+  std::string hint;
+  for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
+  throw bad_input("there is no stage type '" + std::string(name) + "'", "one that `bole stages` lists", hint.empty() ? hint : hint + "?");
+}
+
+std::vector<const StageType*> StageRegistry::all() const {
+  std::vector<const StageType*> list;
+  for (const auto& [n, t] : types_) list.push_back(t.get());
+  return list;
+}
+
+}  // namespace bole

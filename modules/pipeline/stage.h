@@ -1,0 +1,64 @@
+// A stage: a pure function of (inputs, options) plus a Run, with one declaration that everything else is derived from.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/option.h"
+#include "base/report.h"
+#include "base/run.h"
+#include "cloud/data.h"
+
+namespace bole {
+
+struct Port {
+  std::string name;
+  DataKind kind = DataKind::none;
+  std::string help;
+  bool optional = false;
+  // Inputs: arrays the cloud must have. Outputs: arrays the stage adds to the cloud.
+  std::vector<ArrayInfo> arrays;
+};
+
+struct StageResult {
+  DataSet outputs;
+  Report report;
+};
+
+struct StageType {
+  std::string name;      // "stems.fit": module, dot, verb or noun
+  std::string title;     // "Fit stems"
+  std::string help;      // a paragraph: what it does and by which method
+  std::string source;    // paper and equation, or "Bole"
+  int version = 1;       // raised when the same options give another result: old cache entries no longer match
+  std::vector<Port> inputs;
+  std::vector<Port> outputs;
+  const OptionTable* options = nullptr;
+  bool writes_files = false;  // a sink: writes into Run::output_dir
+  std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;
+
+  const Port* input(std::string_view port) const;
+  const Port* output(std::string_view port) const;
+};
+
+// Checks inputs against the declared ports (presence, kind, arrays, emptiness is the stage's own affair), checks the options,
+// runs, and fills in report.seconds and peak_mib. Errors get the stage's name in front.
+StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run);
+
+class StageRegistry {
+ public:
+  // The registry that documents, programs and VTK objects use.
+  static StageRegistry& global();
+
+  // Adding a type again under the same name is ignored, so that modules may register from several doors.
+  void add(StageType type);
+  const StageType* find(std::string_view name) const;
+  const StageType& at(std::string_view name) const;  // throws Error{bad_input} with the nearest names
+  std::vector<const StageType*> all() const;         // by name
+
+ private:
+  std::map<std::string, std::unique_ptr<StageType>, std::less<>> types_;
+};
+
+}  // namespace bole

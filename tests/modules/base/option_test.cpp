@@ -1,0 +1,78 @@
+#include "base/option.h"
+
+#include <gmock/gmock.h>
+
+namespace bole {
+namespace {
+
+struct SliceOptions {
+  double height = 1.30;
+  int rings = 3;
+  bool level = true;
+  std::string method = "circle";
+};
+
+const OptionTable& table() {
+  using S = SliceOptions;
+  static const OptionTable t = make_option_table<S>({
+      Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height."},
+      Option<S, int>{"rings", &S::rings, Unit::none, {1, 9}, Tier::expert, "Rings."},
+      Option<S, bool>{"level", &S::level, Tier::advanced, "Level."},
+      Option<S, std::string>{"method", &S::method, TextKind::choice, {"circle", "cylinder"}, Tier::basic, "Method."},
+  });
+  return t;
+}
+
+TEST(Option, DefaultsComeFromTheStruct) {
+  const OptionSet set(table());
+  EXPECT_EQ(std::get<double>(set.get("height")), 1.30);
+  EXPECT_TRUE(set.is_default("method"));
+}
+
+TEST(Option, TextIsParsedToTheDeclaredType) {
+  OptionSet set(table());
+  set.set_text("height", "1.37");
+  set.set_text("rings", "7");
+  set.set_text("level", "off");
+  set.set_text("method", "cylinder");
+  const auto& s = set.as<SliceOptions>();
+  EXPECT_EQ(s.height, 1.37);
+  EXPECT_EQ(s.rings, 7);
+  EXPECT_FALSE(s.level);
+  EXPECT_EQ(s.method, "cylinder");
+}
+
+TEST(Option, AnErrorNamesOptionValueAndWhatWasNeeded) {
+  OptionSet set(table());
+  try {
+    set.set_text("height", "9");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_STREQ(e.what(), "option height is '9'; needed: a number from 0.1 to 5 m");
+    EXPECT_EQ(e.exit_code(), 2);
+  }
+  EXPECT_THROW(set.set_text("height", "nan"), Error);
+  EXPECT_THROW(set.set_text("height", "1.3m"), Error);
+  EXPECT_THROW(set.set_text("rings", "2.5"), Error);
+  EXPECT_THROW(set.set("method", std::string("square")), Error);
+}
+
+TEST(Option, AnUnknownNameIsAnsweredWithTheNearest) {
+  OptionSet set(table());
+  try {
+    set.set_text("heigth", "1");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.hint(), testing::HasSubstr("height"));
+  }
+}
+
+TEST(Option, CopiesAreDeep) {
+  OptionSet a(table());
+  OptionSet b = a;
+  b.set("height", 2.0);
+  EXPECT_EQ(a.as<SliceOptions>().height, 1.30);
+}
+
+}  // namespace
+}  // namespace bole
