@@ -3,28 +3,23 @@
 #include <utility>
 
 namespace bole {
-namespace {
-
-std::string compose(const std::string& place, const std::string& found, const std::string& needed, const std::string& hint) {
-  std::string text = place.empty() ? found : place + ": " + found;
-  if (!needed.empty()) text += "; needed: " + needed;
-  if (!hint.empty()) text += ". " + hint;
+std::string Error::compose(const Parts& p) {
+  std::string text = p.place.empty() ? p.found : p.place + ": " + p.found;
+  if (!p.needed.empty()) text += "; needed: " + p.needed;
+  if (!p.hint.empty()) text += ". " + p.hint;
   return text;
 }
 
-}  // namespace
+Error::Error(ErrorKind error_kind, Parts parts) : std::runtime_error(compose(parts)), kind_(error_kind), parts_(std::move(parts)) {}
 
-Error::Error(ErrorKind kind, std::string place, std::string found, std::string needed, std::string hint)
-    : std::runtime_error(compose(place, found, needed, hint)),
-      kind_(kind),
-      place_(std::move(place)),
-      found_(std::move(found)),
-      needed_(std::move(needed)),
-      hint_(std::move(hint)) {}
+Error::Error(ErrorKind error_kind, std::string what_found, std::string what_needed, std::string what_to_do)
+    : Error(error_kind, Parts{{}, std::move(what_found), std::move(what_needed), std::move(what_to_do)}) {}
 
-Error::Error(ErrorKind kind, std::string found, std::string needed, std::string hint) : Error(kind, std::string{}, std::move(found), std::move(needed), std::move(hint)) {}
-
-Error Error::at(const std::string& place) const { return Error(kind_, place_.empty() ? place : place + ": " + place_, found_, needed_, hint_); }
+Error Error::at(const std::string& where) const {
+  Parts parts = parts_;
+  parts.place = parts.place.empty() ? where : where + ": " + parts.place;
+  return Error(kind_, std::move(parts));
+}
 
 int Error::exit_code() const {
   switch (kind_) {

@@ -15,24 +15,28 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
  public:
-  // `found` says what was met ("frame 12 has 3 points"), `needed` what would have served, `hint` what the user can do.
+  // `what_found` says what was met ("frame 12 has 3 points"), `what_needed` what would have served, `what_to_do` the remedy.
   // Either of the last two may be empty.
-  Error(ErrorKind kind, std::string found, std::string needed = {}, std::string hint = {});
+  explicit Error(ErrorKind error_kind, std::string what_found, std::string what_needed = {}, std::string what_to_do = {});
 
   // The same error with the place it came from ("stems.fit", "scan.pcap:12") in front of the message.
-  Error at(const std::string& place) const;
+  Error at(const std::string& where) const;
 
   ErrorKind kind() const { return kind_; }
   int exit_code() const;
-  const std::string& place() const { return place_; }
-  const std::string& found() const { return found_; }
-  const std::string& needed() const { return needed_; }
-  const std::string& hint() const { return hint_; }
+  const std::string& place() const { return parts_.place; }
+  const std::string& found() const { return parts_.found; }
+  const std::string& needed() const { return parts_.needed; }
+  const std::string& hint() const { return parts_.hint; }
 
  private:
-  Error(ErrorKind kind, std::string place, std::string found, std::string needed, std::string hint);
+  struct Parts {
+    std::string place, found, needed, hint;
+  };
+  Error(ErrorKind error_kind, Parts parts);
+  static std::string compose(const Parts& parts);
   ErrorKind kind_;
-  std::string place_, found_, needed_, hint_;
+  Parts parts_;
 };
 
 // Shorthands for the two common kinds.
