@@ -42,8 +42,8 @@ class PointCloud {
 
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // coordinate = origin + offset, metres
   Axes axes = Axes::unknown;
-  std::string crs_wkt;                               // of Axes::global; empty when not known
-  Eigen::Vector3d scale = Eigen::Vector3d::Zero();   // LAS coordinate quantum of the source, metres; zero when none
+  std::string crs_wkt;                              // of Axes::global; empty when not known
+  Eigen::Vector3d scale = Eigen::Vector3d::Zero();  // LAS coordinate quantum of the source, metres; zero when none
 
   std::size_t size() const { return positions_->size(); }
   bool empty() const { return positions_->empty(); }
