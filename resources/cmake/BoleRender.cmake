@@ -8,7 +8,7 @@ function(bole_headless_executable)
     if(NOT libraries)
       set(libraries "")
     endif()
-    set_target_properties(${target} PROPERTIES LINK_LIBRARIES "bole_osmesa;${OSMESA_LINK_LIBRARIES};${libraries}")
+    set_target_properties(${target} PROPERTIES LINK_LIBRARIES "bole_osmesa;${BOLE_OSMESA_LIBRARY};${libraries}")
     target_link_options(${target} PRIVATE "LINKER:--no-as-needed") # some distributions drop libraries that nothing refers to by name
   endforeach()
 endfunction()
