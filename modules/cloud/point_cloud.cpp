@@ -1,6 +1,7 @@
 #include "cloud/point_cloud.h"
 
 #include <array>
+#include <cmath>
 
 namespace bole {
 
@@ -78,6 +79,15 @@ PointCloud PointCloud::subset(const std::vector<std::uint32_t>& indices) const {
                                return picked;
                              },
                              *column));
+  }
+  return out;
+}
+
+Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i) {
+  Eigen::Vector3d out = cloud.position(i);
+  for (int k = 0; k < 3; ++k) {
+    const double step = cloud.scale[k];
+    if (step > 0) out[k] = cloud.origin[k] + std::round(static_cast<double>(cloud.positions()[i][k]) / step) * step;
   }
   return out;
 }

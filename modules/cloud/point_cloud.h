@@ -85,4 +85,8 @@ class PointCloud {
   std::map<std::string, std::shared_ptr<const Column>, std::less<>> columns_;
 };
 
+// The coordinate that the source file holds for a point: its offset rounded to the grid of `scale`. position() where the
+// cloud has no grid. Exact up to 2^23 steps from the origin, where a float32 offset still tells neighbouring steps apart.
+Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i);
+
 }  // namespace bole

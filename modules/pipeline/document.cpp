@@ -46,10 +46,14 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
   const std::string id = text_of(object, "id", where);
   if (id.empty() || id.find('.') != std::string::npos) throw bad_input(where + " has the id '" + id + "'", "a name without a dot");
   where = "stage '" + id + "'";
-  check_keys(object, where, {"id", "type", "inputs", "options", "label"});
+  check_keys(object, where, {"id", "type", "inputs", "options", "label", "optional"});
   try {
     const StageType& type = registry.at(text_of(object, "type", where));
-    StageNode node{id, &type, {}, OptionSet(*type.options), {}};
+    StageNode node{id, &type, {}, OptionSet(*type.options), {}, false};
+    if (object.contains("optional")) {
+      if (!object.at("optional").is_boolean()) throw bad_input("'optional' is " + object.at("optional").dump(), "true or false");
+      node.optional = object.at("optional").get<bool>();
+    }
     if (object.contains("inputs")) {
       if (!object.at("inputs").is_object()) throw bad_input("'inputs' is " + object.at("inputs").dump(), "an object of port: \"id.port\"");
       for (const auto& [port, source] : object.at("inputs").items()) {
@@ -74,6 +78,11 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
 }
 
 }  // namespace
+
+bool StageNode::skipped() const {
+  if (!optional) return false;
+  return std::ranges::any_of(options.table().specs, [&](const OptionSpec& spec) { return spec.text_kind == TextKind::input_path && std::get<std::string>(options.get(spec.name)).empty(); });
+}
 
 SourcePort parse_source(std::string_view text) {
   const auto dot = text.find('.');
@@ -138,6 +147,14 @@ void PipelineDocument::set(std::string_view stage_and_option, std::string_view t
   }
 }
 
+void apply_sets(PipelineDocument& document, const std::vector<std::string>& assignments) {
+  for (const auto& assignment : assignments) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos) throw bad_input("--set " + assignment, "STAGE.OPTION=VALUE");
+    document.set(std::string_view(assignment).substr(0, equals), std::string_view(assignment).substr(equals + 1));
+  }
+}
+
 std::vector<const StageNode*> PipelineDocument::in_order() const {
   std::vector<const StageNode*> order;
   std::map<std::string, int> mark;  // 1: being visited, 2: done
@@ -150,7 +167,15 @@ std::vector<const StageNode*> PipelineDocument::in_order() const {
     order.push_back(&node);
   };
   for (const auto& node : stages_) visit(node);
+  std::erase_if(order, [](const StageNode* node) { return node->skipped(); });
   return order;
+}
+
+std::map<std::string, SourcePort> PipelineDocument::joints(const StageNode& node) const {
+  std::map<std::string, SourcePort> list;
+  for (const auto& [port, text] : node.inputs)
+    if (const auto source = parse_source(text); !at(source.id).skipped()) list.emplace(port, source);
+  return list;
 }
 
 std::string PipelineDocument::to_json() const {
@@ -160,6 +185,7 @@ std::string PipelineDocument::to_json() const {
   root["stages"] = ordered_json::array();
   for (const auto& node : stages_) {
     ordered_json stage{{"id", node.id}, {"type", node.type->name}};
+    if (node.optional) stage["optional"] = true;
     if (!node.inputs.empty()) stage["inputs"] = node.inputs;
     ordered_json options;
     for (const auto& spec : node.type->options->specs)

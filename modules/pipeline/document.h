@@ -22,6 +22,9 @@ struct StageNode {
   std::map<std::string, std::string> inputs;
   OptionSet options;
   std::set<std::string> given;  // options named in the document or by set(); a preset does not touch these
+  bool optional = false;        // "optional": true - skipped while an input path of it is empty (a reference that is not there)
+
+  bool skipped() const;
 };
 
 struct SourcePort {
@@ -45,8 +48,12 @@ class PipelineDocument {
   std::vector<StageNode>& stages() { return stages_; }
   const StageNode& at(std::string_view id) const;
 
-  // Stages so that each comes after those it takes from; document order otherwise. Throws Error{bad_input} on a cycle.
+  // The stages that run, so that each comes after those it takes from; document order otherwise. Skipped stages are left out.
+  // Throws Error{bad_input} on a cycle.
   std::vector<const StageNode*> in_order() const;
+
+  // The joints of a stage that lead to stages that run: its inputs less those from skipped stages.
+  std::map<std::string, SourcePort> joints(const StageNode& node) const;
 
   // The document as JSON, options that differ from their defaults only.
   std::string to_json() const;
@@ -58,6 +65,9 @@ class PipelineDocument {
 
 // "ground.points" -> {ground, points}. Throws Error{bad_input} when there is no dot.
 SourcePort parse_source(std::string_view text);
+
+// "stage.option=value", as given on a command line, one after the other. Throws Error{bad_input}.
+void apply_sets(PipelineDocument& document, const std::vector<std::string>& assignments);
 
 // What is wrong with a document as it stands: joints that lead nowhere, kinds that differ, inputs that are missing, arrays that
 // no earlier stage makes, input files that are not there, relations between options. Empty when it can run.

@@ -136,6 +136,7 @@ std::string document_schema(const StageRegistry& registry) {
     ordered_json stage{{"title", type->title}, {"type", "object"}, {"additionalProperties", false}, {"required", {"id", "type"}}};
     stage["properties"] = {{"id", {{"type", "string"}, {"pattern", "^[^.]+$"}}},
                            {"label", {{"type", "string"}}},
+                           {"optional", {{"type", "boolean"}}},
                            {"type", {{"const", type->name}}},
                            {"inputs", {{"type", "object"}, {"additionalProperties", false}, {"required", required}, {"properties", inputs}}},
                            {"options", {{"type", "object"}, {"additionalProperties", false}, {"properties", options}}}};

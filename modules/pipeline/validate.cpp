@@ -50,6 +50,10 @@ void check_joint(const PipelineDocument& document, const StageNode& node, const 
     problems.push_back({node.id, "input '" + port_name + "' is joined to '" + joint + "', which is not there; needed: one of " + (list.empty() ? "none" : list)});
     return;
   }
+  if (from.skipped() && !port->optional) {
+    problems.push_back({node.id, "input '" + port_name + "' takes from '" + from.id + "', which is skipped because its file is not given"});
+    return;
+  }
   if (out->kind != port->kind) {
     problems.push_back({node.id, "input '" + port_name + "' takes a " + std::string(data_kind_name(port->kind)) + ", but '" + joint + "' is a " + std::string(data_kind_name(out->kind))});
     return;
@@ -81,6 +85,7 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
 std::vector<Problem> validate(const PipelineDocument& document) {
   std::vector<Problem> problems;
   for (const auto& node : document.stages()) {
+    if (node.skipped()) continue;
     for (const auto& [port, joint] : node.inputs) {
       try {
         check_joint(document, node, port, joint, problems);

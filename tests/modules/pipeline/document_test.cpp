@@ -76,6 +76,22 @@ TEST(Document, PathsAreTakenFromTheDocumentsFolder) {
   EXPECT_EQ(document.at("a").options.as<testing::ReadOptions>().file, "/plots/one/data/x.las");
 }
 
+TEST(Document, AnOptionalStageIsSkippedWhileItsFileIsNotGiven) {
+  auto document = PipelineDocument::parse(R"({"stages": [
+    {"id": "reference", "type": "toy.read", "optional": true},
+    {"id": "compare", "type": "toy.compare", "inputs": {"reference": "reference.points"}},
+    {"id": "needs", "type": "toy.height", "inputs": {"points": "reference.points"}}]})",
+                                          registry());
+  EXPECT_THAT(document.in_order(), SizeIs(2));
+  EXPECT_THAT(document.joints(document.at("compare")), IsEmpty());
+  ASSERT_THAT(validate(document), SizeIs(1));
+  EXPECT_THAT(validate(document)[0].message, HasSubstr("'reference', which is skipped"));
+  document.set("reference.file", "/");
+  EXPECT_THAT(document.in_order(), SizeIs(3));
+  EXPECT_THAT(document.joints(document.at("compare")), SizeIs(1));
+  EXPECT_THAT(validate(document), IsEmpty());
+}
+
 TEST(Validate, FindsWhatCannotRun) {
   const auto problems_of = [](const std::string& text) {
     std::string all;

@@ -52,6 +52,7 @@ inline StageRegistry toy_registry() {
                 &slice_options(),
                 false,
                 nothing});
+  registry.add({"toy.compare", "Compare", "Compares.", "", 1, {{"reference", DataKind::cloud, "Reference.", true, {}}}, {{"table", DataKind::table, "Result.", false, {}}}, &height_options(), false, nothing});
   return registry;
 }
 
