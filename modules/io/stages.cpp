@@ -1,6 +1,7 @@
 // The stages of the module io: what brings files into a pipeline.
 #include "io/core/cloud_reader.h"
 #include "io/core/frame_source.h"
+#include "io/core/table_file.h"
 #include "pipeline/stage.h"
 
 namespace bole {
@@ -11,6 +12,10 @@ struct ReadScanOptions : FrameSourceOptions {
 };
 
 struct ReadCloudOptions : CloudReadOptions {
+  std::string file;
+};
+
+struct ReadTableOptions {
   std::string file;
 };
 
@@ -71,11 +76,34 @@ StageType read_cloud_stage() {
   return type;
 }
 
+StageType read_table_stage() {
+  static const OptionTable table =
+      make_option_table<ReadTableOptions>({Option<ReadTableOptions, std::string>{"file", &ReadTableOptions::file, TextKind::input_path, {}, Tier::basic, "Table to read: CSV with a header line."}});
+  StageType type;
+  type.name = "io.read_table";
+  type.title = "Read a table";
+  type.help = "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty cells are missing values; lines that do not fit the header are named.";
+  type.source = "RFC 4180";
+  type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    StageResult result;
+    auto read = read_table(options.as<ReadTableOptions>().file, run);
+    result.report.counts["rows"] = static_cast<std::int64_t>(read.rows());
+    result.report.counts["columns"] = static_cast<std::int64_t>(read.columns().size());
+    result.report.message = std::to_string(read.rows()) + " rows, " + std::to_string(read.columns().size()) + " columns";
+    result.outputs.set("table", std::move(read));
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_io_stages(StageRegistry& registry) {
   registry.add(read_scan());
   registry.add(read_cloud_stage());
+  registry.add(read_table_stage());
 }
 
 }  // namespace bole
