@@ -65,7 +65,7 @@ std::unique_ptr<PointwiseItem> make_pointwise_item(const Item& item) {
 std::unique_ptr<LayeredItem> make_layered_item(const Item& item) {
   // Version 2 was never released for these; some writers put it where 3 is meant.
   switch (item.type) {
-    case ItemType::point14: require(item, 30, 2, 4); return make_point14();
+    case ItemType::point14: require(item, 30, 2, 4); return make_point14(item.version);
     case ItemType::rgb14: require(item, 6, 2, 4); return make_rgb14(item.version, false);
     case ItemType::rgb_nir14: require(item, 8, 2, 4); return make_rgb14(item.version, true);
     case ItemType::wave_packet14: require(item, wave_packet_size, 2, 4); return make_wave_packet14(item.version);

@@ -31,7 +31,8 @@ class LayeredItem {
  public:
   virtual ~LayeredItem() = default;
   virtual std::size_t layers() const = 0;
-  // `layers`: the bytes of each; a field that does not change in the chunk has none. `channel` is set by the point item.
+  // `layers`: the bytes of each; a field that does not change in the chunk has none. `channel` is set by the point item
+  // for those behind it.
   virtual void first(const std::uint8_t* item, std::span<const Bytes> layers, unsigned& channel) = 0;
   virtual void next(std::uint8_t* item, unsigned& channel) = 0;
   virtual bool overran() const = 0;  // a layer's decoder read behind its end: the data is broken
@@ -61,7 +62,7 @@ std::unique_ptr<PointwiseItem> make_gps_time11(int version);
 std::unique_ptr<PointwiseItem> make_rgb12(int version);
 std::unique_ptr<PointwiseItem> make_wave_packet13();
 std::unique_ptr<PointwiseItem> make_bytes(int version, std::size_t size);
-std::unique_ptr<LayeredItem> make_point14();
+std::unique_ptr<LayeredItem> make_point14(int version);
 std::unique_ptr<LayeredItem> make_rgb14(int version, bool with_near_infrared);
 std::unique_ptr<LayeredItem> make_wave_packet14(int version);
 std::unique_ptr<LayeredItem> make_bytes14(int version, std::size_t size);

@@ -89,31 +89,35 @@ struct Channel {
 
 class Point14 final : public LayeredItem {
  public:
+  explicit Point14(int version) : publishes_always_(version >= 4) {}
   std::size_t layers() const override { return layer_count; }
 
   void first(const std::uint8_t* item, std::span<const Bytes> bytes, unsigned& channel) override {
     for (std::size_t i = 0; i < layer_count; ++i) layers_[i].start(bytes[i]);
     for (auto& c : channels_) c.reset();
-    channel = item[fe::flags] >> 4U & 3U;
-    channels_[channel].emplace(Point14State::from(item));
+    channel = current_ = item[fe::flags] >> 4U & 3U;
+    channels_[current_].emplace(Point14State::from(item));
   }
 
   void next(std::uint8_t* item, unsigned& channel) override {
     ArithmeticDecoder& in = layers_[returns_xy].in;
-    const Point14State& before = channels_[channel]->last;
-    const unsigned changed = in.symbol(channels_[channel]->changed[before.place() + (before.time_changed ? 4U : 0U)]);
+    const Point14State& before = channels_[current_]->last;
+    const unsigned changed = in.symbol(channels_[current_]->changed[before.place() + (before.time_changed ? 4U : 0U)]);
+    // Version 3 tells the items behind it of a channel only where it changes, and calls it 0 everywhere else: its writers do the
+    // same, so that this has become the format.
+    channel = publishes_always_ ? current_ : 0;
     if ((changed & 64) != 0) {
-      const unsigned other = (channel + in.symbol(channels_[channel]->channel_step) + 1) % channels;
+      const unsigned other = (current_ + in.symbol(channels_[current_]->channel_step) + 1) % channels;
       if (!channels_[other]) channels_[other].emplace(before);
-      channel = other;
+      channel = current_ = other;
     }
-    Channel& c = *channels_[channel];
+    Channel& c = *channels_[current_];
     const bool time_changes = (changed & 16) != 0;
     read_returns(c, changed, time_changes);
     read_position(c, time_changes);
     read_attributes(c, (changed & 8) != 0, (changed & 32) != 0, time_changes);
     if (time_changes && layers_[gps_time].changes) c.last.time = c.times.next(layers_[gps_time].in);
-    c.last.write(item, channel);
+    c.last.write(item, current_);
     c.last.time_changed = time_changes;
   }
 
@@ -168,12 +172,14 @@ class Point14 final : public LayeredItem {
     if (source_changes && layers_[point_source].changes) p.source = static_cast<std::uint16_t>(c.source.decode(layers_[point_source].in, p.source));
   }
 
+  bool publishes_always_;
+  unsigned current_ = 0;
   std::array<Layer, layer_count> layers_;
   std::array<std::optional<Channel>, channels> channels_;
 };
 
 }  // namespace
 
-std::unique_ptr<LayeredItem> make_point14() { return std::make_unique<Point14>(); }
+std::unique_ptr<LayeredItem> make_point14(int version) { return std::make_unique<Point14>(version); }
 
 }  // namespace bole::laz
