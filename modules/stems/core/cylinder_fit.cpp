@@ -14,6 +14,8 @@ namespace {
 
 constexpr double smallest_sigma = 0.001;
 
+double square(double v) { return v * v; }
+
 class JointFit {
  public:
   JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::size_t passes)
@@ -58,10 +60,11 @@ class JointFit {
   void choose_active(const TaperedCylinder& c) {
     active_.assign(points_.size(), true);
     if (!options_.along_rays) return;
-    for (std::size_t i = 0; i < points_.size(); ++i) active_[i] = ray_residual(c, points_[i], options_.ray_gate).usable;
+    for (std::size_t i = 0; i < points_.size(); ++i) active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
   }
 
   PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998) : surface_residual(c, p); }
+  PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998, false) : surface_residual(c, p, false); }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
@@ -71,8 +74,14 @@ class JointFit {
     return std::min(1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
 
+  // Tukey's loss of a squared residual in units of its cut-off, as a share of its highest value.
+  static double rho(double u2) {
+    const double rest = 1 - u2;
+    return u2 >= 1 ? 1 : 1 - rest * rest * rest;
+  }
+
   double prior_cost(const TaperedCylinder& c) const {
-    double cost = std::pow((c.taper - options_.taper_mean) / options_.taper_sd, 2);
+    double cost = square((c.taper - options_.taper_mean) / options_.taper_sd);
     if (passes_ > 1)
       for (const auto& o : c.pass_offset) cost += o.squaredNorm() / (options_.drift_sd_m * options_.drift_sd_m);
     return cost / 2;
@@ -85,9 +94,9 @@ class JointFit {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!active_[i]) continue;
       const auto& p = points_[i];
-      const auto e = residual(c, p);
+      const auto e = value(c, p);
       const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
-      sum += u2 >= 1 ? 1 : 1 - std::pow(1 - u2, 3);
+      sum += rho(u2);
     }
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
@@ -126,7 +135,7 @@ class JointFit {
       const auto& p = points_[i];
       const auto e = residual(c, p);
       const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
-      sum += u2 >= 1 ? 1 : 1 - std::pow(1 - u2, 3);
+      sum += rho(u2);
       if (u2 >= 1) continue;
       const double w = factor * (1 - u2) * (1 - u2);
       const auto k = static_cast<std::size_t>(p.pass);
@@ -154,7 +163,7 @@ class JointFit {
   double robust_scale(const TaperedCylinder& c, double scale) const {
     std::vector<double> errors;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto e = residual(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale) errors.push_back(std::abs(e.value));
+      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale) errors.push_back(std::abs(e.value));
     return 1.4826 * median_of(errors);
   }
 

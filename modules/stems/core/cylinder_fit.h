@@ -51,8 +51,8 @@ struct PointResidual {
   Eigen::Matrix<double, 6, 1> jacobian = Eigen::Matrix<double, 6, 1>::Zero();
   bool usable = false;
 };
-PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point);
-PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate);
+PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);
+PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate, bool derivatives = true);
 
 // Levenberg-Marquardt with Tukey weights from `start` (passes set, offsets zero or better). Nothing when too few points or no convergence.
 std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start, double start_error_m, const CylinderFitOptions& options);

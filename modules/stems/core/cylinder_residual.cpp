@@ -27,25 +27,25 @@ Seen look(const TaperedCylinder& c, const BarkPoint& point) {
 
 }  // namespace
 
-PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point) {
+PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point, bool derivatives) {
   PointResidual out;
   const auto seen = look(c, point);
   const Eigen::Vector3d across = seen.q - seen.s * seen.a;
   const double distance = across.norm();
   if (distance < 1e-6) return out;
   const Eigen::Vector3d outward = across / distance;
-  out.value = distance - (c.radius + c.taper * seen.s);
+  out.value = distance - (c.radius + c.taper * seen.s), out.usable = true;
+  if (!derivatives) return out;
   for (int k = 0; k < 2; ++k) {
     out.jacobian[k] = -outward[k] + c.taper * seen.a[k];
     const Eigen::Vector3d da = seen.axis_derivative(k);
     out.jacobian[2 + k] = -seen.s * outward.dot(da) - c.taper * seen.q.dot(da);
   }
   out.jacobian[4] = -1, out.jacobian[5] = -seen.s;
-  out.usable = true;
   return out;
 }
 
-PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, double ray_gate) {
+PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, double ray_gate, bool derivatives) {
   PointResidual out;
   const auto seen = look(c, point);
   const Eigen::Vector3d& d = point.ray;
@@ -58,7 +58,8 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
   const double root = std::sqrt(radius * radius - std::max(0.0, impact2));
   const double across = along + root;
-  out.value = across / m;
+  out.value = across / m, out.usable = true;
+  if (!derivatives) return out;
 
   const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {
     const double dm = -cos_axis * d_cos / m;
@@ -75,7 +76,6 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
     out.jacobian[2 + k] = derivative(0, ds_a, -ds_a * cos_axis - seen.s * dc, dc, c.taper * ds_a);
   }
   out.jacobian[4] = derivative(0, 0, 0, 0, 1), out.jacobian[5] = derivative(0, 0, 0, 0, seen.s);
-  out.usable = true;
   return out;
 }
 

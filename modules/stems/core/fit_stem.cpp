@@ -14,6 +14,8 @@
 namespace bole {
 namespace {
 
+// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is an even choice.
+constexpr std::size_t most_fit_points = 8000;
 constexpr double shape_floor_m = 0.0005;  // of the radius: no section is a circle
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
@@ -95,6 +97,10 @@ class StemFitter {
     std::vector<BarkPoint> used;
     for (const auto& p : a.points)
       if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
+    if (const std::size_t stride = used.size() / most_fit_points + 1; stride > 1) {
+      for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
+      used.resize((used.size() - 1) / stride + 1);
+    }
     TaperedCylinder start{a.line.x, a.line.y, a.line.slope_x, a.line.slope_y, a.line.radius, a.line.taper, {}};
     CylinderFitOptions o;
     o.max_sigma_m = options_.max_sigma_m, o.drift_sd_m = drift_sd_, o.ray_gate = options_.ray_gate;

@@ -8,7 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
-#include <numeric>
+#include <utility>
 
 namespace bole {
 namespace {
@@ -129,7 +129,7 @@ struct Random {
 
 // Points on the ring count by their nearness to it, points well inside count against it.
 struct Score {
-  float on = 0, inside = 0, height = 0, z = 0;
+  float on = 0, inside = 0, height = 0, z = 0, weight = 0;
   int points = 0;
   std::uint32_t sectors = 0;  // bit per 20 degrees
 };
@@ -138,21 +138,81 @@ constexpr int sector_count = 18;
 
 float ring_tolerance(float radius) { return std::clamp(0.12F * radius, 0.018F, 0.04F); }
 
-Score score_circle(const std::vector<Voxel>& voxels, float x, float y, float radius) {
+// The voxels of one slab, projected to the ground: one per column, by cell of the layer's grid.
+class SlabGrid {
+ public:
+  SlabGrid(const StemLayer& grid, const VoxelLayer& thin, float low, float high) : grid_(grid) {
+    start_.reserve(thin.start.size()), start_.push_back(0);
+    for (std::size_t cell = 0; cell + 1 < thin.start.size(); ++cell) {
+      add_columns(thin, thin.start[cell], thin.start[cell + 1], low, high);
+      start_.push_back(static_cast<std::uint32_t>(columns_.size()));
+    }
+  }
+
+  std::pair<std::uint32_t, std::uint32_t> cell(int ix, int iy) const {
+    const auto c = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx) + static_cast<std::size_t>(ix);
+    return {start_[c], start_[c + 1]};
+  }
+  const Voxel& operator[](std::uint32_t k) const { return columns_[k]; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(columns_.size()); }
+
+  template <class F>
+  void for_each_near(float x, float y, float reach, F&& f) const {
+    const int x0 = grid_.cell_x(x - reach), x1 = grid_.cell_x(x + reach), y0 = grid_.cell_y(y - reach), y1 = grid_.cell_y(y + reach);
+    for (int iy = y0; iy <= y1; ++iy) {
+      const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx);
+      for (auto k = start_[row + static_cast<std::size_t>(x0)]; k < start_[row + static_cast<std::size_t>(x1) + 1]; ++k) f(k);
+    }
+  }
+
+ private:
+  // Voxels of a cell are sorted by height, then y, then x: columns of a slab are joined through their key.
+  void add_columns(const VoxelLayer& thin, std::uint32_t first, std::uint32_t last, float low, float high) {
+    struct Keyed {
+      std::int64_t key;
+      std::uint32_t k;
+    };
+    std::vector<Keyed> keyed;
+    for (auto k = first; k < last; ++k) {
+      const auto& v = thin.voxels[k];
+      if (v.height < low || v.height >= high) continue;
+      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / voxel_m)) << 32) + static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / voxel_m)), k});
+    }
+    std::ranges::stable_sort(keyed, {}, &Keyed::key);
+    for (std::size_t i = 0; i < keyed.size();) {
+      Voxel sum;
+      std::size_t j = i;
+      for (; j < keyed.size() && keyed[j].key == keyed[i].key; ++j) {
+        const auto& v = thin.voxels[keyed[j].k];
+        const float w = v.weight * v.weight;
+        sum.x += w * v.x, sum.y += w * v.y, sum.z += w * v.z, sum.height += w * v.height, sum.weight += w;
+      }
+      columns_.push_back({sum.x / sum.weight, sum.y / sum.weight, sum.z / sum.weight, sum.height / sum.weight, std::sqrt(sum.weight)});
+      i = j;
+    }
+  }
+
+  const StemLayer& grid_;
+  std::vector<Voxel> columns_;
+  std::vector<std::uint32_t> start_;
+};
+
+Score score_circle(const SlabGrid& slab, float x, float y, float radius) {
   Score s;
   const float tolerance = ring_tolerance(radius), outer = radius + tolerance, hollow = std::max(0.F, radius - 2.5F * tolerance);
-  for (const auto& v : voxels) {
+  slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
+    const auto& v = slab[k];
     const float dx = v.x - x, dy = v.y - y, d2 = dx * dx + dy * dy;
-    if (d2 > outer * outer) continue;
+    if (d2 > outer * outer) return;
     const float e = (std::sqrt(d2) - radius) / tolerance;
     if (e > -1) {
-      s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, ++s.points;
+      s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight, ++s.points;
       const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
       s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
     } else if (d2 < hollow * hollow) {
       s.inside += v.weight;
     }
-  }
+  });
   return s;
 }
 
@@ -165,55 +225,50 @@ bool circle_through(const Voxel& a, const Voxel& b, const Voxel& c, float& x, fl
   return true;
 }
 
-struct Slab {
-  float low, high;
-  int number;
-};
+constexpr std::array<float, 4> reaches{0.08F, 0.2F, 0.45F, 1.0F};
+constexpr std::uint32_t most_seeds = 6;  // per cell
+constexpr int attempts = 5;              // per seed and reach
+
+using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
 
 // The best circle through `seed` and two of its neighbours, tried at several scales.
-SlabCircle best_circle_at(const std::vector<Voxel>& near, const Voxel& seed, const MeasureOptions& options, Random random) {
+SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed, const MeasureOptions& options, Random random) {
   const auto least = static_cast<float>(0.35 * options.min_dbh_m), most = static_cast<float>(0.55 * options.max_dbh_m);
   SlabCircle best;
-  std::vector<Voxel> local;
-  for (const float reach : {0.08F, 0.2F, 0.45F, 1.0F}) {
-    if (reach > 4 * most) break;
-    local.clear();
-    for (const auto& v : near)
-      if (std::abs(v.x - seed.x) < reach && std::abs(v.y - seed.y) < reach) local.push_back(v);
+  for (std::size_t scale = 0; scale < reaches.size() && reaches[scale] <= 4 * most; ++scale) {
+    const auto& local = near[scale];
     if (local.size() < 5) continue;
-    for (int attempt = 0; attempt < 5; ++attempt) {
+    for (int attempt = 0; attempt < attempts; ++attempt) {
       float x = 0, y = 0, radius = 0;
-      if (!circle_through(seed, local[random.below(local.size())], local[random.below(local.size())], x, y, radius)) continue;
-      if (radius < least || radius > std::min(most, reach)) continue;
-      const auto s = score_circle(near, x, y, radius);
+      if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y, radius)) continue;
+      if (radius < least || radius > std::min(most, reaches[scale])) continue;
+      const auto s = score_circle(slab, x, y, radius);
       const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
       const double score = (s.on - 1.5 * s.inside) * std::sqrt(arc);
       if (score <= best.score || s.points < 5) continue;
       best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi, best.points = s.points;
+      best.height = s.height / s.weight, best.z = s.z / s.weight;
     }
   }
   return best;
 }
 
-std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const VoxelLayer& thin, const Slab& slab, int iy, const MeasureOptions& options) {
+std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab, int number, int iy, const MeasureOptions& options) {
   std::vector<SlabCircle> found;
-  const double reach = std::min(1.1 * options.max_dbh_m, 1.6);
-  std::vector<Voxel> near;
+  Neighbours near;
   for (int ix = 0; ix < grid.nx; ++ix) {
-    const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
-    const auto first = thin.start[cell], last = thin.start[cell + 1];
-    const bool any = std::any_of(thin.voxels.begin() + first, thin.voxels.begin() + last, [&](const Voxel& v) { return v.height >= slab.low && v.height < slab.high; });
-    if (!any) continue;
-    near.clear();
-    for_each_voxel_near(grid, thin, grid.corner.x() + (ix + 0.5) * grid.cell_m, grid.corner.y() + (iy + 0.5) * grid.cell_m, reach, [&](const Voxel& v) {
-      if (v.height >= slab.low && v.height < slab.high) near.push_back(v);
-    });
-    for (auto k = first; k < last; ++k) {
-      const auto& seed = thin.voxels[k];
-      if (seed.height < slab.low || seed.height >= slab.high) continue;
-      auto circle = best_circle_at(near, seed, options, Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(slab.number)});
+    const auto [first, last] = slab.cell(ix, iy);
+    if (first == last) continue;
+    const auto x = static_cast<float>(grid.corner.x() + (ix + 0.5) * grid.cell_m), y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
+    for (std::size_t scale = 0; scale < reaches.size(); ++scale) {
+      near[scale].clear();
+      slab.for_each_near(x, y, reaches[scale], [&](std::uint32_t k) { near[scale].push_back(k); });
+    }
+    const auto stride = (last - first + most_seeds - 1) / most_seeds;
+    for (auto k = first; k < last; k += stride) {
+      auto circle = best_circle_at(slab, near, slab[k], options, Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
       if (circle.score <= 0 || circle.arc_rad < options.min_arc_deg * std::numbers::pi / 180) continue;
-      circle.slab = slab.number;
+      circle.slab = number;
       found.push_back(circle);
     }
   }
@@ -245,18 +300,6 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
   return kept;
 }
 
-void set_heights(const StemLayer& grid, const VoxelLayer& thin, const Slab& slab, SlabCircle& circle) {
-  std::vector<Voxel> near;
-  for_each_voxel_near(grid, thin, circle.x, circle.y, circle.radius + 0.05, [&](const Voxel& v) {
-    if (v.height >= slab.low && v.height < slab.high) near.push_back(v);
-  });
-  double sum = 0;
-  const float tolerance = ring_tolerance(static_cast<float>(circle.radius));
-  for (const auto& v : near)
-    if (std::abs(std::hypot(v.x - circle.x, v.y - circle.y) - circle.radius) < static_cast<double>(tolerance)) sum += v.weight, circle.height += v.weight * v.height, circle.z += v.weight * v.z;
-  if (sum > 0) circle.height /= sum, circle.z /= sum;
-}
-
 }  // namespace
 
 std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options, const Run& run) {
@@ -265,15 +308,13 @@ std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLaye
   for (int s = 0; s < slabs; ++s) {
     run.report(static_cast<double>(s) / slabs, "circles by height");
     const auto low = static_cast<float>(options.search_bottom_m + s * slab_thickness_m);
-    const Slab slab{low, low + static_cast<float>(slab_thickness_m), s};
+    const SlabGrid slab(grid, thin, low, low + static_cast<float>(slab_thickness_m));
     std::vector<std::vector<SlabCircle>> by_row(static_cast<std::size_t>(grid.ny));
-    for_each_row(grid, run, [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, thin, slab, iy, options); });
+    for_each_row(grid, run, [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, slab, s, iy, options); });
     std::vector<SlabCircle> found;
     for (auto& row : by_row) found.insert(found.end(), row.begin(), row.end());
-    for (auto& circle : suppress_overlaps(std::move(found), options, grid)) {
-      set_heights(grid, thin, slab, circle);
-      all.push_back(circle);
-    }
+    found = suppress_overlaps(std::move(found), options, grid);
+    all.insert(all.end(), found.begin(), found.end());
   }
   return all;
 }
