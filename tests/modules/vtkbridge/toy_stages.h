@@ -30,7 +30,7 @@ inline const OptionTable& points_options() {
   static const OptionTable table = make_option_table<S>({
       Option<S, int>{"count", &S::count, Unit::none, {0, 1000000}, Tier::basic, "Number of points."},
       Option<S, double>{"spacing", &S::spacing, Unit::metre, {0.001, 10}, Tier::basic, "Distance between points."},
-      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "A file whose size is added to the count."},
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::advanced, "A file whose size is added to the count."},
   });
   return table;
 }
