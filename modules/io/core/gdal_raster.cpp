@@ -62,7 +62,8 @@ Raster read_geotiff(const std::filesystem::path& path) {
   if (set == nullptr || set->GetRasterCount() < 1) throw bad_input(fmt::format("'{}' cannot be read: {}", path.string(), errors.last()), "a GeoTIFF with a band");
   double t[6];
   if (set->GetGeoTransform(t) != CE_None) throw bad_input(fmt::format("'{}' has no place in space", path.string()), "a georeferenced GeoTIFF");
-  if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1]) throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]), "square cells, north up");
+  if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
+    throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]), "square cells, north up");
   Raster raster;
   raster.nx = set->GetRasterXSize(), raster.ny = set->GetRasterYSize();
   raster.cell_m = t[1];
@@ -81,7 +82,8 @@ Raster read_geotiff(const std::filesystem::path& path) {
   int has_no_data = FALSE;
   const auto no_data = static_cast<float>(band.GetNoDataValue(&has_no_data));
   for (int iy = raster.ny - 1; iy >= 0; --iy) {
-    if (band.RasterIO(GF_Read, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) != CE_None) throw bad_input(fmt::format("'{}': row {} cannot be read: {}", path.string(), iy, errors.last()), "a whole file");
+    if (band.RasterIO(GF_Read, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) != CE_None)
+      throw bad_input(fmt::format("'{}': row {} cannot be read: {}", path.string(), iy, errors.last()), "a whole file");
     if (has_no_data != FALSE) std::ranges::replace(row, no_data, std::numeric_limits<float>::quiet_NaN());
     raster.values.insert(raster.values.end(), row.begin(), row.end());
   }

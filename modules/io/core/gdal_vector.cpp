@@ -23,7 +23,8 @@ void check(const VectorLayer& layer) {
   const std::size_t least = layer.geometry == GeometryKind::point ? 1 : layer.geometry == GeometryKind::line ? 2 : 3;
   for (std::size_t i = 0; i < layer.shapes.size(); ++i) {
     const auto& shape = layer.shapes[i];
-    if (shape.size() < least || (layer.geometry == GeometryKind::point && shape.size() != 1)) throw bad_input(fmt::format("shape {} of layer '{}' has {} vertices", i, layer.name, shape.size()), fmt::format("{}{}", layer.geometry == GeometryKind::point ? "" : "at least ", least));
+    if (shape.size() < least || (layer.geometry == GeometryKind::point && shape.size() != 1))
+      throw bad_input(fmt::format("shape {} of layer '{}' has {} vertices", i, layer.name, shape.size()), fmt::format("{}{}", layer.geometry == GeometryKind::point ? "" : "at least ", least));
     for (const auto& v : shape)
       if (!v.allFinite()) throw bad_input(fmt::format("shape {} of layer '{}' has a coordinate that is not finite", i, layer.name), "finite coordinates");
   }
@@ -31,10 +32,14 @@ void check(const VectorLayer& layer) {
 
 OGRwkbGeometryType geometry_type(GeometryKind kind) {
   switch (kind) {
-    case GeometryKind::point: return wkbPoint25D;
-    case GeometryKind::line: return wkbLineString25D;
-    case GeometryKind::polygon: return wkbPolygon25D;
-    case GeometryKind::none: break;
+    case GeometryKind::point:
+      return wkbPoint25D;
+    case GeometryKind::line:
+      return wkbLineString25D;
+    case GeometryKind::polygon:
+      return wkbPolygon25D;
+    case GeometryKind::none:
+      break;
   }
   return wkbNone;
 }
@@ -44,7 +49,8 @@ std::unique_ptr<OGRGeometry> make_geometry(GeometryKind kind, const std::vector<
     for (const auto& v : shape) curve.addPoint(v.x(), v.y(), v.z());
   };
   switch (kind) {
-    case GeometryKind::point: return std::make_unique<OGRPoint>(shape[0].x(), shape[0].y(), shape[0].z());
+    case GeometryKind::point:
+      return std::make_unique<OGRPoint>(shape[0].x(), shape[0].y(), shape[0].z());
     case GeometryKind::line: {
       auto line = std::make_unique<OGRLineString>();
       add_all(*line);
@@ -58,7 +64,8 @@ std::unique_ptr<OGRGeometry> make_geometry(GeometryKind kind, const std::vector<
       polygon->addRingDirectly(ring.release());
       return polygon;
     }
-    case GeometryKind::none: break;
+    case GeometryKind::none:
+      break;
   }
   return nullptr;
 }
@@ -147,7 +154,8 @@ void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) 
     OGRSpatialReference from, to;
     from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER), to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     const gdal::Errors errors;
-    if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE) throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name), "WKT 1 or 2");
+    if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE)
+      throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name), "WKT 1 or 2");
     const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
     require(transformation != nullptr, errors, layer, "finding a way to longitude and latitude");
     for (auto& shape : out.shapes)

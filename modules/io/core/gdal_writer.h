@@ -20,10 +20,10 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster);
 Raster read_geotiff(const std::filesystem::path& path);
 
 enum class GeometryKind {
-  none,     // a table
-  point,    // one vertex per row
-  line,     // two or more
-  polygon   // three or more, the ring is closed by the writer
+  none,    // a table
+  point,   // one vertex per row
+  line,    // two or more
+  polygon  // three or more, the ring is closed by the writer
 };
 
 // A row of `attributes` per feature. `shapes[i]` are the vertices of feature i, x, y, z in the axes of the CRS.
