@@ -17,11 +17,16 @@ double column_value(const Column& column, std::size_t i) {
 
 Column make_column(ArrayType type, std::size_t size) {
   switch (type) {
-    case ArrayType::uint8: return std::vector<std::uint8_t>(size);
-    case ArrayType::uint16: return std::vector<std::uint16_t>(size);
-    case ArrayType::int32: return std::vector<std::int32_t>(size);
-    case ArrayType::float32: return std::vector<float>(size);
-    case ArrayType::float64: break;
+    case ArrayType::uint8:
+      return std::vector<std::uint8_t>(size);
+    case ArrayType::uint16:
+      return std::vector<std::uint16_t>(size);
+    case ArrayType::int32:
+      return std::vector<std::int32_t>(size);
+    case ArrayType::float32:
+      return std::vector<float>(size);
+    case ArrayType::float64:
+      break;
   }
   return std::vector<double>(size);
 }
