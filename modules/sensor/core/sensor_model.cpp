@@ -1,0 +1,150 @@
+#include "sensor/core/sensor_model.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "base/error.h"
+#include "base/option.h"
+#include "base/resources.h"
+
+namespace bole {
+namespace {
+
+constexpr double radians_per_degree = std::numbers::pi / 180;
+constexpr std::size_t most_channels = 256;
+
+double number(const nlohmann::json& json, const char* key, double min, double max) {
+  const auto it = json.find(key);
+  if (it == json.end()) throw bad_input("'" + std::string(key) + "' is absent", "a number from " + number_text(min) + " to " + number_text(max));
+  if (!it->is_number() || !(it->get<double>() >= min && it->get<double>() <= max)) throw bad_input("'" + std::string(key) + "' is " + it->dump(), "a number from " + number_text(min) + " to " + number_text(max));
+  return it->get<double>();
+}
+
+std::string text(const nlohmann::json& json, const char* key, const std::string& otherwise) {
+  const auto it = json.find(key);
+  if (it == json.end()) return otherwise;
+  if (!it->is_string()) throw bad_input("'" + std::string(key) + "' is " + it->dump(), "a text");
+  return it->get<std::string>();
+}
+
+std::vector<double> numbers(const nlohmann::json& json, const char* key, std::size_t count, double min, double max) {
+  const auto it = json.find(key);
+  if (it == json.end() || !it->is_array()) throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
+  if (count == 0 ? it->empty() || it->size() > most_channels : it->size() != count)
+    throw bad_input("'" + std::string(key) + "' has " + std::to_string(it->size()) + " entries", count == 0 ? "1 to " + std::to_string(most_channels) : std::to_string(count) + ", as elevation_deg has");
+  std::vector<double> values;
+  for (const auto& v : *it) {
+    if (!v.is_number() || !(v.get<double>() >= min && v.get<double>() <= max)) throw bad_input("'" + std::string(key) + "' holds " + v.dump(), "numbers from " + number_text(min) + " to " + number_text(max));
+    values.push_back(v.get<double>());
+  }
+  return values;
+}
+
+std::vector<LaserChannel> channels_from(const nlohmann::json& json, double sequence_period_us) {
+  const auto elevations = numbers(json, "elevation_deg", 0, -90, 90);
+  const auto offsets = numbers(json, "azimuth_offset_deg", elevations.size(), -180, 180);
+  const auto times = numbers(json, "firing_time_us", elevations.size(), 0, sequence_period_us);
+  std::vector<std::size_t> by_elevation(elevations.size());
+  std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
+  std::ranges::stable_sort(by_elevation, {}, [&](std::size_t i) { return elevations[i]; });
+  std::vector<LaserChannel> channels(elevations.size());
+  for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
+    const std::size_t i = by_elevation[ring];
+    channels[i] = {elevations[i] * radians_per_degree, offsets[i] * radians_per_degree, times[i] * 1e-6, static_cast<int>(ring)};
+  }
+  return channels;
+}
+
+void read_packet_format(const nlohmann::json& json, SensorModel& model) {
+  const auto format = text(json, "packet", "none");
+  if (format == "none") return;
+  if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne or none");
+  model.packet = PacketFormat::velodyne;
+  model.sequences_per_block = static_cast<int>(number(json, "sequences_per_block", 1, 2));
+  if (json.contains("product_id")) model.product_id = static_cast<std::uint8_t>(number(json, "product_id", 0, 255));
+  const auto lasers = model.channels.size();
+  if (!(lasers == 16 && model.sequences_per_block == 2) && !((lasers == 32 || lasers == 64) && model.sequences_per_block == 1))
+    throw bad_input("a Velodyne block of " + std::to_string(lasers) + " lasers and " + std::to_string(model.sequences_per_block) + " sequences", "16 lasers twice, 32 once, or 64 in an upper and a lower block");
+}
+
+// "VLP-32C" and "vlp_32c" name the file vlp32c.json, "OS1-64" os1_64.json.
+std::string plain(std::string_view name) {
+  std::string out;
+  for (const char c : name)
+    if (std::isalnum(static_cast<unsigned char>(c))) out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+}  // namespace
+
+std::vector<double> SensorModel::ring_elevations_rad() const {
+  std::vector<double> elevations(channels.size());
+  for (const auto& c : channels) elevations[static_cast<std::size_t>(c.ring)] = c.elevation_rad;
+  return elevations;
+}
+
+SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
+  if (!json.is_object()) throw bad_input("the sensor is not a JSON object", "an object with the entries of resources/sensors/vlp16.json");
+  SensorModel model;
+  model.name = text(json, "name", id);
+  model.id = std::move(id);
+  model.maker = text(json, "maker", "");
+  model.source = text(json, "source", "");
+  const double period_us = number(json, "sequence_period_us", 1, 1e6);
+  model.sequence_period_s = period_us * 1e-6;
+  model.channels = channels_from(json, period_us);
+  model.rotation_hz = number(json, "rotation_hz", 0.1, 100);
+  model.range_quantum_m = number(json, "range_quantum_m", 1e-4, 1);
+  model.min_range_m = number(json, "min_range_m", 0, 100);
+  model.max_range_m = number(json, "max_range_m", model.min_range_m, 10000);
+  model.range_sigma_m = number(json, "range_sigma_m", 0, 10);
+  model.beam_divergence_horizontal_rad = number(json, "beam_divergence_horizontal_mrad", 0, 100) * 1e-3;
+  model.beam_divergence_vertical_rad = number(json, "beam_divergence_vertical_mrad", 0, 100) * 1e-3;
+  model.aperture_horizontal_m = number(json, "aperture_horizontal_mm", 0, 1000) * 1e-3;
+  model.aperture_vertical_m = number(json, "aperture_vertical_mm", 0, 1000) * 1e-3;
+  if (const auto it = json.find("dual_return"); it != json.end()) {
+    if (!it->is_boolean()) throw bad_input("'dual_return' is " + it->dump(), "true or false");
+    model.dual_return = it->get<bool>();
+  }
+  read_packet_format(json, model);
+  return model;
+}
+
+std::vector<std::string> sensor_model_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(resource_path("sensors")))
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+SensorModel load_sensor_model(std::string_view name_or_path) {
+  std::filesystem::path path(name_or_path);
+  std::string id = path.stem().string();
+  if (path.extension() != ".json") {
+    const auto names = sensor_model_names();
+    const auto it = std::ranges::find(names, plain(name_or_path), plain);
+    if (it == names.end()) {
+      std::string list;
+      for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
+      throw bad_input("there is no sensor '" + std::string(name_or_path) + "'", "one of " + list + ", or the path of a JSON file");
+    }
+    id = *it;
+    path = resource_path("sensors/" + id + ".json");
+  }
+  std::ifstream file(path);
+  if (!file) throw bad_input("cannot open '" + path.string() + "'", "a sensor description in JSON");
+  const auto json = nlohmann::json::parse(file, nullptr, false, true);
+  if (json.is_discarded()) throw bad_input("'" + path.string() + "' is not JSON", "a sensor description like resources/sensors/vlp16.json");
+  try {
+    return sensor_model_from_json(json, id);
+  } catch (const Error& e) {
+    throw e.at(path.string());
+  }
+}
+
+}  // namespace bole

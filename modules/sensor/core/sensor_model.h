@@ -1,0 +1,62 @@
+// What is known of a spinning multi-laser scanner: its beams, when each of them fires, and how it measures.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bole {
+
+// One laser, in the order in which the sensor's packets list them.
+struct LaserChannel {
+  double elevation_rad = 0;       // above the sensor's xy plane
+  double azimuth_offset_rad = 0;  // added to the rotor's azimuth, clockwise seen from above like it
+  double firing_time_s = 0;       // after the start of the firing sequence
+  int ring = 0;                   // 0: lowest elevation
+};
+
+enum class PacketFormat { none, velodyne };
+
+// The rotor's azimuth is 0 forward (x) and grows clockwise seen from above. A firing sequence fires every channel once.
+struct SensorModel {
+  std::string id;      // "vlp32c": the name of its file
+  std::string name;    // "VLP-32C"
+  std::string maker;   // "Velodyne"
+  std::string source;  // where the figures are from
+  std::vector<LaserChannel> channels;
+  double sequence_period_s = 0;  // from the start of a firing sequence to the next
+  double rotation_hz = 10;       // usual rate
+
+  double range_quantum_m = 0;  // one count of the packet's range
+  double min_range_m = 0;
+  double max_range_m = 0;
+  double range_sigma_m = 0;  // standard deviation of a single range
+
+  // Full angles of the beam (1/e^2 or as the maker gives them) and the size of the beam where it leaves the sensor.
+  double beam_divergence_horizontal_rad = 0, beam_divergence_vertical_rad = 0;
+  double aperture_horizontal_m = 0, aperture_vertical_m = 0;
+
+  bool dual_return = false;  // can report two returns per firing
+  PacketFormat packet = PacketFormat::none;
+  int sequences_per_block = 1;             // Velodyne: firing sequences in one block of a packet (VLP-16: 2)
+  std::optional<std::uint8_t> product_id;  // Velodyne: factory byte 1205
+
+  int rings() const { return static_cast<int>(channels.size()); }
+  std::vector<double> ring_elevations_rad() const;  // lowest first
+};
+
+// `name_or_path`: a name in resources/sensors ("vlp32c", "VLP-32C") or the path of a JSON file of the same form, so that
+// a unit's own calibration can be used. Throws Error{bad_input} that lists the known names, or names the wrong entry.
+SensorModel load_sensor_model(std::string_view name_or_path);
+
+// The model that a JSON value describes; `id` is what the model is called. Throws Error{bad_input} naming the entry.
+SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id);
+
+// Names in resources/sensors, sorted.
+std::vector<std::string> sensor_model_names();
+
+}  // namespace bole

@@ -1,0 +1,49 @@
+// From firing sequences to Velodyne packets, as the simulator needs it: the inverse of VelodyneDecoder.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+
+#include "sensor/core/sensor_model.h"
+#include "sensor/core/velodyne_packet.h"
+
+namespace bole {
+
+struct LaserEcho {
+  float range_m = 0;  // 0: none
+  std::uint8_t intensity = 0;
+};
+
+class VelodyneEncoder {
+ public:
+  using Bytes = std::array<std::uint8_t, velodyne_packet_bytes>;
+  // Gets each complete packet and the time of its first firing.
+  using Sink = std::function<void(const Bytes& packet, double time_s)>;
+
+  // Throws Error{bad_input} when the model has no Velodyne packets, or no dual return and that is asked for.
+  VelodyneEncoder(SensorModel model, VelodyneReturnMode mode, Sink sink);
+
+  // One firing sequence: `time_s` of its start (seconds since the Unix epoch), the rotor's azimuth then (radians, clockwise,
+  // 0 forward), and one echo per channel. `last` is used in dual mode only (there `strongest` goes to the odd blocks).
+  // Ranges are rounded to the quantum; what does not fit is no return. Throws Error{failed} on a wrong number of echoes.
+  void add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest, std::span<const LaserEcho> last = {});
+
+  // A started packet is completed with empty firings at the last rate of turn and sent; needed once, at the end.
+  void flush();
+
+ private:
+  void fill(VelodyneBlock& block, int first_record, std::span<const LaserEcho> echoes) const;
+  void send();
+
+  SensorModel model_;
+  VelodyneReturnMode mode_;
+  Sink sink_;
+  VelodynePacket packet_;
+  double packet_time_s_ = 0, last_time_s_ = 0;
+  double last_azimuth_rad_ = 0, advance_rad_ = 0;
+  int block_ = 0;     // next one to fill
+  int sequence_ = 0;  // within the block (VLP-16: 0 or 1)
+};
+
+}  // namespace bole

@@ -1,0 +1,73 @@
+// What a simulated plot is made of: read from resources/plots/*.json. Every field, with its unit, is described in
+// modules/sim/README.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace bole::sim {
+
+struct LayoutRecipe {
+  std::string kind = "natural";   // natural: Poisson-disc with clustering; rows: a planting
+  double min_spacing_m = 1.2;     // natural: least distance between stem axes
+  double clustering = 0.3;        // natural, 0 to 1: share of trees that stand close to an earlier one
+  double row_spacing_m = 3.0;     // rows
+  double plant_spacing_m = 2.0;   // rows
+  double row_azimuth_deg = 90.0;  // rows: direction of the rows, clockwise from north
+  double position_sd_m = 0.05;    // rows
+  double missing_share = 0.0;     // rows
+};
+
+struct TreeRecipe {
+  int count = 20;  // within the plot; for rows 0 means as many as fit
+  double dbh_mean_cm = 20;
+  double dbh_sd_cm = 4;  // divided by n, as the plots of the source are described
+  double dbh_min_cm = 7.5;
+  double dbh_max_cm = 80;
+  double conifer_share = 0.3;
+  double dead_share = 0.03;
+  double fork_share = 0.05;  // forks above breast height
+  double twin_share = 0.03;  // stems that share their base with another (fork below breast height); both count
+  double lean_sd_deg = 2.0;
+  double sweep_m = 0.10;      // largest bow of the axis over the lowest 4 m, 1 sigma
+  double ovality = 0.02;      // 1 sigma of the relative amplitude of the second Fourier term of a section; higher ones fall off
+  double flare = 0.25;        // mean relative widening at the ground
+  double bark_mm = 3.0;       // depth of the bark's fissures
+  double low_branches = 1.0;  // multiplies the number of branches and twigs below the crown
+};
+
+struct TerrainRecipe {
+  double slope_deg = 8;
+  double aspect_deg = 180;         // direction the slope faces (downhill), clockwise from north
+  double undulation_m = 0.5;       // height of the broad waves
+  double undulation_scale_m = 14;  // their length
+  double micro_relief_m = 0.03;
+  double rocks_per_ha = 60;
+  double fallen_stems_per_ha = 30;
+};
+
+struct UnderstoreyRecipe {
+  double shrubs_per_ha = 250;
+  double saplings_per_ha = 80;  // thin stems below the smallest diameter, crossing breast height
+  double grass_per_ha = 4000;   // tufts
+};
+
+struct PlotRecipe {
+  std::string name = "unnamed", title;
+  double size_m = 32;    // side of the square plot; x east, y north, origin at its centre
+  double buffer_m = 12;  // the forest goes on this far beyond the boundary
+  LayoutRecipe layout;
+  TreeRecipe trees;
+  TerrainRecipe terrain;
+  UnderstoreyRecipe understorey;
+};
+
+// Throws Error{bad_input} that names the field, its value and what was needed; unknown fields are errors too.
+PlotRecipe parse_recipe(const nlohmann::json& json);
+PlotRecipe read_recipe(const std::filesystem::path& file);
+nlohmann::json to_json(const PlotRecipe& recipe);
+
+}  // namespace bole::sim

@@ -1,0 +1,59 @@
+#include "sim/core/scan.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/option.h"
+
+namespace bole::sim {
+namespace {
+
+// Start azimuth of a recording; any other would do.
+constexpr double first_azimuth_rad = std::numbers::pi;
+constexpr std::int64_t batch_sequences = 1024;
+
+}  // namespace
+
+ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, const Walk& walk, double rotation_hz, std::uint64_t seed, const Run& run,
+                    const std::function<void(const FiringSequence&)>& sink) {
+  const Beam beam(sensor, parameters, scene, seed);
+  const std::size_t lasers = sensor.channels.size();
+  const double turn_rad_s = 2 * std::numbers::pi * rotation_hz, period = sensor.sequence_period_s;
+  const auto total = static_cast<std::int64_t>(std::floor(walk.duration_s() / period));
+  std::vector<LaserEcho> echoes(static_cast<std::size_t>(batch_sequences) * lasers);
+  ScanStatistics statistics;
+  const auto fire = [&](std::int64_t sequence, LaserEcho* out) {
+    const double start = static_cast<double>(sequence) * period;
+    // Within a sequence of some 50 us the motion is uniform to far below a micrometre.
+    const Pose at_start = walk.pose(start), at_end = walk.pose(start + period);
+    for (std::size_t c = 0; c < lasers; ++c) {
+      const double within = sensor.channels[c].firing_time_s;
+      const Pose T = within > 0 ? interpolate(at_start, at_end, within / period) : at_start;
+      const double azimuth = first_azimuth_rad + turn_rad_s * (start + within) + sensor.channels[c].azimuth_offset_rad;
+      out[c] = beam.fire(T, c, azimuth, static_cast<std::uint64_t>(sequence) * lasers + c);
+    }
+  };
+  for (std::int64_t first = 0; first < total; first += batch_sequences) {
+    const std::int64_t count = std::min(batch_sequences, total - first);
+    tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 8), [&](const auto& range) {
+      for (auto i = range.begin(); i < range.end() && !run.cancelled(); ++i) fire(first + i, echoes.data() + static_cast<std::size_t>(i) * lasers);
+    });
+    run.check_cancel();
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::span<const LaserEcho> sequence(echoes.data() + static_cast<std::size_t>(i) * lasers, lasers);
+      statistics.returns += std::ranges::count_if(sequence, [](const LaserEcho& e) { return e.range_m > 0; });
+      const double time = static_cast<double>(first + i) * period, azimuth = first_azimuth_rad + turn_rad_s * time;
+      sink({first + i, time, azimuth - 2 * std::numbers::pi * std::floor(azimuth / (2 * std::numbers::pi)), sequence});
+    }
+    statistics.pulses += count * static_cast<std::int64_t>(lasers);
+    const double done = static_cast<double>(first + count) * period;
+    run.report(static_cast<double>(first + count) / static_cast<double>(total), "scanning: " + number_text(std::round(done)) + " of " + number_text(std::round(walk.duration_s())) + " s");
+  }
+  return statistics;
+}
+
+}  // namespace bole::sim
