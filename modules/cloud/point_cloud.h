@@ -50,6 +50,8 @@ class PointCloud {
   const Positions& positions() const { return *positions_; }  // offsets from `origin`
   Eigen::Vector3d position(std::size_t i) const { return origin + (*positions_)[i].cast<double>(); }
   void set_positions(Positions positions) { positions_ = std::make_shared<const Positions>(std::move(positions)); }
+  void share_positions(std::shared_ptr<const Positions> positions) { positions_ = std::move(positions); }
+  const std::shared_ptr<const Positions>& shared_positions() const { return positions_; }
 
   const std::map<std::string, std::shared_ptr<const Column>, std::less<>>& columns() const { return columns_; }
   bool has(std::string_view name) const { return columns_.find(name) != columns_.end(); }

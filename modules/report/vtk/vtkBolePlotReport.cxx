@@ -1,0 +1,5 @@
+#include "vtkBolePlotReport.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBolePlotReport)
