@@ -32,6 +32,7 @@ void write_atomically(const std::filesystem::path& path, const std::function<voi
   // The extension stays: some drivers look at it.
   const std::string temporary = (path.parent_path() / (path.stem().string() + ".partial-" + std::to_string(::getpid()) + path.extension().string())).string();
   std::error_code ignored;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
   std::filesystem::remove(temporary, ignored);
   try {
     write(temporary);

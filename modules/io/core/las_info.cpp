@@ -9,7 +9,7 @@
 #include "io/core/crs_geokeys.h"
 #include "io/core/las_extra_bytes.h"
 #include "io/core/las_format.h"
-#include "io/core/las_mapped_file.h"
+#include "io/core/mapped_file.h"
 
 namespace bole {
 
@@ -160,7 +160,7 @@ LasInfo parse_info(Bytes file, bool with_crs) {
 }  // namespace las
 
 LasInfo las_info(const std::filesystem::path& path) {
-  const las::MappedFile file(path);
+  const MappedFile file(path);
   try {
     return las::parse_info(file.bytes());
   } catch (const Error& error) {

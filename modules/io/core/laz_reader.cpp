@@ -159,7 +159,7 @@ class PointReader {
 
 }  // namespace
 
-std::uint64_t read_points(las::Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
+std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
   if (vlr == nullptr) throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
   if (info.points == 0) return 0;

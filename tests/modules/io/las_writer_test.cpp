@@ -167,7 +167,8 @@ TEST_F(LasWriter, CoordinatesBeyondTheGridAreRefusedAndLeaveNoFile) {
     }
   }
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
-  EXPECT_THROW(write_las(path("no/such/folder.las"), PointCloud()), Error);
+  std::ofstream(path("file")) << "not a folder";
+  EXPECT_THROW(write_las(path("file/cloud.las"), PointCloud()), Error);
 }
 
 TEST_F(LasWriter, EmptyCloud) {
