@@ -22,6 +22,9 @@
 namespace bole {
 namespace {
 
+const Color ground_grey = hex(0xb9b1a4);
+constexpr double ground_below_m = 0.08, plants_above_m = 0.5;  // heights between which the grey of the ground gives way to the map
+
 constexpr int sides = 20;  // of a stem's cross-section
 
 vtkSmartPointer<vtkActor> actor_of(vtkPolyData* data, bool colored) {
@@ -158,15 +161,18 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
   auto* color = colors->GetPointer(0);
   const auto* column = value_column(cloud, coloring.by);
   const std::vector<std::int32_t>* trees = coloring.by == PointColor::tree ? &cloud.values<std::int32_t>(arrays::tree_id) : nullptr;
+  const bool above_ground = coloring.by == PointColor::height && column != nullptr;
   const auto& map = coloring.by == PointColor::intensity ? ColorMap::cividis() : ColorMap::viridis();
   for (const auto i : indices) {
     const Eigen::Vector3f p = (cloud.position(i) - origin).cast<float>();
     for (int axis = 0; axis < 3; ++axis) *coordinates++ = p[axis];
-    Color c = hex(0xbab3a6);
+    Color c = ground_grey;
     if (trees != nullptr) {
       if ((*trees)[i] > 0) c = id_color((*trees)[i]);
     } else if (coloring.by != PointColor::plain) {
-      c = map.at((point_value(cloud, coloring.by, column, i) - coloring.range.lo) / coloring.range.length());
+      const double value = point_value(cloud, coloring.by, column, i);
+      c = map.at((value - coloring.range.lo) / coloring.range.length());
+      if (above_ground) c = mix(ground_grey, c, std::clamp((value - ground_below_m) / (plants_above_m - ground_below_m), 0.0, 1.0));
     }
     for (const double v : {c.r, c.g, c.b}) *color++ = static_cast<unsigned char>(255 * v + 0.5);
   }

@@ -23,6 +23,7 @@ struct PointColoring {
 };
 PointColoring coloring_for(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, PointColor by);
 
+// Heights above ground run through viridis, but the ground itself is a quiet grey: a third of all points lie on it.
 vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const PointColoring& coloring, const Eigen::Vector3d& origin, double size_px);
 
 // A tapered stem, from foot to top.
