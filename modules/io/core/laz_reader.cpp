@@ -20,8 +20,7 @@ constexpr std::size_t block_points = 1 << 12;
 
 class PointReader {
  public:
-  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing)
-      : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
+  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing) : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
 
   std::uint64_t read(std::vector<std::string>& warnings) {
     if (const auto table = read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {

@@ -9,8 +9,8 @@
 namespace bole {
 namespace {
 
-constexpr int half_window = 5;      // neighbours on each side (LOAM)
-constexpr int sectors = 6;          // the line is cut into sectors so that features lie all around
+constexpr int half_window = 5;  // neighbours on each side (LOAM)
+constexpr int sectors = 6;      // the line is cut into sectors so that features lie all around
 constexpr int edges_query = 2, edges_map = 12, planes_query = 4;
 constexpr float edge_curvature = 0.1f, plane_curvature = 0.1f;
 enum Unusable : std::uint8_t { no_edge = 1, no_plane = 2 };

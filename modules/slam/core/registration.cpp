@@ -32,9 +32,12 @@ struct Sums {
 // Shares of the begin and end unknowns in the pose at s.
 std::pair<double, double> shares(MotionModel model, double s) {
   switch (model) {
-    case MotionModel::rigid: return {0, 1};
-    case MotionModel::end: return {0, s};
-    case MotionModel::elastic: break;
+    case MotionModel::rigid:
+      return {0, 1};
+    case MotionModel::end:
+      return {0, s};
+    case MotionModel::elastic:
+      break;
   }
   return {1 - s, s};
 }
@@ -100,8 +103,9 @@ Vector6d inverse_variances(double sigma_rad, double sigma_m) {
   return w;
 }
 
-// Begin against its prediction, and (end - begin) against the predicted motion.
+// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin stands.
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings, Sums& sums) {
+  if (settings.model == MotionModel::rigid) return;
   const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma_m), wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma_m);
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin), ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
@@ -151,9 +155,13 @@ double shift_conditioning(const Matrix6d& H) {
 }  // namespace
 
 std::optional<Match> match_point(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, const MatchModel& model) {
-  const auto surface = map.surface(point_in_map, model.first_level);
+  std::optional<LocalSurface> surface;
+  for (int level = model.first_level; level < DistributionMap::levels; ++level) {
+    surface = map.surface(point_in_map, level);
+    if (surface && (line ? surface->linearity() >= least_linearity : surface->planarity() >= least_planarity)) break;
+    surface.reset();
+  }
   if (!surface) return std::nullopt;
-  if (line ? surface->linearity() < least_linearity : surface->planarity() < least_planarity) return std::nullopt;
 
   // Errors across a plane or line; their variance is the thickness of the surface plus that of the range.
   const Eigen::Vector3d error = point_in_map - surface->mean;
@@ -195,7 +203,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
     sums = sum_over_points(features, maps, out.motion, settings.model, model, run);
     out.rounds = round + 1;
     if (sums.matched < 12) break;
-    if (settings.model == MotionModel::elastic) add_priors(out.motion, guess, settings, sums);
+    add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);
     if (!step.allFinite()) break;
     const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()), shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());

@@ -40,9 +40,9 @@ std::optional<Match> match_point(const DistributionMap& map, const Eigen::Vector
 void add_pose_equations(const Eigen::Vector3d& lever, const Eigen::Vector3d& error, const Eigen::Matrix3d& weight, Matrix6d& H, Vector6d& g);
 
 enum class MotionModel {
-  rigid,  // the motion within the frame is kept, the frame is moved as a whole: 6 unknowns
-  end,    // the begin pose stands, the end pose is sought: 6 unknowns
-  elastic // begin and end pose, held by continuity and smoothness: 12 unknowns
+  rigid,   // the motion within the frame is kept, the frame is moved as a whole: 6 unknowns
+  end,     // the begin pose stands, the end pose is sought: 6 unknowns
+  elastic  // begin and end pose, held by continuity and smoothness: 12 unknowns
 };
 
 struct RegistrationSettings {
@@ -62,10 +62,10 @@ struct Registration {
   int rounds = 0;
   bool converged = false;
   std::size_t tried = 0, matched = 0, inliers = 0;
-  double overlap = 0;         // inliers / tried
-  double rms_m = 0;           // of the inliers, along their normals
+  double overlap = 0;                       // inliers / tried
+  double rms_m = 0;                         // of the inliers, along their normals
   Matrix6d information = Matrix6d::Zero();  // of the end pose (turn, shift), data only
-  double conditioning = 0;    // least over largest eigenvalue of the shift part, turn eliminated
+  double conditioning = 0;                  // least over largest eigenvalue of the shift part, turn eliminated
 };
 
 // `guess` is where the search starts; for MotionModel::elastic also the prediction that the priors hold to.

@@ -172,7 +172,9 @@ void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Rep
 
 Track estimate_track(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   auto pass = follow(source, options, report, run.part(0, 0.7));
-  if (pass.frames.size() < 2) throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together", report.warnings.empty() ? "" : report.warnings.front());
+  if (pass.frames.size() < 2)
+    throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together",
+                    report.warnings.empty() ? "" : report.warnings.front());
   if (options.loops == "odometry" && !run.asked_to_finish()) close_loops(pass, options, report, run.part(0.7, 0.8));
 
   Track track;
