@@ -8,6 +8,7 @@
 #include <regex>
 #include <sstream>
 
+#include "io/core/gdal_writer.h"
 #include "io/core/table_file.h"
 #include "modules/render/small_survey.h"
 #include "report/core/html.h"
@@ -99,11 +100,12 @@ TEST_F(MakeReport, WritesEverything) {
   if (keep_) options = {};
   const auto result = make_report(inputs_of(s), options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
-  for (const char* file : {"stems.csv", "sections.csv", "rejected.csv", "matches.csv", "trajectory.tum", "cloud.las", "report.html", "figures/stem_map.png", "figures/stem_map.svg", "figures/stem_map.pdf", "figures/map_height.png", "figures/map_tree.png", "figures/map_intensity.png", "figures/map_top_height.png",
+  for (const char* file : {"stems.csv", "sections.csv", "rejected.csv", "matches.csv", "trajectory.tum", "cloud.las", "dem.tif", "plot.gpkg", "report.html", "figures/stem_map.png", "figures/stem_map.svg", "figures/stem_map.pdf", "figures/map_height.png", "figures/map_tree.png", "figures/map_intensity.png", "figures/map_top_height.png",
                            "figures/dbh_scatter.svg", "figures/dbh_errors.pdf", "figures/dbh_histogram.png", "figures/position_errors.png", "figures/trajectory.svg", "figures/slices_01.png"})
     EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
   EXPECT_EQ(read_table(dir_ / "stems.csv").rows(), s.stems.rows());
+  EXPECT_EQ(read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
 
   const auto html = contents(dir_ / "report.html");
   const auto page = without_pictures(html);
