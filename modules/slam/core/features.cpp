@@ -59,7 +59,7 @@ void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
     if (std::abs(jump) < step) continue;
     const bool after_is_farther = jump > 0;
     mark(after_is_farther ? i + 1 : i, after_is_farther ? 1 : -1, no_edge | no_plane);
-    if (options_.occlusion == "both_sides") mark(after_is_farther ? i : i + 1, after_is_farther ? -1 : 1, no_edge);
+    if (options_.occlusion == "both_sides") unusable_[after_is_farther ? i : i + 1] |= no_edge;
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const float tilt = 0.0002f * line[i].range * line[i].range;

@@ -116,7 +116,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     times_.guess_s += watch.lap_s();
     const Registration r = registered(guess, features, gap_s, run);
     times_.register_s += watch.lap_s();
-    frame.overlap = r.overlap, frame.rms_m = r.rms_m;
+    frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds;
     const auto why = objection(r, prediction, begin_s, end_s);
     frame.ok = why.empty();
     if (frame.ok)

@@ -16,6 +16,7 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last key frame up to and with this frame
   bool ok = true;
   double overlap = 1, rms_m = 0;
+  int rounds = 0;
 };
 
 struct OdometryTimes {

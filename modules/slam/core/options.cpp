@@ -51,7 +51,7 @@ const std::vector<Preset>& presets() {
        {{"features", "sampled"},
         {"occlusion", "both_sides"},
         {"occlusion_step", 0.3},
-        {"query_spacing", 0.4},
+        {"query_spacing", 0.6},
         {"map_spacing", 0.1},
         {"first_guess", "velocity"},
         {"deskew", "elastic"},

@@ -182,11 +182,11 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, overlap = 0;
+  double squared = 0, overlap = 0, rounds = 0;
   for (const auto& f : pass.frames) {
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
-    squared += f.rms_m * f.rms_m, overlap += f.overlap;
+    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
   }
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   const auto n = static_cast<double>(track.frames.size());
@@ -194,6 +194,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - track.frames.size());
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
+  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }

@@ -210,7 +210,8 @@ int main(int count, char** arguments) try {
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
-  else print_trees(result.points, read_table(own["scan"] + "/trees.csv"), T_world_map);
+  else
+    print_trees(result.points, read_table(own["scan"] + "/trees.csv"), T_world_map);
 #endif
   return 0;
 } catch (const std::exception& error) {

@@ -46,24 +46,39 @@ double distance(const Pose& a, const Pose& b) { return (a.translation() - b.tran
 double angle(const Pose& a, const Pose& b) { return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle(); }
 
 TEST(Registration, PoseEquationsAreTheDerivativesOfTheCost) {
-  const Eigen::Vector3d p(3, -2, 0.7), target(1.1, 4.2, 0.4);
-  Pose T = se3_exp((Vector6d() << 0.2, -0.4, 0.9, 1, 5, -2).finished());
-  Eigen::Matrix3d W;
-  W << 40, 3, -5, 3, 20, 1, -5, 1, 70;
-  const auto cost = [&](const Vector6d& d) {
-    Pose moved = T;
-    moved.linear() = so3_exp(d.head<3>()).toRotationMatrix() * T.linear();
-    moved.translation() += d.tail<3>();
-    const Eigen::Vector3d e = moved * p - target;
-    return 0.5 * e.dot(W * e);
-  };
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d g = Vector6d::Zero();
-  add_pose_equations(T.linear() * p, T * p - target, W, H, g);
-  const double h = 1e-6;
-  for (int i = 0; i < 6; ++i) EXPECT_NEAR(g[i], (cost(h * Vector6d::Unit(i)) - cost(-h * Vector6d::Unit(i))) / (2 * h), 1e-4 * std::abs(g[i]) + 1e-4);
-  EXPECT_LT((H - H.transpose()).norm(), 1e-9 * H.norm());
-  EXPECT_GE(H.eigenvalues().real().minCoeff(), -1e-9 * H.norm());
+  const Eigen::Vector3d p(3, -2, 0.7);
+  const Pose T = se3_exp((Vector6d() << 0.2, -0.4, 0.9, 1, 5, -2).finished());
+  for (const auto kind : {Target::Kind::plane, Target::Kind::line}) {
+    Target target;
+    target.mean = T * p + Eigen::Vector3d(0.02, -0.03, 0.01);
+    target.axis = Eigen::Vector3d(0.4, -0.3, 0.9).normalized();
+    target.variance_m2 = 0.0009;
+    target.kind = kind;
+    const double kernel = 1e6;  // so wide that the weight does not change
+    const auto cost = [&](const Vector6d& d) {
+      Pose moved = T;
+      moved.linear() = so3_exp(d.head<3>()).toRotationMatrix() * T.linear();
+      moved.translation() += d.tail<3>();
+      return 0.5 * pose_equations(target, moved * p, moved.linear() * p, kernel).squared_m2 / target.variance_m2;
+    };
+    const auto e = pose_equations(target, T * p, T.linear() * p, kernel);
+    const double h = 1e-6;
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(e.g[i], (cost(h * Vector6d::Unit(i)) - cost(-h * Vector6d::Unit(i))) / (2 * h), 1e-5 * e.g.norm());
+    EXPECT_LT((e.H - e.H.transpose()).norm(), 1e-9 * e.H.norm());
+    EXPECT_GE(e.H.eigenvalues().real().minCoeff(), -1e-9 * e.H.norm());
+  }
+}
+
+TEST(Registration, TheKernelTakesWeightFromFarPoints) {
+  Target target;
+  target.axis = Eigen::Vector3d::UnitZ();
+  target.variance_m2 = 0.0004;
+  target.kind = Target::Kind::plane;
+  const Eigen::Vector3d lever(4, 1, 0);
+  const auto near = pose_equations(target, {4, 1, 0.02}, lever, 3), far = pose_equations(target, {4, 1, 0.6}, lever, 3);
+  EXPECT_TRUE(near.inlier);
+  EXPECT_FALSE(far.inlier);
+  EXPECT_LT(far.H.norm(), 0.02 * near.H.norm());
 }
 
 TEST(Registration, ARigidShiftIsFoundToMillimetres) {
@@ -119,7 +134,8 @@ TEST(Registration, AnOpenDirectionShows) {
   // Between two endless walls nothing holds the shift along them.
   synthetic::World corridor;
   corridor.planes = {{Eigen::Vector3d::UnitY(), 2}, {-Eigen::Vector3d::UnitY(), 2}, {Eigen::Vector3d::UnitZ(), -1.5}};
-  const SyntheticScan tube(corridor, SpinningSensor::even(16, -15, 15, 450), [](double) { return Pose::Identity(); }, 2);
+  const SyntheticScan tube(
+      corridor, SpinningSensor::even(16, -15, 15, 450), [](double) { return Pose::Identity(); }, 2);
   const SyntheticScan plot = walk(2);
   FeatureMaps tube_maps(0.1), plot_maps(0.1);
   fill(tube_maps, tube, 0, 0);
