@@ -2,6 +2,7 @@
 #include "io/core/cloud_reader.h"
 #include "io/core/frame_source.h"
 #include "io/core/table_file.h"
+#include "io/core/trajectory_file.h"
 #include "pipeline/stage.h"
 
 namespace bole {
@@ -17,6 +18,12 @@ struct ReadCloudOptions : CloudReadOptions {
 
 struct ReadTableOptions {
   std::string file;
+};
+
+struct ReadTrajectoryOptions {
+  std::string file;
+  std::string format = "tum";
+  std::string axes = "plot";
 };
 
 // The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
@@ -98,12 +105,41 @@ StageType read_table_stage() {
   return type;
 }
 
+StageType read_trajectory_stage() {
+  using S = ReadTrajectoryOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: sensor poses, one per line."},
+      Option<S, std::string>{"format", &S::format, TextKind::choice, {"tum", "kitti"}, Tier::basic, "tum: time, position, quaternion (x y z w); kitti: the upper three rows of the pose matrix, one pose per second."},
+      Option<S, std::string>{"axes", &S::axes, TextKind::choice, {"unknown", "map", "plot", "global"}, Tier::advanced, "Axes that the poses are in."},
+  });
+  StageType type;
+  type.name = "io.read_trajectory";
+  type.title = "Read a trajectory";
+  type.help = "Reads sensor poses from a text file, for instance a reference trajectory. Times must increase; a line that cannot be read is named.";
+  type.source = "TUM RGB-D benchmark and KITTI odometry benchmark file formats";
+  type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run&) {
+    const auto& o = options.as<S>();
+    auto trajectory = o.format == "tum" ? read_tum(o.file) : read_kitti_poses(o.file);
+    trajectory.axes = axes_from_name(o.axes);
+    StageResult result;
+    result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
+    result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
+    result.report.message = std::to_string(trajectory.poses.size()) + " poses";
+    result.outputs.set("trajectory", std::move(trajectory));
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_io_stages(StageRegistry& registry) {
   registry.add(read_scan());
   registry.add(read_cloud_stage());
   registry.add(read_table_stage());
+  registry.add(read_trajectory_stage());
 }
 
 }  // namespace bole

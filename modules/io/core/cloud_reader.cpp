@@ -95,10 +95,10 @@ void to_metres_z_up(PointCloud& cloud, const CloudReadOptions& options) {
 CloudReading read_las_file(const std::filesystem::path& path, [[maybe_unused]] const CloudReadOptions& options, [[maybe_unused]] const Run& run) {
 #ifdef BOLE_HAS_LAS_READER
   CloudReading out;
-  out.cloud = read_las(path, {}, run);
+  out.cloud = read_las(path, {}, run, &out.report);
   to_metres_z_up(out.cloud, options);
   out.report.counts["points"] = static_cast<std::int64_t>(out.cloud.size());
-  out.report.facts["format"] = "LAS";
+  out.report.facts.try_emplace("format", "LAS");
   return out;
 #else
   throw bad_input("'" + path.string() + "' is a LAS file, which this build does not read", "PLY, PCD or text");

@@ -4,14 +4,13 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <span>
 #include <string>
+
+#include "io/core/mapped_file.h"
 
 namespace bole::las {
 
 static_assert(std::endian::native == std::endian::little, "LAS fields are copied as they lie in the file");
-
-using Bytes = std::span<const std::uint8_t>;
 
 template <class T>
 T load(const std::uint8_t* at) {

@@ -57,6 +57,7 @@ struct FlagColumn {
   unsigned shift, mask;
 };
 // Places in the flag byte of formats 6 to 10.
-inline constexpr std::array<FlagColumn, 7> flag_columns{{{"synthetic", 0, 1}, {"key_point", 1, 1}, {"withheld", 2, 1}, {"overlap", 3, 1}, {"scanner_channel", 4, 3}, {"scan_direction", 6, 1}, {"edge_of_flight_line", 7, 1}}};
+inline constexpr std::array<FlagColumn, 7> flag_columns{
+    {{"synthetic", 0, 1}, {"key_point", 1, 1}, {"withheld", 2, 1}, {"overlap", 3, 1}, {"scanner_channel", 4, 3}, {"scan_direction", 6, 1}, {"edge_of_flight_line", 7, 1}}};
 
 }  // namespace bole::las

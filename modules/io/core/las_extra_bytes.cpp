@@ -17,16 +17,26 @@ constexpr unsigned has_scale = 8, has_offset = 16;
 template <class F>
 void with_type(ExtraType type, F&& f) {
   switch (type) {
-    case ExtraType::u8: return f(std::uint8_t{});
-    case ExtraType::i8: return f(std::int8_t{});
-    case ExtraType::u16: return f(std::uint16_t{});
-    case ExtraType::i16: return f(std::int16_t{});
-    case ExtraType::u32: return f(std::uint32_t{});
-    case ExtraType::i32: return f(std::int32_t{});
-    case ExtraType::u64: return f(std::uint64_t{});
-    case ExtraType::i64: return f(std::int64_t{});
-    case ExtraType::f32: return f(float{});
-    case ExtraType::f64: return f(double{});
+    case ExtraType::u8:
+      return f(std::uint8_t{});
+    case ExtraType::i8:
+      return f(std::int8_t{});
+    case ExtraType::u16:
+      return f(std::uint16_t{});
+    case ExtraType::i16:
+      return f(std::int16_t{});
+    case ExtraType::u32:
+      return f(std::uint32_t{});
+    case ExtraType::i32:
+      return f(std::int32_t{});
+    case ExtraType::u64:
+      return f(std::uint64_t{});
+    case ExtraType::i64:
+      return f(std::int64_t{});
+    case ExtraType::f32:
+      return f(float{});
+    case ExtraType::f64:
+      return f(double{});
   }
 }
 
@@ -54,13 +64,18 @@ ArrayType ExtraDimension::column_type() const {
   if (const auto* known = find_array(name)) return known->type;
   if (scaled) return ArrayType::float64;
   switch (type) {
-    case ExtraType::u8: return ArrayType::uint8;
-    case ExtraType::u16: return ArrayType::uint16;
+    case ExtraType::u8:
+      return ArrayType::uint8;
+    case ExtraType::u16:
+      return ArrayType::uint16;
     case ExtraType::i8:
     case ExtraType::i16:
-    case ExtraType::i32: return ArrayType::int32;
-    case ExtraType::f32: return ArrayType::float32;
-    default: return ArrayType::float64;
+    case ExtraType::i32:
+      return ArrayType::int32;
+    case ExtraType::f32:
+      return ArrayType::float32;
+    default:
+      return ArrayType::float64;
   }
 }
 

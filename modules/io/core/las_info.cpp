@@ -9,7 +9,7 @@
 #include "io/core/crs_geokeys.h"
 #include "io/core/las_extra_bytes.h"
 #include "io/core/las_format.h"
-#include "io/core/las_mapped_file.h"
+#include "io/core/mapped_file.h"
 
 namespace bole {
 
@@ -24,7 +24,8 @@ Eigen::Vector3d load_vector(const std::uint8_t* at) { return {load<double>(at), 
 
 void read_identity(Bytes file, LasInfo& info) {
   if (file.size() < 4 || std::memcmp(file.data(), "LASF", 4) != 0) throw bad_input("the file does not begin with LASF", "a LAS or LAZ file");
-  if (file.size() < header_size_1_2) throw bad_input(fmt::format("the file ends after {} bytes, within the LAS header", file.size()), fmt::format("{} bytes of header", header_size_1_2), "The file was cut: copy it again");
+  if (file.size() < header_size_1_2)
+    throw bad_input(fmt::format("the file ends after {} bytes, within the LAS header", file.size()), fmt::format("{} bytes of header", header_size_1_2), "The file was cut: copy it again");
   const std::uint8_t* h = file.data();
   info.file_source_id = load<std::uint16_t>(h + 4);
   info.global_encoding = load<std::uint16_t>(h + 6);
@@ -55,7 +56,8 @@ void read_extent(Bytes file, LasInfo& info) {
   const std::uint8_t* h = file.data();
   info.scale = load_vector(h + 131), info.offset = load_vector(h + 155);
   if (!info.scale.allFinite() || (info.scale.array() == 0).any() || !info.offset.allFinite())
-    throw bad_input(fmt::format("coordinate scale {} {} {} and offset {} {} {}", info.scale.x(), info.scale.y(), info.scale.z(), info.offset.x(), info.offset.y(), info.offset.z()), "finite numbers, scales other than zero");
+    throw bad_input(fmt::format("coordinate scale {} {} {} and offset {} {} {}", info.scale.x(), info.scale.y(), info.scale.z(), info.offset.x(), info.offset.y(), info.offset.z()),
+                    "finite numbers, scales other than zero");
   info.max = {load<double>(h + 179), load<double>(h + 195), load<double>(h + 211)};
   info.min = {load<double>(h + 187), load<double>(h + 203), load<double>(h + 219)};
   if (!info.min.allFinite() || !info.max.allFinite() || (info.min.array() > info.max.array()).any()) info.warnings.push_back("the bounding box of the header is not one; that of the points is used");
@@ -97,7 +99,8 @@ void read_vlrs(Bytes file, std::uint64_t at, std::uint64_t end, std::uint64_t co
     vlr.description = load_text(h + (extended ? 28 : 22), 32);
     vlr.offset = at + head;
     if (vlr.length > end - vlr.offset) {
-      info.warnings.push_back(fmt::format("variable length record {} of {} ({} {}) says it has {} bytes, {} are there; it and those behind it are left out", i + 1, count, vlr.user_id, vlr.record_id, vlr.length, end - vlr.offset));
+      info.warnings.push_back(
+          fmt::format("variable length record {} of {} ({} {}) says it has {} bytes, {} are there; it and those behind it are left out", i + 1, count, vlr.user_id, vlr.record_id, vlr.length, end - vlr.offset));
       return;
     }
     at = vlr.offset + vlr.length;
@@ -157,7 +160,7 @@ LasInfo parse_info(Bytes file, bool with_crs) {
 }  // namespace las
 
 LasInfo las_info(const std::filesystem::path& path) {
-  const las::MappedFile file(path);
+  const MappedFile file(path);
   try {
     return las::parse_info(file.bytes());
   } catch (const Error& error) {

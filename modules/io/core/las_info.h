@@ -32,9 +32,9 @@ struct LasInfo {
   std::uint64_t data_offset = 0;  // of the first point
   std::uint64_t data_end = 0;     // behind the last byte that may hold points
   std::array<std::uint64_t, 15> points_by_return{};
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();   // coordinate = integer * scale + offset
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  // coordinate = integer * scale + offset
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-  Eigen::Vector3d min = Eigen::Vector3d::Zero();     // as declared
+  Eigen::Vector3d min = Eigen::Vector3d::Zero();  // as declared
   Eigen::Vector3d max = Eigen::Vector3d::Zero();
   std::string system, software;
   int creation_day = 0, creation_year = 0;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "io/core/las_columns.h"
-#include "io/core/las_mapped_file.h"
+#include "io/core/mapped_file.h"
 #include "io/core/laz_reader.h"
 
 namespace bole {
@@ -23,7 +23,6 @@ const OptionTable& option_table(const LasReadOptions*) {
 
 namespace {
 
-using las::Bytes;
 using las::ColumnBuilder;
 using las::IntegerBox;
 
@@ -104,7 +103,7 @@ PointCloud read_las(Bytes file, const LasReadOptions& options, const Run& run, R
 }
 
 PointCloud read_las(const std::filesystem::path& path, const LasReadOptions& options, const Run& run, Report* report) {
-  const las::MappedFile file(path);
+  const MappedFile file(path);
   try {
     return read_las(file.bytes(), options, run, report);
   } catch (const Error& error) {

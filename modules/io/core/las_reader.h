@@ -31,6 +31,6 @@ const OptionTable& option_table(const LasReadOptions*);
 PointCloud read_las(const std::filesystem::path& path, const LasReadOptions& options = {}, const Run& run = {}, Report* report = nullptr);
 
 // The same of a file in memory; the CRS of GeoTIFF keys is left out when `with_crs` is false.
-PointCloud read_las(las::Bytes file, const LasReadOptions& options = {}, const Run& run = {}, Report* report = nullptr, bool with_crs = true);
+PointCloud read_las(Bytes file, const LasReadOptions& options = {}, const Run& run = {}, Report* report = nullptr, bool with_crs = true);
 
 }  // namespace bole

@@ -11,8 +11,8 @@ namespace bole::las {
 
 namespace {
 
-constexpr std::array<const ArrayInfo*, 12> field_arrays{&arrays::intensity, &arrays::time, &arrays::classification, &arrays::return_number, &arrays::number_of_returns, &arrays::scan_angle,
-                                                        &arrays::user_data, &arrays::point_source_id, &arrays::red, &arrays::green, &arrays::blue, &arrays::near_infrared};
+constexpr std::array<const ArrayInfo*, 12> field_arrays{&arrays::intensity,       &arrays::time, &arrays::classification, &arrays::return_number, &arrays::number_of_returns, &arrays::scan_angle, &arrays::user_data,
+                                                        &arrays::point_source_id, &arrays::red,  &arrays::green,          &arrays::blue,          &arrays::near_infrared};
 
 // Whether a point record of the layout has a field for the column.
 bool has_field(std::string_view name, const PointLayout& layout) {
@@ -204,7 +204,8 @@ void RecordEncoder::encode_extra(std::size_t first, std::size_t count, std::uint
           std::uint8_t* at = records + dimension.offset;
           for (std::size_t i = 0; i < count; ++i, at += record_length_) {
             if (axis >= 0)
-              store(at, cloud_.origin[axis] + static_cast<double>(values[first + i]));
+              // Rounded, so that reading it into another origin and writing it again gives the same number.
+              store(at, std::round((cloud_.origin[axis] + static_cast<double>(values[first + i])) * 1e4) / 1e4);
             else
               store(at, values[first + i]);
           }

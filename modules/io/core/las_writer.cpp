@@ -1,13 +1,12 @@
 #include "io/core/las_writer.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 
+#include "io/core/atomic_file.h"
 #include "io/core/crs_geokeys.h"
 #include "io/core/las_records.h"
 
@@ -43,7 +42,7 @@ struct Statistics {
   }
 };
 
-void append_vlr(std::vector<std::uint8_t>& out, std::string_view user, int id, las::Bytes data, std::string_view description) {
+void append_vlr(std::vector<std::uint8_t>& out, std::string_view user, int id, Bytes data, std::string_view description) {
   std::vector<std::uint8_t> head(54);
   store_text(&head[2], 16, user);
   store(&head[18], static_cast<std::uint16_t>(id));
@@ -65,7 +64,7 @@ std::vector<std::uint8_t> geokey_directory(int epsg) {
 struct Vlrs {
   std::vector<std::uint8_t> bytes;
   std::uint32_t count = 0;
-  void add(std::string_view user, int id, las::Bytes data, std::string_view description) {
+  void add(std::string_view user, int id, Bytes data, std::string_view description) {
     append_vlr(bytes, user, id, data, description);
     ++count;
   }
@@ -125,40 +124,7 @@ std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const V
   return h;
 }
 
-// A file that takes its name only when it is whole.
-class AtomicFile {
- public:
-  explicit AtomicFile(std::filesystem::path path) : path_(std::move(path)), temporary_(path_.string() + ".partial-" + std::to_string(::getpid())), out_(temporary_, std::ios::binary | std::ios::trunc) {
-    if (!out_) throw failure(fmt::format("'{}' cannot be written", path_.string()), "a folder that exists and may be written to");
-  }
-  ~AtomicFile() {
-    if (kept_) return;
-    out_.close();
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
-  }
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
-
-  void write(las::Bytes bytes) {
-    out_.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!out_) throw failure(fmt::format("'{}' could not be written to its end", path_.string()), "room on the disk");
-  }
-  void rewind() { out_.seekp(0); }
-  void keep() {
-    out_.close();
-    if (!out_) throw failure(fmt::format("'{}' could not be written to its end", path_.string()), "room on the disk");
-    std::error_code error;
-    std::filesystem::rename(temporary_, path_, error);
-    if (error) throw failure(fmt::format("'{}' cannot take its name: {}", path_.string(), error.message()));
-    kept_ = true;
-  }
-
- private:
-  std::filesystem::path path_, temporary_;
-  std::ofstream out_;
-  bool kept_ = false;
-};
+void write_bytes(AtomicFile& file, Bytes bytes) { file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())); }
 
 }  // namespace
 
@@ -173,8 +139,8 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
 
   AtomicFile file(path);
   Statistics statistics;
-  file.write(make_header(encoder, vlrs, statistics, 0, wkt));
-  file.write(vlrs.bytes);
+  write_bytes(file, make_header(encoder, vlrs, statistics, 0, wkt));
+  write_bytes(file, vlrs.bytes);
   constexpr std::size_t block = 1 << 14;
   std::vector<std::uint8_t> records;
   for (std::size_t begin = 0; begin < cloud.size(); begin += block) {
@@ -183,12 +149,13 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
     records.assign(count * encoder.record_length(), 0);
     encoder.encode(begin, count, records.data());
     for (std::size_t i = 0; i < count; ++i) statistics.add(encoder, &records[i * encoder.record_length()]);
-    file.write(records);
+    write_bytes(file, records);
+    if (!file.stream()) break;  // a full disk is told by commit()
     run.report(static_cast<double>(begin + count) / static_cast<double>(cloud.size()), "writing points");
   }
-  file.rewind();
-  file.write(make_header(encoder, vlrs, statistics, cloud.size(), wkt));
-  file.keep();
+  file.stream().seekp(0);
+  write_bytes(file, make_header(encoder, vlrs, statistics, cloud.size(), wkt));
+  file.commit();
   for (auto& text : encoder.warnings()) warnings.push_back(std::move(text));
   if (report != nullptr)
     for (auto& text : warnings) report->warn(std::move(text));

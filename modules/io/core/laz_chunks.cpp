@@ -69,8 +69,7 @@ std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t dat
   return chunks;
 }
 
-ChunkDecoder::ChunkDecoder(const Packing& packing, int record_length)
-    : layered_(packing.compressor == Compressor::layered_chunked), record_length_(static_cast<std::size_t>(record_length)), items_(packing.items) {
+ChunkDecoder::ChunkDecoder(const Packing& packing, int record_length) : layered_(packing.compressor == Compressor::layered_chunked), record_length_(static_cast<std::size_t>(record_length)), items_(packing.items) {
   // Fail before any chunk is started when an item is not known.
   for (const Item& item : items_) layered_ ? static_cast<void>(make_layered_item(item)) : static_cast<void>(make_pointwise_item(item));
   if (layered_ && (items_.empty() || items_.front().type != ItemType::point14)) throw bad_input("a layered LAZ file whose records do not begin with a point", "item POINT14 first");

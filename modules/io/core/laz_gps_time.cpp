@@ -46,8 +46,12 @@ GpsTimeDecoder::Step GpsTimeDecoder::after_no_difference(ArithmeticDecoder& in) 
       add(differences_[last_]);
       extremes_[last_] = 0;
       return Step::done;
-    case 1: new_sequence(in); return Step::done;
-    default: last_ = (last_ + code - extra_ - 1) & 3; return Step::again;
+    case 1:
+      new_sequence(in);
+      return Step::done;
+    default:
+      last_ = (last_ + code - extra_ - 1) & 3;
+      return Step::again;
   }
 }
 

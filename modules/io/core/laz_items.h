@@ -23,8 +23,8 @@ struct Item {
 class PointwiseItem {
  public:
   virtual ~PointwiseItem() = default;
-  virtual void first(const std::uint8_t* item) = 0;                      // as it lies uncompressed at the start of a chunk
-  virtual void next(ArithmeticDecoder& in, std::uint8_t* item) = 0;      // writes the item's bytes
+  virtual void first(const std::uint8_t* item) = 0;                  // as it lies uncompressed at the start of a chunk
+  virtual void next(ArithmeticDecoder& in, std::uint8_t* item) = 0;  // writes the item's bytes
 };
 
 class LayeredItem {

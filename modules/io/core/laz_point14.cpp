@@ -25,10 +25,10 @@ struct Point14State {
   std::int32_t x = 0, y = 0, z = 0;
   std::uint16_t intensity = 0, source = 0;
   std::int16_t scan_angle = 0;
-  unsigned r = 0, n = 0;       // return number, number of returns
-  unsigned flags = 0;          // class flags (4 bits), scan direction, edge of flight line
+  unsigned r = 0, n = 0;  // return number, number of returns
+  unsigned flags = 0;     // class flags (4 bits), scan direction, edge of flight line
   std::uint8_t classification = 0, user_data = 0;
-  std::int64_t time = 0;       // bit pattern
+  std::int64_t time = 0;  // bit pattern
   bool time_changed = false;
 
   static Point14State from(const std::uint8_t* p) {
@@ -135,10 +135,16 @@ class Point14 final : public LayeredItem {
     const unsigned former = p.r;
     if ((changed & 4) != 0) p.n = in.symbol(c.number_of_returns[p.n]);
     switch (changed & 3) {
-      case 0: break;
-      case 1: p.r = (former + 1) & 15; break;
-      case 2: p.r = (former + 15) & 15; break;
-      default: p.r = time_changes ? in.symbol(c.return_number[former]) : (former + in.symbol(c.return_step) + 2) & 15;
+      case 0:
+        break;
+      case 1:
+        p.r = (former + 1) & 15;
+        break;
+      case 2:
+        p.r = (former + 15) & 15;
+        break;
+      default:
+        p.r = time_changes ? in.symbol(c.return_number[former]) : (former + in.symbol(c.return_step) + 2) & 15;
     }
   }
 

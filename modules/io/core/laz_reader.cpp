@@ -20,8 +20,7 @@ constexpr std::size_t block_points = 1 << 12;
 
 class PointReader {
  public:
-  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing)
-      : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
+  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing) : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
 
   std::uint64_t read(std::vector<std::string>& warnings) {
     if (const auto table = read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
@@ -160,7 +159,7 @@ class PointReader {
 
 }  // namespace
 
-std::uint64_t read_points(las::Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
+std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
   if (vlr == nullptr) throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
   if (info.points == 0) return 0;

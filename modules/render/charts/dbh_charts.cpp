@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
@@ -50,7 +51,9 @@ void draw_scatter(Canvas& canvas, const Pairs& pairs) {
   AxesStyle axes{"Reference DBH (cm)", "Estimated DBH (cm)"};
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(range.lo, range.lo), frame.map(range.hi, range.hi), Stroke{ink::muted, 0.25, {1.4, 1.0}});
-  canvas.text(frame.map(range.hi, range.hi) + Eigen::Vector2d(-1, 4.6), "1:1", TextStyle{7, ink::muted}.aligned(HAlign::right, VAlign::baseline));
+  TextStyle beside{7, ink::muted};
+  beside.angle_rad = std::numbers::pi / 4;
+  canvas.text(frame.map(range.lo, range.lo) + Eigen::Vector2d(4.2, -3), "1:1", beside.aligned(HAlign::left, VAlign::baseline));
   for (std::size_t i = 0; i < pairs.estimate.size(); ++i) canvas.circle(frame.map(pairs.reference[i], pairs.estimate[i]), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
   draw_axes(canvas, frame, axes);
   const auto s = error_statistics(pairs.estimate, pairs.reference);

@@ -99,10 +99,10 @@ Frame walk_frame(const Walk& walk, double width_mm) {
     for (const auto& p : *points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
   if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
   const double span = std::max({hi.x() - lo.x(), 0.8 * (hi.y() - lo.y()), 0.5});
-  const double pad = 0.05 * span + 0.2, w = width_mm - 12 - 22;
+  const double pad = 0.05 * span + 0.2, w = width_mm - axis_space_left_mm - 20;
   const double mid_x = (lo.x() + hi.x()) / 2, mid_y = (lo.y() + hi.y()) / 2;
   const double half_x = span / 2 + pad, half_y = std::max((hi.y() - lo.y()) / 2 + pad, 0.35 * half_x);
-  return {{12, 4, 12 + w, 4 + w * half_y / half_x}, {mid_x - half_x, mid_x + half_x}, {mid_y - half_y, mid_y + half_y}};
+  return {{axis_space_left_mm, 2, axis_space_left_mm + w, 2 + w * half_y / half_x}, {mid_x - half_x, mid_x + half_x}, {mid_y - half_y, mid_y + half_y}};
 }
 
 void draw_walk(Canvas& canvas, const Walk& walk, const Frame& frame) {

@@ -103,7 +103,7 @@ void draw_points(Canvas& canvas, const Panel& panel, const Eigen::Vector2d& cent
   std::map<int, std::vector<Eigen::Vector2d>> by_pass;
   for (const auto& p : panel.points) by_pass[p.pass].emplace_back(centre.x() + p.offset.x() * mm_per_m, centre.y() - p.offset.y() * mm_per_m);
   // A dozen colours that tell passes of one tree apart; the same pass has the same colour on every tree.
-  for (const auto& [pass, dots] : by_pass) canvas.dots(dots, 0.38, by_pass.size() > 1 ? id_color(pass + 1) : ink::primary.with_alpha(0.7));
+  for (const auto& [pass, dots] : by_pass) canvas.dots(dots, panel.points.size() < 300 ? 0.5 : 0.36, by_pass.size() > 1 ? id_color(pass + 1) : ink::primary.with_alpha(0.7));
 }
 
 void draw_panel(Canvas& canvas, const Panel& panel, const Box& box) {

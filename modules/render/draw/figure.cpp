@@ -34,8 +34,10 @@ void check(cairo_status_t status, const Figure& figure) {
 void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
   Context cairo(cairo_create(surface), cairo_destroy);
   cairo_scale(cairo.get(), scale, scale);
+  // The whole surface, also the part of a pixel beyond the sheet's edge.
+  cairo_set_source_rgb(cairo.get(), ink::paper.r, ink::paper.g, ink::paper.b);
+  cairo_paint(cairo.get());
   Canvas canvas(cairo.get(), figure.width_mm, figure.height_mm);
-  canvas.rectangle(canvas.sheet(), ink::paper);
   figure.draw(canvas);
   check(cairo_status(cairo.get()), figure);
 }

@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/option.h"
 
 namespace bole::sim {
 namespace {
 
-// Start azimuth of a recording; any other would do.
-constexpr double first_azimuth_rad = std::numbers::pi;
 constexpr std::int64_t batch_sequences = 1024;
 
 }  // namespace
@@ -22,7 +19,7 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
                     const std::function<void(const FiringSequence&)>& sink) {
   const Beam beam(sensor, parameters, scene, seed);
   const std::size_t lasers = sensor.channels.size();
-  const double turn_rad_s = 2 * std::numbers::pi * rotation_hz, period = sensor.sequence_period_s;
+  const double turn_rad_s = two_pi * rotation_hz, period = sensor.sequence_period_s;
   const auto total = static_cast<std::int64_t>(std::floor(walk.duration_s() / period));
   std::vector<LaserEcho> echoes(static_cast<std::size_t>(batch_sequences) * lasers);
   ScanStatistics statistics;
@@ -37,7 +34,7 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
       out[c] = beam.fire(T, c, azimuth, static_cast<std::uint64_t>(sequence) * lasers + c);
     }
   };
-  for (std::int64_t first = 0; first < total; first += batch_sequences) {
+  for (std::int64_t first = 0; first < total && !run.asked_to_finish(); first += batch_sequences) {
     const std::int64_t count = std::min(batch_sequences, total - first);
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 8), [&](const auto& range) {
       for (auto i = range.begin(); i < range.end() && !run.cancelled(); ++i) fire(first + i, echoes.data() + static_cast<std::size_t>(i) * lasers);
@@ -47,7 +44,7 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
       const std::span<const LaserEcho> sequence(echoes.data() + static_cast<std::size_t>(i) * lasers, lasers);
       statistics.returns += std::ranges::count_if(sequence, [](const LaserEcho& e) { return e.range_m > 0; });
       const double time = static_cast<double>(first + i) * period, azimuth = first_azimuth_rad + turn_rad_s * time;
-      sink({first + i, time, azimuth - 2 * std::numbers::pi * std::floor(azimuth / (2 * std::numbers::pi)), sequence});
+      sink({first + i, time, azimuth - two_pi * std::floor(azimuth / two_pi), turn_rad_s, sequence});
     }
     statistics.pulses += count * static_cast<std::int64_t>(lasers);
     const double done = static_cast<double>(first + count) * period;

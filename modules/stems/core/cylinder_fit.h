@@ -32,6 +32,15 @@ struct CylinderFitOptions {
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
 };
 
+// The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for offsets d (x, y by pass).
+struct DriftEvidence {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd target;
+};
+
+// Log of the marginal likelihood of a normal prior with this standard deviation, up to a constant.
+double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m);
+
 struct CylinderFit {
   TaperedCylinder cylinder;
   double sigma_m = 0;         // robust scale of the residuals
@@ -41,7 +50,7 @@ struct CylinderFit {
   int inliers = 0;
   bool along_rays = false;
   std::vector<double> weight;                  // Tukey weight of each point, 0: outlier or gated
-  std::vector<Eigen::Vector2d> offset_sd;      // posterior standard deviation of each pass offset
+  DriftEvidence drift;                         // empty with one pass
 };
 
 // Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are

@@ -20,7 +20,7 @@ struct MeasureOptions {
   double search_top_m = 3.50;
   double max_lean_deg = 35;
   int min_sections = 3;
-  int min_section_points = 8;
+  int min_section_points = 6;
   double min_arc_deg = 80;
   // Fit
   std::string breast_height_from = "uphill";

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/core/las_mapped_file.h"
+#include "io/core/mapped_file.h"
 #include "io/core/las_reader.h"
 #include "io/core/laz_chunks.h"
 
@@ -45,7 +45,7 @@ std::uint64_t fnv1a(const std::vector<std::uint8_t>& bytes) {
 }
 
 // All records, chunk by chunk.
-std::vector<std::uint8_t> records_of(las::Bytes file, const LasInfo& info) {
+std::vector<std::uint8_t> records_of(Bytes file, const LasInfo& info) {
   const auto packing = laz::parse_packing(las::vlr_data(file, *las::find_vlr(info, "laszip encoded", 22204)), info.record_length);
   const auto table = laz::read_chunk_table(file, info.data_offset, info.points, packing, info.record_length);
   if (!table) return {};
@@ -62,7 +62,7 @@ std::vector<std::uint8_t> records_of(las::Bytes file, const LasInfo& info) {
 }
 
 // The same file without compression, in memory.
-std::vector<std::uint8_t> uncompressed(las::Bytes file, const LasInfo& info) {
+std::vector<std::uint8_t> uncompressed(Bytes file, const LasInfo& info) {
   std::vector<std::uint8_t> out(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(info.data_offset));
   out[104] &= 0x7f;
   const auto records = records_of(file, info);
@@ -81,7 +81,7 @@ void expect_equal(const PointCloud& a, const PointCloud& b) {
 class LazFixture : public testing::TestWithParam<Expected> {};
 
 TEST_P(LazFixture, DecodesToTheVeryBytes) {
-  const las::MappedFile file(folder + GetParam().file);
+  const MappedFile file(folder + GetParam().file);
   const LasInfo info = las::parse_info(file.bytes());
   EXPECT_TRUE(info.compressed);
   EXPECT_EQ(info.point_format, GetParam().point_format);
@@ -91,7 +91,7 @@ TEST_P(LazFixture, DecodesToTheVeryBytes) {
 }
 
 TEST_P(LazFixture, ReadsAsItsUncompressedTwin) {
-  const las::MappedFile file(folder + GetParam().file);
+  const MappedFile file(folder + GetParam().file);
   const auto twin = uncompressed(file.bytes(), las::parse_info(file.bytes()));
   Report report;
   const PointCloud cloud = read_las(folder + GetParam().file, {}, {}, &report);
@@ -102,7 +102,7 @@ TEST_P(LazFixture, ReadsAsItsUncompressedTwin) {
 
 // Without its chunk table a file is read chunk after chunk; only pointwise chunks of varying size cannot be told apart then.
 TEST_P(LazFixture, ReadsWithoutItsChunkTable) {
-  const las::MappedFile file(folder + GetParam().file);
+  const MappedFile file(folder + GetParam().file);
   std::vector<std::uint8_t> broken(file.bytes().begin(), file.bytes().end());
   const LasInfo info = las::parse_info(broken);
   las::store(&broken[info.data_offset], std::uint64_t{7});
@@ -114,7 +114,7 @@ TEST_P(LazFixture, ReadsWithoutItsChunkTable) {
 
 // However short a file is cut, what can be read is what the whole file begins with.
 TEST_P(LazFixture, CutFilesGiveWhatIsThere) {
-  const las::MappedFile file(folder + GetParam().file);
+  const MappedFile file(folder + GetParam().file);
   const LasInfo info = las::parse_info(file.bytes());
   const auto whole = records_of(file.bytes(), info);
   std::size_t last = 0;
