@@ -28,6 +28,11 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   const double last_span_s = last.end_s - last.begin_s;
   if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
   Vector6d velocity = se3_log(last.motion.delta()) / last_span_s;
+  if (options_.deskew != "elastic") {
+    // There the motion within the frame is a guess of before the registration; the ends of two frames are better known.
+    const auto& before = frames_[frames_.size() - 2];
+    velocity = se3_log(before.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - before.end_s);
+  }
   if (failed_in_a_row_ > 0) velocity *= 0.5;
   const double gap_s = std::max(0.0, begin_s - last.end_s);
   FrameMotion out;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "slam/core/keyframes.h"
 #include "synthetic/scan_world.h"
 
