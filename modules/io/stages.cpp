@@ -22,8 +22,7 @@ struct ReadTableOptions {
 
 struct ReadTrajectoryOptions {
   std::string file;
-  std::string format = "tum";
-  std::string axes = "plot";
+  std::string format = "auto";
 };
 
 // The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
@@ -108,22 +107,20 @@ StageType read_table_stage() {
 StageType read_trajectory_stage() {
   using S = ReadTrajectoryOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: sensor poses, one per line."},
-      Option<S, std::string>{"format", &S::format, TextKind::choice, {"tum", "kitti"}, Tier::basic, "tum: time, position, quaternion (x y z w); kitti: the upper three rows of the pose matrix, one pose per second."},
-      Option<S, std::string>{"axes", &S::axes, TextKind::choice, {"unknown", "map", "plot", "global"}, Tier::advanced, "Axes that the poses are in."},
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
+      Option<S, std::string>{"format", &S::format, TextKind::choice, {"auto", "tum", "kitti"}, Tier::advanced, "Format of the file; auto tells them apart by the number of values per line."},
   });
   StageType type;
   type.name = "io.read_trajectory";
   type.title = "Read a trajectory";
-  type.help = "Reads sensor poses from a text file, for instance a reference trajectory. Times must increase; a line that cannot be read is named.";
-  type.source = "TUM RGB-D benchmark and KITTI odometry benchmark file formats";
+  type.help = "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
+  type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
   type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run&) {
     const auto& o = options.as<S>();
-    auto trajectory = o.format == "tum" ? read_tum(o.file) : read_kitti_poses(o.file);
-    trajectory.axes = axes_from_name(o.axes);
     StageResult result;
+    auto trajectory = read_trajectory(o.file, o.format);
     result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
     result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
     result.report.message = std::to_string(trajectory.poses.size()) + " poses";

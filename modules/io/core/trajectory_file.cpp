@@ -87,6 +87,19 @@ Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector
   return read_kitti_poses(file.bytes(), path.string(), times_s);
 }
 
+Trajectory read_trajectory(const std::filesystem::path& path, const std::string& format) {
+  if (path.empty()) throw bad_input("no trajectory is named", "a TUM or KITTI file", "Set the option file");
+  const MappedFile file(path);
+  bool kitti = format == "kitti";
+  if (format == "auto") {
+    LineReader lines(file.bytes());
+    std::string_view line;
+    while (lines.next(line) && (trimmed(line).empty() || trimmed(line).front() == '#')) continue;
+    kitti = split_blanks(line).size() == 12;
+  }
+  return kitti ? read_kitti_poses(file.bytes(), path.string()) : read_tum(file.bytes(), path.string());
+}
+
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {
   std::string text;
   for (const auto& p : trajectory.poses) {

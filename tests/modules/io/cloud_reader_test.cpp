@@ -250,7 +250,7 @@ PointCloud sample_cloud() {
 TEST(WriteCloud, ComesBackEqual) {
   const TempDir dir;
   const auto cloud = sample_cloud();
-  for (const char* name : {"a.ply", "a.csv", "a.xyz"}) {
+  for (const char* name : {"a.ply", "a.csv", "a.xyz", "a.las"}) {
     SCOPED_TRACE(name);
     write_cloud(dir / name, cloud);
     const auto back = read_cloud(dir / name).cloud;
