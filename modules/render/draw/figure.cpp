@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <memory>
 
 #include "base/error.h"
@@ -64,6 +65,27 @@ std::string with_resolution(std::string png, double dpi) {
   return png;
 }
 
+// Cairo numbers the elements of an SVG through the life of the process; numbers in the order of appearance make equal
+// figures equal files. Text is glyph outlines, so that these words occur in names alone.
+std::string with_own_numbers(const std::string& svg) {
+  constexpr std::string_view digits = "0123456789";
+  std::map<std::string, std::string> numbers;
+  std::string out;
+  out.reserve(svg.size());
+  std::size_t from = 0;
+  while (from < svg.size()) {
+    std::size_t at = std::string::npos, begin = at;
+    for (const std::string_view word : {"surface", "image", "source-"})
+      if (const auto found = svg.find(word, from); found < at) at = found, begin = found + word.size();
+    if (at == std::string::npos) break;
+    const auto end = std::min(svg.find_first_not_of(digits, begin), svg.size());
+    out.append(svg, from, begin - from);
+    if (end > begin) out += numbers.try_emplace(svg.substr(begin, end - begin), std::to_string(numbers.size())).first->second;
+    from = end;
+  }
+  return out.append(svg, from);
+}
+
 std::string surface_png(cairo_surface_t* surface, double dpi) {
   std::string bytes;
   if (const auto status = cairo_surface_write_to_png_stream(surface, append, &bytes); status != CAIRO_STATUS_SUCCESS) throw failure(std::string("a PNG could not be written: ") + cairo_status_to_string(status));
@@ -103,7 +125,7 @@ std::string figure_svg(const Figure& figure) {
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()), figure);
   }
-  return bytes;
+  return with_own_numbers(bytes);
 }
 
 std::string figure_pdf(const Figure& figure) {

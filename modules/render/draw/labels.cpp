@@ -65,13 +65,13 @@ class Placer {
     placed_[i] = true;
   }
 
-  // Those whose mark or text can come near a label of i.
+  // The others whose mark or text can come near a label of i.
   void neighbours(std::size_t i) {
     near_.clear();
     const auto& self = requests_[i];
     for (std::size_t j = 0; j < requests_.size(); ++j) {
       const double reach = 2 * 7.5 + self.radius_mm + requests_[j].radius_mm + self.size.norm() + requests_[j].size.norm();
-      if ((requests_[j].anchor - self.anchor).squaredNorm() < reach * reach) near_.push_back(j);
+      if (j != i && (requests_[j].anchor - self.anchor).squaredNorm() < reach * reach) near_.push_back(j);
     }
   }
 

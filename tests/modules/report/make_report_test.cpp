@@ -5,12 +5,12 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "io/core/gdal_writer.h"
 #include "io/core/table_file.h"
 #include "modules/render/small_survey.h"
+#include "modules/render/well_formed.h"
 #include "report/core/html.h"
 
 namespace bole {
@@ -72,27 +72,11 @@ class MakeReport : public testing::Test {
   bole::Run run_;
 };
 
-// Opened and closed elements match; enough for a page that is written by hand.
-void expect_well_formed(const std::string& html) {
-  std::vector<std::string> open;
-  const std::regex tag(R"(<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>)");
-  const auto body = html.substr(0, html.find("<script>")) + html.substr(html.find("</script>"));
-  auto text = std::regex_replace(body, std::regex("</script>"), "");
-  for (std::sregex_iterator it(text.begin(), text.end(), tag), end; it != end; ++it) {
-    const std::string name = (*it)[2];
-    if (name == "meta" || name == "br" || name == "img" || (*it)[3] == "/") continue;
-    if ((*it)[1].length() == 0) {
-      open.push_back(name);
-    } else {
-      ASSERT_FALSE(open.empty()) << "closes " << name;
-      ASSERT_EQ(open.back(), name);
-      open.pop_back();
-    }
-  }
-  EXPECT_TRUE(open.empty());
+std::string without_pictures(std::string html) {
+  const std::string begin = "src=\"data:";
+  for (auto at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 5)) html.erase(at + 5, html.find('"', at + 5) - at - 5);
+  return html;
 }
-
-std::string without_pictures(const std::string& html) { return std::regex_replace(html, std::regex("src=\"data:[^\"]*\""), "src=\"\""); }
 
 TEST_F(MakeReport, WritesEverything) {
   const auto s = testing_data::make_small_survey();
@@ -120,7 +104,7 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_THAT(page, HasSubstr("321"));
   EXPECT_THAT(page, HasSubstr("rays pass through it"));
   EXPECT_THAT(page, HasSubstr("1.03"));                        // published
-  expect_well_formed(page);
+  EXPECT_EQ(testing_data::markup_trouble(page), "");
 }
 
 TEST_F(MakeReport, StemsAloneAreEnough) {
