@@ -3,11 +3,11 @@
 #include <cairo.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <vtkVersion.h>
 
 #include <cmath>
 #include <ctime>
 
+#include "base/version.h"
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
 #include "render/offscreen/offscreen.h"
@@ -129,7 +129,9 @@ class Writer {
       for (const auto& stage : run_.record->stages)
         for (const auto& w : stage.report.warnings) content.warnings.push_back(stage.id + ": " + w);
     for (const auto& w : result_.report.warnings) content.warnings.push_back("report: " + w);
-    content.versions = {{"Bole", BOLE_VERSION}, {"VTK", vtkVersion::GetVTKVersion()}, {"Cairo", cairo_version_string()}};
+    content.versions = {{"Bole", std::string(version())}};
+    for (auto& library : library_versions()) content.versions.push_back(std::move(library));
+    content.versions.emplace_back("Cairo", cairo_version_string());
     content.files = files_;
     write_file(run_.output_dir / "report.html", report_html(content));
     files_.push_back("report.html");

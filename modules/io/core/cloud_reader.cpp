@@ -62,18 +62,6 @@ CloudReading read_kitti_bin(Bytes file, const CloudReadOptions& options, const R
   return out;
 }
 
-CloudReading dispatch(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
-  const std::string extension = lower(name.extension().string());
-  if (starts_with(file, "LASF")) return read_las_cloud(file, options, run);
-  if (looks_like_ply(file)) return read_ply(file, options, run);
-  if (looks_like_pcd(file)) return read_pcd(file, options, run);
-  refuse_others(file);
-  if (file.empty()) throw bad_input("the file is empty", "a point cloud");
-  if (looks_like_text(file) && extension != ".bin") return read_text_cloud(file, extension, options, run);
-  if (extension == ".bin" && file.size() >= 16) return read_kitti_bin(file, options, run);
-  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" + extension + "')", "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
-}
-
 // What the options ask of files whose reader gives coordinates as they are.
 void to_metres_z_up(PointCloud& cloud, const CloudReadOptions& options) {
   const Eigen::Matrix3d matrix = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
@@ -96,6 +84,18 @@ CloudReading read_las_cloud(Bytes file, const CloudReadOptions& options, const R
   out.report.facts.try_emplace("format", "LAS");
   if (out.cloud.empty()) out.report.warn("the file holds no points");
   return out;
+}
+
+CloudReading dispatch(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
+  const std::string extension = lower(name.extension().string());
+  if (starts_with(file, "LASF")) return read_las_cloud(file, options, run);
+  if (looks_like_ply(file)) return read_ply(file, options, run);
+  if (looks_like_pcd(file)) return read_pcd(file, options, run);
+  refuse_others(file);
+  if (file.empty()) throw bad_input("the file is empty", "a point cloud");
+  if (looks_like_text(file) && extension != ".bin") return read_text_cloud(file, extension, options, run);
+  if (extension == ".bin" && file.size() >= 16) return read_kitti_bin(file, options, run);
+  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" + extension + "')", "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <numbers>
 
 #include "render/draw/furniture.h"
+#include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
 #include "render/scene/thin.h"
 
@@ -63,6 +64,14 @@ Window window_of(const MapData& data) {
   if (!((w.hi - w.lo).minCoeff() > 1)) return middle_window(*data.points);
   const double margin = 1 + 0.03 * (w.hi - w.lo).maxCoeff();
   return {w.lo.array() - margin, w.hi.array() + margin};
+}
+
+void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_t>& indices) {
+  constexpr float crown_from_m = 4;
+  if (!cloud.has(arrays::height_above_ground)) return;
+  const auto& height = cloud.values<float>(arrays::height_above_ground);
+  // Multiples of the golden ratio fall evenly: about `share` of them below `share`.
+  std::erase_if(indices, [&](std::uint32_t i) { return height[i] > crown_from_m && std::fmod(0.6180339887498949 * i, 1) >= share; });
 }
 
 Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const Window& window) {
@@ -177,15 +186,18 @@ double grid_step(const Extent& extent) { return nice_step(std::max(extent.hi.x()
 Color ground_color(const MapOptions& options) { return options.dark ? hex(0x11181d) : ink::paper; }
 
 void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
-  renderer->AddActor(points_actor(*data.points, view.indices, view.coloring, origin, point_px));
+  std::vector<StemShape> shapes;
+  if (options.stems && data.stems != nullptr) shapes = stem_shapes(*data.stems, data.sections);
+  auto indices = view.indices;
+  drop_points_on_stems(*data.points, shapes, 0.035, indices);
+  renderer->AddActor(points_actor(*data.points, indices, view.coloring, origin, point_px));
   const auto& e = view.extent;
   if (options.view == MapView::oblique) {
     auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
     grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
     renderer->AddActor(grid);
   }
-  if (options.stems && data.stems != nullptr && data.stems->rows() > 0) {
-    const auto shapes = stem_shapes(*data.stems, data.sections);
+  if (!shapes.empty()) {
     renderer->AddActor(stems_actor(shapes, origin, false));
     renderer->AddActor(breast_height_actor(shapes, origin));
   }
@@ -286,7 +298,7 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
 
 std::string caption_of(const Drawing& d) {
   const char* by = d.view.coloring.by == PointColor::tree ? "tree" : d.view.coloring.by == PointColor::intensity ? "intensity" : "height above ground";
-  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by + (d.has_stems ? ", with the fitted stems" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by + (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
 }
 
 }  // namespace
@@ -297,6 +309,7 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   auto& view = drawing->view;
   const auto window = window_of(data);
   view.indices = thin_for_drawing(*data.points, window, options.point_budget);
+  if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.indices);
   if (view.indices.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
   view.extent = extent_of(*data.points, view.indices, window);
   view.coloring = coloring_for(*data.points, view.indices, options.color);
@@ -330,7 +343,8 @@ Figure hero_figure(const MapData& data, double width_mm, double dpi) {
   MapOptions options;
   options.dark = true;
   options.furniture = false;
-  options.elevation_deg = 16;
+  options.elevation_deg = 17;
+  options.crown_share = 0.15;
   options.dpi = dpi;
   auto figure = map_figure(data, options, width_mm);
   figure.name = "hero";

@@ -41,7 +41,7 @@ TEST(Tape, is_laid_across_the_axis_of_a_leaning_stem) {
 
 TEST(Tape, spans_hollows) {
   StemShape stem = plain_stem(0.4);
-  stem.amplitude = {0, 0.05, 0, 0};  // three ridges with hollows between
+  stem.amplitude = {0, 0.2, 0, 0};  // three ridges with hollows between
   const double taped = tape(stem, level_ground()).diameter_m;
   double contour = 0;
   for (int i = 0; i < 3600; ++i) contour += (stem.surface(1.3, 2 * pi * (i + 1) / 3600) - stem.surface(1.3, 2 * pi * i / 3600)).norm();
