@@ -23,6 +23,7 @@ struct ReadTableOptions {
 struct ReadTrajectoryOptions {
   std::string file;
   std::string format = "auto";
+  std::string axes = "plot";
 };
 
 // The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
@@ -109,6 +110,7 @@ StageType read_trajectory_stage() {
   static const OptionTable table = make_option_table<S>({
       Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
       Option<S, std::string>{"format", &S::format, TextKind::choice, {"auto", "tum", "kitti"}, Tier::advanced, "Format of the file; auto tells them apart by the number of values per line."},
+      Option<S, std::string>{"axes", &S::axes, TextKind::choice, {"unknown", "map", "plot", "global"}, Tier::advanced, "Axes that the poses are in."},
   });
   StageType type;
   type.name = "io.read_trajectory";
@@ -121,6 +123,7 @@ StageType read_trajectory_stage() {
     const auto& o = options.as<S>();
     StageResult result;
     auto trajectory = read_trajectory(o.file, o.format);
+    trajectory.axes = axes_from_name(o.axes);
     result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
     result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
     result.report.message = std::to_string(trajectory.poses.size()) + " poses";
