@@ -7,7 +7,8 @@ namespace bole {
 
 std::span<const ArrayInfo> array_vocabulary() {
   using namespace arrays;
-  static constexpr std::array all{intensity, time, range, ring, pass, keyframe, sensor_x, sensor_y, sensor_z, height_above_ground, tree_id, stem, classification, return_number, number_of_returns, scan_angle, user_data, point_source_id, red, green, blue, near_infrared};
+  static constexpr std::array all{intensity,  time,      range,           ring, pass,  keyframe, sensor_x,     sensor_y, sensor_z, height_above_ground, tree_id, stem, classification, return_number, number_of_returns,
+                                  scan_angle, user_data, point_source_id, red,  green, blue,     near_infrared};
   return all;
 }
 
@@ -19,11 +20,16 @@ const ArrayInfo* find_array(std::string_view name) {
 
 std::string_view array_type_name(ArrayType type) {
   switch (type) {
-    case ArrayType::uint8: return "uint8";
-    case ArrayType::uint16: return "uint16";
-    case ArrayType::int32: return "int32";
-    case ArrayType::float32: return "float32";
-    case ArrayType::float64: return "float64";
+    case ArrayType::uint8:
+      return "uint8";
+    case ArrayType::uint16:
+      return "uint16";
+    case ArrayType::int32:
+      return "int32";
+    case ArrayType::float32:
+      return "float32";
+    case ArrayType::float64:
+      return "float64";
   }
   return "";
 }

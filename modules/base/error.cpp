@@ -12,8 +12,7 @@ std::string Error::compose(const Parts& p) {
 
 Error::Error(ErrorKind error_kind, Parts parts) : std::runtime_error(compose(parts)), kind_(error_kind), parts_(std::move(parts)) {}
 
-Error::Error(ErrorKind error_kind, std::string what_found, std::string what_needed, std::string what_to_do)
-    : Error(error_kind, Parts{{}, std::move(what_found), std::move(what_needed), std::move(what_to_do)}) {}
+Error::Error(ErrorKind error_kind, std::string what_found, std::string what_needed, std::string what_to_do) : Error(error_kind, Parts{{}, std::move(what_found), std::move(what_needed), std::move(what_to_do)}) {}
 
 Error Error::at(const std::string& where) const {
   Parts parts = parts_;
@@ -23,9 +22,12 @@ Error Error::at(const std::string& where) const {
 
 int Error::exit_code() const {
   switch (kind_) {
-    case ErrorKind::failed: return 1;
-    case ErrorKind::bad_input: return 2;
-    case ErrorKind::cancelled: return 3;
+    case ErrorKind::failed:
+      return 1;
+    case ErrorKind::bad_input:
+      return 2;
+    case ErrorKind::cancelled:
+      return 3;
   }
   return 1;
 }

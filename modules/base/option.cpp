@@ -9,9 +9,12 @@ namespace bole {
 
 std::string_view tier_name(Tier tier) {
   switch (tier) {
-    case Tier::basic: return "basic";
-    case Tier::advanced: return "advanced";
-    case Tier::expert: return "expert";
+    case Tier::basic:
+      return "basic";
+    case Tier::advanced:
+      return "advanced";
+    case Tier::expert:
+      return "expert";
   }
   return "";
 }
@@ -33,16 +36,24 @@ std::string option_text(const OptionValue& value) {
 
 std::string_view OptionSpec::type_name() const {
   switch (default_value.index()) {
-    case 0: return "boolean";
-    case 1: return "integer";
-    case 2: return "number";
-    default: break;
+    case 0:
+      return "boolean";
+    case 1:
+      return "integer";
+    case 2:
+      return "number";
+    default:
+      break;
   }
   switch (text_kind) {
-    case TextKind::choice: return "choice";
-    case TextKind::input_path: return "path";
-    case TextKind::json: return "json";
-    case TextKind::plain: break;
+    case TextKind::choice:
+      return "choice";
+    case TextKind::input_path:
+      return "path";
+    case TextKind::json:
+      return "json";
+    case TextKind::plain:
+      break;
   }
   return "text";
 }
@@ -51,10 +62,14 @@ std::string OptionSpec::needed() const {
   const auto unit_text = unit_symbol(unit).empty() ? std::string{} : " " + std::string(unit_symbol(unit));
   const auto range_text = " from " + number_text(min) + " to " + number_text(max) + unit_text;
   switch (default_value.index()) {
-    case 0: return "true or false";
-    case 1: return "a whole number" + range_text;
-    case 2: return "a number" + range_text;
-    default: break;
+    case 0:
+      return "true or false";
+    case 1:
+      return "a whole number" + range_text;
+    case 2:
+      return "a number" + range_text;
+    default:
+      break;
   }
   if (text_kind != TextKind::choice) return "text";
   std::string list = "one of";

@@ -106,9 +106,9 @@ struct OptionSpec {
 class OptionTable {
  public:
   std::vector<OptionSpec> specs;
-  std::function<std::shared_ptr<void>()> make;                           // a fresh struct with defaults
-  std::function<std::shared_ptr<void>(const void*)> copy;                // a copy of one
-  std::function<void(const void*)> check_all = [](const void*) {};      // relations between options; throws Error
+  std::function<std::shared_ptr<void>()> make;                      // a fresh struct with defaults
+  std::function<std::shared_ptr<void>(const void*)> copy;           // a copy of one
+  std::function<void(const void*)> check_all = [](const void*) {};  // relations between options; throws Error
 
   const OptionSpec* find(std::string_view name) const;
   // Throws Error{bad_input} with the nearest names as the hint.
@@ -164,7 +164,7 @@ class OptionEntry {
     bind<int, std::int64_t>(o.member);
   }
   OptionEntry(const Option<S, bool>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) { bind<bool, bool>(o.member); }  // NOLINT
-  OptionEntry(const Option<S, std::string>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {                        // NOLINT
+  OptionEntry(const Option<S, std::string>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {                         // NOLINT
     spec.text_kind = o.kind, spec.choices = o.choices;
     bind<std::string, std::string>(o.member);
   }

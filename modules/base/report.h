@@ -19,13 +19,13 @@ struct Metric {
 
 struct Report {
   Status status = Status::ok;
-  std::string message;                          // one sentence for a person
-  std::map<std::string, std::int64_t> counts;   // "frames", "stems", ...
-  std::map<std::string, Metric> metrics;        // residuals and the like
-  std::map<std::string, std::string> facts;     // words: {"axes", "plot"}
-  std::vector<std::string> warnings;            // partial trouble; never ends the run
-  double seconds = 0;                           // wall time, filled by the caller of the stage
-  double peak_mib = 0;                          // peak resident memory of the process when the stage ended, likewise
+  std::string message;                         // one sentence for a person
+  std::map<std::string, std::int64_t> counts;  // "frames", "stems", ...
+  std::map<std::string, Metric> metrics;       // residuals and the like
+  std::map<std::string, std::string> facts;    // words: {"axes", "plot"}
+  std::vector<std::string> warnings;           // partial trouble; never ends the run
+  double seconds = 0;                          // wall time, filled by the caller of the stage
+  double peak_mib = 0;                         // peak resident memory of the process when the stage ended, likewise
 
   void warn(std::string text) {
     if (status == Status::ok) status = Status::warning;

@@ -6,7 +6,26 @@
 
 namespace bole {
 
-enum class Unit { none, metre, centimetre, millimetre, square_metre, cubic_metre, radian, degree, second, millisecond, hertz, metre_per_second, per_hectare, square_metre_per_hectare, percent, pixel, dot_per_inch, mebibyte };
+enum class Unit {
+  none,
+  metre,
+  centimetre,
+  millimetre,
+  square_metre,
+  cubic_metre,
+  radian,
+  degree,
+  second,
+  millisecond,
+  hertz,
+  metre_per_second,
+  per_hectare,
+  square_metre_per_hectare,
+  percent,
+  pixel,
+  dot_per_inch,
+  mebibyte
+};
 
 // The symbol printed after a number ("m", "deg", ...); empty for Unit::none.
 std::string_view unit_symbol(Unit unit);

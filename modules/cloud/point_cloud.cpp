@@ -1,6 +1,7 @@
 #include "cloud/point_cloud.h"
 
 #include <array>
+#include <cmath>
 
 namespace bole {
 
@@ -16,11 +17,16 @@ double column_value(const Column& column, std::size_t i) {
 
 Column make_column(ArrayType type, std::size_t size) {
   switch (type) {
-    case ArrayType::uint8: return std::vector<std::uint8_t>(size);
-    case ArrayType::uint16: return std::vector<std::uint16_t>(size);
-    case ArrayType::int32: return std::vector<std::int32_t>(size);
-    case ArrayType::float32: return std::vector<float>(size);
-    case ArrayType::float64: break;
+    case ArrayType::uint8:
+      return std::vector<std::uint8_t>(size);
+    case ArrayType::uint16:
+      return std::vector<std::uint16_t>(size);
+    case ArrayType::int32:
+      return std::vector<std::int32_t>(size);
+    case ArrayType::float32:
+      return std::vector<float>(size);
+    case ArrayType::float64:
+      break;
   }
   return std::vector<double>(size);
 }
@@ -73,6 +79,15 @@ PointCloud PointCloud::subset(const std::vector<std::uint32_t>& indices) const {
                                return picked;
                              },
                              *column));
+  }
+  return out;
+}
+
+Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i) {
+  Eigen::Vector3d out = cloud.position(i);
+  for (int k = 0; k < 3; ++k) {
+    const double step = cloud.scale[k];
+    if (step > 0) out[k] = cloud.origin[k] + std::round(static_cast<double>(cloud.positions()[i][k]) / step) * step;
   }
   return out;
 }

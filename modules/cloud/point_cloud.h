@@ -42,14 +42,16 @@ class PointCloud {
 
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // coordinate = origin + offset, metres
   Axes axes = Axes::unknown;
-  std::string crs_wkt;                               // of Axes::global; empty when not known
-  Eigen::Vector3d scale = Eigen::Vector3d::Zero();   // LAS coordinate quantum of the source, metres; zero when none
+  std::string crs_wkt;                              // of Axes::global; empty when not known
+  Eigen::Vector3d scale = Eigen::Vector3d::Zero();  // LAS coordinate quantum of the source, metres; zero when none
 
   std::size_t size() const { return positions_->size(); }
   bool empty() const { return positions_->empty(); }
   const Positions& positions() const { return *positions_; }  // offsets from `origin`
   Eigen::Vector3d position(std::size_t i) const { return origin + (*positions_)[i].cast<double>(); }
   void set_positions(Positions positions) { positions_ = std::make_shared<const Positions>(std::move(positions)); }
+  void share_positions(std::shared_ptr<const Positions> positions) { positions_ = std::move(positions); }
+  const std::shared_ptr<const Positions>& shared_positions() const { return positions_; }
 
   const std::map<std::string, std::shared_ptr<const Column>, std::less<>>& columns() const { return columns_; }
   bool has(std::string_view name) const { return columns_.find(name) != columns_.end(); }
@@ -82,5 +84,9 @@ class PointCloud {
   std::shared_ptr<const Positions> positions_;
   std::map<std::string, std::shared_ptr<const Column>, std::less<>> columns_;
 };
+
+// The coordinate that the source file holds for a point: its offset rounded to the grid of `scale`. position() where the
+// cloud has no grid. Exact up to 2^23 steps from the origin, where a float32 offset still tells neighbouring steps apart.
+Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i);
 
 }  // namespace bole

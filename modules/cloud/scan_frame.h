@@ -23,9 +23,7 @@ struct ScanFrame {
   std::vector<std::uint8_t> return_number;  // 1 for the first of a dual return
 
   std::size_t size() const { return positions.size(); }
-  void clear() {
-    positions.clear(), time_offset_s.clear(), ring.clear(), intensity.clear(), return_number.clear();
-  }
+  void clear() { positions.clear(), time_offset_s.clear(), ring.clear(), intensity.clear(), return_number.clear(); }
 };
 
 // Frames in order of time. Reading is by index and cheapest in order; a source may be read from one thread at a time.

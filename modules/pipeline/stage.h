@@ -27,11 +27,11 @@ struct StageResult {
 };
 
 struct StageType {
-  std::string name;      // "stems.fit": module, dot, verb or noun
-  std::string title;     // "Fit stems"
-  std::string help;      // a paragraph: what it does and by which method
-  std::string source;    // paper and equation, or "Bole"
-  int version = 1;       // raised when the same options give another result: old cache entries no longer match
+  std::string name;    // "stems.fit": module, dot, verb or noun
+  std::string title;   // "Fit stems"
+  std::string help;    // a paragraph: what it does and by which method
+  std::string source;  // paper and equation, or "Bole"
+  int version = 1;     // raised when the same options give another result: old cache entries no longer match
   std::vector<Port> inputs;
   std::vector<Port> outputs;
   const OptionTable* options = nullptr;

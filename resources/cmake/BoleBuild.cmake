@@ -104,3 +104,20 @@ function(bole_benchmark name)
   target_compile_definitions(${name} PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
   set_property(GLOBAL APPEND PROPERTY BOLE_BENCHMARKS ${name})
 endfunction()
+
+# bole_note_version(NAME VERSION): listed by `bole version` and in reports.
+function(bole_note_version name version)
+  set_property(GLOBAL APPEND PROPERTY BOLE_LIBRARY_VERSIONS "${name} ${version}")
+endfunction()
+
+# Called once all modules are known.
+function(bole_write_versions)
+  get_property(versions GLOBAL PROPERTY BOLE_LIBRARY_VERSIONS)
+  list(REMOVE_DUPLICATES versions)
+  list(JOIN versions "\\;" joined)
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/modules/base/version.cpp TARGET_DIRECTORY bole_base PROPERTIES COMPILE_DEFINITIONS "BOLE_VERSION=\"${PROJECT_VERSION}\";BOLE_LIBRARY_VERSIONS=\"${joined}\"")
+endfunction()
+
+bole_note_version(Eigen ${Eigen3_VERSION})
+bole_note_version(TBB ${TBB_VERSION})
+bole_note_version(fmt ${fmt_VERSION})

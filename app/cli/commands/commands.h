@@ -1,0 +1,21 @@
+// The commands of `bole`. Each adds its sub-command to the program; its callback throws bole::Error or sets the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace bole::cli {
+
+struct Program {
+  CLI::App app{"Bole: from LiDAR scans to a stem map that can be signed."};
+  int exit_code = 0;
+};
+
+void add_run(Program& program);
+void add_validate(Program& program);
+void add_stages(Program& program);
+void add_info(Program& program);
+void add_simulate(Program& program);
+void add_evaluate(Program& program);
+void add_version(Program& program);
+
+}  // namespace bole::cli

@@ -1,0 +1,76 @@
+#include "console.h"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bole::cli {
+namespace {
+
+std::string clock_text(double seconds) {
+  const int s = static_cast<int>(seconds + 0.5);
+  return s < 60 ? fmt::format("{} s", s) : fmt::format("{}:{:02} min", s / 60, s % 60);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) == 1) {}
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+  drawn_ = false;
+}
+
+void ProgressLine::update(std::string_view step, double fraction, std::string_view what) {
+  const auto now = std::chrono::steady_clock::now();
+  fraction = std::clamp(fraction, 0.0, 1.0);
+  if (step != step_) step_ = step, step_start_ = now, tenth_ = -1;
+  const double spent = std::chrono::duration<double>(now - step_start_).count();
+  const std::string left = fraction > 0.02 && spent > 2 ? ", " + clock_text(spent * (1 - fraction) / fraction) + " left" : "";
+  if (!terminal_) {
+    const int tenth = static_cast<int>(fraction * 10);
+    if (tenth == tenth_) return;
+    tenth_ = tenth;
+    fmt::print(stderr, "{}: {:3.0f} % {}{}\n", step, 100 * fraction, what, left);
+    return;
+  }
+  if (drawn_ && now - last_draw_ < std::chrono::milliseconds(80)) return;
+  last_draw_ = now, drawn_ = true;
+  const int filled = static_cast<int>(fraction * 24);
+  fmt::print(stderr, "\r\033[K{:<10} [{}{}] {:3.0f} % {}{}", step, std::string(static_cast<std::size_t>(filled), '='), std::string(static_cast<std::size_t>(24 - filled), ' '), 100 * fraction, what, left);
+  std::fflush(stderr);
+}
+
+// Signals are blocked in every thread and taken by one that waits for them: nothing runs in signal context.
+Interrupts::Interrupts() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  watcher_ = std::jthread([this, set](std::stop_token stop) {
+    const timespec patience{0, 100'000'000};
+    while (!stop.stop_requested()) {
+      const int signal_number = sigtimedwait(&set, nullptr, &patience);
+      if (signal_number != SIGINT && signal_number != SIGTERM) continue;
+      if (!finish_.stop_requested()) {
+        finish_.request_stop();
+        fmt::print(stderr, "\nFinishing with what there is so far; interrupt again to cancel.\n");
+      } else {
+        cancel_.request_stop();
+        fmt::print(stderr, "\nCancelling.\n");
+      }
+    }
+  });
+}
+
+Interrupts::~Interrupts() {
+  watcher_.request_stop();
+  watcher_.join();
+}
+
+}  // namespace bole::cli

@@ -1,0 +1,13 @@
+// Command line flags made from an option table: name, range, default and help are those of the table.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "base/option.h"
+
+namespace bole::cli {
+
+// Adds --NAME for every option (underscores become dashes); parsing sets `options`, which must outlive `app`.
+void add_option_flags(CLI::App& app, OptionSet& options);
+
+}  // namespace bole::cli

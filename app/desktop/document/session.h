@@ -1,0 +1,45 @@
+// The document that the window edits: the same JSON that `bole run` takes. Undo is the previous document.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <memory>
+
+#include "pipeline/document.h"
+
+namespace bole::desktop {
+
+class Session : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Session(QObject* parent = nullptr);
+
+  // Throw bole::Error; the document in hand stays as it was.
+  void open(const QString& path);
+  void save(const QString& path);  // atomic
+
+  bool has_document() const { return document_ != nullptr; }
+  const PipelineDocument& document() const { return *document_; }
+  QString path() const { return path_; }
+
+  // An edit that can be undone. Throws bole::Error when the option refuses the value.
+  void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
+
+  QUndoStack& undo_stack() { return undo_; }
+
+ Q_SIGNALS:
+  void document_replaced();                             // another document, or one step of undo or redo
+  void option_changed(const QString& stage, const QString& option);
+
+ private:
+  friend class EditOption;
+  void apply(const std::string& stage_id, const std::string& option, const OptionValue& value);
+
+  std::unique_ptr<PipelineDocument> document_;
+  QString path_;
+  QUndoStack undo_;
+};
+
+}  // namespace bole::desktop

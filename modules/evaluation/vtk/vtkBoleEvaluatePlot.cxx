@@ -1,0 +1,5 @@
+#include "vtkBoleEvaluatePlot.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleEvaluatePlot)

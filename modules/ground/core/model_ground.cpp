@@ -1,0 +1,92 @@
+#include "ground/core/model_ground.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "ground/core/fill_holes.h"
+#include "ground/core/heights.h"
+#include "ground/core/low_points.h"
+#include "ground/core/point_grid.h"
+#include "ground/core/terrain.h"
+#include "ground/core/tin_filter.h"
+
+namespace bole::ground {
+namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+Raster make_raster(const PointCloud& cloud, const GridShape& shape, const char* quantity) {
+  Raster r;
+  r.origin = cloud.origin.head<2>() + shape.corner;
+  r.cell_m = shape.cell_m, r.nx = shape.nx, r.ny = shape.ny;
+  r.axes = cloud.axes, r.crs_wkt = cloud.crs_wkt, r.quantity = quantity;
+  r.values.assign(shape.cells(), missing);
+  return r;
+}
+
+std::vector<float> surface_heights(const GroundSurface& surface, const GridShape& shape) {
+  std::vector<float> heights(shape.cells(), missing);
+  rasterise(surface.points, surface.triangles, shape, heights);
+  return heights;
+}
+
+void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& fit, std::size_t points_in_grid, Report& report) {
+  const auto known = std::count_if(model.dem.values.begin(), model.dem.values.end(), [](float z) { return !std::isnan(z); });
+  const auto filled = std::count(model.filled.values.begin(), model.filled.values.end(), 1.0F);
+  const auto count = [&](std::uint8_t c) { return std::count(model.classification.begin(), model.classification.end(), c); };
+  const double cell_area = model.dem.cell_m * model.dem.cell_m;
+  const double share = known > 0 ? 100.0 * static_cast<double>(filled) / static_cast<double>(known) : 0.0;
+  report.counts["points"] = static_cast<std::int64_t>(cloud.size());
+  report.counts["ground_points"] = count(2);
+  report.counts["low_noise_points"] = count(7);
+  report.counts["dem_cells"] = known;
+  report.counts["filled_cells"] = filled;
+  report.metrics["filled_share"] = {share, Unit::percent};
+  report.metrics["ground_scatter"] = {100.0 * fit.mean_sigma_m, Unit::centimetre};
+  report.metrics["dem_area"] = {static_cast<double>(known) * cell_area, Unit::square_metre};
+  report.message = fmt::format("Terrain model of {:.0f} m2 in cells of {} m, {:.1f} % of them filled; {} ground points scatter by {:.1f} cm.", static_cast<double>(known) * cell_area, number_text(model.dem.cell_m), share,
+                               count(2), 100 * fit.mean_sigma_m);
+  if (points_in_grid < cloud.size()) report.warn(fmt::format("{} points have coordinates that are not finite: they got no height", cloud.size() - points_in_grid));
+  const auto outside = std::count_if(model.height_above_ground.begin(), model.height_above_ground.end(), [](float h) { return std::isnan(h); }) - static_cast<std::ptrdiff_t>(cloud.size() - points_in_grid);
+  report.counts["points_without_height"] = outside;
+  if (share > 50) report.warn(fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell_m ({} m) is small for this density of points", share, number_text(model.dem.cell_m)));
+}
+
+}  // namespace
+
+GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
+  run.report(0.0, "Sorting points into cells");
+  const GridShape shape = grid_over(cloud, options.cell_m);
+  const PointGrid grid(cloud, shape, run);
+
+  run.report(0.35, "Finding ground");
+  const auto candidates = lowest_groups(cloud, grid, {options.roughness_m, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);
+  const auto surface = tin_ground(candidates, shape, options, run);
+
+  run.report(0.60, "Fitting the terrain");
+  const auto prior = surface_heights(surface, shape);
+  auto fit = fit_terrain(cloud, grid, prior, options, run);
+  if (fit.cells == 0) throw failure("no points lie within band_m (" + number_text(options.band_m) + " m) of the first ground surface", "some", "Raise band_m, or lower seed_m");
+
+  run.report(0.80, "Filling holes");
+  const auto filled = fill_holes(shape, prior, options.fill_distance_m, fit.height);
+  GroundModel model{make_raster(cloud, shape, "elevation_m"), make_raster(cloud, shape, "filled"), {}, {}, {}};
+  for (std::size_t c = 0; c < shape.cells(); ++c) {
+    if (std::isnan(fit.height[c])) continue;
+    model.dem.values[c] = static_cast<float>(static_cast<double>(fit.height[c]) + cloud.origin.z());
+    model.filled.values[c] = filled[c] ? 1.0F : 0.0F;
+  }
+
+  run.report(0.85, "Heights above ground");
+  model.height_above_ground = heights_above(cloud, model.dem, run);
+  model.classification = classify(cloud, model.height_above_ground, options);
+  tell(model, cloud, fit, grid.size(), model.report);
+  run.report(1.0, "Terrain model done");
+  return model;
+}
+
+}  // namespace bole::ground

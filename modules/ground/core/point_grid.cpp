@@ -1,0 +1,115 @@
+#include "ground/core/point_grid.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/option.h"
+
+namespace bole::ground {
+namespace {
+
+constexpr std::size_t most_cells = 100'000'000;
+constexpr std::uint32_t no_cell = ~std::uint32_t{0};
+constexpr std::size_t chunk_points = std::size_t{1} << 20;
+
+struct Box {
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity());
+  Eigen::Vector2f high = Eigen::Vector2f::Constant(-std::numeric_limits<float>::infinity());
+};
+
+Box bounding_box(const PointCloud::Positions& positions) {
+  Box box;
+  for (const auto& p : positions) {
+    if (!p.allFinite()) continue;
+    box.low = box.low.cwiseMin(p.head<2>());
+    box.high = box.high.cwiseMax(p.head<2>());
+  }
+  return box;
+}
+
+}  // namespace
+
+GridShape grid_over(const PointCloud& cloud, double cell_m) {
+  const Box box = bounding_box(cloud.positions());
+  if (!(box.low.x() <= box.high.x())) throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points, none with finite coordinates", "at least one");
+  GridShape shape;
+  shape.cell_m = cell_m;
+  double cells[2];
+  for (int k = 0; k < 2; ++k) {
+    const double low = std::floor((cloud.origin[k] + static_cast<double>(box.low[k])) / cell_m) * cell_m - cloud.origin[k];
+    shape.corner[k] = low;
+    cells[k] = std::floor((static_cast<double>(box.high[k]) - low) / cell_m) + 1;
+  }
+  if (!(cells[0] * cells[1] <= static_cast<double>(most_cells))) {
+    const Eigen::Vector2f extent = box.high - box.low;
+    throw bad_input(
+        "the cloud covers " + number_text(std::round(static_cast<double>(extent.x()))) + " by " + number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " + number_text(cell_m) + " m",
+        "at most 100 million cells", "Crop the cloud (one stray point far away is enough to widen it) or raise cell_m");
+  }
+  shape.nx = static_cast<int>(cells[0]), shape.ny = static_cast<int>(cells[1]);
+  return shape;
+}
+
+PointGrid::PointGrid(const PointCloud& cloud, const GridShape& shape, const Run& run) : shape_(shape) {
+  if (cloud.size() >= no_cell) throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points", "fewer than 4 thousand million", "Crop or thin the cloud first");
+  count_and_scatter(cloud, run);
+  sort_cells(cloud, run);
+}
+
+void PointGrid::count_and_scatter(const PointCloud& cloud, const Run& run) {
+  const auto& positions = cloud.positions();
+  std::vector<std::uint32_t> cell_of(positions.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 17), [&](const auto& range) {
+    run.check_cancel();
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const auto& p = positions[i];
+      if (!p.allFinite()) {
+        cell_of[i] = no_cell;
+        continue;
+      }
+      const int ix = std::clamp(shape_.column(static_cast<double>(p.x())), 0, shape_.nx - 1), iy = std::clamp(shape_.row(static_cast<double>(p.y())), 0, shape_.ny - 1);
+      cell_of[i] = static_cast<std::uint32_t>(shape_.index(ix, iy));
+    }
+  });
+  start_.assign(shape_.cells() + 1, 0);
+  for (std::size_t i = 0; i < cell_of.size(); ++i) {
+    if (i % chunk_points == 0) run.check_cancel();
+    if (cell_of[i] != no_cell) ++start_[cell_of[i] + 1];
+  }
+  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  order_.resize(start_.back());
+  // start_ serves as the write position of each cell; afterwards it stands one cell too far and is shifted back.
+  for (std::size_t i = 0; i < cell_of.size(); ++i) {
+    if (i % chunk_points == 0) run.check_cancel();
+    if (cell_of[i] != no_cell) order_[start_[cell_of[i]]++] = static_cast<std::uint32_t>(i);
+  }
+  for (std::size_t c = start_.size() - 1; c > 0; --c) start_[c] = start_[c - 1];
+  start_[0] = 0;
+}
+
+void PointGrid::sort_cells(const PointCloud& cloud, const Run& run) {
+  const auto& positions = cloud.positions();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shape_.cells(), 256), [&](const auto& range) {
+    run.check_cancel();
+    struct Entry {
+      float z, x, y;
+      std::uint32_t index;
+    };
+    std::vector<Entry> entries;
+    for (std::size_t c = range.begin(); c < range.end(); ++c) {
+      entries.clear();
+      for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k) {
+        const auto& p = positions[order_[k]];
+        entries.push_back({p.z(), p.x(), p.y(), order_[k]});
+      }
+      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.z != b.z ? a.z < b.z : std::tie(a.x, a.y, a.index) < std::tie(b.x, b.y, b.index); });
+      for (std::size_t k = 0; k < entries.size(); ++k) order_[start_[c] + k] = entries[k].index;
+    }
+  });
+}
+
+}  // namespace bole::ground

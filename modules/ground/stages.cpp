@@ -1,0 +1,42 @@
+// Registers the stages of the module ground.
+#include "ground/core/model_ground.h"
+#include "pipeline/stage.h"
+
+namespace bole {
+namespace {
+
+StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run& run) {
+  const PointCloud& cloud = inputs.cloud("points");
+  auto model = ground::model_ground(cloud, options.as<ground::GroundOptions>(), run);
+  PointCloud points = cloud;
+  points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
+  points.set_column(arrays::classification, std::move(model.classification));
+  StageResult result;
+  result.outputs.set("points", std::move(points));
+  result.outputs.set("dem", std::move(model.dem));
+  result.outputs.set("dem_filled", std::move(model.filled));
+  result.report = std::move(model.report);
+  return result;
+}
+
+}  // namespace
+
+void register_ground_stages(StageRegistry& registry) {
+  StageType type;
+  type.name = "ground.model";
+  type.title = "Model the ground";
+  type.help =
+      "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; "
+      "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. "
+      "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance_m from any ground point the model has no value and points there have no height (NaN).";
+  type.source = "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, IAPRS XXXIII B4/1, 2000; local fit: Bole";
+  type.inputs = {{"points", DataKind::cloud, "A cloud whose z axis points up.", false, {}}};
+  type.outputs = {{"points", DataKind::cloud, "The same points with heights and classes.", false, {arrays::height_above_ground, arrays::classification}},
+                  {"dem", DataKind::raster, "Terrain height per cell.", false, {}},
+                  {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}}};
+  type.options = &option_table(static_cast<const ground::GroundOptions*>(nullptr));
+  type.run = run_model;
+  registry.add(std::move(type));
+}
+
+}  // namespace bole

@@ -1,0 +1,5 @@
+#include "vtkBoleGroundModel.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleGroundModel)

@@ -1,0 +1,31 @@
+// Files that appear complete or not at all.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace bole {
+
+// Writes go to a temporary file beside `path`; commit() puts it in place. Without a commit it is removed.
+class AtomicFile {
+ public:
+  // Creates missing folders. Throws Error{failed} when the file cannot be created.
+  explicit AtomicFile(const std::filesystem::path& path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  std::ofstream& stream() { return stream_; }
+  // Throws Error{failed} when anything could not be written.
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  std::ofstream stream_;
+  bool committed_ = false;
+};
+
+void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace bole

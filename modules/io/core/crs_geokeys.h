@@ -1,0 +1,17 @@
+// Coordinate reference systems as GeoTIFF keys, as LAS 1.0 to 1.3 and older 1.4 files carry them.
+#pragma once
+
+#include <string>
+
+#include "io/core/las_bytes.h"
+
+namespace bole::las {
+
+// The WKT of the keys (tags 34735, 34736 and 34737 as they lie in the file), made by GDAL, so that user-defined systems
+// count too; empty when they name none.
+std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii);
+
+// The EPSG code of a WKT, 0 when it has none.
+int epsg_of_wkt(const std::string& wkt);
+
+}  // namespace bole::las

@@ -1,0 +1,36 @@
+// What the GDAL writers share. Included by .cpp files only.
+#pragma once
+
+#include <cpl_error.h>
+#include <gdal_priv.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace bole::gdal {
+
+struct CloseDataset {
+  void operator()(GDALDataset* set) const { GDALClose(set); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+// Registers all drivers once and returns the one of that name. Throws Error{failed} when GDAL was built without it.
+GDALDriver& driver(const char* name);
+
+// While it lives, GDAL's errors are collected rather than printed.
+class Errors {
+ public:
+  Errors();
+  ~Errors();
+  Errors(const Errors&) = delete;
+  Errors& operator=(const Errors&) = delete;
+  // The last message, or "no reason given".
+  std::string last() const;
+};
+
+// Writes to a temporary name in the same folder (created when missing) and renames it to `path` when `write` returns; removes it when it throws.
+void write_atomically(const std::filesystem::path& path, const std::function<void(const std::string& temporary)>& write);
+
+}  // namespace bole::gdal

@@ -1,0 +1,38 @@
+// Where the fields of the LAS point formats 0 to 10 lie (ASPRS LAS Specification 1.4 R15, tables 7 to 17).
+#pragma once
+
+#include <cstddef>
+
+namespace bole::las {
+
+// Byte offsets within a point record; -1 where the format has no such field. Formats 6 and up ("extended") hold four-bit
+// return numbers, eight-bit classes and scan angles of 0.006 degrees.
+struct PointLayout {
+  int size = 0;
+  bool extended = false;
+  int time = -1;
+  int colour = -1;  // red, green, blue
+  int near_infrared = -1;
+};
+
+inline constexpr int most_point_format = 10;
+
+// Of a format from 0 to most_point_format.
+const PointLayout& point_layout(int format);
+
+namespace field {
+inline constexpr std::size_t x = 0, y = 4, z = 8, intensity = 12, returns = 14;
+// Formats 0 to 5: the class and its flags share a byte.
+namespace legacy {
+inline constexpr std::size_t classification = 15, scan_angle = 16, user_data = 17, point_source_id = 18;
+}
+// Formats 6 to 10.
+namespace extended {
+inline constexpr std::size_t flags = 15, classification = 16, user_data = 17, scan_angle = 18, point_source_id = 20;
+}
+}  // namespace field
+
+// Degrees per unit of the scan angle of formats 6 and up.
+inline constexpr double scan_angle_step_deg = 0.006;
+
+}  // namespace bole::las

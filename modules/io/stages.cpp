@@ -1,0 +1,142 @@
+// The stages of the module io: what brings files into a pipeline.
+#include "io/core/cloud_reader.h"
+#include "io/core/frame_source.h"
+#include "io/core/table_file.h"
+#include "io/core/trajectory_file.h"
+#include "pipeline/stage.h"
+
+namespace bole {
+namespace {
+
+struct ReadScanOptions : FrameSourceOptions {
+  std::string file;
+};
+
+struct ReadCloudOptions : CloudReadOptions {
+  std::string file;
+};
+
+struct ReadTableOptions {
+  std::string file;
+};
+
+struct ReadTrajectoryOptions {
+  std::string file;
+  std::string format = "auto";
+};
+
+// The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
+template <class S, class Base>
+OptionTable with_file(std::string_view help) {
+  auto table = make_option_table<S>({Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help}});
+  const auto& inner = option_table(static_cast<const Base*>(nullptr));
+  for (auto spec : inner.specs) {
+    spec.get = [get = spec.get](const void* s) { return get(static_cast<const Base*>(static_cast<const S*>(s))); };
+    spec.assign = [assign = spec.assign](void* s, const OptionValue& v) { assign(static_cast<Base*>(static_cast<S*>(s)), v); };
+    table.specs.push_back(std::move(spec));
+  }
+  table.check_all = [check = inner.check_all](const void* s) { check(static_cast<const Base*>(static_cast<const S*>(s))); };
+  return table;
+}
+
+StageType read_scan() {
+  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>("Scan to read: a pcap or pcapng file of a Velodyne sensor, or a folder with one .bin (KITTI) or .pcd file per frame.");
+  StageType type;
+  type.name = "io.read_scan";
+  type.title = "Read a scan";
+  type.help =
+      "Opens the recording of a spinning LiDAR and offers it frame by frame; frames are decoded when they are asked for, so that long recordings need little memory. "
+      "Every return keeps its ring and its own time. Lost, damaged and disordered packets are counted, and a recording that is cut off is read as far as it goes.";
+  type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
+  type.outputs = {{"frames", DataKind::frames, "The frames of the scan, in sensor axes.", false, {arrays::time, arrays::ring, arrays::intensity, arrays::return_number}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    const auto& o = options.as<ReadScanOptions>();
+    StageResult result;
+    result.outputs.set("frames", Data(open_frame_source(o.file, o, run, result.report)));
+    return result;
+  };
+  return type;
+}
+
+StageType read_cloud_stage() {
+  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>("Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
+  StageType type;
+  type.name = "io.read_cloud";
+  type.title = "Read a point cloud";
+  type.help =
+      "Reads a point cloud of any common format, recognised by its content. Coordinates come out in metres with z up; large ones are kept exactly as offsets from an origin. "
+      "Fields of the file become arrays of the common vocabulary (intensity, time, ring, return_number, classification, red, ...); others keep their names. "
+      "Points whose coordinates are not numbers are dropped and counted; a file that is cut off gives the points it holds.";
+  type.source = "Bole";
+  type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    const auto& o = options.as<ReadCloudOptions>();
+    StageResult result;
+    auto reading = read_cloud(o.file, o, run);
+    result.outputs.set("points", std::move(reading.cloud));
+    result.report = std::move(reading.report);
+    return result;
+  };
+  return type;
+}
+
+StageType read_table_stage() {
+  static const OptionTable table =
+      make_option_table<ReadTableOptions>({Option<ReadTableOptions, std::string>{"file", &ReadTableOptions::file, TextKind::input_path, {}, Tier::basic, "Table to read: CSV with a header line."}});
+  StageType type;
+  type.name = "io.read_table";
+  type.title = "Read a table";
+  type.help = "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty cells are missing values; lines that do not fit the header are named.";
+  type.source = "RFC 4180";
+  type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    StageResult result;
+    auto read = read_table(options.as<ReadTableOptions>().file, run);
+    result.report.counts["rows"] = static_cast<std::int64_t>(read.rows());
+    result.report.counts["columns"] = static_cast<std::int64_t>(read.columns().size());
+    result.report.message = std::to_string(read.rows()) + " rows, " + std::to_string(read.columns().size()) + " columns";
+    result.outputs.set("table", std::move(read));
+    return result;
+  };
+  return type;
+}
+
+StageType read_trajectory_stage() {
+  using S = ReadTrajectoryOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
+      Option<S, std::string>{"format", &S::format, TextKind::choice, {"auto", "tum", "kitti"}, Tier::advanced, "Format of the file; auto tells them apart by the number of values per line."},
+  });
+  StageType type;
+  type.name = "io.read_trajectory";
+  type.title = "Read a trajectory";
+  type.help = "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
+  type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
+  type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run&) {
+    const auto& o = options.as<S>();
+    StageResult result;
+    auto trajectory = read_trajectory(o.file, o.format);
+    result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
+    result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
+    result.report.message = std::to_string(trajectory.poses.size()) + " poses";
+    result.outputs.set("trajectory", std::move(trajectory));
+    return result;
+  };
+  return type;
+}
+
+}  // namespace
+
+void register_io_stages(StageRegistry& registry) {
+  registry.add(read_scan());
+  registry.add(read_cloud_stage());
+  registry.add(read_table_stage());
+  registry.add(read_trajectory_stage());
+}
+
+}  // namespace bole

@@ -1,0 +1,5 @@
+#include "vtkBoleReadCloud.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleReadCloud)

@@ -1,0 +1,5 @@
+#include "vtkBoleReadScan.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleReadScan)

@@ -1,0 +1,5 @@
+#include "vtkBoleReadTable.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleReadTable)

@@ -1,0 +1,5 @@
+#include "vtkBoleReadTrajectory.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleReadTrajectory)

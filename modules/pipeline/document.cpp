@@ -1,0 +1,199 @@
+#include "pipeline/document.h"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace bole {
+namespace {
+
+using nlohmann::ordered_json;
+
+void check_keys(const ordered_json& object, const std::string& where, const std::vector<std::string>& known) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::ranges::find(known, key) != known.end() || key == "$schema") continue;
+    std::string hint;
+    for (const auto& n : nearest_names(key, known)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
+    throw bad_input(where + " has an unknown key '" + key + "'", "one of the keys that `bole stages --schema` lists", hint.empty() ? hint : hint + "?");
+  }
+}
+
+std::string text_of(const ordered_json& object, const char* key, const std::string& where) {
+  if (!object.contains(key)) return {};
+  if (!object.at(key).is_string()) throw bad_input(where + ": '" + key + "' is " + object.at(key).dump(), "a text");
+  return object.at(key).get<std::string>();
+}
+
+OptionValue option_value(const OptionSpec& spec, const ordered_json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return value.get<std::string>();
+  if (spec.text_kind == TextKind::json) return value.dump();
+  throw bad_input("option " + spec.name + " is " + value.dump(), spec.needed());
+}
+
+std::string resolved(const std::string& path, const std::filesystem::path& base_dir) {
+  if (path.empty() || std::filesystem::path(path).is_absolute() || base_dir.empty()) return path;
+  return (base_dir / path).lexically_normal().string();
+}
+
+StageNode parse_stage(const ordered_json& object, std::size_t number, const StageRegistry& registry, const std::filesystem::path& base_dir) {
+  std::string where = "stage " + std::to_string(number);
+  if (!object.is_object()) throw bad_input(where + " is " + object.dump(), "an object with id, type, inputs, options");
+  const std::string id = text_of(object, "id", where);
+  if (id.empty() || id.find('.') != std::string::npos) throw bad_input(where + " has the id '" + id + "'", "a name without a dot");
+  where = "stage '" + id + "'";
+  check_keys(object, where, {"id", "type", "inputs", "options", "label", "optional"});
+  try {
+    const StageType& type = registry.at(text_of(object, "type", where));
+    StageNode node{id, &type, {}, OptionSet(*type.options), {}, false};
+    if (object.contains("optional")) {
+      if (!object.at("optional").is_boolean()) throw bad_input("'optional' is " + object.at("optional").dump(), "true or false");
+      node.optional = object.at("optional").get<bool>();
+    }
+    if (object.contains("inputs")) {
+      if (!object.at("inputs").is_object()) throw bad_input("'inputs' is " + object.at("inputs").dump(), "an object of port: \"id.port\"");
+      for (const auto& [port, source] : object.at("inputs").items()) {
+        if (!source.is_string()) throw bad_input("input '" + port + "' is " + source.dump(), "a text \"id.port\"");
+        node.inputs[port] = source.get<std::string>();
+      }
+    }
+    if (object.contains("options")) {
+      if (!object.at("options").is_object()) throw bad_input("'options' is " + object.at("options").dump(), "an object of option: value");
+      for (const auto& [name, value] : object.at("options").items()) {
+        const auto& spec = type.options->at(name);
+        OptionValue v = option_value(spec, value);
+        if (spec.text_kind == TextKind::input_path) v = resolved(std::get<std::string>(spec.checked(v)), base_dir);
+        node.options.set(name, v);
+        node.given.insert(name);
+      }
+    }
+    return node;
+  } catch (const Error& e) {
+    throw e.at(where);
+  }
+}
+
+}  // namespace
+
+bool StageNode::skipped() const {
+  if (!optional) return false;
+  return std::ranges::any_of(options.table().specs, [&](const OptionSpec& spec) { return spec.text_kind == TextKind::input_path && std::get<std::string>(options.get(spec.name)).empty(); });
+}
+
+SourcePort parse_source(std::string_view text) {
+  const auto dot = text.find('.');
+  if (dot == std::string_view::npos || dot == 0 || dot + 1 == text.size()) throw bad_input("'" + std::string(text) + "'", "\"id.port\" of another stage");
+  return {std::string(text.substr(0, dot)), std::string(text.substr(dot + 1))};
+}
+
+PipelineDocument PipelineDocument::parse(std::string_view json_text, const StageRegistry& registry, const std::filesystem::path& base_dir) {
+  ordered_json root;
+  try {
+    root = ordered_json::parse(json_text);
+  } catch (const nlohmann::json::exception& e) {
+    throw bad_input(std::string("not a JSON text: ") + e.what(), "a pipeline document");
+  }
+  if (!root.is_object() || !root.contains("stages") || !root.at("stages").is_array()) throw bad_input("no list of stages", "an object with a list \"stages\"");
+  check_keys(root, "the document", {"title", "description", "stages"});
+  PipelineDocument document;
+  document.title_ = text_of(root, "title", "the document");
+  document.description_ = text_of(root, "description", "the document");
+  for (const auto& stage : root.at("stages")) {
+    document.stages_.push_back(parse_stage(stage, document.stages_.size() + 1, registry, base_dir));
+    const auto& id = document.stages_.back().id;
+    if (std::ranges::count(document.stages_, id, &StageNode::id) > 1) throw bad_input("two stages have the id '" + id + "'", "different ids");
+  }
+  if (document.stages_.empty()) throw bad_input("the document has no stage", "at least one");
+  return document;
+}
+
+PipelineDocument PipelineDocument::load(const std::filesystem::path& path, const StageRegistry& registry) {
+  std::ifstream in(path);
+  if (!in) throw bad_input("cannot open the pipeline '" + path.string() + "'", "a readable JSON file");
+  std::stringstream text;
+  text << in.rdbuf();
+  try {
+    PipelineDocument document = parse(text.str(), registry, std::filesystem::absolute(path).parent_path());
+    document.source_ = path.string();
+    return document;
+  } catch (const Error& e) {
+    throw e.at(path.string());
+  }
+}
+
+const StageNode& PipelineDocument::at(std::string_view id) const {
+  const auto it = std::ranges::find(stages_, id, &StageNode::id);
+  if (it != stages_.end()) return *it;
+  std::string list;
+  for (const auto& s : stages_) list += (list.empty() ? "" : ", ") + s.id;
+  throw bad_input("the pipeline has no stage '" + std::string(id) + "'", "one of: " + list);
+}
+
+void PipelineDocument::set(std::string_view stage_and_option, std::string_view text) {
+  const auto [id, option] = parse_source(stage_and_option);
+  auto& node = const_cast<StageNode&>(at(id));  // NOLINT: this object is not const
+  try {
+    const auto& spec = node.type->options->at(option);
+    OptionValue value = spec.parsed(text);
+    if (spec.text_kind == TextKind::input_path) value = resolved(std::get<std::string>(value), std::filesystem::current_path());
+    node.options.set(option, value);
+    node.given.insert(option);
+  } catch (const Error& e) {
+    throw e.at("stage '" + id + "'");
+  }
+}
+
+void apply_sets(PipelineDocument& document, const std::vector<std::string>& assignments) {
+  for (const auto& assignment : assignments) {
+    const auto equals = assignment.find('=');
+    if (equals == std::string::npos) throw bad_input("--set " + assignment, "STAGE.OPTION=VALUE");
+    document.set(std::string_view(assignment).substr(0, equals), std::string_view(assignment).substr(equals + 1));
+  }
+}
+
+std::vector<const StageNode*> PipelineDocument::in_order() const {
+  std::vector<const StageNode*> order;
+  std::map<std::string, int> mark;  // 1: being visited, 2: done
+  const std::function<void(const StageNode&)> visit = [&](const StageNode& node) {
+    if (mark[node.id] == 2) return;
+    if (mark[node.id] == 1) throw bad_input("stage '" + node.id + "' takes its own output", "stages joined without a circle");
+    mark[node.id] = 1;
+    for (const auto& [port, source] : node.inputs) visit(at(parse_source(source).id));
+    mark[node.id] = 2;
+    order.push_back(&node);
+  };
+  for (const auto& node : stages_) visit(node);
+  std::erase_if(order, [](const StageNode* node) { return node->skipped(); });
+  return order;
+}
+
+std::map<std::string, SourcePort> PipelineDocument::joints(const StageNode& node) const {
+  std::map<std::string, SourcePort> list;
+  for (const auto& [port, text] : node.inputs)
+    if (const auto source = parse_source(text); !at(source.id).skipped()) list.emplace(port, source);
+  return list;
+}
+
+std::string PipelineDocument::to_json() const {
+  ordered_json root;
+  if (!title_.empty()) root["title"] = title_;
+  if (!description_.empty()) root["description"] = description_;
+  root["stages"] = ordered_json::array();
+  for (const auto& node : stages_) {
+    ordered_json stage{{"id", node.id}, {"type", node.type->name}};
+    if (node.optional) stage["optional"] = true;
+    if (!node.inputs.empty()) stage["inputs"] = node.inputs;
+    ordered_json options;
+    for (const auto& spec : node.type->options->specs)
+      if (!node.options.is_default(spec.name) || node.given.contains(spec.name)) std::visit([&](const auto& v) { options[spec.name] = v; }, node.options.get(spec.name));
+    if (!options.empty()) stage["options"] = options;
+    root["stages"].push_back(stage);
+  }
+  return root.dump(2) + "\n";
+}
+
+}  // namespace bole

@@ -1,0 +1,161 @@
+#include "pipeline/printing.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace bole {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_value(const OptionValue& value) {
+  return std::visit([](const auto& v) { return ordered_json(v); }, value);
+}
+
+std::string range_text(const OptionSpec& spec) {
+  if (spec.text_kind == TextKind::choice) {
+    std::string list;
+    for (const auto& c : spec.choices) list += (list.empty() ? "" : ", ") + c;
+    return list;
+  }
+  if (std::isinf(spec.min) && std::isinf(spec.max)) return "";
+  return number_text(spec.min) + " to " + number_text(spec.max);
+}
+
+std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
+  std::string text = "| port | kind | arrays | |\n|---|---|---|---|\n";
+  for (const auto& p : ports) {
+    std::string names;
+    for (const auto& a : p.arrays) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", a.name);
+    text += fmt::format("| `{}` | {}{} | {} | {} |\n", p.name, data_kind_name(p.kind), inputs && p.optional ? ", optional" : "", names, p.help);
+  }
+  return text;
+}
+
+std::string options_markdown(const OptionTable& table) {
+  std::string text = "| option | type | default | unit | range | tier | |\n|---|---|---|---|---|---|---|\n";
+  for (const auto& o : table.specs) {
+    const auto value = option_text(o.default_value);
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", o.name, o.type_name(), value.empty() ? "" : "`" + value + "`", unit_symbol(o.unit), range_text(o), tier_name(o.tier), o.help);
+  }
+  return text;
+}
+
+ordered_json option_schema(const OptionSpec& o) {
+  ordered_json s{{"description", o.help + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))}, {"default", json_value(o.default_value)}};
+  switch (o.default_value.index()) {
+    case 0:
+      s["type"] = "boolean";
+      break;
+    case 1:
+      s["type"] = "integer";
+      break;
+    case 2:
+      s["type"] = "number";
+      break;
+    default:
+      if (o.text_kind == TextKind::choice)
+        s["enum"] = o.choices;
+      else if (o.text_kind != TextKind::json)
+        s["type"] = "string";
+  }
+  if (std::isfinite(o.min)) s["minimum"] = o.min;
+  if (std::isfinite(o.max)) s["maximum"] = o.max;
+  return s;
+}
+
+}  // namespace
+
+std::string stage_markdown(const StageType& type) {
+  std::string text = fmt::format("# {}: {}\n\n{}\n\n", type.name, type.title, type.help);
+  if (!type.source.empty()) text += fmt::format("Source: {}\n\n", type.source);
+  if (!type.inputs.empty()) text += "## Inputs\n\n" + ports_markdown(type.inputs, true) + "\n";
+  if (!type.outputs.empty()) text += "## Outputs\n\n" + ports_markdown(type.outputs, false) + "\n";
+  if (!type.options->specs.empty()) text += "## Options\n\n" + options_markdown(*type.options) + "\n";
+  text += "Printed by `bole stages --markdown`; change the declaration of the stage, not this page.\n";
+  return text;
+}
+
+std::string stages_index_markdown(const StageRegistry& registry) {
+  std::string text = "# Stages\n\n| stage | |\n|---|---|\n";
+  for (const auto* type : registry.all()) text += fmt::format("| [`{}`]({}.md) | {} |\n", type->name, type->name, type->title);
+  return text + "\nThe arrays that clouds carry are listed in [arrays](arrays.md).\nPrinted by `bole stages --markdown`.\n";
+}
+
+std::string arrays_markdown() {
+  std::string text = "# Arrays of point clouds\n\n| array | type | unit | meaning |\n|---|---|---|---|\n";
+  for (const auto& a : array_vocabulary()) text += fmt::format("| `{}` | {} | {} | {} |\n", a.name, array_type_name(a.type), unit_symbol(a.unit), a.meaning);
+  return text + "\nPrinted by `bole stages --markdown`.\n";
+}
+
+std::string stages_json(const StageRegistry& registry) {
+  ordered_json list = ordered_json::array();
+  const auto ports = [](const std::vector<Port>& from) {
+    ordered_json out = ordered_json::array();
+    for (const auto& p : from) {
+      ordered_json names = ordered_json::array();
+      for (const auto& a : p.arrays) names.push_back(a.name);
+      out.push_back({{"name", p.name}, {"kind", data_kind_name(p.kind)}, {"optional", p.optional}, {"arrays", names}, {"help", p.help}});
+    }
+    return out;
+  };
+  for (const auto* type : registry.all()) {
+    ordered_json options = ordered_json::array();
+    for (const auto& o : type->options->specs) {
+      ordered_json entry{{"name", o.name}, {"type", o.type_name()}, {"default", json_value(o.default_value)}, {"unit", unit_symbol(o.unit)}, {"tier", tier_name(o.tier)}, {"help", o.help}};
+      if (std::isfinite(o.min)) entry["min"] = o.min;
+      if (std::isfinite(o.max)) entry["max"] = o.max;
+      if (!o.choices.empty()) entry["choices"] = o.choices;
+      options.push_back(entry);
+    }
+    list.push_back({{"type", type->name},
+                    {"title", type->title},
+                    {"help", type->help},
+                    {"source", type->source},
+                    {"version", type->version},
+                    {"inputs", ports(type->inputs)},
+                    {"outputs", ports(type->outputs)},
+                    {"options", options},
+                    {"writes_files", type->writes_files}});
+  }
+  return list.dump(2) + "\n";
+}
+
+std::string document_schema(const StageRegistry& registry) {
+  ordered_json stages = ordered_json::array();
+  for (const auto* type : registry.all()) {
+    ordered_json inputs = ordered_json::object(), options = ordered_json::object();
+    ordered_json required = ordered_json::array();
+    for (const auto& p : type->inputs) {
+      inputs[p.name] = {{"type", "string"}, {"pattern", "^[^.]+\\.[^.]+$"}, {"description", p.help}};
+      if (!p.optional) required.push_back(p.name);
+    }
+    for (const auto& o : type->options->specs) options[o.name] = option_schema(o);
+    ordered_json stage{{"title", type->title}, {"type", "object"}, {"additionalProperties", false}, {"required", {"id", "type"}}};
+    stage["properties"] = {{"id", {{"type", "string"}, {"pattern", "^[^.]+$"}}},
+                           {"label", {{"type", "string"}}},
+                           {"optional", {{"type", "boolean"}}},
+                           {"type", {{"const", type->name}}},
+                           {"inputs", {{"type", "object"}, {"additionalProperties", false}, {"required", required}, {"properties", inputs}}},
+                           {"options", {{"type", "object"}, {"additionalProperties", false}, {"properties", options}}}};
+    stages.push_back(stage);
+  }
+  ordered_json root{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Bole pipeline"}, {"type", "object"}, {"required", {"stages"}}, {"additionalProperties", false}};
+  root["properties"] = {{"$schema", {{"type", "string"}}}, {"title", {{"type", "string"}}}, {"description", {{"type", "string"}}}, {"stages", {{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", stages}}}}}};
+  return root.dump(2) + "\n";
+}
+
+std::string options_text(const OptionTable& table) {
+  std::string text;
+  for (const auto& o : table.specs) {
+    const auto unit = unit_symbol(o.unit);
+    std::string facts = fmt::format("default {}{}{}", option_text(o.default_value).empty() ? "empty" : option_text(o.default_value), unit.empty() ? "" : " ", unit);
+    if (const auto range = range_text(o); !range.empty()) facts += ", " + range;
+    text += fmt::format("  {:<24} {} [{}; {}]\n", o.name, o.help, facts, tier_name(o.tier));
+  }
+  return text;
+}
+
+}  // namespace bole

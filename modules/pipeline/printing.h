@@ -1,0 +1,23 @@
+// Texts printed from the declarations of stages: the only source of pages, schemas and lists.
+#pragma once
+
+#include <string>
+
+#include "pipeline/stage.h"
+
+namespace bole {
+
+// The manual page of a stage (docs/stages/<type>.md).
+std::string stage_markdown(const StageType& type);
+// The index of docs/stages.
+std::string stages_index_markdown(const StageRegistry& registry);
+// The page of the per-point arrays (docs/stages/arrays.md).
+std::string arrays_markdown();
+// All stages with ports and options, for tools.
+std::string stages_json(const StageRegistry& registry);
+// A JSON schema (draft 2020-12) of pipeline documents.
+std::string document_schema(const StageRegistry& registry);
+// A table of options for the terminal.
+std::string options_text(const OptionTable& table);
+
+}  // namespace bole

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "pipeline/document.h"
+
+namespace bole {
+namespace {
+
+// Arrays that the cloud at a port is known to carry: what its stage adds, and what came in with the cloud it passes on.
+// Readers can bring any array, so what a reader makes is not known before it runs: `open` says so.
+struct KnownArrays {
+  std::set<std::string> names;
+  bool open = false;
+};
+
+KnownArrays arrays_at(const PipelineDocument& document, const StageNode& node, std::string_view port, int depth = 0) {
+  KnownArrays known;
+  if (const auto* out = node.type->output(port))
+    for (const auto& a : out->arrays) known.names.insert(std::string(a.name));
+  if (node.type->inputs.empty()) known.open = true;
+  if (depth > 64) return known;  // a circle; reported elsewhere
+  for (const auto& in : node.type->inputs) {
+    const auto joint = node.inputs.find(in.name);
+    if (in.kind != DataKind::cloud || joint == node.inputs.end()) continue;
+    try {
+      const auto source = parse_source(joint->second);
+      const auto before = arrays_at(document, document.at(source.id), source.port, depth + 1);
+      known.names.insert(before.names.begin(), before.names.end());
+      known.open |= before.open;
+    } catch (const Error&) {
+      known.open = true;  // the broken joint is reported for its own stage
+    }
+  }
+  return known;
+}
+
+void check_joint(const PipelineDocument& document, const StageNode& node, const std::string& port_name, const std::string& joint, std::vector<Problem>& problems) {
+  const Port* port = node.type->input(port_name);
+  if (!port) {
+    std::string list;
+    for (const auto& p : node.type->inputs) list += (list.empty() ? "" : ", ") + p.name;
+    problems.push_back({node.id, "there is no input '" + port_name + "'; needed: one of " + (list.empty() ? "none" : list)});
+    return;
+  }
+  const auto source = parse_source(joint);
+  const StageNode& from = document.at(source.id);
+  const Port* out = from.type->output(source.port);
+  if (!out) {
+    std::string list;
+    for (const auto& p : from.type->outputs) list += (list.empty() ? "" : ", ") + p.name;
+    problems.push_back({node.id, "input '" + port_name + "' is joined to '" + joint + "', which is not there; needed: one of " + (list.empty() ? "none" : list)});
+    return;
+  }
+  if (from.skipped() && !port->optional) {
+    problems.push_back({node.id, "input '" + port_name + "' takes from '" + from.id + "', which is skipped because its file is not given"});
+    return;
+  }
+  if (out->kind != port->kind) {
+    problems.push_back({node.id, "input '" + port_name + "' takes a " + std::string(data_kind_name(port->kind)) + ", but '" + joint + "' is a " + std::string(data_kind_name(out->kind))});
+    return;
+  }
+  const auto known = arrays_at(document, from, source.port);
+  for (const auto& array : port->arrays)
+    if (!known.open && !known.names.contains(std::string(array.name)))
+      problems.push_back({node.id, "input '" + port_name + "' needs the array '" + std::string(array.name) + "', which no stage before it makes. " + std::string(array.meaning)});
+}
+
+void check_options(const StageNode& node, std::vector<Problem>& problems) {
+  try {
+    node.options.check_all();
+  } catch (const Error& e) {
+    problems.push_back({node.id, e.what()});
+  }
+  for (const auto& spec : node.type->options->specs) {
+    if (spec.text_kind != TextKind::input_path) continue;
+    const auto path = std::get<std::string>(node.options.get(spec.name));
+    if (!path.empty() && !std::filesystem::exists(path)) problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
+    // The file of a reader is what it is for; other paths may stay empty.
+    if (path.empty() && node.type->inputs.empty() && spec.tier == Tier::basic)
+      problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Give it with --set " + node.id + "." + spec.name + "=PATH"});
+  }
+}
+
+}  // namespace
+
+std::vector<Problem> validate(const PipelineDocument& document) {
+  std::vector<Problem> problems;
+  for (const auto& node : document.stages()) {
+    if (node.skipped()) continue;
+    for (const auto& [port, joint] : node.inputs) {
+      try {
+        check_joint(document, node, port, joint, problems);
+      } catch (const Error& e) {
+        problems.push_back({node.id, "input '" + port + "': " + e.what()});
+      }
+    }
+    for (const auto& port : node.type->inputs)
+      if (!port.optional && !node.inputs.contains(port.name)) problems.push_back({node.id, "input '" + port.name + "' is not joined; needed: a " + std::string(data_kind_name(port.kind)) + ". " + port.help});
+    check_options(node, problems);
+  }
+  try {
+    document.in_order();
+  } catch (const Error& e) {
+    problems.push_back({"", e.what()});
+  }
+  return problems;
+}
+
+}  // namespace bole

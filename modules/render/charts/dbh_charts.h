@@ -1,0 +1,26 @@
+// Diameters: their distribution, and how they compare with a reference.
+#pragma once
+
+#include "cloud/table.h"
+#include "render/draw/figure.h"
+
+namespace bole {
+
+// Estimated against reference diameter with the 1:1 line. `matches` as the evaluation gives it.
+Figure dbh_scatter(const Table& matches, double width_mm);
+
+// Errors per class of reference diameter: median, quartiles, whiskers to 1.5 times their distance, every error as a dot.
+Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm = 4);
+
+// How many stems per diameter class. `dbh_cm` of the stems that count.
+Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double class_cm = 4);
+
+struct ErrorStatistics {
+  std::size_t count = 0;
+  double bias = 0, rmse = 0;           // of estimate minus reference
+  double bias_percent = 0, rmse_percent = 0;  // of the mean reference
+  double r_squared = 0;                // squared correlation
+};
+ErrorStatistics error_statistics(const std::vector<double>& estimate, const std::vector<double>& reference);
+
+}  // namespace bole

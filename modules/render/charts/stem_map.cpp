@@ -1,0 +1,195 @@
+#include "render/charts/stem_map.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "render/charts/columns.h"
+#include "render/draw/axes.h"
+#include "render/draw/furniture.h"
+#include "render/draw/labels.h"
+
+namespace bole {
+namespace {
+
+struct Stem {
+  Eigen::Vector2d at;
+  double dbh_m = 0;
+  std::string id;
+  Color color;
+  bool is_false = false;
+};
+
+struct Mark {
+  Eigen::Vector2d at;
+  std::string name;
+};
+
+struct Content {
+  std::vector<Stem> stems;
+  std::vector<Mark> missed, targets;
+  std::vector<Eigen::Vector2d> path, outline;
+  bool compared = false, north_known = true;
+};
+
+constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11, furniture_mm = 12;
+constexpr double least_radius_mm = 0.45;  // a stem stays visible on a small map
+
+void take_stems(const Table& table, Content& content) {
+  const auto x = table.numbers("x_m"), y = table.numbers("y_m"), dbh = numbers_or_nan(table, "dbh_cm");
+  const auto quality = texts_or_empty(table, "quality");
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    content.stems.push_back({{x[i], y[i]}, std::isfinite(dbh[i]) ? dbh[i] / 100 : 0.1, table.has("tree_id") ? table.text("tree_id", i, 0) : std::to_string(i + 1), quality_color(quality[i])});
+  }
+}
+
+void take_matches(const Table& table, Content& content) {
+  content.compared = true;
+  const auto kind = texts_or_empty(table, "kind");
+  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m"), ref_x = numbers_or_nan(table, "ref_x_m"), ref_y = numbers_or_nan(table, "ref_y_m");
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (kind[i] == "missed" && std::isfinite(ref_x[i]) && std::isfinite(ref_y[i])) content.missed.push_back({{ref_x[i], ref_y[i]}, table.has("ref_id") ? table.text("ref_id", i, 0) : ""});
+    if (kind[i] != "false") continue;
+    for (auto& stem : content.stems)
+      if ((stem.at - Eigen::Vector2d(x[i], y[i])).norm() < 1e-3) stem.is_false = true;
+  }
+}
+
+// A path with a point at most every `step_m`.
+std::vector<Eigen::Vector2d> thinned_path(const Trajectory& trajectory, double step_m) {
+  std::vector<Eigen::Vector2d> path;
+  for (const auto& pose : trajectory.poses) {
+    const Eigen::Vector2d p = pose.T_target_sensor.translation().head<2>();
+    if (path.empty() || (p - path.back()).norm() >= step_m) path.push_back(p);
+  }
+  return path;
+}
+
+Content content_of(const StemMapData& data) {
+  Content content;
+  content.north_known = data.north_known;
+  content.outline = data.area.outline();
+  if (data.stems != nullptr) take_stems(*data.stems, content);
+  if (data.matches != nullptr) take_matches(*data.matches, content);
+  if (data.trajectory != nullptr) content.path = thinned_path(*data.trajectory, 0.05);
+  if (data.targets != nullptr) {
+    const auto x = data.targets->numbers("x_m"), y = data.targets->numbers("y_m");
+    const auto name = texts_or_empty(*data.targets, "name");
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (std::isfinite(x[i]) && std::isfinite(y[i])) content.targets.push_back({{x[i], y[i]}, name[i]});
+  }
+  return content;
+}
+
+Frame frame_of(const Content& content, double width_mm) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d lo(inf, inf), hi(-inf, -inf);
+  const auto include = [&](const Eigen::Vector2d& p) { lo = lo.cwiseMin(p), hi = hi.cwiseMax(p); };
+  for (const auto& s : content.stems) include(s.at);
+  for (const auto& p : content.outline) include(p);
+  for (const auto& m : content.missed) include(m.at);
+  for (const auto& m : content.targets) include(m.at);
+  if (content.stems.empty() && content.outline.empty())
+    for (const auto& p : content.path) include(p);
+  if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
+  const double pad = 0.03 * std::max({(hi - lo).maxCoeff(), 2.0}) + 0.3;
+  lo.array() -= pad, hi.array() += pad;
+  // A long strip is widened, so that the sheet keeps a readable shape.
+  const double least_height = 0.3 * (hi.x() - lo.x()), most_height = 1.35 * (hi.x() - lo.x());
+  const double middle = (lo.y() + hi.y()) / 2;
+  if (hi.y() - lo.y() < least_height) lo.y() = middle - least_height / 2, hi.y() = middle + least_height / 2;
+  if (hi.y() - lo.y() > most_height) {
+    const double half = (hi.y() - lo.y()) / 1.35 / 2, x = (lo.x() + hi.x()) / 2;
+    lo.x() = x - half, hi.x() = x + half;
+  }
+  const double w = width_mm - margin_left - margin_right;
+  const double h = w * (hi.y() - lo.y()) / (hi.x() - lo.x());
+  return {{margin_left, margin_top, margin_left + w, margin_top + h}, {lo.x(), hi.x()}, {lo.y(), hi.y()}};
+}
+
+void draw_stem(Canvas& canvas, const Frame& frame, const Stem& stem) {
+  const auto p = frame.map(stem.at.x(), stem.at.y());
+  const double r = std::max(least_radius_mm, stem.dbh_m / 2 * frame.mm_per_unit_x());
+  canvas.circle(p, r, stem.color.with_alpha(0.85), Stroke{mix(stem.color, ink::text, 0.5), 0.15});
+  if (stem.is_false) canvas.cross(p, r + 0.9, Stroke{ink::accent, 0.35});
+}
+
+void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
+  const double size_pt = content.stems.size() > 250 ? 4.5 : content.stems.size() > 120 ? 5.2 : 6;
+  TextStyle style{size_pt, ink::text};
+  style.halo_mm = 0.3;
+  std::vector<LabelRequest> requests;
+  std::vector<std::string> texts;
+  std::vector<Color> colors;
+  const auto request = [&](const Eigen::Vector2d& at, double radius, const std::string& text, const Color& color) {
+    const auto size = canvas.text_size(text, style);
+    requests.push_back({at, radius, {size.x(), 0.75 * size.y()}});
+    texts.push_back(text), colors.push_back(color);
+  };
+  for (const auto& t : content.targets) request(frame.map(t.at.x(), t.at.y()), 1.4, t.name, ink::primary);
+  for (const auto& m : content.missed) request(frame.map(m.at.x(), m.at.y()), 1.1, m.name, ink::accent);
+  for (const auto& s : content.stems) request(frame.map(s.at.x(), s.at.y()), std::max(least_radius_mm, s.dbh_m / 2 * frame.mm_per_unit_x()), s.id, ink::text);
+  const auto places = place_labels(requests, {}, frame.box.grown(-0.4));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto c = places[i].box.centre();
+    if (places[i].leader) canvas.line(requests[i].anchor, c, Stroke{ink::muted, 0.12});
+    TextStyle own = style.aligned(HAlign::centre, VAlign::middle);
+    own.color = colors[i];
+    own.bold = i < content.targets.size();
+    canvas.text(c, texts[i], own);
+  }
+}
+
+std::vector<LegendEntry> legend_of(const Content& content) {
+  std::vector<LegendEntry> entries{{Symbol::disc, ink::good, "stem, good fit"}, {Symbol::disc, ink::fair, "fair"}, {Symbol::disc, ink::poor, "poor"}};
+  if (std::none_of(content.stems.begin(), content.stems.end(), [](const Stem& s) { return s.color.r != ink::muted.r; })) entries = {{Symbol::disc, ink::muted, "stem"}};
+  if (content.compared) entries.push_back({Symbol::ring, ink::accent, "missed"}), entries.push_back({Symbol::cross, ink::accent, "false"});
+  if (!content.targets.empty()) entries.push_back({Symbol::star, ink::primary, "target"});
+  if (!content.path.empty()) entries.push_back({Symbol::line, ink::path, "walk"});
+  if (!content.outline.empty()) entries.push_back({Symbol::dashed_line, ink::axis, "plot boundary"});
+  return entries;
+}
+
+void draw(Canvas& canvas, const Content& content, const Frame& frame) {
+  AxesStyle axes;
+  axes.x_label = content.north_known ? "East (m)" : "x (m)";
+  axes.y_label = content.north_known ? "North (m)" : "y (m)";
+  axes.frame = true;
+  axes.x_ticks = axes.y_ticks = 8;
+  draw_grid(canvas, frame, axes);
+  {
+    const auto clip = canvas.clip(frame.box);
+    std::vector<Eigen::Vector2d> line;
+    for (const auto& p : content.path) line.push_back(frame.map(p.x(), p.y()));
+    canvas.polyline(line, Stroke{ink::path.with_alpha(0.8), 0.22});
+    line.clear();
+    for (const auto& p : content.outline) line.push_back(frame.map(p.x(), p.y()));
+    if (!line.empty()) canvas.polygon(line, {}, Stroke{ink::axis, 0.35, {1.6, 1.0}});
+    for (const auto& s : content.stems) draw_stem(canvas, frame, s);
+    for (const auto& m : content.missed) canvas.circle(frame.map(m.at.x(), m.at.y()), 1.0, {}, Stroke{ink::accent, 0.35});
+    for (const auto& t : content.targets) draw_symbol(canvas, Symbol::star, frame.map(t.at.x(), t.at.y()), 2.8, ink::primary);
+  }
+  draw_labels(canvas, frame, content);
+  draw_axes(canvas, frame, axes);
+  const double y = frame.box.y1 + margin_below + 5.5;
+  const double bar_mm = draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 40);
+  if (content.north_known) draw_north_arrow(canvas, {frame.box.x0 + 1 + bar_mm + 12, y + 0.6}, 8);
+  draw_legend_row(canvas, {frame.box.x0 + 1 + bar_mm + 20, y - 5.2}, frame.box.x1 - frame.box.x0 - bar_mm - 20, legend_of(content), 7);
+}
+
+}  // namespace
+
+Figure stem_map(const StemMapData& data, double width_mm) {
+  auto content = content_of(data);
+  const auto frame = frame_of(content, width_mm);
+  Figure figure;
+  figure.name = "stem_map";
+  figure.title = "Stem map";
+  figure.caption = "Stems at breast height, drawn to scale and coloured by the quality of their fit; the numbers are the tree ids.";
+  figure.width_mm = width_mm;
+  figure.height_mm = frame.box.y1 + margin_below + furniture_mm;
+  figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };
+  return figure;
+}
+
+}  // namespace bole

@@ -1,0 +1,354 @@
+#include "render/scene/map_figure.h"
+
+#include <vtkCamera.h>
+#include <vtkFloatArray.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+
+#include "render/draw/furniture.h"
+#include "render/scene/actors.h"
+#include "render/scene/eye_dome.h"
+#include "render/scene/thin.h"
+
+namespace bole {
+namespace {
+
+constexpr double mm_per_inch = 25.4;
+constexpr int supersampling = 2;  // each pixel is the mean of so many squared
+constexpr double side_mm = 19;    // the legend's column
+
+// World to sheet: a 4 x 4 matrix to the unit cube, then millimetres.
+struct Projection {
+  Eigen::Matrix4d world_to_view = Eigen::Matrix4d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Box box;
+  Eigen::Vector2d map(const Eigen::Vector3d& world) const {
+    const Eigen::Vector4d v = world_to_view * (world - origin).homogeneous();
+    return {box.x0 + (v.x() / v.w() + 1) / 2 * box.width(), box.y1 - (v.y() / v.w() + 1) / 2 * box.height()};
+  }
+};
+
+struct Extent {
+  Eigen::Vector3d lo, hi;
+  Eigen::Vector3d centre() const { return (lo + hi) / 2; }
+};
+
+struct View {
+  Extent extent;
+  std::vector<std::uint32_t> indices;
+  PointColoring coloring;
+  Box box;  // of the picture on the sheet
+  double grid_step_m = 5;
+};
+
+Window window_of(const MapData& data) {
+  Window w{Eigen::Vector2d::Constant(1e300), Eigen::Vector2d::Constant(-1e300)};
+  const auto include = [&](double x, double y) {
+    if (std::isfinite(x + y)) w.lo = w.lo.cwiseMin(Eigen::Vector2d(x, y)), w.hi = w.hi.cwiseMax(Eigen::Vector2d(x, y));
+  };
+  for (const auto& p : data.area.outline()) include(p.x(), p.y());
+  if (data.stems != nullptr && data.area.shape == PlotArea::Shape::none) {
+    const auto x = data.stems->numbers("x_m"), y = data.stems->numbers("y_m");
+    for (std::size_t i = 0; i < x.size(); ++i) include(x[i], y[i]);
+  }
+  if (!((w.hi - w.lo).minCoeff() > 1)) return middle_window(*data.points);
+  const double margin = 1 + 0.03 * (w.hi - w.lo).maxCoeff();
+  return {w.lo.array() - margin, w.hi.array() + margin};
+}
+
+void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_t>& indices) {
+  constexpr float crown_from_m = 4;
+  if (!cloud.has(arrays::height_above_ground)) return;
+  const auto& height = cloud.values<float>(arrays::height_above_ground);
+  // Multiples of the golden ratio fall evenly: about `share` of them below `share`.
+  std::erase_if(indices, [&](std::uint32_t i) { return height[i] > crown_from_m && std::fmod(0.6180339887498949 * i, 1) >= share; });
+}
+
+Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const Window& window) {
+  std::vector<float> z;
+  const std::size_t step = std::max<std::size_t>(1, indices.size() / 50000);
+  for (std::size_t k = 0; k < indices.size(); k += step) z.push_back(static_cast<float>(cloud.position(indices[k]).z()));
+  if (z.empty()) z = {0, 1};
+  std::sort(z.begin(), z.end());
+  const auto cut = z.size() / 500;
+  return {{window.lo.x(), window.lo.y(), z[cut]}, {window.hi.x(), window.hi.y(), z[z.size() - 1 - cut]}};
+}
+
+Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect) {
+  auto* m = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
+  Eigen::Matrix4d matrix;
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) matrix(r, c) = m->GetElement(r, c);
+  return matrix;
+}
+
+// What must be seen: a sample of the points up to the top of the extent, and the corners of its floor.
+std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View& view) {
+  const auto& e = view.extent;
+  std::vector<Eigen::Vector3d> points;
+  for (const double x : {e.lo.x(), e.hi.x()})
+    for (const double y : {e.lo.y(), e.hi.y()}) points.emplace_back(x, y, e.lo.z());
+  const std::size_t step = std::max<std::size_t>(1, view.indices.size() / 20000);
+  for (std::size_t k = 0; k < view.indices.size(); k += step)
+    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z()) points.push_back(p);
+  return points;
+}
+
+// The view's rectangle around the points, in -1 to 1.
+Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin) {
+  Box box{1e9, 1e9, -1e9, -1e9};
+  for (const auto& p : points) {
+    const Eigen::Vector4d v = matrix * (p - origin).homogeneous();
+    box = {std::min(box.x0, v.x() / v.w()), std::min(box.y0, v.y() / v.w()), std::max(box.x1, v.x() / v.w()), std::max(box.y1, v.y() / v.w())};
+  }
+  return box;
+}
+
+void aim(vtkCamera* camera, const View& view, const std::vector<Eigen::Vector3d>& outline, const MapOptions& options, const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d focus = view.extent.centre() - origin, size = view.extent.hi - view.extent.lo;
+  const double aspect = view.box.width() / view.box.height();
+  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
+  if (options.view == MapView::top) {
+    camera->ParallelProjectionOn();
+    camera->SetPosition(focus.x(), focus.y(), focus.z() + 10 * size.norm());
+    camera->SetViewUp(0, 1, 0);
+    camera->SetParallelScale(std::max(size.y(), size.x() / aspect) / 2);
+    camera->SetClippingRange(size.norm(), 20 * size.norm());
+    return;
+  }
+  const double azimuth = options.from_azimuth_deg * std::numbers::pi / 180, elevation = options.elevation_deg * std::numbers::pi / 180;
+  const Eigen::Vector3d direction(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+  camera->SetViewUp(0, 0, 1);
+  camera->SetViewAngle(24);
+  double distance = 2.6 * size.norm();
+  Eigen::Vector3d target = focus;
+  // Move back and sideways until all of it just fits.
+  for (int round = 0; round < 6; ++round) {
+    const Eigen::Vector3d position = target + distance * direction;
+    camera->SetPosition(position.x(), position.y(), position.z());
+    camera->SetFocalPoint(target.x(), target.y(), target.z());
+    camera->SetClippingRange(0.05 * distance, 4 * distance);
+    const Box seen = rectangle_on_view(view_matrix(camera, aspect), outline, origin);
+    const double half_height = distance * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
+    const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);
+    target += right * seen.centre().x() * half_height * aspect + up * seen.centre().y() * half_height;
+    distance *= std::max(seen.width(), seen.height()) / 2 * 1.03;
+  }
+  const Eigen::Vector3d position = target + distance * direction;
+  camera->SetPosition(position.x(), position.y(), position.z());
+  camera->SetFocalPoint(target.x(), target.y(), target.z());
+  camera->SetClippingRange(std::max(0.1, distance - size.norm()), distance + size.norm());
+}
+
+// Means of squares of pixels, rows turned to run from the top.
+Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
+  Image image{width, height, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  const auto* source = rgb->GetPointer(0);
+  const std::size_t row = 3 * static_cast<std::size_t>(width) * supersampling;
+  auto* target = image.rgba.data();
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        unsigned sum = 0;
+        for (std::size_t sy = 0; sy < supersampling; ++sy)
+          for (std::size_t sx = 0; sx < supersampling; ++sx) sum += source[(static_cast<std::size_t>(height - 1 - y) * supersampling + sy) * row + 3 * (static_cast<std::size_t>(x) * supersampling + sx) + c];
+        *target++ = static_cast<std::uint8_t>((sum + supersampling * supersampling / 2) / (supersampling * supersampling));
+      }
+      *target++ = 255;
+    }
+  return image;
+}
+
+// Distances from the eye's plane of all pixels, infinity for the background.
+std::vector<float> depths_m(vtkRenderWindow* window, vtkCamera* camera) {
+  vtkNew<vtkFloatArray> buffer;
+  window->GetZbufferData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, buffer);
+  const auto* z = buffer->GetPointer(0);
+  const auto n = static_cast<float>(camera->GetClippingRange()[0]), f = static_cast<float>(camera->GetClippingRange()[1]);
+  const bool parallel = camera->GetParallelProjection() != 0;
+  std::vector<float> depth(static_cast<std::size_t>(buffer->GetNumberOfValues()));
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = z[i] >= 1 ? std::numeric_limits<float>::infinity() : parallel ? n + z[i] * (f - n) : n * f / (f - z[i] * (f - n));
+  return depth;
+}
+
+double grid_step(const Extent& extent) { return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8); }
+
+Color ground_color(const MapOptions& options) { return options.dark ? hex(0x11181d) : ink::paper; }
+
+void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
+  std::vector<StemShape> shapes;
+  if (options.stems && data.stems != nullptr) shapes = stem_shapes(*data.stems, data.sections);
+  auto indices = view.indices;
+  drop_points_on_stems(*data.points, shapes, 0.035, indices);
+  renderer->AddActor(points_actor(*data.points, indices, view.coloring, origin, point_px));
+  const auto& e = view.extent;
+  if (options.view == MapView::oblique) {
+    auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
+    grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
+    renderer->AddActor(grid);
+  }
+  if (!shapes.empty()) {
+    renderer->AddActor(stems_actor(shapes, origin, false));
+    renderer->AddActor(breast_height_actor(shapes, origin));
+  }
+  if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1) renderer->AddActor(path_actor(*data.trajectory, origin, 0.035, options.dark ? hex(0x7fd3ff) : ink::primary));
+}
+
+// How large a point must be to cover the gap to its neighbour.
+double point_size_px(const View& view, double width_px) {
+  const double span = std::max((view.extent.hi - view.extent.lo).head<2>().maxCoeff(), 1.0);
+  const double density = std::sqrt(static_cast<double>(std::max<std::size_t>(view.indices.size(), 1))) / span;  // per metre, as if on one plane
+  return std::clamp(1.4 * width_px / span / density, 2.5, 10.0);
+}
+
+std::pair<Image, Projection> render(const MapData& data, const MapOptions& options, const View& view) {
+  const int width = std::max(1, static_cast<int>(std::lround(view.box.width() / mm_per_inch * options.dpi))), height = std::max(1, static_cast<int>(std::lround(view.box.height() / mm_per_inch * options.dpi)));
+  const Eigen::Vector3d origin = view.extent.centre();
+  vtkNew<vtkRenderer> renderer;
+  const Color ground = ground_color(options);
+  renderer->SetBackground(ground.r, ground.g, ground.b);
+  add_actors(renderer, data, options, view, origin, point_size_px(view, width * supersampling));
+  aim(renderer->GetActiveCamera(), view, outline_points(*data.points, view), options, origin);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width * supersampling, height * supersampling);
+  window->AddRenderer(renderer);
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> rgb;
+  window->GetPixelData(0, 0, width * supersampling - 1, height * supersampling - 1, 0, rgb);
+  Projection projection{view_matrix(renderer->GetActiveCamera(), view.box.width() / view.box.height()), origin, view.box};
+  EyeDomeOptions shading;
+  shading.radius_px = 1.2 * supersampling * options.dpi / 150;
+  shading.strength = options.view == MapView::top ? 0.45 : 0.62;
+  shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())}, depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
+  return {shrunk(rgb, width, height), projection};
+}
+
+struct Drawing {
+  Image picture;
+  Projection projection;
+  View view;
+  MapOptions options;
+  bool north_known = true, has_walk = false, has_stems = false;
+};
+
+void draw_grid_labels(Canvas& canvas, const Drawing& d) {
+  const auto& e = d.view.extent;
+  const double azimuth = d.options.from_azimuth_deg * std::numbers::pi / 180;
+  // The edges of the grid that face the viewer.
+  const double front_y = std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(), front_x = std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();
+  TextStyle style{6.5, d.options.dark ? hex(0x9fb0ba) : ink::muted};
+  const auto label = [&](const Eigen::Vector3d& at, const Eigen::Vector3d& inwards, double value) {
+    const Eigen::Vector2d p = d.projection.map(at), out = (p - d.projection.map(inwards)).normalized();
+    const Eigen::Vector2d q = p + 2.4 * out;
+    if (canvas.sheet().grown(-1.5).contains(q)) canvas.text(q, fixed(value, 0), style.aligned(HAlign::centre, VAlign::middle));
+  };
+  for (const double x : nice_ticks({e.lo.x(), e.hi.x()}, 8).at)
+    if (std::abs(std::remainder(x, d.view.grid_step_m)) < 1e-6) label({x, front_y, e.lo.z()}, {x, e.centre().y(), e.lo.z()}, x);
+  for (const double y : nice_ticks({e.lo.y(), e.hi.y()}, 8).at)
+    if (std::abs(std::remainder(y, d.view.grid_step_m)) < 1e-6) label({front_x, y, e.lo.z()}, {e.centre().x(), y, e.lo.z()}, y);
+}
+
+// Seen from above the picture is a map with ordinary axes.
+void draw_map_axes(Canvas& canvas, const Drawing& d) {
+  const auto& e = d.view.extent;
+  const Eigen::Vector2d a = d.projection.map(e.lo), b = d.projection.map(e.hi);
+  AxesStyle axes{d.north_known ? "East (m)" : "x (m)", d.north_known ? "North (m)" : "y (m)", 8, 8};
+  axes.frame = true;
+  draw_axes(canvas, {{a.x(), b.y(), b.x(), a.y()}, {e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}}, axes);
+}
+
+void draw_furniture(Canvas& canvas, const Drawing& d) {
+  d.options.view == MapView::top ? draw_map_axes(canvas, d) : draw_grid_labels(canvas, d);
+  const double x = canvas.width_mm() - side_mm + 3;
+  const auto& c = d.view.coloring;
+  double y = 8;
+  if (c.by == PointColor::height || c.by == PointColor::intensity) {
+    draw_color_bar(canvas, {x, y, x + 3, y + 36}, c.by == PointColor::height ? ColorMap::viridis() : ColorMap::cividis(), c.range, c.by == PointColor::height ? "Height (m)" : "Intensity");
+    y += 44;
+  }
+  std::vector<LegendEntry> entries;
+  if (d.has_stems) entries.push_back({Symbol::square, hex(0xe4572e), "fitted"}), entries.push_back({Symbol::square, hex(0xffe066), "1.3 m"});
+  if (d.has_walk) entries.push_back({Symbol::line, ink::primary, "walk"});
+  for (const auto& entry : entries) {
+    draw_symbol(canvas, entry.symbol, {x + 1.5, y}, 2.2, entry.color);
+    canvas.text({x + 4.2, y}, entry.text, TextStyle{7}.aligned(HAlign::left, VAlign::middle));
+    y += 4.2;
+  }
+  const auto& p = d.projection;
+  const Eigen::Vector3d foot(d.view.extent.centre().x(), d.view.extent.centre().y(), d.view.extent.lo.z());
+  const Eigen::Vector2d north = p.map(foot + Eigen::Vector3d(0, 1, 0)) - p.map(foot);
+  if (d.north_known) draw_north_arrow(canvas, {x + 4, canvas.height_mm() - 14}, 9, std::atan2(-north.x(), -north.y()));
+  if (d.options.view == MapView::top)
+    draw_scale_bar(canvas, {x - 1, canvas.height_mm() - 4}, north.norm(), 14);
+  else
+    canvas.text({x - 1, canvas.height_mm() - 4}, "grid " + fixed(d.view.grid_step_m, d.view.grid_step_m < 1 ? 1 : 0) + " m", TextStyle{7});
+}
+
+std::string caption_of(const Drawing& d) {
+  const char* by = d.view.coloring.by == PointColor::tree ? "tree" : d.view.coloring.by == PointColor::intensity ? "intensity" : "height above ground";
+  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by + (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+}
+
+}  // namespace
+
+Figure map_figure(const MapData& data, const MapOptions& options, double width_mm) {
+  if (data.points == nullptr || data.points->empty()) throw bad_input("the map has no points", "a point cloud");
+  auto drawing = std::make_shared<Drawing>();
+  auto& view = drawing->view;
+  const auto window = window_of(data);
+  view.indices = thin_for_drawing(*data.points, window, options.point_budget);
+  if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.indices);
+  if (view.indices.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
+  view.extent = extent_of(*data.points, view.indices, window);
+  view.coloring = coloring_for(*data.points, view.indices, options.color);
+  view.grid_step_m = grid_step(view.extent);
+  const double picture_mm = width_mm - (options.furniture ? side_mm : 0);
+  const Eigen::Vector3d size = view.extent.hi - view.extent.lo;
+  const bool from_above = options.view == MapView::top;
+  const double left_mm = from_above && options.furniture ? axis_space_left_mm : 0, below_mm = from_above && options.furniture ? axis_space_below_mm : 0, edge_mm = options.furniture ? 2 : 0;
+  const double inner_mm = picture_mm - left_mm - edge_mm;
+  const double inner_height_mm = from_above ? inner_mm * std::clamp(size.y() / size.x(), 0.3, 1.3) : 0.62 * picture_mm;
+  view.box = {left_mm, edge_mm, left_mm + inner_mm, edge_mm + inner_height_mm};
+  const double height_mm = view.box.y1 + below_mm + edge_mm;
+  drawing->options = options;
+  drawing->north_known = data.north_known;
+  drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;
+  drawing->has_stems = options.stems && data.stems != nullptr && data.stems->rows() > 0;
+  std::tie(drawing->picture, drawing->projection) = render(data, options, view);
+  view.indices.clear();
+
+  const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
+  Figure figure{std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
+  figure.draw = [drawing](Canvas& canvas) {
+    canvas.rectangle(canvas.sheet(), ground_color(drawing->options));
+    canvas.image(drawing->picture, drawing->view.box);
+    if (drawing->options.furniture) draw_furniture(canvas, *drawing);
+  };
+  return figure;
+}
+
+Figure hero_figure(const MapData& data, double width_mm, double dpi) {
+  MapOptions options;
+  options.dark = true;
+  options.furniture = false;
+  options.elevation_deg = 17;
+  options.crown_share = 0.15;
+  options.dpi = dpi;
+  auto figure = map_figure(data, options, width_mm);
+  figure.name = "hero";
+  return figure;
+}
+
+}  // namespace bole

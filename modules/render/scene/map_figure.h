@@ -1,0 +1,44 @@
+// The 3-D map of a survey as a figure: points, fitted stems, the walk, a metre grid, legend and north.
+#pragma once
+
+#include "cloud/point_cloud.h"
+#include "cloud/table.h"
+#include "cloud/trajectory.h"
+#include "render/charts/plot_area.h"
+#include "render/draw/figure.h"
+#include "render/scene/point_color.h"
+
+namespace bole {
+
+struct MapData {
+  const PointCloud* points = nullptr;
+  const Table* stems = nullptr;
+  const Table* sections = nullptr;
+  const Trajectory* trajectory = nullptr;
+  PlotArea area;            // what the view shows, with a margin; else the stems, else the middle of the cloud
+  bool north_known = true;  // y points north
+};
+
+enum class MapView { oblique, top };
+
+struct MapOptions {
+  PointColor color = PointColor::height;
+  MapView view = MapView::oblique;
+  std::size_t point_budget = 2'500'000;
+  double from_azimuth_deg = 205;  // where an oblique view is seen from, clockwise from north
+  double elevation_deg = 24;      // above the horizon
+  bool stems = true;
+  bool walk = true;
+  bool dark = false;              // light drawing on a dark ground, for screens
+  double crown_share = 1;         // of the points higher than 4 m above ground, so many are drawn
+  bool furniture = true;          // legend, grid labels, north arrow
+  double dpi = 300;
+};
+
+// Draws with the backend in use (see offscreen.h) at once, and keeps the picture: the figure itself is cheap to write.
+Figure map_figure(const MapData& data, const MapOptions& options, double width_mm);
+
+// The picture at the top of the README: an oblique view with the fitted stems standing free of most of the crowns.
+Figure hero_figure(const MapData& data, double width_mm, double dpi);
+
+}  // namespace bole

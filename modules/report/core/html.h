@@ -1,0 +1,29 @@
+// Small helpers for writing HTML by hand.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bole {
+
+// Text with & < > " ' made harmless, and control characters left out.
+std::string escaped(std::string_view text);
+
+std::string base64(std::string_view bytes);
+
+// "data:image/png;base64,..."
+std::string data_uri(std::string_view media_type, std::string_view bytes);
+
+struct HtmlTable {
+  struct Column {
+    std::string title;
+    bool number = false;  // right-aligned, figures of one width
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;  // plain text
+  bool sortable = false;
+  std::string html() const;
+};
+
+}  // namespace bole

@@ -1,0 +1,54 @@
+// The numbers that a forester reads first: density, basal area, mean diameters and heights of a plot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cloud/table.h"
+#include "render/charts/plot_area.h"
+
+namespace bole {
+
+struct DiameterClass {
+  double lo_cm = 0, hi_cm = 0;  // lo <= dbh < hi
+  std::size_t stems = 0;
+  double stems_per_ha = 0;      // NaN without a plot area
+  double basal_area_m2 = 0;
+  double basal_area_m2_per_ha = 0;
+  double mean_height_m = 0;     // of the heights that are known; NaN when none is
+};
+
+// NaN where a number cannot be had: per-hectare values without a plot area, heights where none is known.
+struct PlotMetrics {
+  double area_m2 = 0;              // horizontal
+  std::size_t stems = 0;           // centre at breast height inside the plot, at least the least diameter, not rejected
+  std::size_t outside = 0;         // measured stems that lie outside
+  std::size_t too_thin = 0;        // inside, below the least diameter
+  double stems_per_ha = 0;
+  double basal_area_m2 = 0;        // sum of pi/4 dbh^2
+  double basal_area_m2_per_ha = 0;
+  double mean_dbh_cm = 0;
+  double sd_dbh_cm = 0;            // with n - 1
+  double quadratic_mean_dbh_cm = 0;  // sqrt of the mean of dbh^2
+  double least_dbh_cm = 0, most_dbh_cm = 0;
+  std::size_t heights = 0;         // stems with a known height
+  double mean_height_m = 0;
+  double lorey_height_m = 0;       // mean height weighted by basal area
+  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area
+  std::size_t dominant_stems = 0;  // how many stems that is on this plot
+  std::vector<DiameterClass> classes;
+};
+
+// `stems`: columns x_m, y_m, dbh_cm, and height_m and state where known.
+PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_dbh_cm, double class_cm = 4);
+
+// The rows of `stems` that count in plot_metrics().
+std::vector<std::size_t> counted_stems(const Table& stems, const PlotArea& area, double least_dbh_cm);
+
+// The metrics as a person reads them.
+struct MetricRow {
+  std::string name, value, unit, how;
+};
+std::vector<MetricRow> metric_rows(const PlotMetrics& metrics, double least_dbh_cm);
+
+}  // namespace bole

@@ -1,0 +1,39 @@
+// The report as one HTML page that needs nothing beside it: pictures, style and the few lines of script are inside.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/run.h"
+#include "cloud/table.h"
+#include "report/core/plot_metrics.h"
+
+namespace bole {
+
+struct ReportPicture {
+  std::string title, caption;
+  std::string media_type;  // "image/svg+xml" or "image/png"
+  std::string bytes;
+  bool wide = true;        // over the whole page; else two side by side
+};
+
+struct ReportContent {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> facts;     // "Made on", "Axes", ...
+  PlotMetrics metrics;
+  double least_dbh_cm = 0;
+  const Table* stems = nullptr;
+  const Table* rejected = nullptr;
+  const Table* summary = nullptr;                             // evaluation
+  const Table* matches = nullptr;
+  std::vector<ReportPicture> pictures;
+  std::vector<std::string> warnings;
+  std::shared_ptr<const RunRecord> record;
+  std::vector<std::pair<std::string, std::string>> versions;  // program, libraries
+  std::vector<std::string> files;                             // written beside the report
+};
+
+std::string report_html(const ReportContent& content);
+
+}  // namespace bole

@@ -1,0 +1,16 @@
+// The report stage's work.
+#pragma once
+
+#include "pipeline/stage.h"
+#include "report/report_options.h"
+
+namespace bole {
+
+// Writes data files, figures and report.html into run.output_dir. What cannot be written or drawn is listed in the warnings of
+// the report and does not end the run. Throws Error{bad_input} without an output folder, Error{cancelled}.
+StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run);
+
+// Adds the stage report.plot.
+void register_report_stages(StageRegistry& registry);
+
+}  // namespace bole

@@ -1,0 +1,28 @@
+#include "report/report_options.h"
+
+namespace bole {
+
+const OptionTable& option_table(const ReportOptions*) {
+  using S = ReportOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, std::string>{"title", &S::title, TextKind::plain, {}, Tier::basic, "Title of the report."},
+      Option<S, std::string>{"plot_shape", &S::plot_shape, TextKind::choice, {"auto", "rectangle", "circle", "none"}, Tier::basic, "Boundary that counts for values per hectare; auto: a square twice as wide as the distance from the centre to the north target, none without targets."},
+      Option<S, double>{"plot_size", &S::plot_size, Unit::metre, {1, 10000}, Tier::basic, "Side of a rectangular (square) plot or diameter of a circular one, horizontal."},
+      Option<S, double>{"plot_x", &S::plot_x, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, x in the axes of the stems."},
+      Option<S, double>{"plot_y", &S::plot_y, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, y in the axes of the stems."},
+      Option<S, double>{"min_dbh", &S::min_dbh, Unit::centimetre, {0, 200}, Tier::basic, "Least diameter at breast height that counts in the values of the plot."},
+      Option<S, double>{"class_width", &S::class_width, Unit::centimetre, {0.5, 50}, Tier::advanced, "Width of the diameter classes in tables and charts."},
+      Option<S, double>{"figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the large figures; charts are a little less than half as wide."},
+      Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG figures."},
+      Option<S, int>{"point_budget", &S::point_budget, Unit::none, {1000, 50000000}, Tier::advanced, "Points drawn at most in each map; the cloud is thinned evenly in space."},
+      Option<S, std::string>{"backend", &S::backend, TextKind::choice, {"auto", "osmesa", "egl", "glx"}, Tier::expert, "What draws the 3-D maps: osmesa in memory, egl on a graphics card, glx on an X display."},
+      Option<S, bool>{"tables", &S::tables, Tier::basic, "Write stems.csv and the other tables, trajectory.tum, dem.tif and plot.gpkg."},
+      Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write cloud.las."},
+      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures and write them as PNG."},
+      Option<S, bool>{"vector_figures", &S::vector_figures, Tier::advanced, "Write charts and plans as SVG and PDF too."},
+      Option<S, bool>{"page", &S::page, Tier::basic, "Write report.html."},
+  });
+  return table;
+}
+
+}  // namespace bole

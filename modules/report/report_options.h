@@ -1,0 +1,30 @@
+// What the report stage can be told.
+#pragma once
+
+#include <string>
+
+#include "base/option.h"
+
+namespace bole {
+
+struct ReportOptions {
+  std::string title = "Forest plot survey";
+  std::string plot_shape = "auto";
+  double plot_size = 32;
+  double plot_x = 0, plot_y = 0;
+  double min_dbh = 7.5;
+  double class_width = 4;
+  double figure_width = 180;
+  double dpi = 300;
+  int point_budget = 2'500'000;
+  std::string backend = "auto";
+  bool tables = true;
+  bool cloud = true;
+  bool figures = true;
+  bool vector_figures = true;
+  bool page = true;
+};
+
+const OptionTable& option_table(const ReportOptions*);
+
+}  // namespace bole

@@ -1,0 +1,31 @@
+// Registers report.plot. It lives in bole_report and not with the stages of the core modules, because it draws with VTK.
+#include "report/make_report.h"
+
+namespace bole {
+
+void register_report_stages(StageRegistry& registry) {
+  StageType type;
+  type.name = "report.plot";
+  type.title = "Write the report";
+  type.help =
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, trajectory.tum, cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
+      "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.";
+  type.source = "Bole";
+  type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
+                 {"points", DataKind::cloud, "The map, coloured by height_above_ground, intensity and tree_id where it has them.", true, {}},
+                 {"slice", DataKind::cloud, "Points around breast height, for the slice sheet.", true, {}},
+                 {"dem", DataKind::raster, "Terrain model.", true, {}},
+                 {"trajectory", DataKind::trajectory, "The walk of the scanner.", true, {}},
+                 {"reference_trajectory", DataKind::trajectory, "The true walk, in the same axes.", true, {}},
+                 {"sections", DataKind::table, "Fitted cross-sections.", true, {}},
+                 {"rejected", DataKind::table, "Candidates that are no stems, with their reasons.", true, {}},
+                 {"targets", DataKind::table, "Reflective targets of the plot frame.", true, {}},
+                 {"matches", DataKind::table, "Stems matched with a reference.", true, {}},
+                 {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}}};
+  type.options = &option_table(static_cast<const ReportOptions*>(nullptr));
+  type.writes_files = true;
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) { return make_report(inputs, options.as<ReportOptions>(), run); };
+  registry.add(std::move(type));
+}
+
+}  // namespace bole

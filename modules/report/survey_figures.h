@@ -1,0 +1,25 @@
+// Which figures a survey has.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/draw/figure.h"
+#include "report/survey_data.h"
+
+namespace bole {
+
+// A figure still to be made: making may take seconds (3-D maps) and may throw.
+struct FigurePlan {
+  std::string name;                              // for messages
+  std::function<std::vector<Figure>()> make;     // one, or the pages of a sheet
+  bool wide = true;                              // over the whole page of the report
+  bool picture = false;                          // embedded as pixels even where it could be vector
+  double share = 1;                              // of the time that all figures take, about
+};
+
+// Those that the connected inputs allow, in the order of the report. `data` must outlive the plans.
+std::vector<FigurePlan> survey_figures(const SurveyData& data, const ReportOptions& options);
+
+}  // namespace bole

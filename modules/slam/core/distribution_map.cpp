@@ -1,0 +1,110 @@
+#include "slam/core/distribution_map.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "slam/core/grid_key.h"
+
+namespace bole {
+namespace {
+constexpr std::uint64_t no_key = ~0ull;
+constexpr std::size_t first_slots = 1 << 12;
+}  // namespace
+
+DistributionMap::DistributionMap(double finest_cell_m) : levels_(levels) {
+  for (int l = 0; l < levels; ++l) levels_[static_cast<std::size_t>(l)].cell_m = std::ldexp(finest_cell_m, l);
+  clear();
+}
+
+void DistributionMap::clear() {
+  for (auto& level : levels_) level.slots.assign(first_slots, Cell{}), level.used = 0;
+}
+
+DistributionMap::Cell& DistributionMap::Level::find_or_add(std::uint64_t key) {
+  if (2 * (used + 1) > slots.size()) grow();
+  const std::size_t mask = slots.size() - 1;
+  for (std::size_t i = mix_bits(key) & mask;; i = (i + 1) & mask) {
+    if (slots[i].key == key) return slots[i];
+    if (slots[i].key == no_key) {
+      slots[i].key = key;
+      ++used;
+      return slots[i];
+    }
+  }
+}
+
+const DistributionMap::Cell* DistributionMap::Level::find(std::uint64_t key) const {
+  const std::size_t mask = slots.size() - 1;
+  for (std::size_t i = mix_bits(key) & mask;; i = (i + 1) & mask) {
+    if (slots[i].key == key) return &slots[i];
+    if (slots[i].key == no_key) return nullptr;
+  }
+}
+
+void DistributionMap::Level::grow() {
+  std::vector<Cell> old(slots.size() * 2);
+  old.swap(slots);
+  const std::size_t mask = slots.size() - 1;
+  for (const auto& cell : old) {
+    if (cell.key == no_key) continue;
+    std::size_t i = mix_bits(cell.key) & mask;
+    while (slots[i].key != no_key) i = (i + 1) & mask;
+    slots[i] = cell;
+  }
+}
+
+void DistributionMap::insert(const Eigen::Vector3d& point) {
+  for (auto& level : levels_) insert_into(level, point);
+}
+
+void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d in_cells = point / level.cell_m;
+  Cell& cell = level.find_or_add(grid_key(in_cells));
+  if (cell.count >= most_per_cell) return;
+  const Eigen::Vector3d corner(std::floor(in_cells.x()), std::floor(in_cells.y()), std::floor(in_cells.z()));
+  const Eigen::Vector3f d = ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(level.cell_m);
+  cell.count += 1;
+  cell.sum += d;
+  cell.second[0] += d.x() * d.x(), cell.second[1] += d.x() * d.y(), cell.second[2] += d.x() * d.z();
+  cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
+}
+
+// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are added.
+std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index, int least_points) const {
+  const Level& level = levels_[static_cast<std::size_t>(level_index)];
+  const double cell_m = level.cell_m;
+  const auto cx = static_cast<std::int64_t>(std::lround(point.x() / cell_m)), cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)), cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
+  double n = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < 8; ++k) {
+    const int dx = (k & 1) - 1, dy = ((k >> 1) & 1) - 1, dz = (k >> 2) - 1;  // cell corner + 0 or - 1
+    const Cell* cell = level.find(pack_cell(cx + dx, cy + dy, cz + dz));
+    if (!cell) continue;
+    const Eigen::Vector3d o = cell_m * Eigen::Vector3d(dx + 0.5, dy + 0.5, dz + 0.5);
+    const Eigen::Vector3d s = cell->sum.cast<double>();
+    const double m = cell->count;
+    const Eigen::Vector3d moved = s + m * o;
+    n += m;
+    sum += moved;
+    const float* q = cell->second;
+    Eigen::Matrix3d own;
+    own << q[0], q[1], q[2], q[1], q[3], q[4], q[2], q[4], q[5];
+    second += own + s * o.transpose() + o * moved.transpose();
+  }
+  if (n < least_points) return std::nullopt;
+
+  LocalSurface surface;
+  const Eigen::Vector3d mean = sum / n;
+  const Eigen::Matrix3d covariance = second / n - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  surface.mean = mean + cell_m * Eigen::Vector3d(static_cast<double>(cx), static_cast<double>(cy), static_cast<double>(cz));
+  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+  surface.axes = solver.eigenvectors();
+  surface.points = static_cast<int>(n);
+  surface.level = level_index;
+  return surface;
+}
+
+}  // namespace bole

@@ -1,0 +1,64 @@
+// A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface around a
+// place is found by merging the eight cells about it, in constant time and with every point averaged in. Who asks goes from fine
+// to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to the density of the scan.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace bole {
+
+// What the map looks like around a place.
+struct LocalSurface {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d deviations_m = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();      // eigenvectors in columns: column 0 is the normal, column 2 the direction
+  int points = 0;
+  int level = 0;
+
+  // 0 to 1: how plane and how line-like (Demantke et al. 2011, dimensionality features).
+  double planarity() const { return (deviations_m[1] - deviations_m[0]) / deviations_m[2]; }
+  double linearity() const { return (deviations_m[2] - deviations_m[1]) / deviations_m[2]; }
+};
+
+class DistributionMap {
+ public:
+  static constexpr int levels = 5;
+  static constexpr std::uint16_t most_per_cell = 200;  // then the cell is settled: early points hold against drift
+
+  explicit DistributionMap(double finest_cell_m);
+
+  void clear();
+  void insert(const Eigen::Vector3d& point);
+  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+
+  double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
+  std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].used; }
+  bool empty() const { return levels_[0].used == 0; }
+
+ private:
+  // Moments about the centre of the cell; float32 holds them well because they are small there.
+  struct Cell {
+    std::uint64_t key = ~0ull;
+    float count = 0;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    float second[6] = {0, 0, 0, 0, 0, 0};  // xx xy xz yy yz zz
+  };
+  struct Level {
+    double cell_m = 0;
+    std::vector<Cell> slots;  // open addressing, size a power of two
+    std::size_t used = 0;
+
+    Cell& find_or_add(std::uint64_t key);
+    const Cell* find(std::uint64_t key) const;
+    void grow();
+  };
+  static void insert_into(Level& level, const Eigen::Vector3d& point);
+
+  std::vector<Level> levels_;
+};
+
+}  // namespace bole

@@ -1,0 +1,50 @@
+// The points of a frame that take part in registration.
+#pragma once
+
+#include <vector>
+
+#include "slam/core/options.h"
+#include "slam/core/scan.h"
+
+namespace bole {
+
+struct FeaturePoint {
+  Eigen::Vector3f position;  // sensor axes at the point's own firing time
+  float s = 0;               // time within the frame, 0 to 1
+};
+
+// Edge points are matched to lines, plane points to planes.
+struct FeatureSet {
+  std::vector<FeaturePoint> edges, planes;
+  std::size_t size() const { return edges.size() + planes.size(); }
+  void clear() { edges.clear(), planes.clear(); }
+};
+
+struct Features {
+  FeatureSet query;  // sparse: registered against the map
+  FeatureSet map;    // denser: what a key frame adds to the map
+};
+
+// By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of options.occlusion)
+// or "sampled" (points thinned on a voxel grid, all of them plane candidates).
+class FeatureExtractor {
+ public:
+  explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}
+  void extract(const Scan& scan, Features& features);
+
+ private:
+  void extract_curvature(const Scan& scan, Features& features);
+  void extract_line(std::span<const ScanPoint> line, Features& features);
+  void mark_unreliable(std::span<const ScanPoint> line);
+
+  const SlamOptions options_;
+  std::vector<float> curvature_;        // squared metres; of the line in work
+  std::vector<std::uint8_t> unusable_;  // bits: no edge, no plane
+  std::vector<std::uint32_t> order_;
+  std::vector<FeaturePoint> candidates_;
+};
+
+// One point per voxel: the first met. `points` is replaced by the kept ones, in their order.
+void thin_on_grid(std::vector<FeaturePoint>& points, double voxel_m);
+
+}  // namespace bole

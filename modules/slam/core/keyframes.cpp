@@ -1,0 +1,44 @@
+#include "slam/core/keyframes.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace bole {
+
+Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& features, const FrameMotion& motion) {
+  Keyframe out;
+  out.frame = frame, out.time_s = time_s, out.T_map_keyframe = motion.T_map_end;
+  const PoseGrid poses(FrameMotion{motion.T_map_end.inverse() * motion.T_map_begin, Pose::Identity()});
+  const auto bring = [&](const std::vector<FeaturePoint>& from, std::vector<Eigen::Vector3f>& to) {
+    to.reserve(from.size());
+    for (const auto& p : from) to.push_back(poses.in_map(p.position, p.s).cast<float>());
+  };
+  bring(features.edges, out.edges);
+  bring(features.planes, out.planes);
+  return out;
+}
+
+void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps) {
+  for (const auto& p : keyframe.edges) maps.edges.insert(keyframe.T_map_keyframe * p.cast<double>());
+  for (const auto& p : keyframe.planes) maps.planes.insert(keyframe.T_map_keyframe * p.cast<double>());
+}
+
+void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved) {
+  std::vector<std::size_t> nearest(keyframes.size());
+  std::iota(nearest.begin(), nearest.end(), std::size_t{0});
+  if (nearest.size() > most_) {
+    std::ranges::stable_sort(nearest, {}, [&](std::size_t k) { return (keyframes[k].T_map_keyframe.translation() - place).squaredNorm(); });
+    nearest.resize(most_);
+    std::ranges::sort(nearest);
+  }
+  // Adding is cheap; taking away means building anew.
+  if (moved || !std::ranges::includes(nearest, members_)) {
+    maps_.clear();
+    members_.clear();
+  }
+  for (const auto k : nearest)
+    if (!std::ranges::binary_search(members_, k)) insert_keyframe(keyframes[k], maps_);
+  members_ = std::move(nearest);
+}
+
+}  // namespace bole

@@ -1,0 +1,27 @@
+// Revisits: pairs of key frames that see the same place after a long way, with the relative pose that registration gives.
+#pragma once
+
+#include <vector>
+
+#include "slam/core/keyframes.h"
+#include "slam/core/options.h"
+
+namespace bole {
+
+struct Loop {
+  std::size_t from = 0, to = 0;  // key frames, from < to
+  Pose T_from_to = Pose::Identity();
+  Matrix6d information = Matrix6d::Zero();  // (turn, shift) of `to`, map axes
+  double overlap = 0;
+};
+
+struct LoopSearch {
+  std::vector<Loop> loops;
+  std::size_t candidates = 0;
+};
+
+// Candidates lie within loop_radius and at least loop_path apart along the way. Each is verified by registering the key frame
+// against the map of the stretch about its partner; enough overlap and no open direction make it a loop.
+LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run);
+
+}  // namespace bole

@@ -1,0 +1,163 @@
+#include "slam/core/odometry.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "slam/core/stopwatch.h"
+
+namespace bole {
+namespace {
+
+constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
+constexpr std::size_t least_features = 100;
+
+// A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to the next.
+constexpr double gait_acceleration_m_s2 = 4, gait_turn_acceleration_rad_s2 = 2;
+
+std::string percent(double share) { return number_text(std::round(share * 100)) + " %"; }
+
+}  // namespace
+
+Odometry::Odometry(const SlamOptions& resolved_options)
+    : options_(resolved_options), local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes)), last_frame_map_(2 * resolved_options.cell_m) {}
+
+// Constant velocity from the last frame, also over a gap between frames; after failures the speed fades, for nothing is known.
+FrameMotion Odometry::predicted(double begin_s, double end_s) const {
+  if (frames_.empty()) return {};
+  const auto& last = frames_.back();
+  const double last_span_s = last.end_s - last.begin_s;
+  if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
+  Vector6d velocity = se3_log(last.motion.delta()) / last_span_s;
+  if (options_.deskew != "elastic") {
+    // There the motion within the frame is a guess of before the registration; the ends of two frames are better known.
+    const auto& before = frames_[frames_.size() - 2];
+    velocity = se3_log(before.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - before.end_s);
+  }
+  if (failed_in_a_row_ > 0) velocity *= 0.5;
+  const double gap_s = std::max(0.0, begin_s - last.end_s);
+  FrameMotion out;
+  out.T_map_begin = last.motion.T_map_end * se3_exp(velocity * std::min(gap_s, 1.5));
+  out.T_map_end = out.T_map_begin * se3_exp(velocity * (end_s - begin_s));
+  return out;
+}
+
+FrameMotion Odometry::guessed(const FrameMotion& prediction, const Features& features, const Run& run) {
+  if (options_.deskew == "none") return {prediction.T_map_end, prediction.T_map_end};
+  if (options_.first_guess != "last_frame") return prediction;
+  RegistrationSettings settings = base_settings();
+  settings.model = MotionModel::end;
+  hold_to_gait(settings, 0);
+  const auto r = register_frame(features.query, last_frame_map_, prediction, settings, run);
+  return r.overlap >= options_.lost_overlap ? r.motion : prediction;
+}
+
+// Priors of the motion over a frame that follows the last one after a gap.
+void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const {
+  const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s), changed_s = std::max(span_s, gap_s);
+  settings.begin_sigma_m = options_.continuity_sigma_m + gait_acceleration_m_s2 * gap_s * changed_s;
+  settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * changed_s;
+  settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * changed_s;
+  settings.motion_sigma_rad = gait_turn_acceleration_rad_s2 * span_s * changed_s;
+  if (gap_s > 2 * span_s) settings.coarse_rounds = 6, settings.rounds += 6;
+}
+
+RegistrationSettings Odometry::base_settings() const {
+  RegistrationSettings settings;
+  settings.rounds = options_.rounds;
+  settings.sigma_m = options_.range_sigma_m;
+  settings.kernel_sigmas = options_.kernel_sigmas;
+  return settings;
+}
+
+Registration Odometry::registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run) {
+  RegistrationSettings settings = base_settings();
+  if (options_.deskew == "elastic") {
+    settings.model = MotionModel::elastic;
+    hold_to_gait(settings, gap_s);
+    return register_frame(features.query, local_map_.maps(), guess, settings, run);
+  }
+  settings.model = MotionModel::rigid;
+  auto r = register_frame(features.query, local_map_.maps(), guess, settings, run);
+  if (options_.deskew == "twice") {
+    // SPEC A5: the motion from the last pose to the one just found replaces the guess, and the raw frame is registered again.
+    const Pose T_map_begin = gap_s < 0.02 ? frames_.back().motion.T_map_end : r.motion.T_map_begin;
+    settings.coarse_rounds = 0;
+    r = register_frame(features.query, local_map_.maps(), {T_map_begin, r.motion.T_map_end}, settings, run);
+  }
+  return r;
+}
+
+std::string Odometry::objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const {
+  if (r.overlap < options_.lost_overlap) return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
+  if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite()) return "the solution is not finite";
+  const double speed = (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
+  if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
+  if (r.conditioning < 1e-4) return "the surroundings leave a direction of motion open";
+  const double elapsed_s = end_s - frames_.back().end_s;
+  const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
+  if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s) return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
+  return {};
+}
+
+void Odometry::add(std::size_t index, double begin_s, double end_s, const Features& features, const Run& run) {
+  TrackedFrame frame;
+  frame.index = index, frame.begin_s = begin_s, frame.end_s = end_s;
+  if (frames_.empty()) {
+    if (features.query.size() < least_features) return;  // nothing to start a map from
+    frames_.push_back(frame);
+    add_keyframe(features, frames_.back());
+    return;
+  }
+
+  Stopwatch watch;
+  const FrameMotion prediction = predicted(begin_s, end_s);
+  const double gap_s = std::max(0.0, begin_s - frames_.back().end_s);
+  frame.motion = prediction;
+  if (features.query.size() < least_features) {
+    frame.ok = false;
+    why_failed_ = "only " + std::to_string(features.query.size()) + " usable points";
+  } else {
+    const FrameMotion guess = guessed(prediction, features, run);
+    times_.guess_s += watch.lap_s();
+    const Registration r = registered(guess, features, gap_s, run);
+    times_.register_s += watch.lap_s();
+    frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds;
+    const auto why = objection(r, prediction, begin_s, end_s);
+    frame.ok = why.empty();
+    if (frame.ok)
+      frame.motion = r.motion;
+    else
+      why_failed_ = why;
+  }
+  failed_in_a_row_ = frame.ok ? 0 : failed_in_a_row_ + 1;
+  path_m_ += (frame.motion.T_map_end.translation() - frames_.back().motion.T_map_end.translation()).norm();
+  frames_.push_back(frame);
+  watch.lap_s();
+  if (frame.ok && keyframe_due(frame)) add_keyframe(features, frames_.back());
+  frames_.back().keyframe = keyframes_.size() - 1;
+  if (frame.ok && options_.first_guess == "last_frame") {
+    last_frame_map_.clear();
+    insert_keyframe(make_keyframe(index, end_s, features.map, frame.motion), last_frame_map_);
+  }
+  times_.map_s += watch.lap_s();
+}
+
+bool Odometry::keyframe_due(const TrackedFrame& frame) const {
+  const Pose d = keyframes_.back().T_map_keyframe.inverse() * frame.motion.T_map_end;
+  return d.translation().norm() >= options_.keyframe_distance_m || Eigen::AngleAxisd(d.linear()).angle() >= rad(options_.keyframe_angle_deg);
+}
+
+void Odometry::add_keyframe(const Features& features, const TrackedFrame& frame) {
+  keyframes_.push_back(make_keyframe(frames_.size() - 1, frame.end_s, features.map, frame.motion));
+  keyframes_.back().path_m = path_m_;
+  local_map_.update(keyframes_, frame.motion.T_map_end.translation());
+  if (frames_.size() == 1 && options_.first_guess == "last_frame") insert_keyframe(keyframes_.back(), last_frame_map_);
+}
+
+void Odometry::drop_failed_tail() {
+  while (!frames_.empty() && !frames_.back().ok) frames_.pop_back();
+  while (!keyframes_.empty() && keyframes_.back().frame >= frames_.size()) keyframes_.pop_back();
+  failed_in_a_row_ = 0;
+}
+
+}  // namespace bole

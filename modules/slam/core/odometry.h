@@ -1,0 +1,69 @@
+// Frame after frame: where the sensor was, with the local map of key frames.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "slam/core/keyframes.h"
+#include "slam/core/options.h"
+
+namespace bole {
+
+struct TrackedFrame {
+  std::size_t index = 0;  // in the source
+  double begin_s = 0, end_s = 0;
+  FrameMotion motion;
+  std::size_t keyframe = 0;  // the last key frame up to and with this frame
+  bool ok = true;
+  double overlap = 1, rms_m = 0;
+  int rounds = 0;
+};
+
+struct OdometryTimes {
+  double guess_s = 0, register_s = 0, map_s = 0;
+};
+
+class Odometry {
+ public:
+  explicit Odometry(const SlamOptions& resolved_options);
+
+  // Adds a frame. A frame that does not agree with the map is kept with its predicted motion, marked not ok; see lost().
+  void add(std::size_t index, double begin_s, double end_s, const Features& features, const Run& run);
+
+  const std::vector<TrackedFrame>& frames() const { return frames_; }
+  const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+  std::vector<TrackedFrame> take_frames() { return std::move(frames_); }
+  std::vector<Keyframe> take_keyframes() { return std::move(keyframes_); }
+  const OdometryTimes& times() const { return times_; }
+
+  // Too many frames in a row failed.
+  bool lost() const { return failed_in_a_row_ >= options_.lost_frames; }
+  std::size_t failed_in_a_row() const { return static_cast<std::size_t>(failed_in_a_row_); }
+  const std::string& why_failed() const { return why_failed_; }
+
+  // Removes the failed frames at the end and the key frames made since the last good one.
+  void drop_failed_tail();
+
+ private:
+  FrameMotion predicted(double begin_s, double end_s) const;
+  RegistrationSettings base_settings() const;
+  void hold_to_gait(RegistrationSettings& settings, double gap_s) const;
+  FrameMotion guessed(const FrameMotion& prediction, const Features& features, const Run& run);
+  Registration registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run);
+  // Empty when the frame is credible, else why not.
+  std::string objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const;
+  void add_keyframe(const Features& features, const TrackedFrame& frame);
+  bool keyframe_due(const TrackedFrame& frame) const;
+
+  const SlamOptions options_;
+  std::vector<TrackedFrame> frames_;
+  std::vector<Keyframe> keyframes_;
+  LocalMap local_map_;
+  FeatureMaps last_frame_map_;
+  double path_m_ = 0;
+  int failed_in_a_row_ = 0;
+  std::string why_failed_;
+  OdometryTimes times_;
+};
+
+}  // namespace bole

@@ -1,0 +1,102 @@
+#include "slam/core/slam.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam/core/dense_map.h"
+#include "slam/core/passes.h"
+#include "slam/core/stopwatch.h"
+#include "slam/core/track.h"
+#include "slam/core/tum_poses.h"
+
+namespace bole {
+namespace {
+
+// Poses far from zero (projected coordinates) are worked on about a near origin, for float32 offsets hold no more.
+Eigen::Vector3d near_origin(const std::vector<StampedPose>& poses) {
+  const Eigen::Vector3d first = poses.front().T_target_sensor.translation();
+  return first.norm() < 5000 ? Eigen::Vector3d::Zero() : Eigen::Vector3d((first / 100).array().round() * 100);
+}
+
+void shift(std::vector<StampedPose>& poses, const Eigen::Vector3d& by) {
+  for (auto& p : poses) p.T_target_sensor.translation() += by;
+}
+
+std::size_t expected_points(const FrameSource& source, const Track& track) {
+  ScanFrame frame;
+  std::size_t most = 0;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    source.read(track.frames[static_cast<std::size_t>(share * static_cast<double>(track.frames.size()))].index, frame);
+    most = std::max(most, frame.size());
+  }
+  return (most + most / 4 + 1000) * track.frames.size();
+}
+
+PointCloud map_frames(const FrameSource& source, const Track& track, const SlamOptions& options, Report& report, const Run& run) {
+  const auto marks = mark_path(track.path, track.keyframe_times_s, options.keyframe_distance_m, options.pass_radius_m);
+  DenseMapSettings settings;
+  settings.range_min_m = options.map_range_min_m, settings.range_max_m = options.map_range_max_m;
+  settings.voxel_m = options.map_voxel_m, settings.points_per_voxel = options.map_points_per_voxel;
+  settings.most_points = static_cast<std::size_t>(options.map_max_points_million * 1e6);
+  settings.expected_points = expected_points(source, track);
+  DenseMapBuilder builder(settings);
+  ScanFrame frame;
+  Stopwatch watch;
+  std::size_t unread = 0;
+  for (std::size_t k = 0; k < track.frames.size(); ++k) {
+    run.check_cancel();
+    run.report(static_cast<double>(k) / static_cast<double>(track.frames.size()), "mapping frame " + std::to_string(k + 1) + " of " + std::to_string(track.frames.size()));
+    try {
+      source.read(track.frames[k].index, frame);
+    } catch (const Error& e) {
+      if (e.kind() == ErrorKind::cancelled) throw;
+      ++unread;
+      continue;
+    }
+    const double begin_s = frame.start_time_s, span_s = frame.end_time_s - frame.start_time_s;
+    const auto& mark = mark_at(marks, begin_s + 0.5 * span_s);
+    const PoseGrid poses = track.own_motion ? PoseGrid(track.frames[k].motion) : PoseGrid([&](double s) { return track.path.at(begin_s + s * span_s); });
+    builder.add(frame, poses, mark.pass, mark.keyframe);
+  }
+  if (unread) report.warn(std::to_string(unread) + " frames could not be read for the map");
+  if (builder.halvings() > 0) report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) + "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
+  report.metrics["map_per_frame"] = {1000 * watch.lap_s() / static_cast<double>(track.frames.size()), Unit::millisecond};
+  report.counts["points_offered"] = static_cast<std::int64_t>(builder.offered());
+  report.counts["points"] = static_cast<std::int64_t>(builder.size());
+  report.counts["passes"] = marks.empty() ? 0 : marks.back().pass + 1;
+  return builder.take();
+}
+
+}  // namespace
+
+SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options, const Run& run) {
+  const SlamOptions options = resolved(given_options);
+  if (source.size() == 0) throw bad_input("the scan has no frames", "at least 2");
+  SlamResult out;
+  out.report.facts["preset"] = options.preset;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Track track;
+  if (options.trajectory.empty()) {
+    track = estimate_track(source, options, out.report, run.part(0, 0.75));
+  } else {
+    auto poses = read_tum_poses(options.trajectory);
+    origin = near_origin(poses);
+    shift(poses, -origin);
+    track = given_track(source, poses, out.report, run);
+    out.report.facts["trajectory"] = options.trajectory;
+  }
+  out.points = map_frames(source, track, options, out.report, options.trajectory.empty() ? run.part(0.75, 1) : run);
+  out.points.origin = origin;
+  out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
+  shift(out.trajectory.poses, origin);
+
+  auto& report = out.report;
+  report.facts["axes"] = std::string(axes_name(Axes::map));
+  report.metrics["path_length"] = {out.trajectory.length_m(), Unit::metre};
+  report.metrics["duration"] = {track.path.end_s() - track.path.begin_s(), Unit::second};
+  report.message = std::to_string(track.frames.size()) + " of " + std::to_string(source.size()) + " frames mapped to " + std::to_string(out.points.size()) + " points along " +
+                   number_text(std::round(report.metrics["path_length"].value * 10) / 10) + " m" + (options.trajectory.empty() ? "" : " with the given trajectory");
+  return out;
+}
+
+}  // namespace bole

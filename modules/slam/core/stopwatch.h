@@ -1,0 +1,22 @@
+// Wall time of the parts of a run.
+#pragma once
+
+#include <chrono>
+
+namespace bole {
+
+class Stopwatch {
+ public:
+  // Seconds since construction or the last lap.
+  double lap_s() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace bole

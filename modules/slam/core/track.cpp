@@ -1,0 +1,219 @@
+#include "slam/core/track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam/core/loops.h"
+#include "slam/core/pose_graph.h"
+#include "slam/core/refine.h"
+#include "slam/core/stopwatch.h"
+
+namespace bole {
+namespace {
+
+constexpr std::size_t most_frame_warnings = 10;
+
+double ms_per_frame(double seconds, std::size_t frames) { return frames ? 1000 * seconds / static_cast<double>(frames) : 0; }
+
+std::string seconds_text(double s) { return number_text(std::round(s * 100) / 100) + " s"; }
+
+struct FirstPass {
+  std::vector<TrackedFrame> frames;
+  std::vector<Keyframe> keyframes;
+  std::vector<FrameSample> samples;  // of `frames`, in step; empty when no adjustment follows
+};
+
+// Warns about single failed frames, up to a number.
+class FrameWarnings {
+ public:
+  explicit FrameWarnings(Report& report) : report_(report) {}
+  ~FrameWarnings() {
+    if (count_ > most_frame_warnings) report_.warn("... and " + std::to_string(count_ - most_frame_warnings) + " more frames");
+  }
+  FrameWarnings(const FrameWarnings&) = delete;
+  FrameWarnings& operator=(const FrameWarnings&) = delete;
+  void add(std::size_t frame, double time_s, const std::string& what) {
+    if (++count_ <= most_frame_warnings) report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(time_s) + ": " + what);
+  }
+
+ private:
+  Report& report_;
+  std::size_t count_ = 0;
+};
+
+FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
+  const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
+  FeatureExtractor extractor(options);
+  Odometry odometry(options);
+  FrameWarnings warnings(report);
+  ScanFrame frame;
+  Scan scan;
+  Features features;
+  FirstPass out;
+  Stopwatch watch;
+  double read_s = 0, features_s = 0, start_s = 0;
+  std::size_t used = 0, points = 0;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    run.check_cancel();
+    run.report(static_cast<double>(i) / static_cast<double>(source.size()), "frame " + std::to_string(i + 1) + " of " + std::to_string(source.size()));
+    if (run.asked_to_finish()) {
+      report.status = Status::finished_early;
+      report.warnings.push_back("finished on request at frame " + std::to_string(i) + " of " + std::to_string(source.size()));
+      break;
+    }
+    watch.lap_s();
+    try {
+      source.read(i, frame);
+    } catch (const Error& e) {
+      if (e.kind() == ErrorKind::cancelled) throw;
+      warnings.add(i, source.frame_time_s(i) - start_s, std::string("left out: ") + e.what());
+      continue;
+    }
+    read_s += watch.lap_s();
+    prepare_scan(frame, gate, scan);
+    extractor.extract(scan, features);
+    features_s += watch.lap_s();
+    const auto before = odometry.frames().size();
+    odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
+    if (odometry.frames().size() == before) continue;  // nothing to begin with yet
+    if (before == 0) start_s = scan.begin_time_s;
+    ++used, points += features.query.size();
+    if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
+    if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
+    if (odometry.lost()) {
+      const auto first = i + 1 - odometry.failed_in_a_row();
+      report.status = Status::finished_early;
+      report.warnings.push_back("the track was lost at frame " + std::to_string(first) + ", " + seconds_text(source.frame_time_s(first) - start_s) + " after the start: " + odometry.why_failed() + ". The map ends there");
+      report.facts["lost_at_frame"] = std::to_string(first);
+      break;
+    }
+  }
+  odometry.drop_failed_tail();
+  const auto n = std::max<std::size_t>(used, 1);
+  report.metrics["read_per_frame"] = {ms_per_frame(read_s, n), Unit::millisecond};
+  report.metrics["features_per_frame"] = {ms_per_frame(features_s, n), Unit::millisecond};
+  report.metrics["guess_per_frame"] = {ms_per_frame(odometry.times().guess_s, n), Unit::millisecond};
+  report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
+  report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
+  report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
+  out.frames = odometry.take_frames();
+  out.keyframes = odometry.take_keyframes();
+  out.samples.resize(std::min(out.samples.size(), out.frames.size()));
+  return out;
+}
+
+// Frames move with the key frames about them: the correction is interpolated in time, so that the path stays whole.
+void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old, const std::vector<Pose>& T_map_keyframe) {
+  std::vector<StampedPose> corrections;
+  for (std::size_t k = 0; k < old.size(); ++k) corrections.push_back({old[k].time_s, T_map_keyframe[k] * old[k].T_map_keyframe.inverse()});
+  const auto correction_at = [&](double t) {
+    const auto upper = std::ranges::upper_bound(corrections, t, {}, &StampedPose::time_s);
+    if (upper == corrections.begin()) return corrections.front().T_target_sensor;
+    if (upper == corrections.end()) return corrections.back().T_target_sensor;
+    const auto &a = *(upper - 1), &b = *upper;
+    return interpolate(a.T_target_sensor, b.T_target_sensor, (t - a.time_s) / (b.time_s - a.time_s));
+  };
+  for (auto& f : frames) {
+    f.motion.T_map_begin = correction_at(f.begin_s) * f.motion.T_map_begin;
+    f.motion.T_map_end = correction_at(f.end_s) * f.motion.T_map_end;
+  }
+}
+
+void close_loops(FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+  Stopwatch watch;
+  const auto search = find_loops(pass.keyframes, options, run);
+  report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
+  report.counts["loops"] = static_cast<std::int64_t>(search.loops.size());
+  if (!search.loops.empty()) {
+    const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
+    double squared = 0;
+    for (std::size_t k = 0; k < pass.keyframes.size(); ++k) squared += (graph.T_map_keyframe[k].translation() - pass.keyframes[k].T_map_keyframe.translation()).squaredNorm();
+    report.metrics["loop_correction_rms"] = {std::sqrt(squared / static_cast<double>(pass.keyframes.size())), Unit::metre};
+    carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
+    for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
+  }
+  report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
+}
+
+Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
+  std::vector<FrameMotion> motions;
+  std::vector<std::pair<double, double>> spans_s;
+  for (const auto& f : frames) {
+    if (!f.ok) continue;
+    motions.push_back(f.motion);
+    spans_s.emplace_back(f.begin_s, f.end_s);
+    // Without elastic frames the begin is a guess, and the end of the frame before is better known.
+    if (!elastic && motions.size() > 1 && spans_s.back().first - spans_s[spans_s.size() - 2].second < 0.02) motions.back().T_map_begin = motions[motions.size() - 2].T_map_end;
+  }
+  return path_through_frames(motions, spans_s);
+}
+
+void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+  std::vector<FrameSample> samples;
+  for (std::size_t k = 0; k < pass.samples.size(); ++k)
+    if (pass.frames[k].ok) samples.push_back(pass.samples[k]);
+  RefineSettings settings;
+  settings.rounds = options.refine_rounds;
+  settings.cell_m = options.cell_m;
+  settings.sigma_m = options.range_sigma_m;
+  settings.kernel_sigmas = options.kernel_sigmas;
+  Stopwatch watch;
+  auto refined = refine_path(track.path, samples, settings, run);
+  track.path = std::move(refined.path);
+  report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap_s(), samples.size()), Unit::millisecond};
+  if (refined.rms_m.empty()) return;
+  report.metrics["adjustment_rms_first"] = {refined.rms_m.front(), Unit::metre};
+  report.metrics["adjustment_rms_last"] = {refined.rms_m.back(), Unit::metre};
+  report.metrics["adjustment_last_step"] = {refined.step_m.back(), Unit::metre};
+}
+
+}  // namespace
+
+Track estimate_track(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
+  auto pass = follow(source, options, report, run.part(0, 0.7));
+  if (pass.frames.size() < 2)
+    throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together",
+                    report.warnings.empty() ? "" : report.warnings.front());
+  if (options.loops == "odometry" && !run.asked_to_finish()) close_loops(pass, options, report, run.part(0.7, 0.8));
+
+  Track track;
+  const bool elastic = options.deskew == "elastic";
+  track.own_motion = !elastic && options.refine_rounds <= 0;
+  track.path = path_of(pass.frames, elastic);
+  if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
+  double squared = 0, overlap = 0, rounds = 0;
+  for (const auto& f : pass.frames) {
+    if (!f.ok) continue;
+    track.frames.push_back({f.index, f.motion});
+    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
+  }
+  for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
+  const auto n = static_cast<double>(track.frames.size());
+  report.counts["frames"] = static_cast<std::int64_t>(track.frames.size());
+  report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - track.frames.size());
+  report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
+  report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
+  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
+  report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
+  return track;
+}
+
+Track given_track(const FrameSource& source, const std::vector<StampedPose>& poses, Report& report, const Run& run) {
+  Track track;
+  track.path = Path(poses);
+  constexpr double margin_s = 0.05;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const double begin_s = source.frame_time_s(i), end_s = i + 1 < source.size() ? std::min(source.frame_time_s(i + 1), begin_s + 0.25) : begin_s;
+    if (track.path.covers(begin_s, margin_s) && track.path.covers(end_s, margin_s)) track.frames.push_back({i, {}});
+    if (i % 256 == 0) run.check_cancel();
+  }
+  if (track.frames.empty())
+    throw bad_input("no frame lies within the trajectory: frames from " + number_text(source.size() ? source.frame_time_s(0) : 0) + " to " + number_text(source.size() ? source.frame_time_s(source.size() - 1) : 0) + " s",
+                    "times from " + number_text(track.path.begin_s()) + " to " + number_text(track.path.end_s()) + " s", "Check that the trajectory and the scan use the same clock");
+  if (const auto outside = source.size() - track.frames.size()) report.warn(std::to_string(outside) + " of " + std::to_string(source.size()) + " frames lie outside the trajectory and were left out");
+  report.counts["frames"] = static_cast<std::int64_t>(track.frames.size());
+  return track;
+}
+
+}  // namespace bole

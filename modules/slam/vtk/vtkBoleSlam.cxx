@@ -1,0 +1,5 @@
+#include "vtkBoleSlam.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSlam)

@@ -1,0 +1,141 @@
+#include "stems/core/assign_points.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace bole {
+namespace {
+
+constexpr double lowest_point_m = 0.10;
+constexpr double most_slope_above = 0.15;  // above the measured stem a lean is followed no further than this
+constexpr double tallest_m = 80;
+
+// The axis of a stem at any z: straight over the measured part, less inclined above.
+struct TreeAxis {
+  explicit TreeAxis(const Stem& s) : stem(&s), slope(s.direction.head<2>() / s.direction.z()), bend_z(s.breast_height.z() + 3) {
+    above = slope;
+    if (above.norm() > most_slope_above) above *= most_slope_above / above.norm();
+  }
+  Eigen::Vector2d at(double z) const {
+    const double low = std::min(z, bend_z) - stem->breast_height.z(), high = std::max(0.0, z - bend_z);
+    return stem->breast_height.head<2>() + low * slope + high * above;
+  }
+  const Stem* stem;
+  Eigen::Vector2d slope, above;
+  double bend_z;
+};
+
+class AxisGrid {
+ public:
+  AxisGrid(const std::vector<TreeAxis>& axes, double reach) {
+    constexpr double cell = 1.0;
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    const double sway = most_slope_above * tallest_m + 3;
+    for (const auto& a : axes) low = low.cwiseMin(a.stem->breast_height.head<2>()), high = high.cwiseMax(a.stem->breast_height.head<2>());
+    corner_ = low.array() - (reach + sway);
+    cell_ = std::max(cell, (high - low).maxCoeff() / 2000);
+    nx_ = static_cast<int>((high.x() + reach + sway - corner_.x()) / cell_) + 1, ny_ = static_cast<int>((high.y() + reach + sway - corner_.y()) / cell_) + 1;
+    cells_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
+    for (std::uint32_t k = 0; k < axes.size(); ++k) {
+      const double z = axes[k].stem->ground_z;
+      const Eigen::Vector2d a = axes[k].at(z), b = axes[k].at(axes[k].bend_z), c = axes[k].at(z + tallest_m);
+      const Eigen::Vector2d from = a.cwiseMin(b).cwiseMin(c).array() - reach, to = a.cwiseMax(b).cwiseMax(c).array() + reach;
+      for (int iy = clamp(from.y(), corner_.y(), ny_); iy <= clamp(to.y(), corner_.y(), ny_); ++iy)
+        for (int ix = clamp(from.x(), corner_.x(), nx_); ix <= clamp(to.x(), corner_.x(), nx_); ++ix) cells_[index(ix, iy)].push_back(k);
+    }
+  }
+  const std::vector<std::uint32_t>& near(double x, double y) const {
+    static const std::vector<std::uint32_t> none;
+    if (!(x >= corner_.x() && y >= corner_.y() && x < corner_.x() + nx_ * cell_ && y < corner_.y() + ny_ * cell_)) return none;
+    return cells_[index(clamp(x, corner_.x(), nx_), clamp(y, corner_.y(), ny_))];
+  }
+
+ private:
+  int clamp(double v, double corner, int n) const { return static_cast<int>(std::clamp((v - corner) / cell_, 0.0, n - 1.0)); }
+  std::size_t index(int ix, int iy) const { return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix); }
+  Eigen::Vector2d corner_;
+  double cell_ = 1;
+  int nx_ = 0, ny_ = 0;
+  std::vector<std::vector<std::uint32_t>> cells_;
+};
+
+bool is_bark(const Stem& s, const Eigen::Vector3d& p, double tolerance) {
+  const Eigen::Vector3d q = p - s.breast_height;
+  const double along = q.dot(s.direction), height = p.z() - s.ground_z;
+  if (height < lowest_point_m || height > s.highest + 0.5) return false;
+  return std::abs((q - along * s.direction).norm() - s.radius - s.taper * along) <= tolerance;
+}
+
+}  // namespace
+
+PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& points, const MeasureOptions& options, const Run& run) {
+  PointLabels labels{std::vector<std::int32_t>(points.size(), 0), std::vector<std::uint8_t>(points.size(), 0)};
+  if (stems.empty()) return labels;
+  std::vector<TreeAxis> axes;
+  double widest = 0;
+  for (const auto& s : stems) axes.emplace_back(s), widest = std::max(widest, s.radius);
+  const AxisGrid grid(axes, options.crown_radius_m + widest);
+  const auto& positions = points.positions();
+  const auto& heights = points.values<float>(arrays::height_above_ground);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1 << 16), [&](const auto& block) {
+    if (run.cancelled()) return;
+    for (auto i = block.begin(); i != block.end(); ++i) {
+      if (!(heights[i] >= static_cast<float>(lowest_point_m)) || !positions[i].allFinite()) continue;
+      const Eigen::Vector3d p = positions[i].template cast<double>();
+      // Shrubs below are not the tree's: the reach opens from near the bark at the base to the crown radius.
+      const double opened = std::clamp(static_cast<double>(heights[i]) / options.search_top_m, 0.0, 1.0);
+      const double reach = 0.3 + (std::max(0.3, options.crown_radius_m) - 0.3) * opened;
+      double best = std::numeric_limits<double>::infinity();
+      const Stem* owner = nullptr;
+      for (const auto k : grid.near(p.x(), p.y())) {
+        const double d = (p.head<2>() - axes[k].at(p.z())).norm() - axes[k].stem->radius;
+        if (d < best && d <= reach) best = d, owner = axes[k].stem;
+      }
+      if (!owner) continue;
+      labels.tree_id[i] = owner->id;
+      if (is_bark(*owner, p, options.bark_tolerance_m)) labels.stem[i] = 1;
+    }
+  });
+  run.check_cancel();
+  return labels;
+}
+
+void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
+  constexpr double bin_m = 0.5, widest_gap_m = 3;
+  constexpr std::uint32_t least_points = 3;
+  std::int32_t largest = 0;
+  for (const auto& s : stems) largest = std::max(largest, s.id);
+  std::vector<Stem*> by_id(static_cast<std::size_t>(largest) + 1, nullptr);
+  for (auto& s : stems) by_id[static_cast<std::size_t>(s.id)] = &s;
+  struct Bin {
+    std::uint32_t points = 0;
+    double highest = 0;
+  };
+  std::vector<std::vector<Bin>> bins(by_id.size(), std::vector<Bin>(static_cast<std::size_t>(tallest_m / bin_m)));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if ((i & 0xfffffU) == 0) run.check_cancel();
+    const auto id = static_cast<std::size_t>(labels.tree_id[i]);
+    if (id == 0) continue;
+    const double h = static_cast<double>(points.positions()[i].z()) - by_id[id]->ground_z;
+    if (h < 0 || h >= tallest_m) continue;
+    auto& bin = bins[id][static_cast<std::size_t>(h / bin_m)];
+    ++bin.points, bin.highest = std::max(bin.highest, h);
+  }
+  for (auto& s : stems) {  // upwards until a gap that no tree has
+    double gap = 0;
+    for (const auto& bin : bins[static_cast<std::size_t>(s.id)]) {
+      if (bin.points >= least_points) {
+        s.height_m = bin.highest, gap = 0;
+      } else if ((gap += bin_m) > widest_gap_m && s.height_m > 0) {
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace bole

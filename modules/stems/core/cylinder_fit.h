@@ -1,0 +1,69 @@
+// Joint robust fit of a tapered cylinder to bark points, in axes aligned with the stem: origin on the axis at breast height, z along it.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+namespace bole {
+
+struct BarkPoint {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();    // stem axes, metres
+  Eigen::Vector3d ray = Eigen::Vector3d::Zero();  // unit direction from sensor to point; zero when not known
+  int pass = 0;                                   // from 0, consecutive
+  int section = 0;
+  std::uint32_t source = 0;  // into the cloud
+};
+
+// Parameters: axis point (x, y) at z = 0, axis slopes, radius at z = 0 along the axis, radius per metre of stem; then an
+// offset (x, y) per pass: passes see the stem displaced by it.
+struct TaperedCylinder {
+  double x = 0, y = 0, slope_x = 0, slope_y = 0, radius = 0, taper = 0;
+  std::vector<Eigen::Vector2d> pass_offset;
+
+  Eigen::Vector3d direction() const { return Eigen::Vector3d(slope_x, slope_y, 1).normalized(); }
+};
+
+struct CylinderFitOptions {
+  bool along_rays = false;        // residual: measured less predicted range along the ray, else distance from the surface
+  double ray_gate = 0.9;          // rays with an impact parameter beyond this share of the radius are left out
+  double max_sigma_m = 0.025;     // cap of the robust scale
+  double drift_sd_m = 0.01;       // prior of the pass offsets
+  double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
+};
+
+// The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for offsets d (x, y by pass).
+struct DriftEvidence {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd target;
+};
+
+// Log of the marginal likelihood of a normal prior with this standard deviation, up to a constant.
+double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m);
+
+struct CylinderFit {
+  TaperedCylinder cylinder;
+  double sigma_m = 0;         // robust scale of the residuals
+  double radius_sd_m = 0;     // standard deviation of the radius, correlated residuals allowed for
+  double position_sd_m = 0;   // of the axis point, larger axis
+  int blocks = 0;             // groups of residuals that count as independent
+  int inliers = 0;
+  bool along_rays = false;
+  std::vector<double> weight;                  // Tukey weight of each point, 0: outlier or gated
+  DriftEvidence drift;                         // empty with one pass
+};
+
+// Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are
+// those by (x, y). Along rays, metres along the ray, positive when measured too far; else distance from the surface, positive outside.
+struct PointResidual {
+  double value = 0;
+  Eigen::Matrix<double, 6, 1> jacobian = Eigen::Matrix<double, 6, 1>::Zero();
+  bool usable = false;
+};
+PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);
+PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate, bool derivatives = true);
+
+// Levenberg-Marquardt with Tukey weights from `start` (passes set, offsets zero or better). Nothing when too few points or no convergence.
+std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start, double start_error_m, const CylinderFitOptions& options);
+
+}  // namespace bole

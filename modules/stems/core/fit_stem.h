@@ -1,0 +1,68 @@
+// The diameter of one stem at breast height.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/transform.h"
+#include "cloud/raster.h"
+#include "stems/core/cylinder_fit.h"
+#include "stems/core/stem_candidates.h"
+
+namespace bole {
+
+// What the fits read of the cloud: columns are null when the cloud lacks them.
+struct CloudRays {
+  const std::vector<float>*sensor_x = nullptr, *sensor_y = nullptr, *sensor_z = nullptr;  // offsets, as the points
+  std::vector<Eigen::Vector3f> sensor;  // from a trajectory where the columns are absent, by layer point; empty when not
+  const std::vector<double>* time = nullptr;
+  const std::vector<std::int32_t>* pass = nullptr;
+  bool has_sensor() const { return sensor_x || !sensor.empty(); }
+};
+
+struct Section {
+  double height = 0;                     // along the stem above its ground, metres
+  Eigen::Vector3d centre;                // offsets from the cloud's origin
+  double radius = 0, sigma = 0, arc_rad = 0;
+  int inliers = 0;
+  bool used = false;
+};
+
+struct Stem {
+  int id = 0;
+  Eigen::Vector3d breast_height = Eigen::Vector3d::Zero();  // on the axis, offsets from the cloud's origin
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();     // of the axis, upwards
+  double ground_z = 0;                                      // that breast height is counted from, offset
+  double radius = 0, radius_low = 0, radius_high = 0;       // at breast height, with its 95 % interval
+  double taper = 0;                                         // metres of radius per metre of stem
+  double sigma_m = 0;                                       // of the distances from the surface
+  double arc_rad = 0;
+  double pass_spread_m = 0;
+  double inside_share = 0;      // points well inside the stem, of all on and in it
+  double contrast = 0;          // density of points on the surface by that just beside it
+  double ray_through = 0;       // share of rays through the core; NaN when not tested
+  double height_m = 0;
+  bool height_seen = false;
+  int passes = 1, inliers = 0, sections_used = 0;
+  bool along_rays = false;
+  double lowest = 0, highest = 0;  // heights of the sections used
+  std::vector<Eigen::Vector2d> pass_offset;
+  DriftEvidence drift;  // what the passes say about their displacements
+  int faults = 0;
+  std::vector<Section> sections;
+  StemCandidate candidate;
+  std::string quality, state;
+  std::vector<std::string> reasons;
+};
+
+struct StemFitResult {
+  std::optional<Stem> stem;
+  std::string rejected;  // why, in words, when there is none
+};
+
+// `drift_sd_m`: prior of the offsets between passes. Never throws for a bad tree.
+StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem, const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+                       const MeasureOptions& options);
+
+}  // namespace bole

@@ -1,0 +1,37 @@
+// From points with heights to the stem table: detection, fits, the drift between passes, the ray test, tree ids.
+#pragma once
+
+#include "base/report.h"
+#include "base/run.h"
+#include "cloud/raster.h"
+#include "cloud/table.h"
+#include "cloud/trajectory.h"
+#include "stems/core/fit_stem.h"
+
+namespace bole {
+
+struct RejectedStem {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // offset; z: ground
+  double dbh_m = 0;
+  int points = 0;
+  std::string reason;
+};
+
+struct StemSurvey {
+  std::vector<Stem> stems;  // ids from 1, from north to south, west to east where level
+  std::vector<RejectedStem> rejected;
+  PointCloud points;        // input with tree_id and stem
+  Report report;
+};
+
+// `points` needs height_above_ground; sensor_x, sensor_y, sensor_z (or time with `trajectory`, which may be null) make the ray model and the ray
+// test possible, time or pass the offsets between passes. Breast height is that of `slice`. Throws Error{bad_input} on an empty cloud
+// or slice; a plot without stems gives empty tables and a warning that says what was looked at.
+StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory, const MeasureOptions& options, const Run& run);
+
+// The tables `stems`, `sections` and `rejected` in the units of docs/dev/architecture.md.
+Table stem_table(const StemSurvey& survey);
+Table section_table(const StemSurvey& survey);
+Table rejected_table(const StemSurvey& survey);
+
+}  // namespace bole

@@ -1,0 +1,322 @@
+#include "stems/core/slab_circles.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace bole {
+namespace {
+
+constexpr double voxel_m = 0.02, voxel_height_m = 0.05;
+
+// Row by row over the grid, in threads; cancelled workers stop early and the caller throws.
+template <class F>
+void for_each_row(const StemLayer& grid, const Run& run, F&& f) {
+  tbb::parallel_for(0, grid.ny, [&](int iy) {
+    if (!run.cancelled()) f(iy);
+  });
+  run.check_cancel();
+}
+
+std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
+  struct Keyed {
+    std::int64_t key;
+    std::uint32_t k;
+  };
+  std::vector<Keyed> keyed;
+  for (auto k = layer.start[cell]; k < layer.start[cell + 1]; ++k) {
+    const auto& p = layer.position[k];
+    const auto ix = static_cast<std::int64_t>(std::floor((p.x() - layer.corner.x()) / voxel_m)), iy = static_cast<std::int64_t>(std::floor((p.y() - layer.corner.y()) / voxel_m));
+    const auto ih = static_cast<std::int64_t>(std::floor(layer.height[k] / voxel_height_m));
+    keyed.push_back({(ih << 52) ^ (iy << 26) ^ ix, k});
+  }
+  std::ranges::sort(keyed, {}, &Keyed::key);
+  std::vector<Voxel> voxels;
+  for (std::size_t i = 0; i < keyed.size();) {
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    std::size_t j = i;
+    for (; j < keyed.size() && keyed[j].key == keyed[i].key; ++j) {
+      const auto& p = layer.position[keyed[j].k];
+      sum += Eigen::Vector4d(p.x(), p.y(), p.z(), layer.height[keyed[j].k]);
+    }
+    const auto n = static_cast<double>(j - i);
+    sum /= n;
+    voxels.push_back({static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(std::sqrt(n))});
+    i = j;
+  }
+  return voxels;
+}
+
+VoxelLayer join(std::vector<std::vector<Voxel>>& by_cell) {
+  VoxelLayer out;
+  out.start.assign(by_cell.size() + 1, 0);
+  for (std::size_t c = 0; c < by_cell.size(); ++c) out.start[c + 1] = out.start[c] + static_cast<std::uint32_t>(by_cell[c].size());
+  out.voxels.reserve(out.start.back());
+  for (auto& cell : by_cell) out.voxels.insert(out.voxels.end(), cell.begin(), cell.end());
+  return out;
+}
+
+template <class F>
+void for_each_voxel_near(const StemLayer& grid, const VoxelLayer& thin, double x, double y, double radius, F&& f) {
+  const int x0 = grid.cell_x(x - radius), x1 = grid.cell_x(x + radius), y0 = grid.cell_y(y - radius), y1 = grid.cell_y(y + radius);
+  for (int iy = y0; iy <= y1; ++iy) {
+    const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx);
+    for (auto k = thin.start[row + static_cast<std::size_t>(x0)]; k < thin.start[row + static_cast<std::size_t>(x1) + 1]; ++k) f(thin.voxels[k]);
+  }
+}
+
+bool is_upright(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v) {
+  constexpr float reach = 0.10F;
+  constexpr int enough = 8;
+  int n = 0;
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
+  for_each_voxel_near(grid, thin, v.x, v.y, reach, [&](const Voxel& o) {
+    const Eigen::Vector3f d(o.x - v.x, o.y - v.y, o.z - v.z);
+    if (d.squaredNorm() > reach * reach) return;
+    ++n, sum += d, squares += d * d.transpose();
+  });
+  if (n < enough) return true;
+  const Eigen::Matrix3f covariance = squares / static_cast<float>(n) - (sum / static_cast<float>(n)) * (sum / static_cast<float>(n)).transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(covariance);
+  return std::abs(solver.eigenvectors()(2, 0)) < 0.6F;
+}
+
+}  // namespace
+
+VoxelLayer thin_layer(const StemLayer& layer, const Run& run) {
+  std::vector<std::vector<Voxel>> by_cell(static_cast<std::size_t>(layer.nx) * static_cast<std::size_t>(layer.ny));
+  for_each_row(layer, run, [&](int iy) {
+    for (int ix = 0; ix < layer.nx; ++ix) {
+      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(layer.nx) + static_cast<std::size_t>(ix);
+      by_cell[cell] = thin_cell(layer, cell);
+    }
+  });
+  return join(by_cell);
+}
+
+void keep_upright(const StemLayer& grid, VoxelLayer& thin, const Run& run) {
+  std::vector<std::vector<Voxel>> by_cell(thin.start.size() - 1);
+  for_each_row(grid, run, [&](int iy) {
+    for (int ix = 0; ix < grid.nx; ++ix) {
+      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
+      for (auto k = thin.start[cell]; k < thin.start[cell + 1]; ++k)
+        if (is_upright(grid, thin, thin.voxels[k])) by_cell[cell].push_back(thin.voxels[k]);
+    }
+  });
+  thin = join(by_cell);
+}
+
+namespace {
+
+// A small generator with a fixed sequence on every platform (splitmix64).
+struct Random {
+  std::uint64_t state;
+  std::uint64_t next() {
+    std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL, z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+};
+
+// Points on the ring count by their nearness to it, points well inside count against it.
+struct Score {
+  float on = 0, inside = 0, height = 0, z = 0, weight = 0;
+  int points = 0;
+  std::uint32_t sectors = 0;  // bit per 20 degrees
+};
+
+constexpr int sector_count = 18;
+
+float ring_tolerance(float radius) { return std::clamp(0.12F * radius, 0.018F, 0.04F); }
+
+// The voxels of one slab, projected to the ground: one per column, by cell of the layer's grid.
+class SlabGrid {
+ public:
+  SlabGrid(const StemLayer& grid, const VoxelLayer& thin, float low, float high) : grid_(grid) {
+    start_.reserve(thin.start.size()), start_.push_back(0);
+    for (std::size_t cell = 0; cell + 1 < thin.start.size(); ++cell) {
+      add_columns(thin, thin.start[cell], thin.start[cell + 1], low, high);
+      start_.push_back(static_cast<std::uint32_t>(columns_.size()));
+    }
+  }
+
+  std::pair<std::uint32_t, std::uint32_t> cell(int ix, int iy) const {
+    const auto c = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx) + static_cast<std::size_t>(ix);
+    return {start_[c], start_[c + 1]};
+  }
+  const Voxel& operator[](std::uint32_t k) const { return columns_[k]; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(columns_.size()); }
+
+  template <class F>
+  void for_each_near(float x, float y, float reach, F&& f) const {
+    const int x0 = grid_.cell_x(x - reach), x1 = grid_.cell_x(x + reach), y0 = grid_.cell_y(y - reach), y1 = grid_.cell_y(y + reach);
+    for (int iy = y0; iy <= y1; ++iy) {
+      const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx);
+      for (auto k = start_[row + static_cast<std::size_t>(x0)]; k < start_[row + static_cast<std::size_t>(x1) + 1]; ++k) f(k);
+    }
+  }
+
+ private:
+  // Voxels of a cell are sorted by height, then y, then x: columns of a slab are joined through their key.
+  void add_columns(const VoxelLayer& thin, std::uint32_t first, std::uint32_t last, float low, float high) {
+    struct Keyed {
+      std::int64_t key;
+      std::uint32_t k;
+    };
+    std::vector<Keyed> keyed;
+    for (auto k = first; k < last; ++k) {
+      const auto& v = thin.voxels[k];
+      if (v.height < low || v.height >= high) continue;
+      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / voxel_m)) << 32) + static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / voxel_m)), k});
+    }
+    std::ranges::stable_sort(keyed, {}, &Keyed::key);
+    for (std::size_t i = 0; i < keyed.size();) {
+      Voxel sum;
+      std::size_t j = i;
+      for (; j < keyed.size() && keyed[j].key == keyed[i].key; ++j) {
+        const auto& v = thin.voxels[keyed[j].k];
+        const float w = v.weight * v.weight;
+        sum.x += w * v.x, sum.y += w * v.y, sum.z += w * v.z, sum.height += w * v.height, sum.weight += w;
+      }
+      columns_.push_back({sum.x / sum.weight, sum.y / sum.weight, sum.z / sum.weight, sum.height / sum.weight, std::sqrt(sum.weight)});
+      i = j;
+    }
+  }
+
+  const StemLayer& grid_;
+  std::vector<Voxel> columns_;
+  std::vector<std::uint32_t> start_;
+};
+
+Score score_circle(const SlabGrid& slab, float x, float y, float radius) {
+  Score s;
+  const float tolerance = ring_tolerance(radius), outer = radius + tolerance, hollow = std::max(0.F, radius - 2.5F * tolerance);
+  slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
+    const auto& v = slab[k];
+    const float dx = v.x - x, dy = v.y - y, d2 = dx * dx + dy * dy;
+    if (d2 > outer * outer) return;
+    const float e = (std::sqrt(d2) - radius) / tolerance;
+    if (e > -1) {
+      s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight, ++s.points;
+      const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
+      s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
+    } else if (d2 < hollow * hollow) {
+      s.inside += v.weight;
+    }
+  });
+  return s;
+}
+
+bool circle_through(const Voxel& a, const Voxel& b, const Voxel& c, float& x, float& y, float& radius) {
+  const float bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y, cross = 2 * (bx * cy - by * cx);
+  const float b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
+  if (std::abs(cross) < 1e-6F + 0.02F * std::sqrt(b2 * c2)) return false;
+  const float ux = (cy * b2 - by * c2) / cross, uy = (bx * c2 - cx * b2) / cross;
+  radius = std::sqrt(ux * ux + uy * uy), x = a.x + ux, y = a.y + uy;
+  return true;
+}
+
+constexpr std::array<float, 4> reaches{0.08F, 0.2F, 0.45F, 1.0F};
+constexpr std::uint32_t most_seeds = 6;  // per cell
+constexpr int attempts = 5;              // per seed and reach
+
+using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
+
+// The best circle through `seed` and two of its neighbours, tried at several scales.
+SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed, const MeasureOptions& options, Random random) {
+  const auto least = static_cast<float>(0.35 * options.min_dbh_m), most = static_cast<float>(0.55 * options.max_dbh_m);
+  SlabCircle best;
+  for (std::size_t scale = 0; scale < reaches.size() && reaches[scale] <= 4 * most; ++scale) {
+    const auto& local = near[scale];
+    if (local.size() < 5) continue;
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+      float x = 0, y = 0, radius = 0;
+      if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y, radius)) continue;
+      if (radius < least || radius > std::min(most, reaches[scale])) continue;
+      const auto s = score_circle(slab, x, y, radius);
+      const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
+      const double score = (s.on - 1.5 * s.inside) * std::sqrt(arc);
+      if (score <= best.score || s.points < 5) continue;
+      best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi, best.points = s.points;
+      best.height = s.height / s.weight, best.z = s.z / s.weight;
+    }
+  }
+  return best;
+}
+
+std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab, int number, int iy, const MeasureOptions& options) {
+  std::vector<SlabCircle> found;
+  Neighbours near;
+  for (int ix = 0; ix < grid.nx; ++ix) {
+    const auto [first, last] = slab.cell(ix, iy);
+    if (first == last) continue;
+    const auto x = static_cast<float>(grid.corner.x() + (ix + 0.5) * grid.cell_m), y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
+    for (std::size_t scale = 0; scale < reaches.size(); ++scale) {
+      near[scale].clear();
+      slab.for_each_near(x, y, reaches[scale], [&](std::uint32_t k) { near[scale].push_back(k); });
+    }
+    const auto stride = (last - first + most_seeds - 1) / most_seeds;
+    for (auto k = first; k < last; k += stride) {
+      auto circle = best_circle_at(slab, near, slab[k], options, Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
+      if (circle.score <= 0 || circle.arc_rad < options.min_arc_deg * std::numbers::pi / 180) continue;
+      circle.slab = number;
+      found.push_back(circle);
+    }
+  }
+  return found;
+}
+
+// A weaker circle goes when it overlaps a stronger one by more than two bark-touching stems would.
+std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const MeasureOptions& options, const StemLayer& grid) {
+  std::ranges::stable_sort(circles, std::ranges::greater{}, &SlabCircle::score);
+  std::vector<SlabCircle> kept;
+  const double cell = options.max_dbh_m + 0.1;
+  const int nx = static_cast<int>(grid.nx * grid.cell_m / cell) + 3;
+  const int ny = static_cast<int>(grid.ny * grid.cell_m / cell) + 3;
+  std::vector<std::vector<std::uint32_t>> by_cell(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
+  const auto cell_of = [&](double v, double corner, int n) { return std::clamp(static_cast<int>(std::floor((v - corner) / cell)) + 1, 0, n - 1); };
+  for (const auto& c : circles) {
+    const int ix = cell_of(c.x, grid.corner.x(), nx), iy = cell_of(c.y, grid.corner.y(), ny);
+    bool free = true;
+    for (int jy = std::max(0, iy - 1); free && jy <= std::min(ny - 1, iy + 1); ++jy)
+      for (int jx = std::max(0, ix - 1); free && jx <= std::min(nx - 1, ix + 1); ++jx)
+        for (const auto k : by_cell[static_cast<std::size_t>(jy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(jx)]) {
+          const auto& o = kept[k];
+          if (std::hypot(o.x - c.x, o.y - c.y) < o.radius + c.radius - 0.4 * std::min(o.radius, c.radius)) free = false;
+        }
+    if (!free) continue;
+    by_cell[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)].push_back(static_cast<std::uint32_t>(kept.size()));
+    kept.push_back(c);
+  }
+  return kept;
+}
+
+}  // namespace
+
+std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options, const Run& run) {
+  std::vector<SlabCircle> all;
+  const int slabs = std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+  for (int s = 0; s < slabs; ++s) {
+    run.report(static_cast<double>(s) / slabs, "circles by height");
+    const auto low = static_cast<float>(options.search_bottom_m + s * slab_thickness_m);
+    const SlabGrid slab(grid, thin, low, low + static_cast<float>(slab_thickness_m));
+    std::vector<std::vector<SlabCircle>> by_row(static_cast<std::size_t>(grid.ny));
+    for_each_row(grid, run, [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, slab, s, iy, options); });
+    std::vector<SlabCircle> found;
+    for (auto& row : by_row) found.insert(found.end(), row.begin(), row.end());
+    found = suppress_overlaps(std::move(found), options, grid);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+}  // namespace bole

@@ -1,0 +1,67 @@
+#include "pipeline/stage.h"
+#include "stems/core/breast_height_slice.h"
+#include "stems/core/measure_stems.h"
+
+namespace bole {
+namespace {
+
+StageType slice_stage() {
+  StageType t;
+  t.name = "stems.slice";
+  t.title = "Breast-height slice";
+  t.help = "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for pictures of the sections.";
+  t.source = "Bole";
+  t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground.", false, {arrays::height_above_ground}}};
+  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {}}};
+  t.options = &option_table(static_cast<const SliceOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
+    StageResult result;
+    auto slice = breast_height_slice(in.cloud("points"), options.as<SliceOptions>(), run);
+    result.report.counts["points"] = static_cast<std::int64_t>(slice.size());
+    result.report.message = std::to_string(slice.size()) + " points at " + number_text(options.as<SliceOptions>().height) + " m above ground";
+    result.outputs.set("slice", std::move(slice));
+    return result;
+  };
+  return t;
+}
+
+StageType measure_stage() {
+  StageType t;
+  t.name = "stems.measure";
+  t.title = "Measure stems";
+  t.help =
+      "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
+      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per pass of the walk whose spread is estimated over all stems. Where sensor positions are known the "
+      "residual is the measured less the predicted range along the ray, and candidates that rays pass through are rejected. Every point gets the id of its tree.";
+  t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
+  t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.", false, {arrays::height_above_ground}},
+              {"slice", DataKind::cloud, "The slice that sets breast height.", false, {arrays::height_above_ground}},
+              {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
+              {"trajectory", DataKind::trajectory, "Sensor path, for clouds with time but without sensor positions.", true, {}}};
+  t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
+               {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
+               {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
+               {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
+  t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
+    StageResult result;
+    const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
+    auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory, options.as<MeasureOptions>(), run);
+    result.outputs.set("stems", stem_table(survey));
+    result.outputs.set("sections", section_table(survey));
+    result.outputs.set("rejected", rejected_table(survey));
+    result.outputs.set("points", std::move(survey.points));
+    result.report = std::move(survey.report);
+    return result;
+  };
+  return t;
+}
+
+}  // namespace
+
+void register_stems_stages(StageRegistry& registry) {
+  registry.add(slice_stage());
+  registry.add(measure_stage());
+}
+
+}  // namespace bole

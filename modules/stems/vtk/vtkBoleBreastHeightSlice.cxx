@@ -1,0 +1,5 @@
+#include "vtkBoleBreastHeightSlice.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleBreastHeightSlice)

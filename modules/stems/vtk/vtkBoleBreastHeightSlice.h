@@ -1,0 +1,17 @@
+// The layer of points around breast height. The stage `stems.slice` as a VTK algorithm: options, ports and method are those of the stage.
+#ifndef vtkBoleBreastHeightSlice_h
+#define vtkBoleBreastHeightSlice_h
+
+#include "vtkBoleStemsModule.h"  // for export macro
+#include "vtkBoleStage.h"
+
+class VTKBOLESTEMS_EXPORT vtkBoleBreastHeightSlice : public vtkBoleStage {
+ public:
+  static vtkBoleBreastHeightSlice* New();
+  vtkTypeMacro(vtkBoleBreastHeightSlice, vtkBoleStage)
+
+ protected:
+  vtkBoleBreastHeightSlice() { this->SetStageType("stems.slice"); }
+};
+
+#endif

@@ -1,0 +1,5 @@
+#include "vtkBoleMeasureStems.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleMeasureStems)

@@ -1,0 +1,22 @@
+// Robust means of small samples.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace bole::survey {
+
+double median(std::vector<double> values);  // NaN when empty
+
+struct RobustMean {
+  Eigen::VectorXd mean;
+  double sigma = 0;            // scatter of the inliers per axis
+  double standard_error = 0;   // of the mean, per axis
+  double effective_count = 0;  // sum of weights
+};
+
+// Location by Tukey's biweight (c = 4.685) from the component-wise median, scale by the median absolute deviation of the
+// distances but not below `least_sigma`. `weights` may be empty (all one). At least one sample.
+RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights, double least_sigma);
+
+}  // namespace bole::survey

@@ -1,0 +1,5 @@
+#include "vtkBoleSurveyFrame.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSurveyFrame)

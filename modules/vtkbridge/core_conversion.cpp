@@ -1,0 +1,121 @@
+#include "vtkbridge/core_conversion.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseKey.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+
+#include "vtkbridge/lazy_data.h"
+
+namespace {
+
+// Carries the core object in the information of a VTK data object.
+class vtkBoleCoreData : public vtkObjectBase {
+ public:
+  static vtkBoleCoreData* New() {
+    auto* result = new vtkBoleCoreData;  // NOLINT: VTK counts references
+    result->InitializeObjectBase();
+    return result;
+  }
+  std::shared_ptr<bole::LazyData> data;
+  vtkMTimeType time = 0;  // of the VTK object when it was attached
+};
+
+vtkInformationObjectBaseKey* core_data_key() {
+  static auto* key = vtkInformationObjectBaseKey::MakeKey("CORE_DATA", "vtkBoleStage");
+  return key;
+}
+
+// A table's own time does not cover its columns.
+vtkMTimeType time_of(vtkDataObject* object) {
+  vtkMTimeType time = object->GetMTime();
+  if (auto* table = vtkTable::SafeDownCast(object)) time = std::max(time, table->GetRowData()->GetMTime());
+  return time;
+}
+
+template <class T>
+T* require(vtkDataObject* object, const char* needed) {
+  if (auto* typed = T::SafeDownCast(object)) return typed;
+  throw bole::bad_input(std::string("a ") + (object ? object->GetClassName() : "missing object") + " is connected", std::string("a ") + needed);
+}
+
+}  // namespace
+
+namespace bole {
+
+const char* vtk_class_name(DataKind kind) {
+  if (kind == DataKind::table) return "vtkTable";
+  if (kind == DataKind::raster) return "vtkImageData";
+  return "vtkPolyData";
+}
+
+const char* vtk_input_class_name(DataKind kind) {
+  if (kind == DataKind::cloud || kind == DataKind::trajectory) return "vtkPointSet";
+  return vtk_class_name(kind);
+}
+
+void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index) {
+  switch (data_kind(data)) {
+    case DataKind::none:
+      out->Initialize();
+      break;
+    case DataKind::cloud:
+      to_vtk(std::get<std::shared_ptr<const PointCloud>>(data), require<vtkPolyData>(out, "vtkPolyData"));
+      break;
+    case DataKind::table:
+      to_vtk(std::get<std::shared_ptr<const Table>>(data), require<vtkTable>(out, "vtkTable"));
+      break;
+    case DataKind::raster:
+      to_vtk(std::get<std::shared_ptr<const Raster>>(data), require<vtkImageData>(out, "vtkImageData"));
+      break;
+    case DataKind::trajectory:
+      to_vtk(*std::get<std::shared_ptr<const Trajectory>>(data), require<vtkPolyData>(out, "vtkPolyData"));
+      break;
+    case DataKind::frames: {
+      const auto& source = *std::get<std::shared_ptr<const FrameSource>>(data);
+      ScanFrame frame;
+      if (frame_index < source.size()) source.read(frame_index, frame);
+      to_vtk(std::move(frame), require<vtkPolyData>(out, "vtkPolyData"));
+      break;
+    }
+  }
+}
+
+Data core_from_vtk(vtkDataObject* object, DataKind wanted) {
+  switch (wanted) {
+    case DataKind::cloud:
+      return cloud_from_vtk(require<vtkPointSet>(object, "vtkPointSet"));
+    case DataKind::table:
+      return table_from_vtk(require<vtkTable>(object, "vtkTable"));
+    case DataKind::raster:
+      return raster_from_vtk(require<vtkImageData>(object, "vtkImageData"));
+    case DataKind::trajectory:
+      return trajectory_from_vtk(require<vtkPointSet>(object, "vtkPointSet"));
+    case DataKind::frames:
+      throw bad_input("data without the frames of a scan is connected", "the output of a scan reader", "Connect io.read_scan");
+    case DataKind::none:
+      break;
+  }
+  return {};
+}
+
+void attach(vtkDataObject* object, std::shared_ptr<LazyData> data) {
+  vtkNew<vtkBoleCoreData> carrier;
+  carrier->data = std::move(data);
+  carrier->time = time_of(object);
+  object->GetInformation()->Set(core_data_key(), carrier);
+}
+
+std::shared_ptr<LazyData> attached(vtkDataObject* object) {
+  auto* carrier = dynamic_cast<vtkBoleCoreData*>(object->GetInformation()->Get(core_data_key()));
+  if (!carrier || time_of(object) > carrier->time) return nullptr;
+  return carrier->data;
+}
+
+}  // namespace bole

@@ -1,0 +1,56 @@
+// Core types as VTK data objects and back. Arrays whose layout agrees are shared, not copied: a VTK array keeps the core
+// object that it shows alive. Core objects never change once made; VTK filters do not change their inputs either.
+//
+//   PointCloud   vtkPolyData: points are float32 offsets; field data: origin (3 doubles), axes, crs, scale; columns are
+//                point-data arrays of their names. Rendering filters other than point mappers need vertices (add_vertices).
+//   Table        vtkTable: double, long long and string columns; facts are string arrays of the field data.
+//   Raster       vtkImageData: one point per cell, at its centre; a float array named after the quantity.
+//   Trajectory   vtkPolyData: a poly-line; point data: time (s), orientation (quaternion w, x, y, z).
+//   ScanFrame    vtkPolyData in sensor axes: time, range, ring, intensity, return_number.
+#pragma once
+
+#include <memory>
+
+#include "cloud/data.h"
+#include "vtkBoleBridgeModule.h"
+
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
+class vtkPointSet;
+class vtkPolyData;
+class vtkTable;
+
+namespace bole {
+
+class LazyData;
+
+VTKBOLEBRIDGE_EXPORT void to_vtk(const std::shared_ptr<const PointCloud>& cloud, vtkPolyData* out);
+VTKBOLEBRIDGE_EXPORT void to_vtk(const std::shared_ptr<const Table>& table, vtkTable* out);
+VTKBOLEBRIDGE_EXPORT void to_vtk(const std::shared_ptr<const Raster>& raster, vtkImageData* out);
+VTKBOLEBRIDGE_EXPORT void to_vtk(const Trajectory& trajectory, vtkPolyData* out);
+VTKBOLEBRIDGE_EXPORT void to_vtk(ScanFrame frame, vtkPolyData* out);
+// Any of them into a data object of the class that vtk_class_name() names; frames: the one at `frame_index`.
+VTKBOLEBRIDGE_EXPORT void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index = 0);
+
+// One poly-vertex cell over all points, so that any mapper draws them.
+VTKBOLEBRIDGE_EXPORT void add_vertices(vtkPolyData* cloud);
+
+// From the arrays of data that any VTK filter made. Points in double precision get an origin near their middle; colours and
+// vectors become one column per component (red, green, blue; name_0, name_1, ...). Throw Error{bad_input} naming what is missing.
+VTKBOLEBRIDGE_EXPORT std::shared_ptr<const PointCloud> cloud_from_vtk(vtkPointSet* points);
+VTKBOLEBRIDGE_EXPORT std::shared_ptr<const Table> table_from_vtk(vtkTable* table);
+VTKBOLEBRIDGE_EXPORT std::shared_ptr<const Raster> raster_from_vtk(vtkImageData* image);
+VTKBOLEBRIDGE_EXPORT std::shared_ptr<const Trajectory> trajectory_from_vtk(vtkPointSet* path);
+VTKBOLEBRIDGE_EXPORT Data core_from_vtk(vtkDataObject* object, DataKind wanted);
+
+// The class that shows a kind of data, and the class that an input of that kind accepts.
+VTKBOLEBRIDGE_EXPORT const char* vtk_class_name(DataKind kind);
+VTKBOLEBRIDGE_EXPORT const char* vtk_input_class_name(DataKind kind);
+
+// The core object that a VTK data object was made from rides along with it, so that the next stage takes it as it is.
+// attached() gives nothing when the VTK object was changed since.
+VTKBOLEBRIDGE_EXPORT void attach(vtkDataObject* object, std::shared_ptr<LazyData> data);
+VTKBOLEBRIDGE_EXPORT std::shared_ptr<LazyData> attached(vtkDataObject* object);
+
+}  // namespace bole

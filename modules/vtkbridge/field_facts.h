@@ -1,0 +1,22 @@
+// Words and numbers in the field data of a VTK data object: origin, axes, coordinate system.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cloud/point_cloud.h"
+
+class vtkDataObject;
+
+namespace bole {
+
+void set_text(vtkDataObject* object, std::string_view name, const std::string& text);
+std::optional<std::string> get_text(vtkDataObject* object, std::string_view name);
+void set_vector3(vtkDataObject* object, std::string_view name, const Eigen::Vector3d& value);
+std::optional<Eigen::Vector3d> get_vector3(vtkDataObject* object, std::string_view name);
+// The text "axes"; unknown when it is absent or no axes that we know.
+Axes get_axes(vtkDataObject* object);
+
+}  // namespace bole

@@ -1,0 +1,125 @@
+#include "vtkbridge/stage_execution.h"
+
+#include <spdlog/spdlog.h>
+
+#include "base/content_hash.h"
+
+namespace bole {
+namespace {
+
+// Hashes what it is given and keeps nothing.
+class HashingStore : public BlobStore {
+ public:
+  std::string put(std::span<const std::byte> bytes) override { return content_hash(bytes); }
+  std::size_t size(const std::string&) const override { return 0; }
+  void get(const std::string&, std::span<std::byte>) const override {}
+};
+
+StageResult run_now(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run) {
+  DataSet data;
+  for (const auto& [port, lazy] : inputs)
+    if (lazy) data.set(port, lazy->get());
+  return run_stage(type, data, options, run);
+}
+
+// A result that lies in the cache. Should it prove damaged, the stage is run once for all its outputs.
+class StoredResult {
+ public:
+  StoredResult(std::shared_ptr<ResultCache> cache, std::string key, std::function<DataSet()> run_again) : cache_(std::move(cache)), key_(std::move(key)), run_again_(std::move(run_again)) {}
+
+  Data load(const std::string& port, const std::string& stored) {
+    const std::lock_guard lock(mutex_);
+    try {
+      return cache_->load(stored, [&](const std::string&) { return again().get<FrameSource>(port); });
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::failed) throw;
+      spdlog::warn("{}; running the stage again", e.what());
+      cache_->remove(key_);
+      return again().all().at(port);
+    }
+  }
+
+ private:
+  const DataSet& again() {
+    if (!outputs_) outputs_ = run_again_();
+    return *outputs_;
+  }
+  std::mutex mutex_;
+  std::shared_ptr<ResultCache> cache_;
+  std::string key_;
+  std::function<DataSet()> run_again_;
+  std::optional<DataSet> outputs_;
+};
+
+std::function<DataSet()> repeat(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run) {
+  Run silent = run;
+  silent.progress = nullptr;
+  return [&type, options, inputs, silent] { return run_now(type, options, inputs, silent).outputs; };
+}
+
+std::string output_key(const std::string& key, const std::string& port) { return key.empty() ? key : key + "." + port; }
+
+}  // namespace
+
+std::string content_key(const Data& data) {
+  HashingStore store;
+  const std::string text = store_data(data, store);
+  return content_hash(std::as_bytes(std::span(text)));
+}
+
+std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, ResultCache& cache) {
+  ContentHash hash;
+  hash.add_text(BOLE_VERSION);
+  hash.add_text(type.name);
+  hash.add_value(type.version);
+  for (const auto& spec : type.options->specs) {
+    const std::string value = option_text(options.get(spec.name));
+    hash.add_text(spec.name);
+    hash.add_text(spec.text_kind == TextKind::input_path && !value.empty() ? cache.file_key(value) : value);
+    // The name counts as well: readers tell formats by it.
+    if (spec.text_kind == TextKind::input_path) hash.add_text(std::filesystem::path(value).filename().string());
+  }
+  for (const auto& [port, lazy] : inputs) {
+    hash.add_text(port);
+    hash.add_text(!lazy ? "none" : lazy->key().empty() ? content_key(lazy->get()) : lazy->key());
+  }
+  if (type.writes_files) hash.add_text(std::filesystem::absolute(run.output_dir).lexically_normal().string());
+  return hash.hex();
+}
+
+StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, const std::shared_ptr<ResultCache>& cache) {
+  StageExecution execution;
+  const std::string key = cache ? stage_key(type, options, inputs, run, *cache) : std::string();
+  const auto loader = [&] {
+    const auto stored = std::make_shared<StoredResult>(cache, key, repeat(type, options, inputs, run));
+    return [stored](const std::string& port, const std::string& text) -> std::function<Data()> { return [stored, port, text] { return stored->load(port, text); }; };
+  };
+  if (cache) {
+    if (const auto found = cache->find(key)) {
+      const auto load = loader();
+      for (const auto& [port, text] : found->outputs) {
+        const auto* declared = type.output(port);
+        execution.outputs[port] = std::make_shared<LazyData>(declared ? declared->kind : DataKind::none, output_key(key, port), load(port, text));
+      }
+      execution.report = found->report, execution.files = found->files, execution.from_cache = true;
+      return execution;
+    }
+  }
+  const auto before = type.writes_files ? list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()) : std::vector<WrittenFile>();
+  StageResult result = run_now(type, options, inputs, run);
+  if (type.writes_files) execution.files = changed_files(before, list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()));
+  const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish();
+  for (const auto& [port, data] : result.outputs.all()) execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
+  if (cache && whole) {
+    try {
+      const auto load = loader();
+      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files)) execution.outputs.at(port)->set_load(load(port, text));
+    } catch (const std::exception& e) {  // a full disk must not cost the result
+      spdlog::warn("{}: the result is not kept in the cache: {}", type.name, e.what());
+    }
+  }
+  execution.report = std::move(result.report);
+  return execution;
+}
+
+}  // namespace bole

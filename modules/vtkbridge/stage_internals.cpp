@@ -1,0 +1,195 @@
+#include "vtkbridge/stage_internals.h"
+
+#include <vtkDataObject.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+
+namespace bole {
+
+int port_index(const std::vector<Port>& ports, const char* name) {
+  const auto it = std::ranges::find(ports, std::string(name ? name : ""), &Port::name);
+  return it == ports.end() ? -1 : static_cast<int>(it - ports.begin());
+}
+
+std::string port_name(const std::vector<Port>& ports, int index) { return index >= 0 && index < static_cast<int>(ports.size()) ? ports[static_cast<std::size_t>(index)].name : std::string(); }
+
+std::string port_list(const std::vector<Port>& ports) {
+  std::string list;
+  for (const auto& port : ports) list += (list.empty() ? "" : ", ") + port.name;
+  return list.empty() ? "none" : list;
+}
+
+void StopRequests::begin() {
+  const std::lock_guard lock(mutex_);
+  cancel_ = std::stop_source();
+  finish_ = std::stop_source();
+}
+
+void StopRequests::cancel() {
+  const std::lock_guard lock(mutex_);
+  cancel_.request_stop();
+}
+
+void StopRequests::finish() {
+  const std::lock_guard lock(mutex_);
+  finish_.request_stop();
+}
+
+std::stop_token StopRequests::cancel_token() {
+  const std::lock_guard lock(mutex_);
+  return cancel_.get_token();
+}
+
+std::stop_token StopRequests::finish_token() {
+  const std::lock_guard lock(mutex_);
+  return finish_.get_token();
+}
+
+}  // namespace bole
+
+using bole::Error;
+
+const bole::OptionSpec& vtkBoleStage::Internals::spec(const char* name) const {
+  if (!type) throw bole::bad_input(wanted_type.empty() ? "no stage type is set" : "this build has no stage '" + wanted_type + "'", "a stage that `bole stages` lists");
+  return type->options->at(name ? name : "");
+}
+
+void vtkBoleStage::Internals::change_option(vtkBoleStage* self, const char* name, const bole::OptionValue& value) {
+  const auto before = options->get(name);
+  options->set(name, value);
+  if (options->get(name) != before) self->Modified();
+}
+
+bool vtkBoleStage::Internals::guarded(vtkBoleStage* self, const std::function<void()>& work) {
+  try {
+    work();
+    return true;
+  } catch (const Error& e) {
+    fail(self, e);
+  } catch (const std::exception& e) {
+    fail(self, bole::failure(e.what()));
+  }
+  return false;
+}
+
+bool vtkBoleStage::Internals::accepted(vtkBoleStage* self, const std::function<void()>& work) {
+  const int code_before = exit_code;
+  const bool ok = guarded(self, work);
+  exit_code = code_before;
+  return ok;
+}
+
+void vtkBoleStage::Internals::fail(vtkBoleStage* self, const Error& error) {
+  exit_code = error.exit_code();
+  error_text = error.what();
+  self->SetErrorCode(vtkErrorCode::UserError + static_cast<unsigned long>(exit_code));
+  vtkErrorWithObjectMacro(self, << error_text);
+}
+
+std::shared_ptr<bole::LazyData> vtkBoleStage::Internals::input(int port, vtkDataObject* object) {
+  const auto& declared = type->inputs[static_cast<std::size_t>(port)];
+  try {
+    if (!object) throw bole::bad_input("nothing is connected", declared.help);
+    if (auto data = bole::attached(object); data && data->kind() == declared.kind) return data;
+    return std::make_shared<bole::LazyData>(bole::core_from_vtk(object, declared.kind));
+  } catch (const Error& e) {
+    throw e.at("input '" + declared.name + "'").at(type->name);
+  }
+}
+
+bole::Run vtkBoleStage::Internals::make_run(vtkBoleStage* self) {
+  bole::Run run;
+  run.cancel = stop.cancel_token();
+  run.finish = stop.finish_token();
+  run.output_dir = control.output_dir;
+  run.scratch_dir = control.scratch_dir;
+  if (control.record) run.record = control.record();
+  run.progress = [this, self](double fraction, std::string_view what) {
+    self->SetProgressText(std::string(what).c_str());
+    self->UpdateProgress(fraction);
+    if (control.progress) control.progress(fraction, what);
+    if (self->GetAbortExecute()) stop.cancel();  // set by somebody who knows VTK alone
+  };
+  return run;
+}
+
+bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::PortData& inputs) const { return result && result_time_ >= const_cast<vtkBoleStage*>(self)->GetMTime() && inputs == result_inputs_; }
+
+bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::PortData& inputs) {
+  if (is_current(self, inputs)) return true;
+  result.reset();
+  exit_code = 0;
+  error_text.clear();
+  self->SetErrorCode(vtkErrorCode::NoError);
+  stop.begin();
+  const std::stop_callback forward_cancel(control.cancel, [this] { stop.cancel(); });
+  const std::stop_callback forward_finish(control.finish, [this] { stop.finish(); });
+  return guarded(self, [&] {
+    result = bole::execute_stage(*type, *options, inputs, make_run(self), control.cache);
+    result_inputs_ = inputs;
+    result_time_ = self->GetMTime();
+    if (!result->from_cache) ++executions;
+  });
+}
+
+void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t frame, bool core_only) {
+  const auto& declared = type->outputs[static_cast<std::size_t>(port)];
+  if (!result || !object) return;
+  const auto it = result->outputs.find(declared.name);
+  if (it == result->outputs.end()) return object->Initialize();
+  if (core_only) {
+    object->Initialize();
+  } else {
+    bole::to_vtk(it->second->get(), object, frame);
+    const bool drawn_as_points = declared.kind == bole::DataKind::cloud || declared.kind == bole::DataKind::frames;
+    if (vertices && drawn_as_points) bole::add_vertices(vtkPolyData::SafeDownCast(object));
+    if (declared.kind == bole::DataKind::frames)
+      if (const auto source = frames(declared.name); frame < source->size()) object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), source->frame_time_s(frame));
+  }
+  bole::attach(object, it->second);
+}
+
+std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const std::string& port) {
+  const auto data = result->outputs.at(port)->get();
+  if (const auto* source = std::get_if<std::shared_ptr<const bole::FrameSource>>(&data); source && *source) return *source;
+  throw bole::failure("output '" + port + "' holds no frames");
+}
+
+void vtkBoleStage::Internals::tell_times(const bole::Port& port, vtkInformation* info) {
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only) return;
+  const auto source = frames(port.name);
+  if (source->size() == 0) return;
+  std::vector<double> times(source->size());
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = source->frame_time_s(i);
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  const double range[]{times.front(), times.back()};
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+}
+
+// VTK wants to know the extent of an image before it is made. Ours shows only once the stage has run: until then it is empty.
+void vtkBoleStage::Internals::tell_extent(vtkDataObject* object, vtkInformation* info) {
+  int extent[6]{0, -1, 0, -1, 0, -1};
+  if (auto* image = vtkImageData::SafeDownCast(object); image && result) image->GetExtent(extent);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+}
+
+std::size_t vtkBoleStage::Internals::frame_wanted(int port, vtkInformation* info) {
+  const auto& declared = type->outputs[static_cast<std::size_t>(port)];
+  if (declared.kind != bole::DataKind::frames || control.core_only || !info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())) return 0;
+  const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+  const auto source = frames(declared.name);
+  // The last frame that starts at or before the time asked for.
+  std::size_t first = 0, last = source->size();
+  while (last - first > 1) {
+    const std::size_t middle = (first + last) / 2;
+    (source->frame_time_s(middle) <= time ? first : last) = middle;
+  }
+  return first;
+}

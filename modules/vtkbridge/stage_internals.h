@@ -1,0 +1,85 @@
+// The inside of vtkBoleStage.
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "pipeline/stage.h"
+#include "vtkBoleStage.h"
+#include "vtkType.h"
+#include "vtkbridge/core_conversion.h"
+#include "vtkbridge/stage_control.h"
+#include "vtkbridge/stage_execution.h"
+
+class vtkDataObject;
+class vtkInformation;
+
+namespace bole {
+
+int port_index(const std::vector<Port>& ports, const char* name);
+std::string port_name(const std::vector<Port>& ports, int index);  // empty when there is none
+std::string port_list(const std::vector<Port>& ports);
+
+// Asks of other threads to the stage that runs now.
+class StopRequests {
+ public:
+  // New tokens for a new execution.
+  void begin();
+  void cancel();
+  void finish();
+  std::stop_token cancel_token();
+  std::stop_token finish_token();
+
+ private:
+  std::mutex mutex_;
+  std::stop_source cancel_, finish_;
+};
+
+}  // namespace bole
+
+class vtkBoleStage::Internals {
+ public:
+  std::string wanted_type;
+  const bole::StageType* type = nullptr;
+  std::optional<bole::OptionSet> options;
+  bole::StageControl control;
+  bole::StopRequests stop;
+  bool vertices = true;
+
+  std::optional<bole::StageExecution> result;  // of the options and inputs as they stood at `result_time`
+  int executions = 0;
+  int exit_code = 0;
+  std::string error_text;
+
+  const bole::OptionSpec& spec(const char* name) const;
+  void change_option(vtkBoleStage* self, const char* name, const bole::OptionValue& value);
+
+  // Runs `work`; an Error becomes the stage's error. True when there was none.
+  bool guarded(vtkBoleStage* self, const std::function<void()>& work);
+  // The same for setters: what they refuse says nothing about the last execution.
+  bool accepted(vtkBoleStage* self, const std::function<void()>& work);
+  void fail(vtkBoleStage* self, const bole::Error& error);
+
+  // The core object behind an input.
+  std::shared_ptr<bole::LazyData> input(int port, vtkDataObject* object);
+  // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an error.
+  bool update(vtkBoleStage* self, const bole::PortData& inputs);
+  // Puts an output into its VTK object.
+  void fill(int port, vtkDataObject* object, std::size_t frame, bool core_only);
+
+  // Frames as VTK time steps; other outputs have none.
+  void tell_times(const bole::Port& port, vtkInformation* info);
+  void tell_extent(vtkDataObject* object, vtkInformation* info);
+  std::size_t frame_wanted(int port, vtkInformation* info);
+
+ private:
+  bole::Run make_run(vtkBoleStage* self);
+  bool is_current(const vtkBoleStage* self, const bole::PortData& inputs) const;
+  std::shared_ptr<const bole::FrameSource> frames(const std::string& port);
+
+  vtkMTimeType result_time_ = 0;
+  bole::PortData result_inputs_;
+};
