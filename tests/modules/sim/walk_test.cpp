@@ -20,11 +20,11 @@ TEST(SurveyPattern, goes_from_the_centre_over_the_north_west_to_the_south_east_a
     const double end = 0.5 * size - 1;
     EXPECT_LT(p.front().norm(), 1.5);
     EXPECT_LT(p.back().norm(), 1.5);
-    EXPECT_EQ(p[1].x(), -end);
-    EXPECT_GT(p[1].y(), 0.5 * size - 6);
-    EXPECT_EQ(p[p.size() - 2].x(), end);
-    EXPECT_EQ(p[p.size() - 2].y(), -p[1].y());
-    for (std::size_t i = 2; i + 2 < p.size(); i += 2) EXPECT_NEAR(p[i].y() - p[i + 1].y(), 6, 1e-9);  // next line
+    EXPECT_EQ(p[2].x(), -end);  // after a rounded turn
+    EXPECT_GT(p[2].y(), 0.5 * size - 6);
+    EXPECT_EQ(p[p.size() - 3].x(), end);
+    EXPECT_EQ(p[p.size() - 3].y(), -p[2].y());
+    for (std::size_t i = 3; i + 3 < p.size(); i += 2) EXPECT_NEAR(p[i].y() - p[i + 1].y(), 6, 1e-9);  // next line
   }
 }
 
