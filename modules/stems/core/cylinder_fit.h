@@ -13,6 +13,7 @@ struct BarkPoint {
   int pass = 0;                                   // from 0, consecutive
   int section = 0;
   std::uint32_t source = 0;  // into the cloud
+  float beam_variance = 0;   // of the energy across the beam at the point, one axis, square metres; 0: a thin ray
 };
 
 // Parameters: axis point (x, y) at z = 0, axis slopes, radius at z = 0 along the axis, radius per metre of stem; then an
@@ -54,7 +55,8 @@ struct CylinderFit {
 };
 
 // Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are
-// those by (x, y). Along rays, metres along the ray, positive when measured too far; else distance from the surface, positive outside.
+// those by (x, y). Along rays, metres along the ray, positive when measured too far, where a wide beam is
+// expected to measure the mean depth of the bark that it lights (second order in its width); else distance from the surface, positive outside.
 struct PointResidual {
   double value = 0;
   Eigen::Matrix<double, 6, 1> jacobian = Eigen::Matrix<double, 6, 1>::Zero();

@@ -16,7 +16,6 @@ namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is an even choice.
 constexpr std::size_t most_fit_points = 8000;
-constexpr double shape_floor_m = 0.0005;  // of the radius: no section is a circle
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
 double student_975(double freedom) {
@@ -98,7 +97,7 @@ class StemFitter {
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
-    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m;
+    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m, gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
     gather.lowest = options_.search_bottom_m - breast_height_ - 0.1, gather.highest = options_.search_top_m - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather);
     a.passes = number_passes(a.points, rays_, options_.pass_gap_s);
@@ -154,7 +153,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, shape_floor_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.along_rays = fit.along_rays, s.passes = a.passes;
   s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;

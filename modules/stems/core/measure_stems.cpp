@@ -128,9 +128,10 @@ class Survey {
     number();
   }
 
+  // Two stems of a fork touch at most; what overlaps a better stem by more is part of it.
   const Stem* twin_of(const Stem& s) const {
     for (const auto& o : out_.stems)
-      if ((o.breast_height - s.breast_height).head<2>().norm() < std::max(0.7 * std::max(o.radius, s.radius), 0.5 * (o.radius + s.radius))) return &o;
+      if ((o.breast_height - s.breast_height).head<2>().norm() < o.radius + s.radius - 0.5 * std::min(o.radius, s.radius)) return &o;
     return nullptr;
   }
 
@@ -140,12 +141,17 @@ class Survey {
       return;
     }
     run_.report(0.78, "rays through the candidates");
-    const auto sensor_of = [&](std::size_t i) -> std::optional<Eigen::Vector3f> {
+    const auto counts = count_rays(fitted_, points_, sensor_of_point(), run_);
+    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
+  }
+
+  // Null when no sensor positions are known.
+  SensorOf sensor_of_point() const {
+    if (!rays_.has_sensor()) return {};
+    return [this](std::size_t i) -> std::optional<Eigen::Vector3f> {
       if (rays_.sensor_x) return Eigen::Vector3f((*rays_.sensor_x)[i], (*rays_.sensor_y)[i], (*rays_.sensor_z)[i]);
       return sensor_at(*trajectory_, points_.origin, (*rays_.time)[i]);
     };
-    const auto counts = count_rays(fitted_, points_, sensor_of, run_);
-    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
   }
 
   void number() {
@@ -158,6 +164,7 @@ class Survey {
     run_.report(0.85, "points of each tree");
     auto labels = assign_points(out_.stems, points_, options_, run_);
     measure_heights(out_.stems, points_, labels, run_);
+    judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
     out_.points = points_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));

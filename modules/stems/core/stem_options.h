@@ -29,6 +29,8 @@ struct MeasureOptions {
   double section_step_m = 0.10;
   double max_sigma_m = 0.025;
   double ray_gate = 0.90;
+  double beam_divergence_mrad = 2.0;
+  double range_bias_m = 0.0012;
   double pass_gap_s = 10;
   double max_range_m = 20;
   double max_ray_through = 0.30;

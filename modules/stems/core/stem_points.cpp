@@ -55,7 +55,11 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     if (rays.has_sensor()) {
       const Eigen::Vector3d ray = in_cloud - sensor_of(layer, rays, k);
       range = ray.norm();
-      if (range > 0.1 && std::isfinite(range)) b.ray = axes.rotation * ray / range;
+      if (range > 0.1 && std::isfinite(range)) {
+        b.ray = axes.rotation * ray / range;
+        const double beam_radius = 0.5 * options.beam_divergence * range;
+        b.beam_variance = static_cast<float>(0.25 * beam_radius * beam_radius);  // of an evenly lit disc
+      }
     }
     near.push_back({b, range});
   });

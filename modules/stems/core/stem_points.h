@@ -36,6 +36,7 @@ struct GatherOptions {
   double radius = 0, taper = 0;
   double lowest = 0, highest = 0;  // along the stem from breast height, metres
   double max_range = 20;
+  double beam_divergence = 0;  // full angle, radians
 };
 
 // Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer
