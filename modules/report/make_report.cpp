@@ -108,9 +108,12 @@ class Writer {
 
   std::string area_text() const {
     switch (data_.area.shape) {
-      case PlotArea::Shape::rectangle: return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
-      case PlotArea::Shape::circle: return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
-      default: return "no boundary";
+      case PlotArea::Shape::rectangle:
+        return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
+      case PlotArea::Shape::circle:
+        return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
+      default:
+        return "no boundary";
     }
   }
 
@@ -140,10 +143,14 @@ class Writer {
 
   std::string axes_text() const {
     switch (data_.axes) {
-      case Axes::plot: return "plot (x east, y north, origin at the centre target)";
-      case Axes::map: return "map (levelled, origin and heading where the walk began)";
-      case Axes::global: return "projected coordinates";
-      default: return std::string(axes_name(data_.axes));
+      case Axes::plot:
+        return "plot (x east, y north, origin at the centre target)";
+      case Axes::map:
+        return "map (levelled, origin and heading where the walk began)";
+      case Axes::global:
+        return "projected coordinates";
+      default:
+        return std::string(axes_name(data_.axes));
     }
   }
 

@@ -58,7 +58,9 @@ void draw_scatter(Canvas& canvas, const Pairs& pairs) {
   draw_axes(canvas, frame, axes);
   const auto s = error_statistics(pairs.estimate, pairs.reference);
   draw_statistics(canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
-                  {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)", "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)", "R² = " + fixed(s.r_squared, 3)}, HAlign::left);
+                  {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)", "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)",
+                   "R² = " + fixed(s.r_squared, 3)},
+                  HAlign::left);
 }
 
 struct ErrorClass {
@@ -175,13 +177,25 @@ ErrorStatistics error_statistics(const std::vector<double>& estimate, const std:
 }
 
 Figure dbh_scatter(const Table& matches, double width_mm) {
-  Figure figure{"dbh_scatter", "Estimated against reference diameter", "Diameter at breast height of every matched tree; dashed: perfect agreement.", width_mm, 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1, true, {}};
+  Figure figure{"dbh_scatter",
+                "Estimated against reference diameter",
+                "Diameter at breast height of every matched tree; dashed: perfect agreement.",
+                width_mm,
+                3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
+                true,
+                {}};
   figure.draw = [pairs = matched_pairs(matches)](Canvas& canvas) { draw_scatter(canvas, pairs); };
   return figure;
 }
 
 Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
-  Figure figure{"dbh_errors", "Diameter error by class", "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 times the distance between them, and every tree as a dot.", width_mm, 0.72 * width_mm, true, {}};
+  Figure figure{"dbh_errors",
+                "Diameter error by class",
+                "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 times the distance between them, and every tree as a dot.",
+                width_mm,
+                0.72 * width_mm,
+                true,
+                {}};
   figure.draw = [classes = error_classes(matched_pairs(matches), class_cm), class_cm](Canvas& canvas) { draw_boxes(canvas, classes, class_cm); };
   return figure;
 }

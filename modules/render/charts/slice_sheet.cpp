@@ -151,7 +151,8 @@ std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, do
     Figure figure;
     figure.name = fmt::format("slices_{:02}", pages.size() + 1);
     figure.title = "Breast-height slices" + (order.size() > per_page ? fmt::format(" ({} of {})", pages.size() + 1, (order.size() + per_page - 1) / per_page) : std::string());
-    figure.caption = "Points at breast height (one colour per pass), fitted circle and the ring of its 95 % interval; diameter at breast height with half of that interval; n: points in the slice. The least certain trees come first.";
+    figure.caption =
+        "Points at breast height (one colour per pass), fitted circle and the ring of its 95 % interval; diameter at breast height with half of that interval; n: points in the slice. The least certain trees come first.";
     figure.width_mm = width_mm;
     figure.height_mm = static_cast<double>(rows) * (height + gap_mm) - gap_mm + 0.4;
     figure.draw = [panels, page, side, height, columns = static_cast<std::size_t>(options.columns)](Canvas& canvas) {

@@ -45,7 +45,9 @@ void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
 
 Surface raster(const Figure& figure, double dpi) {
   const double w = std::round(figure.width_mm / mm_per_inch * dpi), h = std::round(figure.height_mm / mm_per_inch * dpi);
-  if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels)) throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " + std::to_string(static_cast<long>(h)) + " pixels", "at most " + std::to_string(most_pixels) + " a side", "Lower its resolution or width");
+  if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
+    throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " + std::to_string(static_cast<long>(h)) + " pixels", "at most " + std::to_string(most_pixels) + " a side",
+                    "Lower its resolution or width");
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);
   draw_on(surface.get(), figure, dpi / mm_per_inch);

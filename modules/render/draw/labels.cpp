@@ -43,7 +43,8 @@ std::vector<Candidate> candidates_of(const LabelRequest& request) {
 
 class Placer {
  public:
-  Placer(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds) : requests_(requests), obstacles_(obstacles), bounds_(bounds), chosen_(requests.size()), placed_(requests.size(), false) {}
+  Placer(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds)
+      : requests_(requests), obstacles_(obstacles), bounds_(bounds), chosen_(requests.size()), placed_(requests.size(), false) {}
 
   std::vector<LabelPlace> run() {
     for (int round = 0; round < 3; ++round)

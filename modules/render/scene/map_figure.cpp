@@ -298,7 +298,8 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
 
 std::string caption_of(const Drawing& d) {
   const char* by = d.view.coloring.by == PointColor::tree ? "tree" : d.view.coloring.by == PointColor::intensity ? "intensity" : "height above ground";
-  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by + (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by +
+         (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
 }
 
 }  // namespace
@@ -330,7 +331,8 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   view.indices.clear();
 
   const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
-  Figure figure{std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
+  Figure figure{
+      std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
   figure.draw = [drawing](Canvas& canvas) {
     canvas.rectangle(canvas.sheet(), ground_color(drawing->options));
     canvas.image(drawing->picture, drawing->view.box);

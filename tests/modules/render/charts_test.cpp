@@ -27,7 +27,13 @@ StemMapData map_data() {
 
 std::vector<Figure> all_charts() {
   const auto& s = survey();
-  std::vector<Figure> figures{stem_map(map_data(), 160), dbh_scatter(s.matches, 85), dbh_error_boxes(s.matches, 85), dbh_histogram(s.stems.numbers("dbh_cm"), 85), position_errors(s.matches, 85), trajectory_plan(s.trajectory, &s.reference, 120), trajectory_plan(s.trajectory, nullptr, 120)};
+  std::vector<Figure> figures{stem_map(map_data(), 160),
+                              dbh_scatter(s.matches, 85),
+                              dbh_error_boxes(s.matches, 85),
+                              dbh_histogram(s.stems.numbers("dbh_cm"), 85),
+                              position_errors(s.matches, 85),
+                              trajectory_plan(s.trajectory, &s.reference, 120),
+                              trajectory_plan(s.trajectory, nullptr, 120)};
   figures.back().name = "trajectory_time";
   for (auto& page : slice_sheets(s.stems, s.slice, 180)) figures.push_back(page);
   return figures;
@@ -45,7 +51,8 @@ int pixels_near(const Image& image, const Color& color, double tolerance = 0.08)
 
 Table one_stem(double dbh_cm, const std::string& quality) {
   Table t;
-  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}), t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh_cm}), t.set("quality", std::vector<std::string>{quality});
+  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}), t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh_cm}),
+      t.set("quality", std::vector<std::string>{quality});
   return t;
 }
 

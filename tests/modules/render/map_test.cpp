@@ -51,11 +51,11 @@ TEST(EyeDome, DarkensTheFarSideOfAStepWithinItsBound) {
   shade_eye_dome(rgb, depth, w, h, {2, 0.5, 0.6});
   const auto at = [&](int x) { return rgb[static_cast<std::size_t>(3 * (5 * w + x))]; };
   EXPECT_EQ(at(5), 200);
-  EXPECT_EQ(at(19), 200);   // the near side
-  EXPECT_LT(at(20), 170);   // beside it, the far side
-  EXPECT_GE(at(20), 80);    // never below 1 - strength
+  EXPECT_EQ(at(19), 200);  // the near side
+  EXPECT_LT(at(20), 170);  // beside it, the far side
+  EXPECT_GE(at(20), 80);   // never below 1 - strength
   EXPECT_EQ(at(30), 200);
-  EXPECT_EQ(at(39), 200);   // background
+  EXPECT_EQ(at(39), 200);  // background
 }
 
 TEST(Stems, PointsOnThemGoAndOthersStay) {

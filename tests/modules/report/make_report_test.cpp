@@ -84,8 +84,28 @@ TEST_F(MakeReport, WritesEverything) {
   if (keep_) options = {};
   const auto result = make_report(inputs_of(s), options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
-  for (const char* file : {"stems.csv", "sections.csv", "rejected.csv", "matches.csv", "trajectory.tum", "cloud.las", "dem.tif", "plot.gpkg", "report.html", "figures/stem_map.png", "figures/stem_map.svg", "figures/stem_map.pdf", "figures/map_height.png", "figures/map_tree.png", "figures/map_intensity.png", "figures/map_top_height.png",
-                           "figures/dbh_scatter.svg", "figures/dbh_errors.pdf", "figures/dbh_histogram.png", "figures/position_errors.png", "figures/trajectory.svg", "figures/slices_01.png"})
+  for (const char* file : {"stems.csv",
+                           "sections.csv",
+                           "rejected.csv",
+                           "matches.csv",
+                           "trajectory.tum",
+                           "cloud.las",
+                           "dem.tif",
+                           "plot.gpkg",
+                           "report.html",
+                           "figures/stem_map.png",
+                           "figures/stem_map.svg",
+                           "figures/stem_map.pdf",
+                           "figures/map_height.png",
+                           "figures/map_tree.png",
+                           "figures/map_intensity.png",
+                           "figures/map_top_height.png",
+                           "figures/dbh_scatter.svg",
+                           "figures/dbh_errors.pdf",
+                           "figures/dbh_histogram.png",
+                           "figures/position_errors.png",
+                           "figures/trajectory.svg",
+                           "figures/slices_01.png"})
     EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
   EXPECT_EQ(read_table(dir_ / "stems.csv").rows(), s.stems.rows());
@@ -97,13 +117,13 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_THAT(html, HasSubstr("data:image/svg+xml;base64,"));
   EXPECT_THAT(page, Not(HasSubstr("http")));
   EXPECT_THAT(page, Not(testing::ContainsRegex("(src|href)=\"[^\"]")));
-  EXPECT_THAT(page, HasSubstr("20.0 m × 20.0 m"));            // from the targets
+  EXPECT_THAT(page, HasSubstr("20.0 m × 20.0 m"));  // from the targets
   EXPECT_THAT(page, HasSubstr("a warning of the slice &amp; more"));
   EXPECT_THAT(page, HasSubstr("&lt;around&gt;"));
   EXPECT_THAT(page, HasSubstr("thickness"));
   EXPECT_THAT(page, HasSubstr("321"));
   EXPECT_THAT(page, HasSubstr("rays pass through it"));
-  EXPECT_THAT(page, HasSubstr("1.03"));                        // published
+  EXPECT_THAT(page, HasSubstr("1.03"));  // published
   EXPECT_EQ(testing_data::markup_trouble(page), "");
 }
 
