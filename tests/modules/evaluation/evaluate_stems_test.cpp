@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include "evaluation/core/evaluate_stems.h"
 
 #include <gmock/gmock.h>
