@@ -1,6 +1,8 @@
 // A packet capture from memory: whatever the bytes are, the reader gives frames or an Error.
 #include "io/core/velodyne_pcap.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

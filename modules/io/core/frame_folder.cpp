@@ -173,6 +173,10 @@ void FrameFolderSource::learn_rings() {
   } catch (const Error& e) {
     throw e.at(files_.front().string());
   }
+  if (files_.front().extension() == ".bin" && !frame.intensity.empty() && std::ranges::max(frame.intensity) <= 1) {
+    intensity_factor_ = 255;
+    report_.facts["intensity"] = "0 to 1 in the files, times 255";
+  }
   if (model_) {
     elevations_rad_ = model_->ring_elevations_rad();
     return;
@@ -207,7 +211,7 @@ void FrameFolderSource::keep_valid(ScanFrame& frame) const {
     const float range = frame.positions[i].norm();
     if (!(range >= static_cast<float>(options_.min_range) && range <= static_cast<float>(options_.max_range)) || range == 0) continue;
     frame.positions[kept] = frame.positions[i];
-    frame.intensity[kept] = frame.intensity[i];
+    frame.intensity[kept] = intensity_factor_ * frame.intensity[i];
     if (!frame.time_offset_s.empty()) frame.time_offset_s[kept] = frame.time_offset_s[i];
     if (!frame.ring.empty()) frame.ring[kept] = frame.ring[i];
     ++kept;

@@ -11,6 +11,7 @@ namespace bole {
 
 // 000000.bin: x, y, z, intensity as little-endian float32 per point, sensor axes. 000000.pcd: fields x y z, and when there
 // are any of them intensity, ring (channel), time (t, timestamp).
+// Intensities of .bin files that go from 0 to 1, as KITTI's do, become 0 to 255 as those of packets.
 // Beside the frames (in the folder or, as KITTI has it, one above):
 //   times.txt       one line per frame, seconds; timestamps.txt: KITTI's dates. Neither: frames follow at frame_period.
 //   000000.time     float32 per point of 000000.bin: seconds after the frame's line in times.txt, which then is its start.
@@ -53,6 +54,7 @@ class FrameFolderSource : public FrameSource {
   double period_s_ = 0.1;
   std::optional<SensorModel> model_;
   bool ring_order_ = false;
+  float intensity_factor_ = 1;
   std::vector<double> elevations_rad_;
   Report report_;
 };

@@ -131,7 +131,13 @@ Table::Values typed(std::string_view name, std::vector<std::string>&& cells, boo
 }
 
 char delimiter_of(std::string_view header) {
-  const auto commas = std::ranges::count(header, ','), semicolons = std::ranges::count(header, ';'), tabs = std::ranges::count(header, '\t');
+  std::size_t commas = 0, semicolons = 0, tabs = 0;
+  bool quoted = false;
+  for (const char c : header) {
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    commas += c == ',' ? 1 : 0, semicolons += c == ';' ? 1 : 0, tabs += c == '\t' ? 1 : 0;
+  }
   if (tabs > commas && tabs > semicolons) return '\t';
   return semicolons > commas ? ';' : ',';
 }
@@ -151,7 +157,7 @@ std::pair<std::size_t, std::size_t> read_facts(Bytes file, Table& table) {
 }
 
 void append_cell(std::string& out, const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos && (cell.empty() || (cell.front() != ' ' && cell.back() != ' ' && cell.front() != '#'))) {
+  if (cell.find_first_of(",;\t\"\r\n") == std::string::npos && trimmed(cell) == cell && !cell.starts_with('#')) {
     out += cell;
     return;
   }

@@ -148,6 +148,7 @@ void VelodynePcapSource::index(const Run& run) {
     throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" + port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"), "datagrams of 1206 bytes",
                     other_port > 0 ? "Data packets were seen on another port: set the option port to 0" : "Is this the recording of a Velodyne sensor?");
   }
+  if (frames_.empty()) throw bad_input("'" + name_ + "' has " + plural(data_packets, "data packet") + " whose blocks are all damaged", "Velodyne data packets of a " + decoder_->model().name);
   drop_partial_ends();
   const double complete_turn = usual_turn_centideg() * complete_share;
   counts["frames"] = static_cast<std::int64_t>(frames_.size());

@@ -138,6 +138,8 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<Vel
 
 std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet) {
   const bool two_banks = std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == velodyne_lower_block; });
+  // The VLS-128 has two more kinds of blocks.
+  if (std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == 0xCCFF || b.flag == 0xBBFF; })) return std::nullopt;
   for (const auto& name : sensor_model_names()) {
     auto model = load_sensor_model(name);
     if (model.packet != PacketFormat::velodyne) continue;

@@ -237,7 +237,7 @@ TEST(ReadCloud, OtherFilesGetASentence) {
 PointCloud sample_cloud() {
   PointCloud::Positions positions{{0.5F, 1.25F, 2.F}, {-3.F, 4.F, 5.F}};
   PointCloud cloud(positions, {450000, 5400000, 0});
-  cloud.set_column(arrays::intensity, std::vector<float>{1.5F, 100});
+  cloud.set_column(arrays::intensity, std::vector<float>{1, 100});
   cloud.set_column(arrays::time, std::vector<double>{1.7e9 + 0.123456, 1.7e9 + 1});
   cloud.set_column(arrays::classification, std::vector<std::uint8_t>{2, 5});
   cloud.set_column(arrays::tree_id, std::vector<std::int32_t>{0, 12});

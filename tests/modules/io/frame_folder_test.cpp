@@ -121,6 +121,16 @@ TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
   EXPECT_NEAR(frame.start_time_s + frame.time_offset_s[0], 1317042145.964389445, 1e-6);  // forward
 }
 
+TEST(FrameFolder, IntensitiesFromZeroToOneBecomeBytes) {
+  const TempDir dir;
+  std::string bin;
+  for (const float v : {3.F, 0.F, 0.F, 0.5F, 0.F, 3.F, 0.F, 1.F}) put(bin, v);
+  write_file(dir / "0.bin", bin);
+  ScanFrame frame;
+  open_frame_source(dir.path())->read(0, frame);
+  EXPECT_EQ(frame.intensity, (std::vector<float>{127.5F, 255}));
+}
+
 TEST(FrameFolder, TimesThatDoNotFitAreLeftOutWithAWarning) {
   const TempDir dir;
   write_file(dir / "0.bin", bin_of({{3, 0, 0}}));

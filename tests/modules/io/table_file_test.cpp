@@ -63,6 +63,9 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(back.numbers("x_m")[0], 1.235);
   EXPECT_EQ(back.texts("note"), t.texts("note"));
   EXPECT_EQ(back.texts("empty"), t.texts("empty"));
+  Table odd;
+  odd.set("a;b;c", std::vector<std::string>{"\vx\t"});
+  EXPECT_EQ(read(table_text(odd)).texts("a;b;c"), odd.texts("a;b;c"));
   Table one;
   one.set("note", std::vector<std::string>{"a", "", "b"});
   EXPECT_EQ(read(table_text(one)).texts("note"), one.texts("note"));
