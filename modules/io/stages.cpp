@@ -2,6 +2,7 @@
 #include "io/core/cloud_reader.h"
 #include "io/core/frame_source.h"
 #include "io/core/table_file.h"
+#include "io/core/trajectory_file.h"
 #include "pipeline/stage.h"
 
 namespace bole {
@@ -17,6 +18,12 @@ struct ReadCloudOptions : CloudReadOptions {
 
 struct ReadTableOptions {
   std::string file;
+};
+
+struct ReadTrajectoryOptions {
+  std::string file;
+  std::string format = "auto";
+  std::string axes = "plot";
 };
 
 // The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
@@ -98,12 +105,41 @@ StageType read_table_stage() {
   return type;
 }
 
+StageType read_trajectory_stage() {
+  using S = ReadTrajectoryOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
+      Option<S, std::string>{"format", &S::format, TextKind::choice, {"auto", "tum", "kitti"}, Tier::advanced, "Format of the file; auto tells them apart by the number of values per line."},
+      Option<S, std::string>{"axes", &S::axes, TextKind::choice, {"unknown", "map", "plot", "global"}, Tier::advanced, "Axes that the poses are in."},
+  });
+  StageType type;
+  type.name = "io.read_trajectory";
+  type.title = "Read a trajectory";
+  type.help = "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
+  type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
+  type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run&) {
+    const auto& o = options.as<S>();
+    StageResult result;
+    auto trajectory = read_trajectory(o.file, o.format);
+    trajectory.axes = axes_from_name(o.axes);
+    result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
+    result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
+    result.report.message = std::to_string(trajectory.poses.size()) + " poses";
+    result.outputs.set("trajectory", std::move(trajectory));
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_io_stages(StageRegistry& registry) {
   registry.add(read_scan());
   registry.add(read_cloud_stage());
   registry.add(read_table_stage());
+  registry.add(read_trajectory_stage());
 }
 
 }  // namespace bole

@@ -1,5 +1,6 @@
 #include "report/exports.h"
 
+#include "io/core/gdal_writer.h"
 #include "io/core/las_writer.h"
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
@@ -9,8 +10,64 @@ namespace {
 
 // Digits that mean something: a tenth of a millimetre in position, a tenth of a millimetre in diameter.
 const Decimals& table_decimals() {
-  static const Decimals decimals{{"x_m", 4}, {"y_m", 4}, {"z_m", 4}, {"ref_x_m", 4}, {"ref_y_m", 4}, {"dx_m", 4}, {"dy_m", 4}, {"dbh_cm", 2}, {"ref_dbh_cm", 2}, {"dbh_error_cm", 2}, {"dbh_lo_cm", 2}, {"dbh_hi_cm", 2}, {"diameter_cm", 2}, {"height_m", 3}, {"height_seen", 3}, {"lean_deg", 2}, {"lean_azimuth_deg", 1}, {"taper_cm_per_m", 2}, {"arc_deg", 1}, {"pass_spread_cm", 2}, {"sigma_cm", 2}};
+  static const Decimals decimals{{"x_m", 4},
+                                 {"y_m", 4},
+                                 {"z_m", 4},
+                                 {"ref_x_m", 4},
+                                 {"ref_y_m", 4},
+                                 {"dx_m", 4},
+                                 {"dy_m", 4},
+                                 {"dbh_cm", 2},
+                                 {"ref_dbh_cm", 2},
+                                 {"dbh_error_cm", 2},
+                                 {"dbh_lo_cm", 2},
+                                 {"dbh_hi_cm", 2},
+                                 {"diameter_cm", 2},
+                                 {"height_m", 3},
+                                 {"height_seen", 3},
+                                 {"lean_deg", 2},
+                                 {"lean_azimuth_deg", 1},
+                                 {"taper_cm_per_m", 2},
+                                 {"arc_deg", 1},
+                                 {"pass_spread_cm", 2},
+                                 {"sigma_cm", 2}};
   return decimals;
+}
+
+std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outline) {
+  std::vector<Eigen::Vector3d> points;
+  for (const auto& p : outline) points.emplace_back(p.x(), p.y(), 0);
+  return points;
+}
+
+VectorLayer boundary_layer(const PlotArea& area, const std::string& crs_wkt) {
+  VectorLayer layer{"plot", GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt};
+  layer.attributes.set("area_m2", std::vector<double>{area.area_m2()});
+  return layer;
+}
+
+VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt) {
+  constexpr double step_m = 0.05;  // enough for a plan; trajectory.tum has all
+  std::vector<Eigen::Vector3d> line;
+  for (const auto& pose : trajectory.poses)
+    if (const Eigen::Vector3d p = pose.T_target_sensor.translation(); line.empty() || (p - line.back()).norm() >= step_m) line.push_back(p);
+  VectorLayer layer{"trajectory", GeometryKind::line, {std::move(line)}, {}, crs_wkt};
+  layer.attributes.set("length_m", std::vector<double>{trajectory.length_m()});
+  return layer;
+}
+
+void write_layers(const std::filesystem::path& path, const SurveyData& d) {
+  const std::string crs = d.points != nullptr && d.axes == Axes::global ? d.points->crs_wkt : std::string();
+  std::vector<VectorLayer> layers{point_layer("stems", *d.stems, crs)};
+  const auto add_points = [&](const char* name, const Table* table) {
+    if (table != nullptr && table->rows() > 0) layers.push_back(point_layer(name, *table, crs));
+  };
+  add_points("targets", d.targets);
+  add_points("rejected", d.rejected);
+  add_points("sections", d.sections);
+  if (!d.area.outline().empty()) layers.push_back(boundary_layer(d.area, crs));
+  if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
+  write_geopackage(path, layers);
 }
 
 }  // namespace
@@ -25,6 +82,8 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
   if (o.tables && d.trajectory != nullptr) exports.push_back({"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
+  if (o.tables && d.dem != nullptr) exports.push_back({"dem.tif", [&d](const auto& path, const Run&, Report&) { write_geotiff(path, *d.dem); }});
+  if (o.tables) exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
   if (o.cloud && d.points != nullptr) exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) { write_las(path, *d.points, {}, run, &report); }});
   return exports;
 }

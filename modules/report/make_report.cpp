@@ -3,11 +3,11 @@
 #include <cairo.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <vtkVersion.h>
 
 #include <cmath>
 #include <ctime>
 
+#include "base/version.h"
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
 #include "render/offscreen/offscreen.h"
@@ -108,9 +108,12 @@ class Writer {
 
   std::string area_text() const {
     switch (data_.area.shape) {
-      case PlotArea::Shape::rectangle: return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
-      case PlotArea::Shape::circle: return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
-      default: return "no boundary";
+      case PlotArea::Shape::rectangle:
+        return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
+      case PlotArea::Shape::circle:
+        return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
+      default:
+        return "no boundary";
     }
   }
 
@@ -129,7 +132,9 @@ class Writer {
       for (const auto& stage : run_.record->stages)
         for (const auto& w : stage.report.warnings) content.warnings.push_back(stage.id + ": " + w);
     for (const auto& w : result_.report.warnings) content.warnings.push_back("report: " + w);
-    content.versions = {{"Bole", BOLE_VERSION}, {"VTK", vtkVersion::GetVTKVersion()}, {"Cairo", cairo_version_string()}};
+    content.versions = {{"Bole", std::string(version())}};
+    for (auto& library : library_versions()) content.versions.push_back(std::move(library));
+    content.versions.emplace_back("Cairo", cairo_version_string());
     content.files = files_;
     write_file(run_.output_dir / "report.html", report_html(content));
     files_.push_back("report.html");
@@ -138,10 +143,14 @@ class Writer {
 
   std::string axes_text() const {
     switch (data_.axes) {
-      case Axes::plot: return "plot (x east, y north, origin at the centre target)";
-      case Axes::map: return "map (levelled, origin and heading where the walk began)";
-      case Axes::global: return "projected coordinates";
-      default: return std::string(axes_name(data_.axes));
+      case Axes::plot:
+        return "plot (x east, y north, origin at the centre target)";
+      case Axes::map:
+        return "map (levelled, origin and heading where the walk began)";
+      case Axes::global:
+        return "projected coordinates";
+      default:
+        return std::string(axes_name(data_.axes));
     }
   }
 

@@ -6,7 +6,12 @@ const OptionTable& option_table(const ReportOptions*) {
   using S = ReportOptions;
   static const OptionTable table = make_option_table<S>({
       Option<S, std::string>{"title", &S::title, TextKind::plain, {}, Tier::basic, "Title of the report."},
-      Option<S, std::string>{"plot_shape", &S::plot_shape, TextKind::choice, {"auto", "rectangle", "circle", "none"}, Tier::basic, "Boundary that counts for values per hectare; auto: a square twice as wide as the distance from the centre to the north target, none without targets."},
+      Option<S, std::string>{"plot_shape",
+                             &S::plot_shape,
+                             TextKind::choice,
+                             {"auto", "rectangle", "circle", "none"},
+                             Tier::basic,
+                             "Boundary that counts for values per hectare; auto: a square twice as wide as the distance from the centre to the north target, none without targets."},
       Option<S, double>{"plot_size", &S::plot_size, Unit::metre, {1, 10000}, Tier::basic, "Side of a rectangular (square) plot or diameter of a circular one, horizontal."},
       Option<S, double>{"plot_x", &S::plot_x, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, x in the axes of the stems."},
       Option<S, double>{"plot_y", &S::plot_y, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, y in the axes of the stems."},

@@ -12,11 +12,11 @@ namespace bole {
 
 // A figure still to be made: making may take seconds (3-D maps) and may throw.
 struct FigurePlan {
-  std::string name;                              // for messages
-  std::function<std::vector<Figure>()> make;     // one, or the pages of a sheet
-  bool wide = true;                              // over the whole page of the report
-  bool picture = false;                          // embedded as pixels even where it could be vector
-  double share = 1;                              // of the time that all figures take, about
+  std::string name;                           // for messages
+  std::function<std::vector<Figure>()> make;  // one, or the pages of a sheet
+  bool wide = true;                           // over the whole page of the report
+  bool picture = false;                       // embedded as pixels even where it could be vector
+  double share = 1;                           // of the time that all figures take, about
 };
 
 // Those that the connected inputs allow, in the order of the report. `data` must outlive the plans.

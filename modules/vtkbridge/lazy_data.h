@@ -18,8 +18,10 @@ class LazyData {
   LazyData(DataKind kind, std::string key, std::function<Data()> load) : key_(std::move(key)), load_(std::move(load)), kind_(kind) {}
 
   const std::string& key() const { return key_; }
-  DataKind kind() const { return loaded() ? data_kind(data_) : kind_; }
-
+  DataKind kind() const {
+    const std::lock_guard lock(mutex_);
+    return loaded_ ? data_kind(data_) : kind_;
+  }
   bool loaded() const {
     const std::lock_guard lock(mutex_);
     return loaded_;
@@ -35,10 +37,15 @@ class LazyData {
     return data_;
   }
 
-  // Lets go of the data when it can be had again; `load` names the way when there was none before.
-  void release(std::function<Data()> load = {}) {
+  // Names a way to have the data again, so that it can be released.
+  void set_load(std::function<Data()> load) {
     const std::lock_guard lock(mutex_);
-    if (load) load_ = std::move(load);
+    load_ = std::move(load);
+  }
+
+  // Lets go of the data when it can be had again.
+  void release() {
+    const std::lock_guard lock(mutex_);
     if (!loaded_ || !load_) return;
     kind_ = data_kind(data_);
     data_ = {};

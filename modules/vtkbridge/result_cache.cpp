@@ -129,13 +129,18 @@ std::optional<CachedResult> ResultCache::find(const std::string& key) {
   return result;
 }
 
-void ResultCache::store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files) {
+std::map<std::string, std::string> ResultCache::store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files) {
   ordered_json entry{{"stage", stage_type}, {"report", report_to_json(result.report)}, {"outputs", ordered_json::object()}, {"files", files_to_json(files)}};
-  for (const auto& [port, data] : result.outputs.all()) entry["outputs"][port] = ordered_json::parse(store_data(data, *this));
+  std::map<std::string, std::string> stored;
+  for (const auto& [port, data] : result.outputs.all()) {
+    stored[port] = store_data(data, *this);
+    entry["outputs"][port] = ordered_json::parse(stored[port]);
+  }
   try {
     const auto body = entry.dump();
     ordered_json file{{"format", entry_format}, {"checksum", content_hash(std::as_bytes(std::span(body)))}, {"entry", std::move(entry)}};
     write_atomically(result_path(key), file.dump(1));
+    return stored;
   } catch (const nlohmann::json::exception& e) {
     throw failure(std::string("a result cannot be stored: ") + e.what());
   }

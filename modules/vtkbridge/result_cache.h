@@ -50,7 +50,8 @@ class ResultCache : private BlobStore {
 
   // The result under a key, when all its parts are there; its arrays are checked when they are loaded.
   std::optional<CachedResult> find(const std::string& key);
-  void store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files);
+  // Returns what load() takes, per port.
+  std::map<std::string, std::string> store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files);
   void remove(const std::string& key);
   // Throws Error{failed} when an array is damaged.
   Data load(const std::string& stored, const FrameOpener& open_frames) const { return load_data(stored, *this, open_frames); }

@@ -90,12 +90,16 @@ std::string stage_key(const StageType& type, const OptionSet& options, const Por
 StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, const std::shared_ptr<ResultCache>& cache) {
   StageExecution execution;
   const std::string key = cache ? stage_key(type, options, inputs, run, *cache) : std::string();
+  const auto loader = [&] {
+    const auto stored = std::make_shared<StoredResult>(cache, key, repeat(type, options, inputs, run));
+    return [stored](const std::string& port, const std::string& text) -> std::function<Data()> { return [stored, port, text] { return stored->load(port, text); }; };
+  };
   if (cache) {
     if (const auto found = cache->find(key)) {
-      const auto stored = std::make_shared<StoredResult>(cache, key, repeat(type, options, inputs, run));
+      const auto load = loader();
       for (const auto& [port, text] : found->outputs) {
         const auto* declared = type.output(port);
-        execution.outputs[port] = std::make_shared<LazyData>(declared ? declared->kind : DataKind::none, output_key(key, port), [stored, port, text] { return stored->load(port, text); });
+        execution.outputs[port] = std::make_shared<LazyData>(declared ? declared->kind : DataKind::none, output_key(key, port), load(port, text));
       }
       execution.report = found->report, execution.files = found->files, execution.from_cache = true;
       return execution;
@@ -108,7 +112,8 @@ StageExecution execute_stage(const StageType& type, const OptionSet& options, co
   for (const auto& [port, data] : result.outputs.all()) execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
   if (cache && whole) {
     try {
-      cache->store(key, type.name, result, execution.files);
+      const auto load = loader();
+      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files)) execution.outputs.at(port)->set_load(load(port, text));
     } catch (const std::exception& e) {  // a full disk must not cost the result
       spdlog::warn("{}: the result is not kept in the cache: {}", type.name, e.what());
     }

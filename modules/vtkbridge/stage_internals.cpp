@@ -77,6 +77,13 @@ bool vtkBoleStage::Internals::guarded(vtkBoleStage* self, const std::function<vo
   return false;
 }
 
+bool vtkBoleStage::Internals::accepted(vtkBoleStage* self, const std::function<void()>& work) {
+  const int code_before = exit_code;
+  const bool ok = guarded(self, work);
+  exit_code = code_before;
+  return ok;
+}
+
 void vtkBoleStage::Internals::fail(vtkBoleStage* self, const Error& error) {
   exit_code = error.exit_code();
   error_text = error.what();
@@ -153,9 +160,11 @@ std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const s
   throw bole::failure("output '" + port + "' holds no frames");
 }
 
-void vtkBoleStage::Internals::tell_times(const std::string& port, vtkInformation* info) {
-  if (!result || !result->outputs.contains(port) || control.core_only) return;
-  const auto source = frames(port);
+void vtkBoleStage::Internals::tell_times(const bole::Port& port, vtkInformation* info) {
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only) return;
+  const auto source = frames(port.name);
   if (source->size() == 0) return;
   std::vector<double> times(source->size());
   for (std::size_t i = 0; i < times.size(); ++i) times[i] = source->frame_time_s(i);

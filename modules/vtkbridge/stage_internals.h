@@ -59,6 +59,8 @@ class vtkBoleStage::Internals {
 
   // Runs `work`; an Error becomes the stage's error. True when there was none.
   bool guarded(vtkBoleStage* self, const std::function<void()>& work);
+  // The same for setters: what they refuse says nothing about the last execution.
+  bool accepted(vtkBoleStage* self, const std::function<void()>& work);
   void fail(vtkBoleStage* self, const bole::Error& error);
 
   // The core object behind an input.
@@ -68,7 +70,8 @@ class vtkBoleStage::Internals {
   // Puts an output into its VTK object.
   void fill(int port, vtkDataObject* object, std::size_t frame, bool core_only);
 
-  void tell_times(const std::string& port, vtkInformation* info);
+  // Frames as VTK time steps; other outputs have none.
+  void tell_times(const bole::Port& port, vtkInformation* info);
   void tell_extent(vtkDataObject* object, vtkInformation* info);
   std::size_t frame_wanted(int port, vtkInformation* info);
 

@@ -49,11 +49,11 @@ std::string vtkBoleStage::GetStageType() const { return this->Inner->wanted_type
 std::string vtkBoleStage::GetTitle() const { return this->Inner->type ? this->Inner->type->title : std::string(); }
 
 bool vtkBoleStage::SetOption(const char* name, const char* value) {
-  return this->Inner->guarded(this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).parsed(value ? value : "")); });
+  return this->Inner->accepted(this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).parsed(value ? value : "")); });
 }
 
 bool vtkBoleStage::SetOption(const char* name, double value) {
-  return this->Inner->guarded(this, [&] {
+  return this->Inner->accepted(this, [&] {
     const auto& spec = this->Inner->spec(name);
     // A slider of a host program gives whole numbers as doubles.
     const bool whole = !std::holds_alternative<double>(spec.default_value) && value == static_cast<double>(static_cast<int>(value));
@@ -65,7 +65,7 @@ bool vtkBoleStage::SetOption(const char* name, double value) {
 }
 
 bool vtkBoleStage::SetOption(const char* name, int value) {
-  return this->Inner->guarded(this, [&] {
+  return this->Inner->accepted(this, [&] {
     const auto& spec = this->Inner->spec(name);
     if (std::holds_alternative<bool>(spec.default_value) && (value == 0 || value == 1))
       this->Inner->change_option(this, name, value == 1);
@@ -75,12 +75,12 @@ bool vtkBoleStage::SetOption(const char* name, int value) {
 }
 
 void vtkBoleStage::ResetOption(const char* name) {
-  this->Inner->guarded(this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).default_value); });
+  this->Inner->accepted(this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).default_value); });
 }
 
 std::string vtkBoleStage::GetOption(const char* name) {
   std::string text;
-  this->Inner->guarded(this, [&] { text = bole::option_text(this->Inner->spec(name).get(this->Inner->options->raw())); });
+  this->Inner->accepted(this, [&] { text = bole::option_text(this->Inner->spec(name).get(this->Inner->options->raw())); });
   return text;
 }
 
@@ -90,19 +90,19 @@ std::string vtkBoleStage::GetOptionName(int index) const { return index >= 0 && 
 
 std::string vtkBoleStage::GetOptionHelp(const char* name) {
   std::string text;
-  this->Inner->guarded(this, [&] { text = this->Inner->spec(name).help; });
+  this->Inner->accepted(this, [&] { text = this->Inner->spec(name).help; });
   return text;
 }
 
 std::string vtkBoleStage::GetOptionUnit(const char* name) {
   std::string text;
-  this->Inner->guarded(this, [&] { text = bole::unit_symbol(this->Inner->spec(name).unit); });
+  this->Inner->accepted(this, [&] { text = bole::unit_symbol(this->Inner->spec(name).unit); });
   return text;
 }
 
 bool vtkBoleStage::IsOptionDefault(const char* name) {
   bool is_default = false;
-  this->Inner->guarded(this, [&] { is_default = this->Inner->options->is_default(this->Inner->spec(name).name); });
+  this->Inner->accepted(this, [&] { is_default = this->Inner->options->is_default(this->Inner->spec(name).name); });
   return is_default;
 }
 
@@ -122,7 +122,7 @@ std::string vtkBoleStage::GetInputPortName(int port) const { return this->Inner-
 std::string vtkBoleStage::GetOutputPortName(int port) const { return this->Inner->type ? bole::port_name(this->Inner->type->outputs, port) : std::string(); }
 
 bool vtkBoleStage::ConnectInput(const char* port, vtkBoleStage* producer, const char* producer_port) {
-  return this->Inner->guarded(this, [&] {
+  return this->Inner->accepted(this, [&] {
     const int input = this->FindInputPort(port);
     if (input < 0) throw bole::bad_input(std::string("there is no input '") + (port ? port : "") + "'", "one of: " + (this->Inner->type ? bole::port_list(this->Inner->type->inputs) : ""));
     if (!producer) return this->SetInputConnection(input, nullptr);
@@ -169,6 +169,12 @@ void vtkBoleStage::SetControl(bole::StageControl control) {
   if (moved) this->Modified();
 }
 
+void vtkBoleStage::DetachControl() {
+  auto& control = this->Inner->control;
+  control.progress = nullptr, control.record = nullptr;
+  control.cancel = {}, control.finish = {};
+}
+
 void vtkBoleStage::SetAbortExecute(int abort) {
   this->Superclass::SetAbortExecute(abort);
   if (abort) this->Inner->stop.cancel();
@@ -185,11 +191,22 @@ std::string vtkBoleStage::GetErrorText() const { return this->Inner->error_text;
 int vtkBoleStage::GetExitCode() const { return this->Inner->exit_code; }
 bool vtkBoleStage::GetFromCache() const { return this->Inner->result && this->Inner->result->from_cache; }
 int vtkBoleStage::GetExecutionCount() const { return this->Inner->executions; }
+std::vector<std::string> vtkBoleStage::GetOutputFiles() const {
+  std::vector<std::string> paths;
+  if (this->Inner->result)
+    for (const auto& file : this->Inner->result->files) paths.push_back(file.path);
+  return paths;
+}
+
 bool vtkBoleStage::OutputFilesPresent() const { return !this->Inner->result || bole::all_there(this->Inner->result->files); }
 
 bool vtkBoleStage::FillOutputs() {
   return this->Inner->guarded(this, [&] {
-    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) this->Inner->fill(port, this->GetOutputDataObject(port), 0, false);
+    this->Inner->control.core_only = false;
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
+      this->Inner->fill(port, this->GetOutputDataObject(port), 0, false);
+      this->Inner->tell_times(this->Inner->type->outputs[static_cast<std::size_t>(port)], this->GetOutputInformation(port));
+    }
   });
 }
 
@@ -216,7 +233,6 @@ int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector**
 }
 
 bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInformationVector* outputs) {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   if (!this->Inner->type) {
     this->Inner->fail(this, bole::bad_input(this->Inner->wanted_type.empty() ? "no stage type is set" : "this build has no stage '" + this->Inner->wanted_type + "'", "a stage that `bole stages` lists"));
     return false;
@@ -227,9 +243,7 @@ bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInfo
   if (has_frames && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
   for (std::size_t p = 0; p < ports.size(); ++p) {
     vtkInformation* info = outputs->GetInformationObject(static_cast<int>(p));
-    info->Remove(Pipeline::TIME_STEPS());
-    info->Remove(Pipeline::TIME_RANGE());
-    if (ports[p].kind == bole::DataKind::frames) this->Inner->tell_times(ports[p].name, info);
+    this->Inner->tell_times(ports[p], info);
     if (ports[p].kind == bole::DataKind::raster) this->Inner->tell_extent(this->GetOutputDataObject(static_cast<int>(p)), info);
   }
   return true;

@@ -10,6 +10,7 @@
 
 #include <memory>  // for std::unique_ptr
 #include <string>  // for std::string
+#include <vector>  // for std::vector
 
 #include "vtkAlgorithm.h"
 #include "vtkBoleBridgeModule.h"  // for export macro
@@ -78,7 +79,10 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   void SetOptions(const bole::OptionSet& options);
   const bole::OptionSet* GetOptions() const;
   void SetControl(bole::StageControl control);
+  void DetachControl();  // forgets whom to report to and listen to; keeps cache and folders
   const bole::Report& GetReport() const;
+  // Files that a sink wrote, and whether they are as it left them.
+  std::vector<std::string> GetOutputFiles() const;
   bool OutputFilesPresent() const;
 
   // Makes VTK objects of outputs that were handed on as core objects alone. False, with an error, when that fails.

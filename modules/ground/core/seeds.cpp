@@ -1,5 +1,8 @@
 #include "ground/core/seeds.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -98,6 +101,41 @@ CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m) {
 }
 
 std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits) { return SeedFinder(candidates, limits).find(); }
+
+std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m, const Run& run) {
+  const CellKeys places(candidates, std::max(place_m, limits.cell_m / 8));
+  const auto& shape = places.shape();
+  std::vector<std::uint32_t> lowest(places.cells(), none), second(places.cells(), none);
+  const auto lower = [&](std::uint32_t i, std::uint32_t j) { return j == none || candidates[i].position.z() < candidates[j].position.z(); };
+  for (std::uint32_t i = 0; i < candidates.size(); ++i) {
+    auto &a = lowest[places.key(i)], &b = second[places.key(i)];
+    if (lower(i, a))
+      b = a, a = i;
+    else if (lower(i, b))
+      b = i;
+  }
+  for (std::size_t c = 0; c < places.cells(); ++c)
+    if (second[c] == none) second[c] = lowest[c];
+  const int reach = static_cast<int>(std::ceil(limits.cell_m / shape.cell_m));
+  std::vector<char> out(candidates.size(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, candidates.size(), 1024), [&](const auto& range) {
+    run.check_cancel();
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const auto& p = candidates[i].position;
+      const int ix = shape.column(p.x()), iy = shape.row(p.y());
+      int below = 0;
+      for (int jy = std::max(0, iy - reach); jy <= std::min(shape.ny - 1, iy + reach); ++jy)
+        for (int jx = std::max(0, ix - reach); jx <= std::min(shape.nx - 1, ix + reach); ++jx) {
+          const auto other = second[shape.index(jx, jy)];
+          if (other == none) continue;
+          const Eigen::Vector3d d = p - candidates[other].position;
+          below += d.z() > limits.max_slope_tan * d.head<2>().norm() + limits.roughness_m ? 1 : 0;
+        }
+      out[i] = below >= 2;
+    }
+  });
+  return out;
+}
 
 std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m) {
   std::vector<Eigen::Vector3d> out;

@@ -21,7 +21,9 @@ class TinFilter {
   }
 
   GroundSurface filter() {
-    for (const auto i : find_seeds(candidates_, {options_.seed_m, std::tan(options_.max_slope_deg * rad_per_deg), options_.roughness_m})) accepted_[i] = 1;
+    const SeedLimits limits{options_.seed_m, std::tan(options_.max_slope_deg * rad_per_deg), options_.roughness_m};
+    above_ground_ = stands_above_ground(candidates_, limits, 2 * options_.cell_m, run_);
+    for (const auto i : find_seeds(candidates_, limits)) accepted_[i] = above_ground_[i] ? 0 : 1;
     prune();
     const double finest = std::max(2 * options_.cell_m, options_.seed_m / 64);
     for (double cell = options_.seed_m / 2; cell >= finest * 0.99; cell /= 2) {
@@ -45,6 +47,7 @@ class TinFilter {
     surface_.measured = surface_.points.size();
     for (const auto& p : surrounding_points(surface_.points, options_.seed_m)) surface_.points.push_back(p);
     surface_.triangles = delaunay(surface_.points);
+    triangles_at_ = triangles_at_vertices(surface_.triangles, surface_.points.size());
   }
 
   // Joins, cell by cell, the lowest candidate that fits the triangulation; repeats while that extends it.
@@ -75,6 +78,9 @@ class TinFilter {
   }
   std::vector<std::uint32_t> find_fitting(double cell_m) const;
   bool fits(const Eigen::Vector3d& p, const Triangle& triangle, const TrianglePlane& plane) const;
+  bool close(const Eigen::Vector3d& p, const TrianglePlane& plane, double nearest_vertex_m) const;
+  const Triangle* triangle_opposite(std::uint32_t v, const Eigen::Vector3d& p) const;
+  double longest_edge(const Triangle& t) const;
   bool prune_once();
   void prune() {
     constexpr int most_rounds = 12;
@@ -89,18 +95,48 @@ class TinFilter {
   const GroundOptions& options_;
   const Run& run_;
   std::vector<std::uint32_t> candidate_at_;  // of each cell, or none
-  std::vector<char> accepted_;
+  std::vector<char> accepted_, above_ground_;
   std::vector<std::uint32_t> vertex_of_;  // candidate of each measured vertex
   GroundSurface surface_;
+  Neighbourhood triangles_at_;
 };
 
-bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const TrianglePlane& plane) const {
+bool TinFilter::close(const Eigen::Vector3d& p, const TrianglePlane& plane, double nearest_vertex_m) const {
   const double distance = std::abs(p.z() - plane.at(p.x(), p.y())) / std::sqrt(1 + plane.gradient.squaredNorm());
   if (distance <= options_.roughness_m) return true;
-  if (distance > options_.max_distance_m) return false;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const auto v : triangle) nearest = std::min(nearest, (surface_.points[v] - p).norm());
-  return distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest;
+  return distance <= options_.max_distance_m && distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
+}
+
+bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const TrianglePlane& plane) const {
+  std::uint32_t nearest = triangle[0];
+  for (const auto v : triangle)
+    if ((surface_.points[v] - p).squaredNorm() < (surface_.points[nearest] - p).squaredNorm()) nearest = v;
+  const double distance = (surface_.points[nearest] - p).norm();
+  if (close(p, plane, distance)) return true;
+  const auto* opposite = triangle_opposite(nearest, p);
+  if (!opposite) return false;
+  const TrianglePlane mirrored(surface_.points[(*opposite)[0]], surface_.points[(*opposite)[1]], surface_.points[(*opposite)[2]]);
+  if (mirrored.degenerate || mirrored.gradient.norm() > std::tan(options_.max_slope_deg * rad_per_deg) || !close(p, mirrored, distance)) return false;
+  // Upwards only over long triangles and from the plane of one as large as the step: objects are as steep as brows, but small.
+  return p.z() < plane.at(p.x(), p.y()) || (longest_edge(triangle) > 3 * distance && longest_edge(*opposite) > distance);
+}
+
+double TinFilter::longest_edge(const Triangle& t) const {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (surface_.points[t[k]] - surface_.points[t[(k + 1) % 3]]).head<2>().norm());
+  return longest;
+}
+
+// The triangle at vertex v on the side away from p, or nullptr on the hull.
+const Triangle* TinFilter::triangle_opposite(std::uint32_t v, const Eigen::Vector3d& p) const {
+  const Eigen::Vector2d at = surface_.points[v].head<2>(), away = at - p.head<2>();
+  for (const auto t : triangles_at_.of(v)) {
+    const auto& triangle = surface_.triangles[t];
+    const auto k = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), v) - triangle.begin());
+    const Eigen::Vector2d first = surface_.points[triangle[(k + 1) % 3]].head<2>() - at, second = surface_.points[triangle[(k + 2) % 3]].head<2>() - at;
+    if (first.x() * away.y() - first.y() * away.x() >= 0 && away.x() * second.y() - away.y() * second.x() >= 0) return &triangle;
+  }
+  return nullptr;
 }
 
 std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
@@ -115,7 +151,7 @@ std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
     if (plane.degenerate) continue;
     for_each_inside(t, [&](std::uint32_t i) {
       const auto cell = coarse.key(i);
-      if (occupied[cell] || accepted_[i]) return;
+      if (occupied[cell] || accepted_[i] || above_ground_[i]) return;
       const auto& p = candidates_[i].position;
       if (!fits(p, t, plane)) return;
       const auto height = static_cast<float>(p.z() - plane.at(p.x(), p.y()));

@@ -75,6 +75,19 @@ Neighbourhood neighbourhood(std::span<const Triangle> triangles, std::size_t ver
   return out;
 }
 
+Neighbourhood triangles_at_vertices(std::span<const Triangle> triangles, std::size_t vertices) {
+  Neighbourhood out;
+  out.start.assign(vertices + 1, 0);
+  for (const auto& t : triangles)
+    for (const auto v : t) ++out.start[v + 1];
+  for (std::size_t v = 1; v <= vertices; ++v) out.start[v] += out.start[v - 1];
+  out.neighbours.resize(out.start.back());
+  auto next = out.start;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (const auto v : triangles[t]) out.neighbours[next[v]++] = static_cast<std::uint32_t>(t);
+  return out;
+}
+
 void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape, std::vector<float>& values) {
   for (const auto& t : triangles) {
     const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];

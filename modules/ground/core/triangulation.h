@@ -34,6 +34,9 @@ struct Neighbourhood {
 };
 Neighbourhood neighbourhood(std::span<const Triangle> triangles, std::size_t vertices);
 
+// Indices of the triangles at each vertex, likewise.
+Neighbourhood triangles_at_vertices(std::span<const Triangle> triangles, std::size_t vertices);
+
 // Linear interpolation at the cell centres of a grid; cells outside the triangulation keep what `values` holds.
 void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape, std::vector<float>& values);
 

@@ -6,13 +6,10 @@
 
 #include "base/error.h"
 #include "io/core/cloud_builder.h"
+#include "io/core/las_reader.h"
 #include "io/core/pcd_reader.h"
 #include "io/core/ply_reader.h"
 #include "io/core/text_reader.h"
-#if __has_include("io/core/las_reader.h")
-#include "io/core/las_reader.h"
-#define BOLE_HAS_LAS_READER
-#endif
 
 namespace bole {
 namespace {
@@ -31,8 +28,6 @@ std::string lower(std::string text) {
 bool starts_with(Bytes file, std::string_view text) {
   return file.size() >= text.size() && std::equal(text.begin(), text.end(), file.begin(), [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
 }
-
-bool is_las(Bytes file) { return starts_with(file, "LASF"); }
 
 // Files that people drop in and that are something else.
 void refuse_others(Bytes file) {
@@ -67,18 +62,6 @@ CloudReading read_kitti_bin(Bytes file, const CloudReadOptions& options, const R
   return out;
 }
 
-CloudReading dispatch(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
-  const std::string extension = lower(name.extension().string());
-  if (looks_like_ply(file)) return read_ply(file, options, run);
-  if (looks_like_pcd(file)) return read_pcd(file, options, run);
-  refuse_others(file);
-  if (file.empty()) throw bad_input("the file is empty", "a point cloud");
-  if (looks_like_text(file) && extension != ".bin") return read_text_cloud(file, extension, options, run);
-  if (extension == ".bin" && file.size() >= 16) return read_kitti_bin(file, options, run);
-  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" + extension + "')", "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
-}
-
-#ifdef BOLE_HAS_LAS_READER
 // What the options ask of files whose reader gives coordinates as they are.
 void to_metres_z_up(PointCloud& cloud, const CloudReadOptions& options) {
   const Eigen::Matrix3d matrix = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
@@ -90,19 +73,29 @@ void to_metres_z_up(PointCloud& cloud, const CloudReadOptions& options) {
   cloud.origin = matrix * cloud.origin;
   cloud.scale = (matrix * cloud.scale).cwiseAbs();
 }
-#endif
 
-CloudReading read_las_file(const std::filesystem::path& path, [[maybe_unused]] const CloudReadOptions& options, [[maybe_unused]] const Run& run) {
-#ifdef BOLE_HAS_LAS_READER
+CloudReading read_las_cloud(Bytes file, const CloudReadOptions& options, const Run& run) {
   CloudReading out;
-  out.cloud = read_las(path, {}, run);
+  LasReadOptions las;
+  las.drop_withheld = options.drop_withheld;
+  out.cloud = read_las(file, las, run, &out.report);
   to_metres_z_up(out.cloud, options);
   out.report.counts["points"] = static_cast<std::int64_t>(out.cloud.size());
-  out.report.facts["format"] = "LAS";
+  out.report.facts.try_emplace("format", "LAS");
+  if (out.cloud.empty()) out.report.warn("the file holds no points");
   return out;
-#else
-  throw bad_input("'" + path.string() + "' is a LAS file, which this build does not read", "PLY, PCD or text");
-#endif
+}
+
+CloudReading dispatch(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
+  const std::string extension = lower(name.extension().string());
+  if (starts_with(file, "LASF")) return read_las_cloud(file, options, run);
+  if (looks_like_ply(file)) return read_ply(file, options, run);
+  if (looks_like_pcd(file)) return read_pcd(file, options, run);
+  refuse_others(file);
+  if (file.empty()) throw bad_input("the file is empty", "a point cloud");
+  if (looks_like_text(file) && extension != ".bin") return read_text_cloud(file, extension, options, run);
+  if (extension == ".bin" && file.size() >= 16) return read_kitti_bin(file, options, run);
+  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" + extension + "')", "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
 }
 
 }  // namespace
@@ -121,6 +114,7 @@ const OptionTable& option_table(const CloudReadOptions*) {
       Option<S, std::string>{
           "columns", &S::columns, TextKind::plain, {}, Tier::advanced, "Columns of a text file in order, for instance \"x y z intensity\", with _ for one to skip; empty: from the header line, or as usual."},
       Option<S, std::string>{"delimiter", &S::delimiter, TextKind::choice, {"auto", "blank", "comma", "semicolon", "tab"}, Tier::advanced, "What stands between the columns of a text file."},
+      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced, "Leave out LAS points that are flagged as withheld."},
       Option<S, int>{"skip_lines", &S::skip_lines, Unit::none, {0, 1000000}, Tier::advanced, "Lines of a text file to pass over before anything else."},
   });
   return table;
@@ -142,7 +136,6 @@ Eigen::Matrix3d rotation_to_z_up(const std::string& up) {
 
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
   try {
-    if (is_las(file)) throw bad_input("this is a LAS file", "its path");
     return dispatch(file, name, options, run);
   } catch (const Error& e) {
     throw e.at("'" + name.string() + "'");
@@ -154,7 +147,7 @@ CloudReading read_cloud(const std::filesystem::path& path, const CloudReadOption
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw bad_input("'" + path.string() + "' is a folder", "a point cloud file", "A folder of frames is read as a scan: stage io.read_scan");
   const MappedFile file(path);
-  CloudReading out = is_las(file.bytes()) ? read_las_file(path, options, run) : read_cloud(file.bytes(), path, options, run);
+  CloudReading out = read_cloud(file.bytes(), path, options, run);
   out.report.message = path.filename().string() + ": " + std::to_string(out.cloud.size()) + " points (" + out.report.facts["format"] + ")";
   return out;
 }

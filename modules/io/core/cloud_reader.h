@@ -19,6 +19,7 @@ struct CloudReadOptions {
   std::string columns;
   std::string delimiter = "auto";
   int skip_lines = 0;
+  bool drop_withheld = false;
 };
 const OptionTable& option_table(const CloudReadOptions*);
 
@@ -32,7 +33,7 @@ struct CloudReading {
 // that says how much is missing. Throws Error{bad_input} when nothing can be made of it.
 CloudReading read_cloud(const std::filesystem::path& path, const CloudReadOptions& options = {}, const Run& run = {});
 
-// The same of a file in memory, but for LAS and LAZ; `name` (its extension) decides where the content does not.
+// The same of a file in memory; `name` (its extension) decides where the content does not.
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options = {}, const Run& run = {});
 
 // Metres per unit and the rotation to z up that the options ask for. Throws Error{bad_input}.

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "base/error.h"
 #include "io/core/atomic_file.h"
+#include "io/core/las_writer.h"
 
 namespace bole {
 namespace {
@@ -122,7 +124,8 @@ void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, con
   if (extension == ".ply") return write_ply(path, cloud, run);
   if (extension == ".csv") return write_csv_cloud(path, cloud, 4, run);
   if (extension == ".xyz" || extension == ".txt") return write_xyz_cloud(path, cloud, 4, run);
-  throw bad_input("a cloud cannot be written as '" + extension.string() + "'", ".ply, .csv, .xyz or .txt");
+  if (extension == ".las") return write_las(path, cloud, {}, run);
+  throw bad_input("a cloud cannot be written as '" + extension.string() + "'", ".las, .ply, .csv, .xyz or .txt");
 }
 
 }  // namespace bole

@@ -1,4 +1,4 @@
-// Writes point clouds as PLY and text. LAS is written by las_writer.h.
+// Writes point clouds as PLY and text, and by extension as LAS too (las_writer.h).
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
 void write_csv_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 
-// By extension: .ply, .csv, .xyz, .txt. Throws Error{bad_input} for others.
+// By extension: .las, .ply, .csv, .xyz, .txt. Throws Error{bad_input} for others.
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {});
 
 }  // namespace bole

@@ -49,6 +49,13 @@ void load_bin(const fs::path& path, ScanFrame& frame) {
   frame.ring = companion<std::uint16_t>(path, ".ring", points);
 }
 
+// Seconds per unit of times that cover one turn: files have them in seconds, milli-, micro- or nanoseconds.
+double seconds_per_unit(double span) {
+  double unit = 1;
+  while (span * unit > 2 && unit > 1e-9) unit *= 1e-3;
+  return unit;
+}
+
 void load_pcd(const fs::path& path, ScanFrame& frame) {
   const MappedFile file(path);
   const auto cloud = read_pcd(file.bytes(), {}, {}).cloud;
@@ -58,8 +65,9 @@ void load_pcd(const fs::path& path, ScanFrame& frame) {
   if (cloud.has(arrays::ring)) frame.ring = cloud.values<std::uint16_t>(arrays::ring);
   if (!cloud.has(arrays::time) || cloud.empty()) return;
   const auto& times = cloud.values<double>(arrays::time);
-  const double first = std::ranges::min(times);
-  for (const double t : times) frame.time_offset_s.push_back(static_cast<float>(t - first));
+  const auto [first, last] = std::ranges::minmax(times);
+  const double unit = seconds_per_unit(last - first);
+  for (const double t : times) frame.time_offset_s.push_back(static_cast<float>((t - first) * unit));
 }
 
 // Seconds as a number, or KITTI's "2011-09-26 13:02:25.964389445" (taken as UTC).

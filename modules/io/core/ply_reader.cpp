@@ -231,7 +231,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
 
 }  // namespace
 
-bool looks_like_ply(Bytes file) { return file.size() >= 4 && file[0] == 'p' && file[1] == 'l' && file[2] == 'y' && (file[3] == '\n' || file[3] == '\r'); }
+bool looks_like_ply(Bytes file) { return file.size() >= 4 && file[0] == 'p' && file[1] == 'l' && file[2] == 'y' && (file[3] == '\n' || file[3] == '\r' || file[3] == ' '); }
 
 CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& run) {
   const Header header = read_header(file);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 
 #include "base/error.h"
@@ -83,6 +85,19 @@ Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vect
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s) {
   const MappedFile file(path);
   return read_kitti_poses(file.bytes(), path.string(), times_s);
+}
+
+Trajectory read_trajectory(const std::filesystem::path& path, const std::string& format) {
+  if (path.empty()) throw bad_input("no trajectory is named", "a TUM or KITTI file", "Set the option file");
+  const MappedFile file(path);
+  bool kitti = format == "kitti";
+  if (format == "auto") {
+    LineReader lines(file.bytes());
+    std::string_view line;
+    while (lines.next(line) && (trimmed(line).empty() || trimmed(line).front() == '#')) continue;
+    kitti = split_blanks(line).size() == 12;
+  }
+  return kitti ? read_kitti_poses(file.bytes(), path.string()) : read_tum(file.bytes(), path.string());
 }
 
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {

@@ -19,6 +19,9 @@ Trajectory read_tum(Bytes file, const std::string& name);
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s = {});
 Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vector<double>& times_s = {});
 
+// Either of them; `format` is tum, kitti or auto (by the number of values on the first line). Throws Error{bad_input}.
+Trajectory read_trajectory(const std::filesystem::path& path, const std::string& format = "auto");
+
 // Times and positions with six digits after the point, rotations with nine.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 void write_kitti_poses(const std::filesystem::path& path, const Trajectory& trajectory);

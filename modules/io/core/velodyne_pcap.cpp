@@ -1,5 +1,6 @@
 #include "io/core/velodyne_pcap.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -9,7 +10,8 @@ namespace bole {
 namespace {
 
 constexpr double full_turn = 36000;
-constexpr double complete_turn = 0.9 * full_turn;
+constexpr double complete_share = 0.9;  // of the turn that most frames cover
+constexpr double longest_loss_s = 60;   // a longer silence is a pause of the recording
 constexpr std::int64_t packets_between_polls = 512;
 
 double file_bytes(const std::filesystem::path& path) {
@@ -42,6 +44,10 @@ class VelodynePcapSource::Indexer {
     last_past_hour_us_ = packet.time_us;
     const auto& decoder = *source_.decoder_;
     decoder.firings(packet, firings_);
+    packet_end_s_ = std::max(packet_end_s_, packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s());
+    if (first || clock_.jumped()) packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
+    // How long the rotor took past a sector that the sensor leaves out is known to a few percent only.
+    slack_s_ = 0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
     for (std::size_t i = 0; i < firings_.size(); ++i) {
       const auto& firing = firings_[i];
       if (!firing.valid) continue;
@@ -61,12 +67,12 @@ class VelodynePcapSource::Indexer {
 
  private:
   void count_order(const VelodynePacket& packet, double previous_time_s) {
-    const double step_s = packet_time_s_ - previous_time_s;
     const double period_s = source_.decoder_->packet_period_s(packet.is_dual());
-    if (step_s < 0) {
+    const double silence_s = packet_time_s_ - packet_end_s_;
+    if (packet_time_s_ < previous_time_s) {
       ++out_of_order;
-    } else if (step_s > 1.5 * period_s && step_s < 60) {
-      lost += std::llround(step_s / period_s) - 1;
+    } else if (silence_s > 0.5 * period_s + slack_s_ && silence_s < longest_loss_s) {
+      lost += std::llround(silence_s / period_s);
     }
   }
 
@@ -92,7 +98,7 @@ class VelodynePcapSource::Indexer {
   PacketClock clock_;
   std::vector<VelodyneFiring> firings_;
   std::optional<std::uint32_t> last_past_hour_us_;
-  double packet_time_s_ = 0, last_time_s_ = 0, last_relative_ = 0, rate_centideg_s_ = 0;
+  double packet_time_s_ = 0, packet_end_s_ = 0, slack_s_ = 0, last_time_s_ = 0, last_relative_ = 0, rate_centideg_s_ = 0;
   bool started_ = false, starts_frame_ = false, break_ = false;
 };
 
@@ -143,13 +149,14 @@ void VelodynePcapSource::index(const Run& run) {
                     other_port > 0 ? "Data packets were seen on another port: set the option port to 0" : "Is this the recording of a Velodyne sensor?");
   }
   drop_partial_ends();
+  const double complete_turn = usual_turn_centideg() * complete_share;
   counts["frames"] = static_cast<std::int64_t>(frames_.size());
   counts["data_packets"] = data_packets;
   counts["position_packets"] = position_packets;
   counts["other_packets"] = other + other_port + reader_.skipped();
   counts["lost_packets"] = indexer.lost;
   counts["packets_out_of_order"] = indexer.out_of_order;
-  counts["incomplete_frames"] = std::count_if(frames_.begin(), frames_.end(), [](const Frame& f) { return f.turned_centideg < complete_turn; });
+  counts["incomplete_frames"] = std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
   report_.facts["sensor"] = decoder_->model().name;
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
   if (!reader_.trouble().empty()) report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" + reader_.trouble() + "): everything before that is read");
@@ -161,8 +168,18 @@ void VelodynePcapSource::index(const Run& run) {
   report_.message = description();
 }
 
+// A full turn, or less for a sensor that was told to leave out a sector.
+double VelodynePcapSource::usual_turn_centideg() const {
+  if (frames_.size() < 3) return full_turn;
+  std::vector<double> turns;
+  for (const auto& f : frames_) turns.push_back(f.turned_centideg);
+  std::ranges::nth_element(turns, turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2));
+  return turns[turns.size() / 2];
+}
+
 void VelodynePcapSource::drop_partial_ends() {
   if (options_.keep_partial_frames || frames_.size() < 2) return;
+  const double complete_turn = usual_turn_centideg() * complete_share;
   if (frames_.back().turned_centideg < complete_turn) frames_.pop_back();
   if (frames_.size() > 1 && frames_.front().turned_centideg < complete_turn) frames_.erase(frames_.begin());
 }

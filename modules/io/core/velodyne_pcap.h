@@ -47,6 +47,7 @@ class VelodynePcapSource : public FrameSource {
   class Indexer;
 
   void index(const Run& run);
+  double usual_turn_centideg() const;
   void drop_partial_ends();
   bool next_packet(Datagram& datagram, VelodynePacket& packet) const;
   void append(const VelodyneReturn& r, double packet_offset_s, ScanFrame& frame) const;

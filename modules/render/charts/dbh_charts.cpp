@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
@@ -50,12 +51,16 @@ void draw_scatter(Canvas& canvas, const Pairs& pairs) {
   AxesStyle axes{"Reference DBH (cm)", "Estimated DBH (cm)"};
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(range.lo, range.lo), frame.map(range.hi, range.hi), Stroke{ink::muted, 0.25, {1.4, 1.0}});
-  canvas.text(frame.map(range.hi, range.hi) + Eigen::Vector2d(-1, 4.6), "1:1", TextStyle{7, ink::muted}.aligned(HAlign::right, VAlign::baseline));
+  TextStyle beside{7, ink::muted};
+  beside.angle_rad = std::numbers::pi / 4;
+  canvas.text(frame.map(range.lo, range.lo) + Eigen::Vector2d(4.2, -3), "1:1", beside.aligned(HAlign::left, VAlign::baseline));
   for (std::size_t i = 0; i < pairs.estimate.size(); ++i) canvas.circle(frame.map(pairs.reference[i], pairs.estimate[i]), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
   draw_axes(canvas, frame, axes);
   const auto s = error_statistics(pairs.estimate, pairs.reference);
   draw_statistics(canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
-                  {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)", "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)", "R² = " + fixed(s.r_squared, 3)}, HAlign::left);
+                  {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)", "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)",
+                   "R² = " + fixed(s.r_squared, 3)},
+                  HAlign::left);
 }
 
 struct ErrorClass {
@@ -172,13 +177,25 @@ ErrorStatistics error_statistics(const std::vector<double>& estimate, const std:
 }
 
 Figure dbh_scatter(const Table& matches, double width_mm) {
-  Figure figure{"dbh_scatter", "Estimated against reference diameter", "Diameter at breast height of every matched tree; dashed: perfect agreement.", width_mm, 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1, true, {}};
+  Figure figure{"dbh_scatter",
+                "Estimated against reference diameter",
+                "Diameter at breast height of every matched tree; dashed: perfect agreement.",
+                width_mm,
+                3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
+                true,
+                {}};
   figure.draw = [pairs = matched_pairs(matches)](Canvas& canvas) { draw_scatter(canvas, pairs); };
   return figure;
 }
 
 Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
-  Figure figure{"dbh_errors", "Diameter error by class", "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 times the distance between them, and every tree as a dot.", width_mm, 0.72 * width_mm, true, {}};
+  Figure figure{"dbh_errors",
+                "Diameter error by class",
+                "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 times the distance between them, and every tree as a dot.",
+                width_mm,
+                0.72 * width_mm,
+                true,
+                {}};
   figure.draw = [classes = error_classes(matched_pairs(matches), class_cm), class_cm](Canvas& canvas) { draw_boxes(canvas, classes, class_cm); };
   return figure;
 }

@@ -18,9 +18,12 @@ struct PlotArea {
 
   double area_m2() const {
     switch (shape) {
-      case Shape::rectangle: return width_m * height_m;
-      case Shape::circle: return std::numbers::pi / 4 * width_m * width_m;
-      default: return std::nan("");
+      case Shape::rectangle:
+        return width_m * height_m;
+      case Shape::circle:
+        return std::numbers::pi / 4 * width_m * width_m;
+      default:
+        return std::nan("");
     }
   }
 
@@ -28,9 +31,12 @@ struct PlotArea {
   bool contains(double x, double y) const {
     const double dx = x - centre.x(), dy = y - centre.y();
     switch (shape) {
-      case Shape::rectangle: return std::abs(dx) <= width_m / 2 && std::abs(dy) <= height_m / 2;
-      case Shape::circle: return dx * dx + dy * dy <= width_m * width_m / 4;
-      default: return true;
+      case Shape::rectangle:
+        return std::abs(dx) <= width_m / 2 && std::abs(dy) <= height_m / 2;
+      case Shape::circle:
+        return dx * dx + dy * dy <= width_m * width_m / 4;
+      default:
+        return true;
     }
   }
 

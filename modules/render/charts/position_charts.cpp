@@ -51,7 +51,8 @@ void draw_errors(Canvas& canvas, const std::vector<Eigen::Vector2d>& errors_m) {
   double sx = 0, sy = 0;
   for (const auto& e : cm) sx += e.x() * e.x(), sy += e.y() * e.y();
   const double n = std::max<double>(1, static_cast<double>(cm.size()));
-  const std::vector<std::string> lines{"n = " + std::to_string(cm.size()), "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm", "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm", "σ max = " + fixed(spread.sigma_max, 1) + " cm"};
+  const std::vector<std::string> lines{"n = " + std::to_string(cm.size()), "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
+                                       "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm", "σ max = " + fixed(spread.sigma_max, 1) + " cm"};
   double y = frame.box.y0 + 2.2;
   for (const auto& line : lines) {
     TextStyle style{7.5};
@@ -99,10 +100,10 @@ Frame walk_frame(const Walk& walk, double width_mm) {
     for (const auto& p : *points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
   if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
   const double span = std::max({hi.x() - lo.x(), 0.8 * (hi.y() - lo.y()), 0.5});
-  const double pad = 0.05 * span + 0.2, w = width_mm - 12 - 22;
+  const double pad = 0.05 * span + 0.2, w = width_mm - axis_space_left_mm - 20;
   const double mid_x = (lo.x() + hi.x()) / 2, mid_y = (lo.y() + hi.y()) / 2;
   const double half_x = span / 2 + pad, half_y = std::max((hi.y() - lo.y()) / 2 + pad, 0.35 * half_x);
-  return {{12, 4, 12 + w, 4 + w * half_y / half_x}, {mid_x - half_x, mid_x + half_x}, {mid_y - half_y, mid_y + half_y}};
+  return {{axis_space_left_mm, 2, axis_space_left_mm + w, 2 + w * half_y / half_x}, {mid_x - half_x, mid_x + half_x}, {mid_y - half_y, mid_y + half_y}};
 }
 
 void draw_walk(Canvas& canvas, const Walk& walk, const Frame& frame) {
@@ -143,7 +144,13 @@ ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors) {
 }
 
 Figure position_errors(const Table& matches, double width_mm) {
-  Figure figure{"position_errors", "Position errors of stems", "Estimated minus reference position of every matched stem; cross: mean, ellipse: 95 % of a normal law of the same covariance.", width_mm, 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1, true, {}};
+  Figure figure{"position_errors",
+                "Position errors of stems",
+                "Estimated minus reference position of every matched stem; cross: mean, ellipse: 95 % of a normal law of the same covariance.",
+                width_mm,
+                3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
+                true,
+                {}};
   figure.draw = [errors = matched_errors(matches)](Canvas& canvas) { draw_errors(canvas, errors); };
   return figure;
 }
@@ -151,7 +158,13 @@ Figure position_errors(const Table& matches, double width_mm) {
 Figure trajectory_plan(const Trajectory& trajectory, const Trajectory* reference, double width_mm) {
   auto walk = walk_of(trajectory, reference);
   const auto frame = walk_frame(walk, width_mm);
-  Figure figure{"trajectory", "Walk of the scanner", walk.compared ? "Path of the scanner from above, coloured by its distance from the reference at equal times." : "Path of the scanner from above, coloured by time.", width_mm, frame.box.y1 + 20, true, {}};
+  Figure figure{"trajectory",
+                "Walk of the scanner",
+                walk.compared ? "Path of the scanner from above, coloured by its distance from the reference at equal times." : "Path of the scanner from above, coloured by time.",
+                width_mm,
+                frame.box.y1 + 20,
+                true,
+                {}};
   figure.draw = [walk = std::move(walk), frame](Canvas& canvas) { draw_walk(canvas, walk, frame); };
   return figure;
 }

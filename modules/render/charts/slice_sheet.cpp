@@ -103,7 +103,7 @@ void draw_points(Canvas& canvas, const Panel& panel, const Eigen::Vector2d& cent
   std::map<int, std::vector<Eigen::Vector2d>> by_pass;
   for (const auto& p : panel.points) by_pass[p.pass].emplace_back(centre.x() + p.offset.x() * mm_per_m, centre.y() - p.offset.y() * mm_per_m);
   // A dozen colours that tell passes of one tree apart; the same pass has the same colour on every tree.
-  for (const auto& [pass, dots] : by_pass) canvas.dots(dots, 0.38, by_pass.size() > 1 ? id_color(pass + 1) : ink::primary.with_alpha(0.7));
+  for (const auto& [pass, dots] : by_pass) canvas.dots(dots, panel.points.size() < 300 ? 0.5 : 0.36, by_pass.size() > 1 ? id_color(pass + 1) : ink::primary.with_alpha(0.7));
 }
 
 void draw_panel(Canvas& canvas, const Panel& panel, const Box& box) {
@@ -151,7 +151,8 @@ std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, do
     Figure figure;
     figure.name = fmt::format("slices_{:02}", pages.size() + 1);
     figure.title = "Breast-height slices" + (order.size() > per_page ? fmt::format(" ({} of {})", pages.size() + 1, (order.size() + per_page - 1) / per_page) : std::string());
-    figure.caption = "Points at breast height (one colour per pass), fitted circle and the ring of its 95 % interval; diameter at breast height with half of that interval; n: points in the slice. The least certain trees come first.";
+    figure.caption =
+        "Points at breast height (one colour per pass), fitted circle and the ring of its 95 % interval; diameter at breast height with half of that interval; n: points in the slice. The least certain trees come first.";
     figure.width_mm = width_mm;
     figure.height_mm = static_cast<double>(rows) * (height + gap_mm) - gap_mm + 0.4;
     figure.draw = [panels, page, side, height, columns = static_cast<std::size_t>(options.columns)](Canvas& canvas) {

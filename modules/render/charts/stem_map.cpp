@@ -31,7 +31,7 @@ struct Content {
   bool compared = false, north_known = true;
 };
 
-constexpr double margin_left = 12, margin_right = 4, margin_top = 4, margin_below = 11, legend_mm = 6, furniture_mm = 12;
+constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11, furniture_mm = 12;
 constexpr double least_radius_mm = 0.45;  // a stem stays visible on a small map
 
 void take_stems(const Table& table, Content& content) {
@@ -172,7 +172,7 @@ void draw(Canvas& canvas, const Content& content, const Frame& frame) {
   draw_labels(canvas, frame, content);
   draw_axes(canvas, frame, axes);
   const double y = frame.box.y1 + margin_below + 5.5;
-  const double bar_mm = draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 32);
+  const double bar_mm = draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 40);
   if (content.north_known) draw_north_arrow(canvas, {frame.box.x0 + 1 + bar_mm + 12, y + 0.6}, 8);
   draw_legend_row(canvas, {frame.box.x0 + 1 + bar_mm + 20, y - 5.2}, frame.box.x1 - frame.box.x0 - bar_mm - 20, legend_of(content), 7);
 }

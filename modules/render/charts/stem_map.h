@@ -9,7 +9,7 @@
 namespace bole {
 
 struct StemMapData {
-  const Table* stems = nullptr;            // tree_id, x_m, y_m, dbh_cm, quality
+  const Table* stems = nullptr;  // tree_id, x_m, y_m, dbh_cm, quality
   PlotArea area;
   const Table* targets = nullptr;          // name, x_m, y_m
   const Trajectory* trajectory = nullptr;  // the walk

@@ -50,8 +50,8 @@ struct TextStyle {
   bool italic = false;
   HAlign h = HAlign::left;
   VAlign v = VAlign::baseline;
-  double angle_rad = 0;    // counter-clockwise
-  double halo_mm = 0;      // a rim of paper colour that keeps text readable over a picture
+  double angle_rad = 0;  // counter-clockwise
+  double halo_mm = 0;    // a rim of paper colour that keeps text readable over a picture
   TextStyle aligned(HAlign horizontal, VAlign vertical) const {
     TextStyle copy = *this;
     copy.h = horizontal, copy.v = vertical;

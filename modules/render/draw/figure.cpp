@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <memory>
 
 #include "base/error.h"
@@ -34,15 +35,19 @@ void check(cairo_status_t status, const Figure& figure) {
 void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
   Context cairo(cairo_create(surface), cairo_destroy);
   cairo_scale(cairo.get(), scale, scale);
+  // The whole surface, also the part of a pixel beyond the sheet's edge.
+  cairo_set_source_rgb(cairo.get(), ink::paper.r, ink::paper.g, ink::paper.b);
+  cairo_paint(cairo.get());
   Canvas canvas(cairo.get(), figure.width_mm, figure.height_mm);
-  canvas.rectangle(canvas.sheet(), ink::paper);
   figure.draw(canvas);
   check(cairo_status(cairo.get()), figure);
 }
 
 Surface raster(const Figure& figure, double dpi) {
   const double w = std::round(figure.width_mm / mm_per_inch * dpi), h = std::round(figure.height_mm / mm_per_inch * dpi);
-  if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels)) throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " + std::to_string(static_cast<long>(h)) + " pixels", "at most " + std::to_string(most_pixels) + " a side", "Lower its resolution or width");
+  if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
+    throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " + std::to_string(static_cast<long>(h)) + " pixels", "at most " + std::to_string(most_pixels) + " a side",
+                    "Lower its resolution or width");
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);
   draw_on(surface.get(), figure, dpi / mm_per_inch);
@@ -60,6 +65,27 @@ std::string with_resolution(std::string png, double dpi) {
   const auto crc = crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
   png.insert(after_header, big_endian(9) + body + big_endian(static_cast<std::uint32_t>(crc)));
   return png;
+}
+
+// Cairo numbers the elements of an SVG through the life of the process; numbers in the order of appearance make equal
+// figures equal files. Text is glyph outlines, so that these words occur in names alone.
+std::string with_own_numbers(const std::string& svg) {
+  constexpr std::string_view digits = "0123456789";
+  std::map<std::string, std::string> numbers;
+  std::string out;
+  out.reserve(svg.size());
+  std::size_t from = 0;
+  while (from < svg.size()) {
+    std::size_t at = std::string::npos, begin = at;
+    for (const std::string_view word : {"surface", "image", "source-"})
+      if (const auto found = svg.find(word, from); found < at) at = found, begin = found + word.size();
+    if (at == std::string::npos) break;
+    const auto end = std::min(svg.find_first_not_of(digits, begin), svg.size());
+    out.append(svg, from, begin - from);
+    if (end > begin) out += numbers.try_emplace(svg.substr(begin, end - begin), std::to_string(numbers.size())).first->second;
+    from = end;
+  }
+  return out.append(svg, from);
 }
 
 std::string surface_png(cairo_surface_t* surface, double dpi) {
@@ -101,7 +127,7 @@ std::string figure_svg(const Figure& figure) {
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()), figure);
   }
-  return bytes;
+  return with_own_numbers(bytes);
 }
 
 std::string figure_pdf(const Figure& figure) {

@@ -14,7 +14,7 @@ struct Figure {
   std::string title;    // of the report's heading
   std::string caption;  // one or two sentences below it; says what is shown and in which units
   double width_mm = 0, height_mm = 0;
-  bool vector = true;   // false: mostly a picture, worth no SVG and PDF
+  bool vector = true;  // false: mostly a picture, worth no SVG and PDF
   std::function<void(Canvas&)> draw;
 };
 

@@ -64,18 +64,32 @@ double draw_scale_bar(Canvas& canvas, const Eigen::Vector2d& at, double mm_per_m
 void draw_symbol(Canvas& canvas, Symbol symbol, const Eigen::Vector2d& centre, double size_mm, const Color& color) {
   const double r = size_mm / 2;
   switch (symbol) {
-    case Symbol::disc: canvas.circle(centre, r, color); break;
-    case Symbol::ring: canvas.circle(centre, r, {}, Stroke{color, 0.3}); break;
-    case Symbol::cross: canvas.cross(centre, 0.8 * r, Stroke{color, 0.4}); break;
-    case Symbol::line: canvas.line(centre - Eigen::Vector2d(1.4 * r, 0), centre + Eigen::Vector2d(1.4 * r, 0), Stroke{color, 0.4}); break;
-    case Symbol::dashed_line: canvas.line(centre - Eigen::Vector2d(1.6 * r, 0), centre + Eigen::Vector2d(1.6 * r, 0), Stroke{color, 0.3, {0.9, 0.7}}); break;
-    case Symbol::square: canvas.rectangle({centre.x() - 0.9 * r, centre.y() - 0.9 * r, centre.x() + 0.9 * r, centre.y() + 0.9 * r}, color); break;
+    case Symbol::disc:
+      canvas.circle(centre, r, color);
+      break;
+    case Symbol::ring:
+      canvas.circle(centre, r, {}, Stroke{color, 0.3});
+      break;
+    case Symbol::cross:
+      canvas.cross(centre, 0.8 * r, Stroke{color, 0.4});
+      break;
+    case Symbol::line:
+      canvas.line(centre - Eigen::Vector2d(1.4 * r, 0), centre + Eigen::Vector2d(1.4 * r, 0), Stroke{color, 0.4});
+      break;
+    case Symbol::dashed_line:
+      canvas.line(centre - Eigen::Vector2d(1.6 * r, 0), centre + Eigen::Vector2d(1.6 * r, 0), Stroke{color, 0.3, {0.9, 0.7}});
+      break;
+    case Symbol::square:
+      canvas.rectangle({centre.x() - 0.9 * r, centre.y() - 0.9 * r, centre.x() + 0.9 * r, centre.y() + 0.9 * r}, color);
+      break;
     case Symbol::triangle: {
       const std::array<Eigen::Vector2d, 3> corners{Eigen::Vector2d(centre.x(), centre.y() - r), Eigen::Vector2d(centre.x() + r, centre.y() + 0.8 * r), Eigen::Vector2d(centre.x() - r, centre.y() + 0.8 * r)};
       canvas.polygon(corners, color, Stroke{ink::paper, 0.2});
       break;
     }
-    case Symbol::star: canvas.polygon(star(centre, 1.25 * r), color, Stroke{ink::paper, 0.15}); break;
+    case Symbol::star:
+      canvas.polygon(star(centre, 1.25 * r), color, Stroke{ink::paper, 0.15});
+      break;
   }
 }
 

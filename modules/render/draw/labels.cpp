@@ -43,7 +43,8 @@ std::vector<Candidate> candidates_of(const LabelRequest& request) {
 
 class Placer {
  public:
-  Placer(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds) : requests_(requests), obstacles_(obstacles), bounds_(bounds), chosen_(requests.size()), placed_(requests.size(), false) {}
+  Placer(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds)
+      : requests_(requests), obstacles_(obstacles), bounds_(bounds), chosen_(requests.size()), placed_(requests.size(), false) {}
 
   std::vector<LabelPlace> run() {
     for (int round = 0; round < 3; ++round)
@@ -65,13 +66,13 @@ class Placer {
     placed_[i] = true;
   }
 
-  // Those whose mark or text can come near a label of i.
+  // The others whose mark or text can come near a label of i.
   void neighbours(std::size_t i) {
     near_.clear();
     const auto& self = requests_[i];
     for (std::size_t j = 0; j < requests_.size(); ++j) {
       const double reach = 2 * 7.5 + self.radius_mm + requests_[j].radius_mm + self.size.norm() + requests_[j].size.norm();
-      if ((requests_[j].anchor - self.anchor).squaredNorm() < reach * reach) near_.push_back(j);
+      if (j != i && (requests_[j].anchor - self.anchor).squaredNorm() < reach * reach) near_.push_back(j);
     }
   }
 

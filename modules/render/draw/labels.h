@@ -8,9 +8,9 @@
 namespace bole {
 
 struct LabelRequest {
-  Eigen::Vector2d anchor;        // the point, millimetres
-  double radius_mm = 0;          // of the mark that must stay free
-  Eigen::Vector2d size;          // of the text, millimetres
+  Eigen::Vector2d anchor;  // the point, millimetres
+  double radius_mm = 0;    // of the mark that must stay free
+  Eigen::Vector2d size;    // of the text, millimetres
 };
 
 struct LabelPlace {

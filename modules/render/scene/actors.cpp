@@ -16,11 +16,15 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <unordered_map>
 
 #include "render/charts/columns.h"
 
 namespace bole {
 namespace {
+
+const Color ground_grey = hex(0xb9b1a4);
+constexpr double ground_below_m = 0.08, plants_above_m = 0.5;  // heights between which the grey of the ground gives way to the map
 
 constexpr int sides = 20;  // of a stem's cross-section
 
@@ -158,15 +162,18 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
   auto* color = colors->GetPointer(0);
   const auto* column = value_column(cloud, coloring.by);
   const std::vector<std::int32_t>* trees = coloring.by == PointColor::tree ? &cloud.values<std::int32_t>(arrays::tree_id) : nullptr;
+  const bool above_ground = coloring.by == PointColor::height && column != nullptr;
   const auto& map = coloring.by == PointColor::intensity ? ColorMap::cividis() : ColorMap::viridis();
   for (const auto i : indices) {
     const Eigen::Vector3f p = (cloud.position(i) - origin).cast<float>();
     for (int axis = 0; axis < 3; ++axis) *coordinates++ = p[axis];
-    Color c = hex(0xbab3a6);
+    Color c = ground_grey;
     if (trees != nullptr) {
       if ((*trees)[i] > 0) c = id_color((*trees)[i]);
     } else if (coloring.by != PointColor::plain) {
-      c = map.at((point_value(cloud, coloring.by, column, i) - coloring.range.lo) / coloring.range.length());
+      const double value = point_value(cloud, coloring.by, column, i);
+      c = map.at((value - coloring.range.lo) / coloring.range.length());
+      if (above_ground) c = mix(ground_grey, c, std::clamp((value - ground_below_m) / (plants_above_m - ground_below_m), 0.0, 1.0));
     }
     for (const double v : {c.r, c.g, c.b}) *color++ = static_cast<unsigned char>(255 * v + 0.5);
   }
@@ -213,6 +220,34 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
     shapes.push_back(std::move(shape));
   }
   return shapes;
+}
+
+void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>& stems, double margin_m, std::vector<std::uint32_t>& indices) {
+  constexpr double cell_m = 0.5;
+  const auto key = [](double x, double y) { return static_cast<std::int64_t>(std::floor(x / cell_m)) * 0x100000000LL + static_cast<std::int64_t>(std::floor(y / cell_m)); };
+  std::unordered_map<std::int64_t, std::vector<const StemShape*>> cells;
+  for (const auto& stem : stems) {
+    Eigen::Vector2d lo = stem.axis.front().head<2>(), hi = lo;
+    for (std::size_t i = 0; i < stem.axis.size(); ++i) {
+      const Eigen::Vector2d reach = Eigen::Vector2d::Constant(stem.radius_m[i] + margin_m);
+      lo = lo.cwiseMin(stem.axis[i].head<2>() - reach), hi = hi.cwiseMax(stem.axis[i].head<2>() + reach);
+    }
+    for (double x = std::floor(lo.x() / cell_m); x <= std::floor(hi.x() / cell_m); ++x)
+      for (double y = std::floor(lo.y() / cell_m); y <= std::floor(hi.y() / cell_m); ++y) cells[key((x + 0.5) * cell_m, (y + 0.5) * cell_m)].push_back(&stem);
+  }
+  const auto on_stem = [&](const Eigen::Vector3d& p) {
+    const auto it = cells.find(key(p.x(), p.y()));
+    if (it == cells.end()) return false;
+    for (const auto* stem : it->second)
+      for (std::size_t i = 0; i + 1 < stem->axis.size(); ++i) {
+        const auto &a = stem->axis[i], &b = stem->axis[i + 1];
+        if (p.z() < a.z() || p.z() > b.z()) continue;
+        const double t = (p.z() - a.z()) / std::max(b.z() - a.z(), 1e-9);
+        if ((p - a - t * (b - a)).head<2>().norm() <= std::lerp(stem->radius_m[i], stem->radius_m[i + 1], t) + margin_m) return true;
+      }
+    return false;
+  };
+  std::erase_if(indices, [&](std::uint32_t i) { return on_stem(cloud.position(i)); });
 }
 
 vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, bool color_by_quality) {

@@ -10,19 +10,11 @@
 #include "cloud/point_cloud.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
-#include "render/draw/axes.h"
+#include "render/scene/point_color.h"
 
 namespace bole {
 
-enum class PointColor { height, intensity, tree, plain };
-
-// The values that points are coloured by, and the range that the map covers (2nd to 98th percentile, as legends show it).
-struct PointColoring {
-  PointColor by = PointColor::height;
-  Interval range;
-};
-PointColoring coloring_for(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, PointColor by);
-
+// Heights above ground run through viridis, but the ground itself is a quiet grey: a third of all points lie on it.
 vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const PointColoring& coloring, const Eigen::Vector3d& origin, double size_px);
 
 // A tapered stem, from foot to top.
@@ -37,6 +29,9 @@ struct StemShape {
 
 // From the fitted sections where a tree has two or more that were used, else from DBH, lean and taper of the stem table.
 std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections);
+
+// Takes away the indices of points on or in a fitted stem, so that the stem itself is seen in their place.
+void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>& stems, double margin_m, std::vector<std::uint32_t>& indices);
 
 // All stems as one actor, in the colours of their quality (or one colour); rings mark breast height.
 vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, bool color_by_quality);

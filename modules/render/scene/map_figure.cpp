@@ -1,21 +1,23 @@
 #include "render/scene/map_figure.h"
 
 #include <vtkCamera.h>
-#include <vtkEDLShading.h>
+#include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
 #include "render/draw/furniture.h"
+#include "render/scene/actors.h"
+#include "render/scene/eye_dome.h"
 #include "render/scene/thin.h"
 
 namespace bole {
@@ -64,6 +66,14 @@ Window window_of(const MapData& data) {
   return {w.lo.array() - margin, w.hi.array() + margin};
 }
 
+void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_t>& indices) {
+  constexpr float crown_from_m = 4;
+  if (!cloud.has(arrays::height_above_ground)) return;
+  const auto& height = cloud.values<float>(arrays::height_above_ground);
+  // Multiples of the golden ratio fall evenly: about `share` of them below `share`.
+  std::erase_if(indices, [&](std::uint32_t i) { return height[i] > crown_from_m && std::fmod(0.6180339887498949 * i, 1) >= share; });
+}
+
 Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const Window& window) {
   std::vector<float> z;
   const std::size_t step = std::max<std::size_t>(1, indices.size() / 50000);
@@ -82,18 +92,29 @@ Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect) {
   return matrix;
 }
 
-// The view's rectangle of the corners of the extent, in -1 to 1.
-Box corners_on_view(const Eigen::Matrix4d& matrix, const Extent& extent, const Eigen::Vector3d& origin) {
+// What must be seen: a sample of the points up to the top of the extent, and the corners of its floor.
+std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View& view) {
+  const auto& e = view.extent;
+  std::vector<Eigen::Vector3d> points;
+  for (const double x : {e.lo.x(), e.hi.x()})
+    for (const double y : {e.lo.y(), e.hi.y()}) points.emplace_back(x, y, e.lo.z());
+  const std::size_t step = std::max<std::size_t>(1, view.indices.size() / 20000);
+  for (std::size_t k = 0; k < view.indices.size(); k += step)
+    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z()) points.push_back(p);
+  return points;
+}
+
+// The view's rectangle around the points, in -1 to 1.
+Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin) {
   Box box{1e9, 1e9, -1e9, -1e9};
-  for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector3d p((corner & 1) != 0 ? extent.hi.x() : extent.lo.x(), (corner & 2) != 0 ? extent.hi.y() : extent.lo.y(), (corner & 4) != 0 ? extent.hi.z() : extent.lo.z());
+  for (const auto& p : points) {
     const Eigen::Vector4d v = matrix * (p - origin).homogeneous();
     box = {std::min(box.x0, v.x() / v.w()), std::min(box.y0, v.y() / v.w()), std::max(box.x1, v.x() / v.w()), std::max(box.y1, v.y() / v.w())};
   }
   return box;
 }
 
-void aim(vtkCamera* camera, const View& view, const MapOptions& options, const Eigen::Vector3d& origin) {
+void aim(vtkCamera* camera, const View& view, const std::vector<Eigen::Vector3d>& outline, const MapOptions& options, const Eigen::Vector3d& origin) {
   const Eigen::Vector3d focus = view.extent.centre() - origin, size = view.extent.hi - view.extent.lo;
   const double aspect = view.box.width() / view.box.height();
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
@@ -111,13 +132,13 @@ void aim(vtkCamera* camera, const View& view, const MapOptions& options, const E
   camera->SetViewAngle(24);
   double distance = 2.6 * size.norm();
   Eigen::Vector3d target = focus;
-  // Move back and sideways until the corners just fit.
+  // Move back and sideways until all of it just fits.
   for (int round = 0; round < 6; ++round) {
     const Eigen::Vector3d position = target + distance * direction;
     camera->SetPosition(position.x(), position.y(), position.z());
     camera->SetFocalPoint(target.x(), target.y(), target.z());
     camera->SetClippingRange(0.05 * distance, 4 * distance);
-    const Box seen = corners_on_view(view_matrix(camera, aspect), view.extent, origin);
+    const Box seen = rectangle_on_view(view_matrix(camera, aspect), outline, origin);
     const double half_height = distance * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
     const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);
     target += right * seen.centre().x() * half_height * aspect + up * seen.centre().y() * half_height;
@@ -148,18 +169,35 @@ Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
   return image;
 }
 
+// Distances from the eye's plane of all pixels, infinity for the background.
+std::vector<float> depths_m(vtkRenderWindow* window, vtkCamera* camera) {
+  vtkNew<vtkFloatArray> buffer;
+  window->GetZbufferData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, buffer);
+  const auto* z = buffer->GetPointer(0);
+  const auto n = static_cast<float>(camera->GetClippingRange()[0]), f = static_cast<float>(camera->GetClippingRange()[1]);
+  const bool parallel = camera->GetParallelProjection() != 0;
+  std::vector<float> depth(static_cast<std::size_t>(buffer->GetNumberOfValues()));
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = z[i] >= 1 ? std::numeric_limits<float>::infinity() : parallel ? n + z[i] * (f - n) : n * f / (f - z[i] * (f - n));
+  return depth;
+}
+
 double grid_step(const Extent& extent) { return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8); }
 
 Color ground_color(const MapOptions& options) { return options.dark ? hex(0x11181d) : ink::paper; }
 
 void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
-  renderer->AddActor(points_actor(*data.points, view.indices, view.coloring, origin, point_px));
+  std::vector<StemShape> shapes;
+  if (options.stems && data.stems != nullptr) shapes = stem_shapes(*data.stems, data.sections);
+  auto indices = view.indices;
+  drop_points_on_stems(*data.points, shapes, 0.035, indices);
+  renderer->AddActor(points_actor(*data.points, indices, view.coloring, origin, point_px));
   const auto& e = view.extent;
-  auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, options.view == MapView::top ? e.lo.z() - 1 : e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
-  grid->GetProperty()->SetLineWidth(static_cast<float>(point_px * 0.8));
-  renderer->AddActor(grid);
-  if (options.stems && data.stems != nullptr && data.stems->rows() > 0) {
-    const auto shapes = stem_shapes(*data.stems, data.sections);
+  if (options.view == MapView::oblique) {
+    auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
+    grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
+    renderer->AddActor(grid);
+  }
+  if (!shapes.empty()) {
     renderer->AddActor(stems_actor(shapes, origin, false));
     renderer->AddActor(breast_height_actor(shapes, origin));
   }
@@ -170,7 +208,7 @@ void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& op
 double point_size_px(const View& view, double width_px) {
   const double span = std::max((view.extent.hi - view.extent.lo).head<2>().maxCoeff(), 1.0);
   const double density = std::sqrt(static_cast<double>(std::max<std::size_t>(view.indices.size(), 1))) / span;  // per metre, as if on one plane
-  return std::clamp(0.55 * width_px / span / density * 1.6, 2.0, 9.0);
+  return std::clamp(1.4 * width_px / span / density, 2.5, 10.0);
 }
 
 std::pair<Image, Projection> render(const MapData& data, const MapOptions& options, const View& view) {
@@ -180,11 +218,7 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   const Color ground = ground_color(options);
   renderer->SetBackground(ground.r, ground.g, ground.b);
   add_actors(renderer, data, options, view, origin, point_size_px(view, width * supersampling));
-  aim(renderer->GetActiveCamera(), view, options, origin);
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkEDLShading> eye_dome;
-  eye_dome->SetDelegatePass(steps);
-  renderer->SetPass(eye_dome);
+  aim(renderer->GetActiveCamera(), view, outline_points(*data.points, view), options, origin);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -194,8 +228,10 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   vtkNew<vtkUnsignedCharArray> rgb;
   window->GetPixelData(0, 0, width * supersampling - 1, height * supersampling - 1, 0, rgb);
   Projection projection{view_matrix(renderer->GetActiveCamera(), view.box.width() / view.box.height()), origin, view.box};
-  renderer->SetPass(nullptr);
-  eye_dome->ReleaseGraphicsResources(window);
+  EyeDomeOptions shading;
+  shading.radius_px = 1.2 * supersampling * options.dpi / 150;
+  shading.strength = options.view == MapView::top ? 0.45 : 0.62;
+  shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())}, depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
   return {shrunk(rgb, width, height), projection};
 }
 
@@ -211,8 +247,7 @@ void draw_grid_labels(Canvas& canvas, const Drawing& d) {
   const auto& e = d.view.extent;
   const double azimuth = d.options.from_azimuth_deg * std::numbers::pi / 180;
   // The edges of the grid that face the viewer.
-  const bool top = d.options.view == MapView::top;
-  const double front_y = top || std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(), front_x = top || std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();
+  const double front_y = std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(), front_x = std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();
   TextStyle style{6.5, d.options.dark ? hex(0x9fb0ba) : ink::muted};
   const auto label = [&](const Eigen::Vector3d& at, const Eigen::Vector3d& inwards, double value) {
     const Eigen::Vector2d p = d.projection.map(at), out = (p - d.projection.map(inwards)).normalized();
@@ -225,8 +260,17 @@ void draw_grid_labels(Canvas& canvas, const Drawing& d) {
     if (std::abs(std::remainder(y, d.view.grid_step_m)) < 1e-6) label({front_x, y, e.lo.z()}, {e.centre().x(), y, e.lo.z()}, y);
 }
 
+// Seen from above the picture is a map with ordinary axes.
+void draw_map_axes(Canvas& canvas, const Drawing& d) {
+  const auto& e = d.view.extent;
+  const Eigen::Vector2d a = d.projection.map(e.lo), b = d.projection.map(e.hi);
+  AxesStyle axes{d.north_known ? "East (m)" : "x (m)", d.north_known ? "North (m)" : "y (m)", 8, 8};
+  axes.frame = true;
+  draw_axes(canvas, {{a.x(), b.y(), b.x(), a.y()}, {e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}}, axes);
+}
+
 void draw_furniture(Canvas& canvas, const Drawing& d) {
-  draw_grid_labels(canvas, d);
+  d.options.view == MapView::top ? draw_map_axes(canvas, d) : draw_grid_labels(canvas, d);
   const double x = canvas.width_mm() - side_mm + 3;
   const auto& c = d.view.coloring;
   double y = 8;
@@ -254,7 +298,8 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
 
 std::string caption_of(const Drawing& d) {
   const char* by = d.view.coloring.by == PointColor::tree ? "tree" : d.view.coloring.by == PointColor::intensity ? "intensity" : "height above ground";
-  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by + (d.has_stems ? ", with the fitted stems" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by +
+         (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
 }
 
 }  // namespace
@@ -265,15 +310,19 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   auto& view = drawing->view;
   const auto window = window_of(data);
   view.indices = thin_for_drawing(*data.points, window, options.point_budget);
+  if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.indices);
   if (view.indices.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
   view.extent = extent_of(*data.points, view.indices, window);
   view.coloring = coloring_for(*data.points, view.indices, options.color);
   view.grid_step_m = grid_step(view.extent);
   const double picture_mm = width_mm - (options.furniture ? side_mm : 0);
   const Eigen::Vector3d size = view.extent.hi - view.extent.lo;
-  const double label_mm = options.furniture ? 4 : 0;
-  const double height_mm = options.view == MapView::top ? std::clamp((picture_mm - 2 * label_mm) * size.y() / size.x(), 0.3 * picture_mm, 1.3 * picture_mm) + 2 * label_mm : 0.66 * picture_mm;
-  view.box = {label_mm, label_mm, picture_mm - label_mm, height_mm - label_mm};
+  const bool from_above = options.view == MapView::top;
+  const double left_mm = from_above && options.furniture ? axis_space_left_mm : 0, below_mm = from_above && options.furniture ? axis_space_below_mm : 0, edge_mm = options.furniture ? 2 : 0;
+  const double inner_mm = picture_mm - left_mm - edge_mm;
+  const double inner_height_mm = from_above ? inner_mm * std::clamp(size.y() / size.x(), 0.3, 1.3) : 0.62 * picture_mm;
+  view.box = {left_mm, edge_mm, left_mm + inner_mm, edge_mm + inner_height_mm};
+  const double height_mm = view.box.y1 + below_mm + edge_mm;
   drawing->options = options;
   drawing->north_known = data.north_known;
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;
@@ -282,7 +331,8 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   view.indices.clear();
 
   const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
-  Figure figure{std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
+  Figure figure{
+      std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
   figure.draw = [drawing](Canvas& canvas) {
     canvas.rectangle(canvas.sheet(), ground_color(drawing->options));
     canvas.image(drawing->picture, drawing->view.box);
@@ -295,7 +345,8 @@ Figure hero_figure(const MapData& data, double width_mm, double dpi) {
   MapOptions options;
   options.dark = true;
   options.furniture = false;
-  options.elevation_deg = 16;
+  options.elevation_deg = 17;
+  options.crown_share = 0.15;
   options.dpi = dpi;
   auto figure = map_figure(data, options, width_mm);
   figure.name = "hero";

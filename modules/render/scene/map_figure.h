@@ -6,7 +6,7 @@
 #include "cloud/trajectory.h"
 #include "render/charts/plot_area.h"
 #include "render/draw/figure.h"
-#include "render/scene/actors.h"
+#include "render/scene/point_color.h"
 
 namespace bole {
 
@@ -29,8 +29,9 @@ struct MapOptions {
   double elevation_deg = 24;      // above the horizon
   bool stems = true;
   bool walk = true;
-  bool dark = false;              // light drawing on a dark ground, for screens
-  bool furniture = true;          // legend, grid labels, north arrow
+  bool dark = false;       // light drawing on a dark ground, for screens
+  double crown_share = 1;  // of the points higher than 4 m above ground, so many are drawn
+  bool furniture = true;   // legend, grid labels, north arrow
   double dpi = 300;
 };
 

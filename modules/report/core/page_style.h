@@ -25,6 +25,7 @@ table { border-collapse: collapse; width: 100%; font-size: .9rem; }
 th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); padding: .25rem .5rem; vertical-align: bottom; background: #fff; }
 td { border-bottom: 1px solid var(--line); padding: .2rem .5rem; vertical-align: top; }
 th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+#plot td:nth-child(3) { white-space: nowrap; }
 .sortable th { cursor: pointer; position: sticky; top: 0; }
 .sortable th:hover { color: var(--blue); }
 .sortable th.up::after { content: " \25B4"; } .sortable th.down::after { content: " \25BE"; }
@@ -44,6 +45,7 @@ ul { padding-left: 1.2rem; }
   body { font-size: 9.5pt; } main { max-width: none; padding: 0; }
   .screen { display: none; }
   h2 { break-after: avoid; } h3 { break-after: avoid; }
+  .figures { display: block; } figure { margin-bottom: 7mm; } figure.half { display: inline-block; width: 48%; margin-right: 1.5%; vertical-align: top; }
   tr, figure, .card { break-inside: avoid; } thead { display: table-header-group; }
   .sortable th { position: static; }
   .card { background: none; border: 1px solid var(--line); border-left: 3px solid var(--blue); }

@@ -48,7 +48,8 @@ void take_heights(std::vector<Counted> stems, PlotMetrics& m) {
   if (!std::isfinite(m.area_m2)) return;
   m.dominant_stems = std::min(stems.size(), std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(dominant_per_ha * m.area_m2 / m2_per_ha))));
   std::stable_sort(stems.begin(), stems.end(), [](const Counted& a, const Counted& b) { return a.dbh_cm > b.dbh_cm; });
-  m.dominant_height_m = std::accumulate(stems.begin(), stems.begin() + static_cast<std::ptrdiff_t>(m.dominant_stems), 0.0, [](double total, const Counted& s) { return total + s.height_m; }) / static_cast<double>(m.dominant_stems);
+  m.dominant_height_m =
+      std::accumulate(stems.begin(), stems.begin() + static_cast<std::ptrdiff_t>(m.dominant_stems), 0.0, [](double total, const Counted& s) { return total + s.height_m; }) / static_cast<double>(m.dominant_stems);
 }
 
 std::vector<DiameterClass> classes_of(const std::vector<Counted>& stems, double class_cm, double area_m2) {
@@ -120,7 +121,8 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
   const std::string heights = std::to_string(m.heights) + " of " + std::to_string(m.stems) + " stems have a height";
   return {
       {"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"},
-      {"Stems", std::to_string(m.stems), "", "DBH of at least " + fixed(least_dbh_cm, 1) + " cm and centre at breast height inside the plot; " + std::to_string(m.outside) + " outside, " + std::to_string(m.too_thin) + " thinner"},
+      {"Stems", std::to_string(m.stems), "",
+       "DBH of at least " + fixed(least_dbh_cm, 1) + " cm and centre at breast height inside the plot; " + std::to_string(m.outside) + " outside, " + std::to_string(m.too_thin) + " thinner"},
       {"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"},
       {"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"},
       {"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"},
@@ -129,7 +131,8 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
       {"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm", "√(mean of DBH²)"},
       {"Mean height", fixed(m.mean_height_m, 1), "m", heights},
       {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + heights},
-      {"Dominant height", fixed(m.dominant_height_m, 1), "m", m.dominant_stems > 0 ? "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) + " on this plot" : "mean height of the 100 thickest stems per hectare"},
+      {"Dominant height", fixed(m.dominant_height_m, 1), "m",
+       m.dominant_stems > 0 ? "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) + " on this plot" : "mean height of the 100 thickest stems per hectare"},
   };
 }
 

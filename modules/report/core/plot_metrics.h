@@ -12,26 +12,26 @@ namespace bole {
 struct DiameterClass {
   double lo_cm = 0, hi_cm = 0;  // lo <= dbh < hi
   std::size_t stems = 0;
-  double stems_per_ha = 0;      // NaN without a plot area
+  double stems_per_ha = 0;  // NaN without a plot area
   double basal_area_m2 = 0;
   double basal_area_m2_per_ha = 0;
-  double mean_height_m = 0;     // of the heights that are known; NaN when none is
+  double mean_height_m = 0;  // of the heights that are known; NaN when none is
 };
 
 // NaN where a number cannot be had: per-hectare values without a plot area, heights where none is known.
 struct PlotMetrics {
-  double area_m2 = 0;              // horizontal
-  std::size_t stems = 0;           // centre at breast height inside the plot, at least the least diameter, not rejected
-  std::size_t outside = 0;         // measured stems that lie outside
-  std::size_t too_thin = 0;        // inside, below the least diameter
+  double area_m2 = 0;        // horizontal
+  std::size_t stems = 0;     // centre at breast height inside the plot, at least the least diameter, not rejected
+  std::size_t outside = 0;   // measured stems that lie outside
+  std::size_t too_thin = 0;  // inside, below the least diameter
   double stems_per_ha = 0;
-  double basal_area_m2 = 0;        // sum of pi/4 dbh^2
+  double basal_area_m2 = 0;  // sum of pi/4 dbh^2
   double basal_area_m2_per_ha = 0;
   double mean_dbh_cm = 0;
-  double sd_dbh_cm = 0;            // with n - 1
+  double sd_dbh_cm = 0;              // with n - 1
   double quadratic_mean_dbh_cm = 0;  // sqrt of the mean of dbh^2
   double least_dbh_cm = 0, most_dbh_cm = 0;
-  std::size_t heights = 0;         // stems with a known height
+  std::size_t heights = 0;  // stems with a known height
   double mean_height_m = 0;
   double lorey_height_m = 0;       // mean height weighted by basal area
   double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area

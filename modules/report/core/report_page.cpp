@@ -16,7 +16,9 @@ std::string section(const std::string& id, const std::string& title, const std::
 std::string paragraph(const std::string& text, const std::string& css = {}) { return "<p" + (css.empty() ? std::string() : " class=\"" + css + "\"") + ">" + escaped(text) + "</p>\n"; }
 
 std::string cards(const PlotMetrics& m) {
-  const auto card = [](const std::string& value, const std::string& unit, const std::string& name) { return "<div class=\"card\"><b>" + escaped(value) + "</b> <span>" + escaped(unit) + "</span><br>" + escaped(name) + "</div>\n"; };
+  const auto card = [](const std::string& value, const std::string& unit, const std::string& name) {
+    return "<div class=\"card\"><b>" + escaped(value) + "</b> <span>" + escaped(unit) + "</span><br>" + escaped(name) + "</div>\n";
+  };
   std::string out = "<div class=\"cards\">\n" + card(std::to_string(m.stems), "", "stems");
   if (std::isfinite(m.area_m2)) out += card(fixed(m.stems_per_ha, 0), "1/ha", "stem density") + card(fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
   out += card(fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") + card(fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
@@ -30,7 +32,8 @@ std::string metrics_section(const ReportContent& c) {
   std::string body = table.html();
   if (!std::isfinite(c.metrics.area_m2)) body = paragraph("No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the report.", "note") + body;
   HtmlTable classes{{{"DBH class (cm)"}, {"Stems", true}, {"1/ha", true}, {"Basal area (m²/ha)", true}, {"Mean height (m)", true}}, {}, false};
-  for (const auto& k : c.metrics.classes) classes.rows.push_back({fixed(k.lo_cm, 0) + "–" + fixed(k.hi_cm, 0), std::to_string(k.stems), fixed(k.stems_per_ha, 0), fixed(k.basal_area_m2_per_ha, 2), fixed(k.mean_height_m, 1)});
+  for (const auto& k : c.metrics.classes)
+    classes.rows.push_back({fixed(k.lo_cm, 0) + "–" + fixed(k.hi_cm, 0), std::to_string(k.stems), fixed(k.stems_per_ha, 0), fixed(k.basal_area_m2_per_ha, 2), fixed(k.mean_height_m, 1)});
   if (!classes.rows.empty()) body += "<h3>By diameter class</h3>\n" + classes.html();
   return section("plot", "The plot", body);
 }
@@ -42,8 +45,9 @@ struct StemColumn {
 };
 
 // Those of the stem table that a reader wants, where they are present.
-constexpr StemColumn stem_columns[] = {{"tree_id", "Tree", 0},        {"x_m", "x (m)", 2},          {"y_m", "y (m)", 2},      {"dbh_cm", "DBH (cm)", 1},   {"dbh_lo_cm", "from", 1},  {"dbh_hi_cm", "to", 1},       {"height_m", "Height (m)", 1},
-                                       {"lean_deg", "Lean (°)", 1}, {"arc_deg", "Arc (°)", 0}, {"passes", "Passes", 0}, {"sigma_cm", "σ (cm)", 2}, {"inliers", "Points", 0}, {"quality", "Quality", -1}, {"state", "State", -1}};
+constexpr StemColumn stem_columns[] = {{"tree_id", "Tree", 0},    {"x_m", "x (m)", 2},           {"y_m", "y (m)", 2},         {"dbh_cm", "DBH (cm)", 1}, {"dbh_lo_cm", "from", 1},
+                                       {"dbh_hi_cm", "to", 1},    {"height_m", "Height (m)", 1}, {"lean_deg", "Lean (°)", 1}, {"arc_deg", "Arc (°)", 0}, {"passes", "Passes", 0},
+                                       {"sigma_cm", "σ (cm)", 2}, {"inliers", "Points", 0},      {"quality", "Quality", -1},  {"state", "State", -1}};
 
 HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
   HtmlTable table;
@@ -83,7 +87,8 @@ std::string check_section(const ReportContent& c) {
     const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"), reasons = texts_or_empty(*c.stems, "reasons");
     HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
     for (std::size_t i = 0; i < c.stems->rows(); ++i)
-      if (state[i] == "check" || quality[i] == "poor") table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1), fixed(numbers_or_nan(*c.stems, "dbh_cm")[i], 1), quality[i], reasons[i]});
+      if (state[i] == "check" || quality[i] == "poor")
+        table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1), fixed(numbers_or_nan(*c.stems, "dbh_cm")[i], 1), quality[i], reasons[i]});
     if (!table.rows.empty()) body += "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
   }
   if (c.rejected != nullptr && c.rejected->rows() > 0) {
@@ -99,7 +104,9 @@ std::string check_section(const ReportContent& c) {
 
 std::string pictures_section(const ReportContent& c) {
   std::string body;
-  for (const auto& p : c.pictures) body += std::string("<figure") + (p.wide ? "" : " class=\"half\"") + "><img src=\"" + data_uri(p.media_type, p.bytes) + "\" alt=\"" + escaped(p.title) + "\"><figcaption><b>" + escaped(p.title) + ".</b> " + escaped(p.caption) + "</figcaption></figure>\n";
+  for (const auto& p : c.pictures)
+    body += std::string("<figure") + (p.wide ? "" : " class=\"half\"") + "><img src=\"" + data_uri(p.media_type, p.bytes) + "\" alt=\"" + escaped(p.title) + "\"><figcaption><b>" + escaped(p.title) + ".</b> " +
+            escaped(p.caption) + "</figcaption></figure>\n";
   return body.empty() ? std::string() : section("figures", "Figures", "<div class=\"figures\">\n" + body + "</div>\n");
 }
 
@@ -108,13 +115,14 @@ std::string number_or_text(const Table& table, const char* column, std::size_t r
   if (values == nullptr) return {};
   if (const auto* texts = std::get_if<std::vector<std::string>>(values)) return (*texts)[row];
   const double v = numbers_or_nan(table, column)[row];
-  return fixed(v, v == std::round(v) && std::abs(v) >= 10 ? 0 : 3);
+  return fixed(v, v == std::round(v) ? 0 : std::abs(v) >= 10 ? 2 : 3);
 }
 
 std::string evaluation_section(const ReportContent& c) {
   if (c.summary == nullptr || c.summary->rows() == 0) return {};
   HtmlTable table{{{"Measure"}, {"This run", true}, {"Unit"}, {"Published", true}}, {}, false};
-  for (std::size_t i = 0; i < c.summary->rows(); ++i) table.rows.push_back({number_or_text(*c.summary, "measure", i), number_or_text(*c.summary, "value", i), number_or_text(*c.summary, "unit", i), number_or_text(*c.summary, "published", i)});
+  for (std::size_t i = 0; i < c.summary->rows(); ++i)
+    table.rows.push_back({number_or_text(*c.summary, "measure", i), number_or_text(*c.summary, "value", i), number_or_text(*c.summary, "unit", i), number_or_text(*c.summary, "published", i)});
   std::string body = paragraph("Compared with the reference that was given. Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace them.", "note") + table.html();
   if (c.matches != nullptr) {
     const auto kind = texts_or_empty(*c.matches, "kind");
@@ -128,7 +136,8 @@ std::string stage_options(const StageRecord& stage) {
   HtmlTable table{{{"Option"}, {"Value", true}, {"Unit"}, {""}}, {}, false};
   for (const auto& o : stage.options) table.rows.push_back({o.name, o.value.empty() ? "–" : o.value, o.unit, o.is_default ? "" : "changed"});
   const bool changed = std::any_of(stage.options.begin(), stage.options.end(), [](const auto& o) { return !o.is_default; });
-  return "<details><summary><b>" + escaped(stage.id) + "</b> (" + escaped(stage.type) + ")" + (changed ? ", changed options" : "") + "</summary>\n" + (table.rows.empty() ? paragraph("no options") : table.html()) + "</details>\n";
+  return "<details><summary><b>" + escaped(stage.id) + "</b> (" + escaped(stage.type) + ")" + (changed ? ", changed options" : "") + "</summary>\n" + (table.rows.empty() ? paragraph("no options") : table.html()) +
+         "</details>\n";
 }
 
 std::string run_section(const ReportContent& c) {
@@ -164,7 +173,8 @@ std::string head(const ReportContent& c) {
 }  // namespace
 
 std::string report_html(const ReportContent& c) {
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(c.title) + "</title>\n<style>\n" + std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
+  std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(c.title) + "</title>\n<style>\n" +
+                    std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
   out += head(c) + metrics_section(c) + check_section(c) + evaluation_section(c) + pictures_section(c) + stems_section(c) + run_section(c);
   return out + "</main>\n<script>\n" + std::string(page_script) + "</script>\n</body>\n</html>\n";
 }

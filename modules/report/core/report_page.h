@@ -15,17 +15,17 @@ struct ReportPicture {
   std::string title, caption;
   std::string media_type;  // "image/svg+xml" or "image/png"
   std::string bytes;
-  bool wide = true;        // over the whole page; else two side by side
+  bool wide = true;  // over the whole page; else two side by side
 };
 
 struct ReportContent {
   std::string title;
-  std::vector<std::pair<std::string, std::string>> facts;     // "Made on", "Axes", ...
+  std::vector<std::pair<std::string, std::string>> facts;  // "Made on", "Axes", ...
   PlotMetrics metrics;
   double least_dbh_cm = 0;
   const Table* stems = nullptr;
   const Table* rejected = nullptr;
-  const Table* summary = nullptr;                             // evaluation
+  const Table* summary = nullptr;  // evaluation
   const Table* matches = nullptr;
   std::vector<ReportPicture> pictures;
   std::vector<std::string> warnings;

@@ -10,8 +10,11 @@ class VTKBOLEREPORT_EXPORT vtkBolePlotReport : public vtkBoleStage {
   static vtkBolePlotReport* New();
   vtkTypeMacro(vtkBolePlotReport, vtkBoleStage)
 
+  // Adds the stages of the report to those that pipeline documents may name.
+  static void RegisterStages();
+
  protected:
-  vtkBolePlotReport() { this->SetStageType("report.plot"); }
+  vtkBolePlotReport();
 };
 
 #endif

@@ -72,6 +72,16 @@ void VelodyneDecoder::firings(const VelodynePacket& packet, std::vector<Velodyne
     if (is_sane(i)) sum += turn_after(i), ++sane;
   const double mean = sane > 0 ? sum / sane : 0;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].advance_centideg = is_sane(i) ? turn_after(i) : mean;
+  if (mean > 0 && sane + 2 == static_cast<int>(out.size()) && std::ranges::all_of(out, &VelodyneFiring::valid)) shift_behind_blind_sector(mean, out);
+}
+
+void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg, std::vector<VelodyneFiring>& firings) const {
+  for (std::size_t i = 0; i + 1 < firings.size(); ++i) {
+    const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn, full_turn);
+    if (turn <= most_advance_centideg || turn >= full_turn - most_advance_centideg) continue;
+    const double skipped_s = (turn / mean_advance_centideg - 1) * firing_period_s();
+    for (std::size_t k = i + 1; k < firings.size(); ++k) firings[k].time_offset_s += skipped_s;
+  }
 }
 
 void VelodyneDecoder::append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing, double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number,

@@ -39,7 +39,9 @@ class VelodyneDecoder {
   const SensorModel& model() const { return model_; }
 
   // The firings of a packet, with azimuths made firing-exact: the turn from one to the next is what the packet says, and
-  // for the last one the mean of the others. Blocks whose azimuth jumps (damaged packets) get that mean too.
+  // for the last one the mean of the others. Blocks whose azimuth jumps (damaged packets) get that mean too. A single jump
+  // is a field of view that the sensor was told to leave out: it sends nothing while the rotor passes it, and the firings
+  // behind it are later by that time.
   std::vector<VelodyneFiring> firings(const VelodynePacket& packet) const;
   void firings(const VelodynePacket& packet, std::vector<VelodyneFiring>& out) const;
 
@@ -59,6 +61,7 @@ class VelodyneDecoder {
     double offset_centideg, time_s;
     std::uint16_t ring;
   };
+  void shift_behind_blind_sector(double mean_advance_centideg, std::vector<VelodyneFiring>& firings) const;
   void append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing, double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number, std::vector<VelodyneReturn>& out) const;
 
   SensorModel model_;

@@ -37,7 +37,10 @@ double bark_relief(const Eigen::Vector3d& p, int tree_id) {
 }  // namespace
 
 Beam::Beam(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, std::uint64_t seed) : sensor_(sensor), parameters_(parameters), scene_(scene), seed_(seed) {
-  for (std::size_t i = 0; i < sensor.channels.size(); ++i) bias_m_.push_back(parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal());
+  for (std::size_t i = 0; i < sensor.channels.size(); ++i) {
+    const double elevation = sensor.channels[i].elevation_rad;
+    lasers_.push_back({std::cos(elevation), std::sin(elevation), parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal()});
+  }
 }
 
 Beam::Return Beam::strongest(const RayHit hits[rays]) const {
@@ -82,9 +85,9 @@ std::uint8_t Beam::intensity(const Return& r, Random& random) const {
 
 LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse) const {
   static const auto pattern = gaussian_pattern();
-  const auto& laser = sensor_.channels[channel];
+  const Laser& laser = lasers_[channel];
   Random random(seed_, Stream::pulse, pulse);
-  const double ce = std::cos(laser.elevation_rad), se = std::sin(laser.elevation_rad), ca = std::cos(azimuth_rad), sa = std::sin(azimuth_rad);
+  const double ce = laser.cos_elevation, se = laser.sin_elevation, ca = std::cos(azimuth_rad), sa = std::sin(azimuth_rad);
   const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * ca, -ce * sa, se);
   const Eigen::Vector3d right = T.linear() * Eigen::Vector3d(-sa, -ca, 0), up = right.cross(axis);
   // A full 1/e^2 width is four standard deviations.
@@ -112,7 +115,7 @@ LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std
     r.range_m += r.bark_depth_m * bark_relief(T.translation() + r.range_m * axis, tree) / std::max(0.25, r.cos_incidence);
   }
   const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength));
-  const double range = r.range_m + bias_m_[channel] + sigma * random.bounded_normal(4);
+  const double range = r.range_m + laser.bias_m + sigma * random.bounded_normal(4);
   return {static_cast<float>(range), intensity(r, random)};
 }
 

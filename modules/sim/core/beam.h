@@ -38,7 +38,10 @@ class Beam {
   BeamParameters parameters_;
   const RayScene& scene_;
   std::uint64_t seed_;
-  std::vector<double> bias_m_;
+  struct Laser {
+    double cos_elevation = 1, sin_elevation = 0, bias_m = 0;
+  };
+  std::vector<Laser> lasers_;
 };
 
 }  // namespace bole::sim

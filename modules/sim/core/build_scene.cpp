@@ -47,7 +47,7 @@ PlotScene build_scene(const Forest& forest, std::uint64_t seed) {
   PlotScene scene;
   const double edge = forest.half_side_m() + forest.recipe.buffer_m + 2;
   // The fine sheet carries the micro-relief; beyond it a coarse one, a little lower where they overlap, closes the view.
-  scene.model.pieces.push_back(ground_sheet(forest.terrain, edge, 0.15, 0));
+  scene.model.pieces.push_back(ground_sheet(forest.terrain, edge, 0.1, 0));
   scene.model.pieces.push_back(ground_sheet(forest.terrain, edge + 60, 3.0, 0.5));
   for (const auto& tree : forest.trees) {
     Random random(seed, Stream::branches, 1000000 + static_cast<std::uint64_t>(tree.id));

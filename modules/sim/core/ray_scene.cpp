@@ -56,7 +56,7 @@ struct RayScene::Impl {
     archetype_scenes.push_back(inner);
     auto& list = archetype_surfaces.emplace_back();
     for (const auto& piece : archetype.pieces) attach(inner, piece, list);
-    rtcSetSceneFlags(inner, RTC_SCENE_FLAG_COMPACT);
+    rtcSetSceneBuildQuality(inner, RTC_BUILD_QUALITY_HIGH);
     rtcCommitScene(inner);
   }
   void attach(RTCScene to, const Piece& piece, std::vector<Surface>& list) {
@@ -87,7 +87,7 @@ RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>()) {
   impl_->scene = rtcNewScene(impl_->device);
   for (const auto& piece : model.pieces) impl_->attach(impl_->scene, piece, impl_->surfaces);
   for (const auto& placement : model.placements) impl_->add_placement(placement);
-  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_COMPACT);
+  rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
   rtcCommitScene(impl_->scene);
   if (const RTCError error = rtcGetDeviceError(impl_->device); error != RTC_ERROR_NONE) throw failure("Embree error " + std::to_string(static_cast<int>(error)) + " while building the scene");
 }

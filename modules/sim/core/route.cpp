@@ -134,12 +134,15 @@ std::vector<Eigen::Vector2d> survey_pattern(double plot_size_m, double line_spac
   const double half = 0.5 * plot_size_m, end = std::max(1.0, half - 1.0);
   int lines = std::max(1, static_cast<int>(std::floor((plot_size_m - 2.0) / line_spacing_m)) + 1);
   if (lines % 2 == 0) --lines;
-  std::vector<Eigen::Vector2d> points{{0.9, -0.7}};
+  const double top = 0.5 * line_spacing_m * (lines - 1), turn = std::min(1.5, 0.25 * plot_size_m);
+  // The sharp turns in the two corners are rounded: a person does not spin on the spot.
+  std::vector<Eigen::Vector2d> points{{0.9, -0.7}, {-end, top - turn}};
   for (int i = 0; i < lines; ++i) {
-    const double y = 0.5 * line_spacing_m * (lines - 1) - i * line_spacing_m, side = i % 2 == 0 ? -1 : 1;
+    const double y = top - i * line_spacing_m, side = i % 2 == 0 ? -1 : 1;
     points.emplace_back(side * end, y);
     points.emplace_back(-side * end, y);
   }
+  points.emplace_back(end, -top + turn);
   points.emplace_back(0.9, -0.7);
   return points;
 }

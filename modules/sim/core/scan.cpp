@@ -5,16 +5,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/option.h"
 
 namespace bole::sim {
 namespace {
 
-// Start azimuth of a recording; any other would do.
-constexpr double first_azimuth_rad = std::numbers::pi;
 constexpr std::int64_t batch_sequences = 1024;
+
+// The walk during one firing sequence of some 50 us: uniform motion, with a rotation so small (below 1e-3 rad) that its first
+// order is exact to far below a micrometre at 100 m.
+class SequenceMotion {
+ public:
+  SequenceMotion(const Walk& walk, double start_s, double period_s) : start_(walk.pose(start_s)) {
+    const Pose end = walk.pose(start_s + period_s);
+    velocity_ = (end.translation() - start_.translation()) / period_s;
+    turn_ = start_.linear() * skew(so3_log(Eigen::Quaterniond(start_.linear().transpose() * end.linear()))) / period_s;
+  }
+  Pose at(double within_s) const {
+    Pose T = start_;
+    T.translation() += within_s * velocity_;
+    T.linear() += within_s * turn_;
+    return T;
+  }
+
+ private:
+  Pose start_;
+  Eigen::Vector3d velocity_;
+  Eigen::Matrix3d turn_;
+};
 
 }  // namespace
 
@@ -22,22 +41,20 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
                     const std::function<void(const FiringSequence&)>& sink) {
   const Beam beam(sensor, parameters, scene, seed);
   const std::size_t lasers = sensor.channels.size();
-  const double turn_rad_s = 2 * std::numbers::pi * rotation_hz, period = sensor.sequence_period_s;
+  const double turn_rad_s = two_pi * rotation_hz, period = sensor.sequence_period_s;
   const auto total = static_cast<std::int64_t>(std::floor(walk.duration_s() / period));
   std::vector<LaserEcho> echoes(static_cast<std::size_t>(batch_sequences) * lasers);
   ScanStatistics statistics;
   const auto fire = [&](std::int64_t sequence, LaserEcho* out) {
     const double start = static_cast<double>(sequence) * period;
-    // Within a sequence of some 50 us the motion is uniform to far below a micrometre.
-    const Pose at_start = walk.pose(start), at_end = walk.pose(start + period);
+    const SequenceMotion motion(walk, start, period);
     for (std::size_t c = 0; c < lasers; ++c) {
       const double within = sensor.channels[c].firing_time_s;
-      const Pose T = within > 0 ? interpolate(at_start, at_end, within / period) : at_start;
       const double azimuth = first_azimuth_rad + turn_rad_s * (start + within) + sensor.channels[c].azimuth_offset_rad;
-      out[c] = beam.fire(T, c, azimuth, static_cast<std::uint64_t>(sequence) * lasers + c);
+      out[c] = beam.fire(motion.at(within), c, azimuth, static_cast<std::uint64_t>(sequence) * lasers + c);
     }
   };
-  for (std::int64_t first = 0; first < total; first += batch_sequences) {
+  for (std::int64_t first = 0; first < total && !run.asked_to_finish(); first += batch_sequences) {
     const std::int64_t count = std::min(batch_sequences, total - first);
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 8), [&](const auto& range) {
       for (auto i = range.begin(); i < range.end() && !run.cancelled(); ++i) fire(first + i, echoes.data() + static_cast<std::size_t>(i) * lasers);
@@ -47,7 +64,7 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
       const std::span<const LaserEcho> sequence(echoes.data() + static_cast<std::size_t>(i) * lasers, lasers);
       statistics.returns += std::ranges::count_if(sequence, [](const LaserEcho& e) { return e.range_m > 0; });
       const double time = static_cast<double>(first + i) * period, azimuth = first_azimuth_rad + turn_rad_s * time;
-      sink({first + i, time, azimuth - 2 * std::numbers::pi * std::floor(azimuth / (2 * std::numbers::pi)), sequence});
+      sink({first + i, time, azimuth - two_pi * std::floor(azimuth / two_pi), turn_rad_s, sequence});
     }
     statistics.pulses += count * static_cast<std::int64_t>(lasers);
     const double done = static_cast<double>(first + count) * period;

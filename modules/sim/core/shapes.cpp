@@ -75,10 +75,10 @@ void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& middle, const Eigen::Ve
 }
 
 TriangleMesh stem_mesh(const StemShape& stem, bool fine) {
-  // n sides lie within r (1 - cos(pi / n)), about r (pi / n)^2 / 2, of the circle; half of it after centring.
+  // n sides lie within r (1 - cos(pi / n)), about r (pi / n)^2 / 2, of the circle, on average r (pi / n)^2 / 3 inside: vertices go that far out.
   const double widest = stem.radius_m * (1 + stem.flare);
   const int sides = fine ? std::clamp(static_cast<int>(std::ceil(pi * std::sqrt(0.5 * widest / 0.0003))), 40, 128) : 20;
-  const double centring = 1 + pi * pi / (3.0 * sides * sides) * 0.5;
+  const double centring = 1 + pi * pi / (3.0 * sides * sides);
   TriangleMesh mesh;
   std::uint32_t previous = 0;
   const std::vector<double> heights = ring_heights(stem, fine);

@@ -20,7 +20,7 @@ void add_cylinder(TriangleMesh& mesh, const Eigen::Vector3d& bottom, double radi
 void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& middle, const Eigen::Vector3d& along, const Eigen::Vector3d& across);
 
 // The analytic stem from below the ground to its end. The vertices lie so that the facets have the shape's mean radius; `fine`
-// keeps facets within 0.15 mm of it up to 2.6 m, the rest is coarse.
+// keeps sides within 0.3 mm of it up to 2.6 m, the rest is coarse.
 TriangleMesh stem_mesh(const StemShape& stem, bool fine);
 
 // A boulder of radius about 1, flattened, from a displaced icosahedron.

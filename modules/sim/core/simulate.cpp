@@ -152,6 +152,7 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
                     {"pulses_per_second", {static_cast<double>(statistics.pulses) / std::max(1e-9, seconds)}},
                     {"rays_per_second", {static_cast<double>(statistics.pulses) * sim::RayBundle::size / std::max(1e-9, seconds)}}};
   report.facts["axes"] = "plot";
+  if (run.asked_to_finish()) report.status = Status::finished_early;
   return report;
 }
 

@@ -243,7 +243,7 @@ void Grower::understorey(Vegetation& vegetation) {
   const auto& u = forest_.recipe.understorey;
   for (int i = count_for(u.shrubs_per_ha); i > 0; --i) {
     const Eigen::Vector3d p = ground_point(0, random);
-    const double scale = random.uniform(0.6, 1.6), azimuth = random.angle();
+    const double scale = random.uniform(0.6, 1.8), azimuth = random.angle();
     if (!is_free(p, 0.15)) continue;
     place(shrubs_, random, placement(p, azimuth, scale));
     vegetation.obstacles.push_back({p.head<2>(), 0.35 * scale});

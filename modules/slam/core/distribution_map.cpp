@@ -69,18 +69,9 @@ void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point) {
   cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
 }
 
-std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int first_level, int least_points) const {
-  for (int l = first_level; l < levels; ++l) {
-    if (auto found = surface_on(levels_[static_cast<std::size_t>(l)], point, least_points)) {
-      found->level = l;
-      return found;
-    }
-  }
-  return std::nullopt;
-}
-
 // The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are added.
-std::optional<LocalSurface> DistributionMap::surface_on(const Level& level, const Eigen::Vector3d& point, int least_points) {
+std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index, int least_points) const {
+  const Level& level = levels_[static_cast<std::size_t>(level_index)];
   const double cell_m = level.cell_m;
   const auto cx = static_cast<std::int64_t>(std::lround(point.x() / cell_m)), cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)), cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
   double n = 0;
@@ -112,6 +103,7 @@ std::optional<LocalSurface> DistributionMap::surface_on(const Level& level, cons
   surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   surface.axes = solver.eigenvectors();
   surface.points = static_cast<int>(n);
+  surface.level = level_index;
   return surface;
 }
 

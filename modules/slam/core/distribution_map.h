@@ -1,6 +1,6 @@
 // A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface around a
-// place is found by merging the eight cells about it, in constant time and with every point averaged in. The finest level
-// that holds enough points answers, which adapts the neighbourhood to the density of the scan.
+// place is found by merging the eight cells about it, in constant time and with every point averaged in. Who asks goes from fine
+// to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to the density of the scan.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,15 +25,15 @@ struct LocalSurface {
 
 class DistributionMap {
  public:
-  static constexpr int levels = 4;
+  static constexpr int levels = 5;
   static constexpr std::uint16_t most_per_cell = 200;  // then the cell is settled: early points hold against drift
 
   explicit DistributionMap(double finest_cell_m);
 
   void clear();
   void insert(const Eigen::Vector3d& point);
-  // The surface about `point` on the finest level from `first_level` with at least `least_points` about it.
-  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int first_level = 0, int least_points = 8) const;
+  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
 
   double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].used; }
@@ -57,7 +57,6 @@ class DistributionMap {
     void grow();
   };
   static void insert_into(Level& level, const Eigen::Vector3d& point);
-  static std::optional<LocalSurface> surface_on(const Level& level, const Eigen::Vector3d& point, int least_points);
 
   std::vector<Level> levels_;
 };

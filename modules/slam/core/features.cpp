@@ -9,8 +9,8 @@
 namespace bole {
 namespace {
 
-constexpr int half_window = 5;      // neighbours on each side (LOAM)
-constexpr int sectors = 6;          // the line is cut into sectors so that features lie all around
+constexpr int half_window = 5;  // neighbours on each side (LOAM)
+constexpr int sectors = 6;      // the line is cut into sectors so that features lie all around
 constexpr int edges_query = 2, edges_map = 12, planes_query = 4;
 constexpr float edge_curvature = 0.1f, plane_curvature = 0.1f;
 enum Unusable : std::uint8_t { no_edge = 1, no_plane = 2 };
@@ -59,7 +59,7 @@ void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
     if (std::abs(jump) < step) continue;
     const bool after_is_farther = jump > 0;
     mark(after_is_farther ? i + 1 : i, after_is_farther ? 1 : -1, no_edge | no_plane);
-    if (options_.occlusion == "both_sides") mark(after_is_farther ? i : i + 1, after_is_farther ? -1 : 1, no_edge);
+    if (options_.occlusion == "both_sides") unusable_[after_is_farther ? i : i + 1] |= no_edge;
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const float tilt = 0.0002f * line[i].range * line[i].range;

@@ -38,8 +38,8 @@ class FeatureExtractor {
   void mark_unreliable(std::span<const ScanPoint> line);
 
   const SlamOptions options_;
-  std::vector<float> curvature_;         // squared metres; of the line in work
-  std::vector<std::uint8_t> unusable_;   // bits: no edge, no plane
+  std::vector<float> curvature_;        // squared metres; of the line in work
+  std::vector<std::uint8_t> unusable_;  // bits: no edge, no plane
   std::vector<std::uint32_t> order_;
   std::vector<FeaturePoint> candidates_;
 };

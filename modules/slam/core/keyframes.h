@@ -10,10 +10,10 @@
 namespace bole {
 
 struct Keyframe {
-  std::size_t frame = 0;    // index among the frames of the track
-  double time_s = 0;        // of its pose
-  double path_m = 0;        // way walked until here
-  Pose T_map_keyframe = Pose::Identity();  // at the end of its frame
+  std::size_t frame = 0;                       // index among the frames of the track
+  double time_s = 0;                           // of its pose
+  double path_m = 0;                           // way walked until here
+  Pose T_map_keyframe = Pose::Identity();      // at the end of its frame
   std::vector<Eigen::Vector3f> edges, planes;  // in key-frame axes, de-skewed
 };
 

@@ -26,7 +26,7 @@ class PoseGrid {
   PoseGrid() = default;
   explicit PoseGrid(const FrameMotion& motion) : PoseGrid([&](double s) { return motion.at(s); }) {}
   template <class PoseAt>
-    requires requires(PoseAt f) { Pose(f(0.0)); }
+  requires requires(PoseAt f) { Pose(f(0.0)); }
   explicit PoseGrid(const PoseAt& pose_at) {
     for (int i = 0; i <= steps; ++i) {
       const Pose T = pose_at(static_cast<double>(i) / steps);

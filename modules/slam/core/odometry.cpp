@@ -28,6 +28,11 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   const double last_span_s = last.end_s - last.begin_s;
   if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
   Vector6d velocity = se3_log(last.motion.delta()) / last_span_s;
+  if (options_.deskew != "elastic") {
+    // There the motion within the frame is a guess of before the registration; the ends of two frames are better known.
+    const auto& before = frames_[frames_.size() - 2];
+    velocity = se3_log(before.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - before.end_s);
+  }
   if (failed_in_a_row_ > 0) velocity *= 0.5;
   const double gap_s = std::max(0.0, begin_s - last.end_s);
   FrameMotion out;
@@ -39,28 +44,36 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
 FrameMotion Odometry::guessed(const FrameMotion& prediction, const Features& features, const Run& run) {
   if (options_.deskew == "none") return {prediction.T_map_end, prediction.T_map_end};
   if (options_.first_guess != "last_frame") return prediction;
-  RegistrationSettings settings;
+  RegistrationSettings settings = base_settings();
   settings.model = MotionModel::end;
-  settings.rounds = options_.rounds;
-  settings.sigma_m = options_.range_sigma_m;
-  settings.kernel_sigmas = options_.kernel_sigmas;
+  hold_to_gait(settings, 0);
   const auto r = register_frame(features.query, last_frame_map_, prediction, settings, run);
   return r.overlap >= options_.lost_overlap ? r.motion : prediction;
 }
 
-Registration Odometry::registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run) {
+// Priors of the motion over a frame that follows the last one after a gap.
+void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const {
+  const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s), changed_s = std::max(span_s, gap_s);
+  settings.begin_sigma_m = options_.continuity_sigma_m + gait_acceleration_m_s2 * gap_s * changed_s;
+  settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * changed_s;
+  settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * changed_s;
+  settings.motion_sigma_rad = gait_turn_acceleration_rad_s2 * span_s * changed_s;
+  if (gap_s > 2 * span_s) settings.coarse_rounds = 6, settings.rounds += 6;
+}
+
+RegistrationSettings Odometry::base_settings() const {
   RegistrationSettings settings;
   settings.rounds = options_.rounds;
   settings.sigma_m = options_.range_sigma_m;
   settings.kernel_sigmas = options_.kernel_sigmas;
+  return settings;
+}
+
+Registration Odometry::registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run) {
+  RegistrationSettings settings = base_settings();
   if (options_.deskew == "elastic") {
-    const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s);
     settings.model = MotionModel::elastic;
-    settings.begin_sigma_m = options_.continuity_sigma_m + gait_acceleration_m_s2 * gap_s * std::max(gap_s, span_s);
-    settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * std::max(gap_s, span_s);
-    settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * std::max(span_s, gap_s);
-    settings.motion_sigma_rad = gait_turn_acceleration_rad_s2 * span_s * std::max(span_s, gap_s);
-    if (gap_s > 2 * span_s) settings.coarse_rounds = 6, settings.rounds += 6;
+    hold_to_gait(settings, gap_s);
     return register_frame(features.query, local_map_.maps(), guess, settings, run);
   }
   settings.model = MotionModel::rigid;
@@ -108,7 +121,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     times_.guess_s += watch.lap_s();
     const Registration r = registered(guess, features, gap_s, run);
     times_.register_s += watch.lap_s();
-    frame.overlap = r.overlap, frame.rms_m = r.rms_m;
+    frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds;
     const auto why = objection(r, prediction, begin_s, end_s);
     frame.ok = why.empty();
     if (frame.ok)

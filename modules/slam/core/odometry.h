@@ -16,6 +16,7 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last key frame up to and with this frame
   bool ok = true;
   double overlap = 1, rms_m = 0;
+  int rounds = 0;
 };
 
 struct OdometryTimes {
@@ -45,6 +46,8 @@ class Odometry {
 
  private:
   FrameMotion predicted(double begin_s, double end_s) const;
+  RegistrationSettings base_settings() const;
+  void hold_to_gait(RegistrationSettings& settings, double gap_s) const;
   FrameMotion guessed(const FrameMotion& prediction, const Features& features, const Run& run);
   Registration registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run);
   // Empty when the frame is credible, else why not.

@@ -77,22 +77,20 @@ void build_map(const Path& path, const std::vector<FrameSample>& frames, Feature
   }
 }
 
-void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line, const DistributionMap& map, const MatchModel& model, FrameSums& sums) {
+void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line, const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s);
   const Eigen::Vector3d x = lever + poses.translation(p.s);
-  const auto match = match_point(map, x, line, model);
-  if (!match) return;
-  if (match->inlier) ++sums.inliers, sums.squared_m2 += match->squared;
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d g = Vector6d::Zero();
-  add_pose_equations(lever, x - match->target, match->weight, H, g);
+  const auto target = find_target(map, x, line, 0, settings.sigma_m);
+  if (target.kind == Target::Kind::none) return;
+  const auto e = pose_equations(target, x, lever, settings.kernel_sigmas);
+  if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;
 
   const auto influence = path.influence(frame.begin_s + static_cast<double>(p.s) * (frame.end_s - frame.begin_s));
   auto piece = std::ranges::find(sums.pieces, influence.first, &PieceSums::first);
   if (piece == sums.pieces.end()) piece = sums.pieces.insert(sums.pieces.end(), PieceSums(influence.first));
   for (std::size_t a = 0; a < 4; ++a) {
-    piece->g[a] += influence.weight[a] * g;
-    for (std::size_t b = a; b < 4; ++b) piece->H[a][b] += influence.weight[a] * influence.weight[b] * H;
+    piece->g[a] += influence.weight[a] * e.g;
+    for (std::size_t b = a; b < 4; ++b) piece->H[a][b] += influence.weight[a] * influence.weight[b] * e.H;
   }
 }
 
@@ -145,7 +143,6 @@ Path with_nodes_every(const Path& path, double spacing_s) {
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings, const Run& run) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}};
   FeatureMaps maps(settings.cell_m);
-  const MatchModel model{settings.sigma_m, settings.kernel_sigmas, 0};
   constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
   for (int round = 0; round < settings.rounds && !run.asked_to_finish(); ++round) {
     const Run part = run.part(static_cast<double>(round) / settings.rounds, static_cast<double>(round + 1) / settings.rounds);
@@ -159,8 +156,8 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
       tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1), [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t k = range.begin(); k < range.end() && !run.cancelled(); ++k) {
           const auto poses = grid_over(out.path, frames[k]);
-          for (const auto& p : frames[k].features.edges) add_to_frame(out.path, frames[k], poses, p, true, maps.edges, model, sums[k - begin]);
-          for (const auto& p : frames[k].features.planes) add_to_frame(out.path, frames[k], poses, p, false, maps.planes, model, sums[k - begin]);
+          for (const auto& p : frames[k].features.edges) add_to_frame(out.path, frames[k], poses, p, true, maps.edges, settings, sums[k - begin]);
+          for (const auto& p : frames[k].features.planes) add_to_frame(out.path, frames[k], poses, p, false, maps.planes, settings, sums[k - begin]);
         }
       });
       part.check_cancel();

@@ -23,14 +23,14 @@ struct RefineSettings {
   double cell_m = 0.1;
   double sigma_m = 0.02;
   double kernel_sigmas = 3;
-  double jerk_sigma_m_s2 = 10;     // change of velocity between pieces of the path, per second
+  double jerk_sigma_m_s2 = 10;  // change of velocity between pieces of the path, per second
   double jerk_sigma_rad_s2 = 5;
 };
 
 struct RefineResult {
   Path path;
-  std::vector<double> rms_m;  // of the inliers, at the start of each round
-  std::vector<double> step_m; // root mean square move of the nodes in each round
+  std::vector<double> rms_m;   // of the inliers, at the start of each round
+  std::vector<double> step_m;  // root mean square move of the nodes in each round
 };
 
 // Throws Error{cancelled}; stops after the round in work when asked to finish.

@@ -14,7 +14,7 @@ using Matrix12d = Eigen::Matrix<double, 12, 12>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 
 constexpr double least_planarity = 0.25, least_linearity = 0.5;
-constexpr std::size_t chunk_points = 128;  // fixed, so that sums do not depend on the number of threads
+constexpr std::size_t chunk_points = 256;  // fixed, so that sums do not depend on the number of threads
 
 struct Sums {
   Matrix12d H = Matrix12d::Zero();  // blocks: begin, end
@@ -32,54 +32,66 @@ struct Sums {
 // Shares of the begin and end unknowns in the pose at s.
 std::pair<double, double> shares(MotionModel model, double s) {
   switch (model) {
-    case MotionModel::rigid: return {0, 1};
-    case MotionModel::end: return {0, s};
-    case MotionModel::elastic: break;
+    case MotionModel::rigid:
+      return {0, 1};
+    case MotionModel::end:
+      return {0, s};
+    case MotionModel::elastic:
+      break;
   }
   return {1 - s, s};
 }
 
-void add_point(const FeaturePoint& p, bool line, const DistributionMap& map, const PoseGrid& poses, MotionModel motion, const MatchModel& model, Sums& sums) {
-  const Eigen::Vector3d lever = poses.turned(p.position, p.s);
-  const Eigen::Vector3d x = lever + poses.translation(p.s);
-  const auto match = match_point(map, x, line, model);
-  if (!match) return;
-  ++sums.matched;
-  if (match->inlier) {
-    ++sums.inliers;
-    sums.squared_m2 += match->squared;
-  }
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d g = Vector6d::Zero();
-  add_pose_equations(lever, x - match->target, match->weight, H, g);
-  sums.H_data += H;
-  const auto [b, e] = shares(motion, p.s);
-  if (b != 0) {
-    sums.H.topLeftCorner<6, 6>() += b * b * H;
-    sums.H.topRightCorner<6, 6>() += b * e * H;
-    sums.g.head<6>() += b * g;
-  }
-  sums.H.bottomRightCorner<6, 6>() += e * e * H;
-  sums.g.tail<6>() += e * g;
-}
+// Matching costs more than summing, so targets are kept for a round.
+class FrameEquations {
+ public:
+  FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings) : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
 
-Sums sum_over_points(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& motion, MotionModel motion_model, const MatchModel& model, const Run& run) {
-  const PoseGrid poses(motion);
-  const std::size_t n = features.size(), edges = features.edges.size();
-  std::vector<Sums> chunks((n + chunk_points - 1) / chunk_points);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const tbb::blocked_range<std::size_t>& range) {
-    if (run.cancelled()) return;
-    for (std::size_t c = range.begin(); c < range.end(); ++c)
-      for (std::size_t i = c * chunk_points; i < std::min(n, (c + 1) * chunk_points); ++i) {
-        const bool line = i < edges;
-        add_point(line ? features.edges[i] : features.planes[i - edges], line, line ? maps.edges : maps.planes, poses, motion_model, model, chunks[c]);
-      }
-  });
-  run.check_cancel();
-  Sums total;
-  for (const auto& c : chunks) total += c;
-  return total;
-}
+  // At `motion`; matches anew from `first_level` up, or keeps the targets when that is negative.
+  Sums sums(const FrameMotion& motion, int first_level, double kernel, const Run& run) {
+    const PoseGrid poses(motion);
+    const std::size_t n = targets_.size();
+    std::vector<Sums> chunks((n + chunk_points - 1) / chunk_points);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t c = range.begin(); c < range.end() && !run.cancelled(); ++c)
+        for (std::size_t i = c * chunk_points; i < std::min(n, (c + 1) * chunk_points); ++i) add_point(i, poses, first_level, kernel, chunks[c]);
+    });
+    run.check_cancel();
+    Sums total;
+    for (const auto& c : chunks) total += c;
+    return total;
+  }
+
+ private:
+  void add_point(std::size_t i, const PoseGrid& poses, int first_level, double kernel, Sums& sums) {
+    const std::size_t edges = features_.edges.size();
+    const bool line = i < edges;
+    const FeaturePoint& p = line ? features_.edges[i] : features_.planes[i - edges];
+    const Eigen::Vector3d lever = poses.turned(p.position, p.s);
+    const Eigen::Vector3d x = lever + poses.translation(p.s);
+    Target& target = targets_[i];
+    if (first_level >= 0) target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.sigma_m);
+    if (target.kind == Target::Kind::none) return;
+
+    const auto e = pose_equations(target, x, lever, kernel);
+    ++sums.matched;
+    if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;
+    sums.H_data += e.H;
+    const auto [at_begin, at_end] = shares(settings_.model, p.s);
+    if (at_begin != 0) {
+      sums.H.topLeftCorner<6, 6>() += at_begin * at_begin * e.H;
+      sums.H.topRightCorner<6, 6>() += at_begin * at_end * e.H;
+      sums.g.head<6>() += at_begin * e.g;
+    }
+    sums.H.bottomRightCorner<6, 6>() += at_end * at_end * e.H;
+    sums.g.tail<6>() += at_end * e.g;
+  }
+
+  const FeatureSet& features_;
+  const FeatureMaps& maps_;
+  const RegistrationSettings& settings_;
+  std::vector<Target> targets_;
+};
 
 Vector6d pose_difference(const Pose& from, const Pose& to) {
   Vector6d d;
@@ -100,8 +112,9 @@ Vector6d inverse_variances(double sigma_rad, double sigma_m) {
   return w;
 }
 
-// Begin against its prediction, and (end - begin) against the predicted motion.
+// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin stands.
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings, Sums& sums) {
+  if (settings.model == MotionModel::rigid) return;
   const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma_m), wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma_m);
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin), ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
@@ -150,52 +163,59 @@ double shift_conditioning(const Matrix6d& H) {
 
 }  // namespace
 
-std::optional<Match> match_point(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, const MatchModel& model) {
-  const auto surface = map.surface(point_in_map, model.first_level);
-  if (!surface) return std::nullopt;
-  if (line ? surface->linearity() < least_linearity : surface->planarity() < least_planarity) return std::nullopt;
-
-  // Errors across a plane or line; their variance is the thickness of the surface plus that of the range.
-  const Eigen::Vector3d error = point_in_map - surface->mean;
-  const auto& axes = surface->axes;
-  const double thickness = line ? surface->deviations_m[1] : surface->deviations_m[0];
-  const double variance = thickness * thickness + model.sigma_m * model.sigma_m;
-  const Eigen::Matrix3d across = line ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() - axes.col(2) * axes.col(2).transpose()) : Eigen::Matrix3d(axes.col(0) * axes.col(0).transpose());
-
-  Match match;
-  match.target = surface->mean;
-  const double squared_m2 = error.dot(across * error);
-  const double k2 = model.kernel * model.kernel;
-  const double robust = k2 / (k2 + squared_m2 / variance);
-  match.squared = squared_m2;
-  match.inlier = squared_m2 < k2 * variance;
-  match.weight = (robust * robust / variance) * across;
-  return match;
+Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level, double sigma_m) {
+  Target target;
+  for (int level = first_level; level < DistributionMap::levels; ++level) {
+    const auto surface = map.surface(point_in_map, level);
+    if (!surface || (line ? surface->linearity() < least_linearity : surface->planarity() < least_planarity)) continue;
+    const double thickness_m = surface->deviations_m[line ? 1 : 0];
+    target.mean = surface->mean;
+    target.axis = surface->axes.col(line ? 2 : 0);
+    target.variance_m2 = thickness_m * thickness_m + sigma_m * sigma_m;
+    target.kind = line ? Target::Kind::line : Target::Kind::plane;
+    break;
+  }
+  return target;
 }
 
-void add_pose_equations(const Eigen::Vector3d& lever, const Eigen::Vector3d& error, const Eigen::Matrix3d& weight, Matrix6d& H, Vector6d& g) {
+PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever, double kernel) {
+  PoseEquations out;
+  const Eigen::Vector3d error = point_in_map - target.mean;
+  const double k2 = kernel * kernel, along = target.axis.dot(error);
+  const bool line = target.kind == Target::Kind::line;
+  out.squared_m2 = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
+  out.inlier = out.squared_m2 < k2 * target.variance_m2;
+  const double robust = k2 / (k2 + out.squared_m2 / target.variance_m2), weight = robust * robust / target.variance_m2;
+  if (!line) {
+    Vector6d a;
+    a << lever.cross(target.axis), target.axis;
+    out.H.noalias() = weight * a * a.transpose();
+    out.g = weight * along * a;
+    return out;
+  }
   Eigen::Matrix<double, 3, 6> J;
   J << -skew(lever), Eigen::Matrix3d::Identity();
-  const Eigen::Matrix<double, 6, 3> Jw = J.transpose() * weight;
-  H.noalias() += Jw * J;
-  g.noalias() += Jw * error;
+  const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - target.axis * target.axis.transpose();
+  const Eigen::Matrix<double, 6, 3> Jw = weight * J.transpose() * across;
+  out.H.noalias() = Jw * J;
+  out.g.noalias() = Jw * error;
+  return out;
 }
 
 Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess, const RegistrationSettings& settings, const Run& run) {
   Registration out;
   out.motion = guess;
   out.tried = features.size();
-  MatchModel model{settings.sigma_m, settings.kernel_sigmas, 0};
+  FrameEquations equations(features, maps, settings);
   Sums sums;
   for (int round = 0; round < settings.rounds; ++round) {
     // Coarse levels and a wide kernel first: they reach farther and still know the surfaces.
     const int coarse = std::max(0, settings.coarse_rounds - round);
-    model.first_level = std::min(coarse, 2);
-    model.kernel = settings.kernel_sigmas * (1 + coarse);
-    sums = sum_over_points(features, maps, out.motion, settings.model, model, run);
+    const bool match = coarse > 0 || (round - settings.coarse_rounds) % 2 == 0 || round == 0;
+    sums = equations.sums(out.motion, match ? std::min(coarse, 2) : -1, settings.kernel_sigmas * (1 + coarse), run);
     out.rounds = round + 1;
     if (sums.matched < 12) break;
-    if (settings.model == MotionModel::elastic) add_priors(out.motion, guess, settings, sums);
+    add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);
     if (!step.allFinite()) break;
     const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()), shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());

@@ -18,43 +18,44 @@ struct FeatureMaps {
   void clear() { edges.clear(), planes.clear(); }
 };
 
-// One matched point: the quadratic form e^T weight e of the error e = x - target, weight already robust and in 1/m^2.
-struct Match {
-  Eigen::Vector3d target;
-  Eigen::Matrix3d weight;
-  double squared = 0;  // squared normalised residual before the robust weight
-  bool inlier = false;
+// What a point is held to: the normal distance to a plane, or the distance to a line.
+struct Target {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // normal of the plane, direction of the line
+  double variance_m2 = 1;                           // thickness of the surface and scatter of the range
+  enum class Kind : std::uint8_t { none, plane, line } kind = Kind::none;
 };
 
-// The part of a point's error that the surface about it determines: along the normal of a plane, across the direction of a line.
-struct MatchModel {
-  double sigma_m = 0.02;  // of a range
-  double kernel = 3;      // Geman-McClure scale in standard deviations
-  int first_level = 0;
-};
-// Empty when there is nothing plane (line-like when `line`) about the place.
-std::optional<Match> match_point(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, const MatchModel& model);
+// The plane (or line) about the place on the finest level from `first_level` that has one; Kind::none where there is none.
+Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level, double sigma_m);
 
-// Normal equations of one pose: unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m).
-// error(x) = point - target, d(point)/d(turn) = -[lever]x.
-void add_pose_equations(const Eigen::Vector3d& lever, const Eigen::Vector3d& error, const Eigen::Matrix3d& weight, Matrix6d& H, Vector6d& g);
+// Normal equations of one pose: the unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m), and
+// d(point)/d(turn) = -[lever]x with `lever` the point less the sensor's position.
+struct PoseEquations {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d g = Vector6d::Zero();
+  double squared_m2 = 0;  // squared distance to the target
+  bool inlier = false;    // within the kernel
+};
+// Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.
+PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever, double kernel);
 
 enum class MotionModel {
-  rigid,  // the motion within the frame is kept, the frame is moved as a whole: 6 unknowns
-  end,    // the begin pose stands, the end pose is sought: 6 unknowns
-  elastic // begin and end pose, held by continuity and smoothness: 12 unknowns
+  rigid,   // the motion within the frame is kept, the frame is moved as a whole: 6 unknowns
+  end,     // the begin pose stands, the end pose is sought: 6 unknowns
+  elastic  // begin and end pose, held by continuity and smoothness: 12 unknowns
 };
 
 struct RegistrationSettings {
   MotionModel model = MotionModel::rigid;
   int rounds = 12;
-  int coarse_rounds = 3;  // rounds that start on coarser levels and with a wider kernel
+  int coarse_rounds = 2;  // rounds that start on coarser levels and with a wider kernel
   double sigma_m = 0.02;
   double kernel_sigmas = 3;
   // Elastic: standard deviations of the begin against the prediction, and of the motion over the frame against it.
   double begin_sigma_m = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma_m = 0.05, motion_sigma_rad = 0.02;
-  double converged_m = 2e-4, converged_rad = 2e-5;
+  double converged_m = 5e-4, converged_rad = 5e-5;
 };
 
 struct Registration {
@@ -62,10 +63,10 @@ struct Registration {
   int rounds = 0;
   bool converged = false;
   std::size_t tried = 0, matched = 0, inliers = 0;
-  double overlap = 0;         // inliers / tried
-  double rms_m = 0;           // of the inliers, along their normals
+  double overlap = 0;                       // inliers / tried
+  double rms_m = 0;                         // of the inliers, along their normals
   Matrix6d information = Matrix6d::Zero();  // of the end pose (turn, shift), data only
-  double conditioning = 0;    // least over largest eigenvalue of the shift part, turn eliminated
+  double conditioning = 0;                  // least over largest eigenvalue of the shift part, turn eliminated
 };
 
 // `guess` is where the search starts; for MotionModel::elastic also the prediction that the priors hold to.

@@ -59,8 +59,7 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
     builder.add(frame, poses, mark.pass, mark.keyframe);
   }
   if (unread) report.warn(std::to_string(unread) + " frames could not be read for the map");
-  if (builder.halvings() > 0)
-    report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) + "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
+  if (builder.halvings() > 0) report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) + "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
   report.metrics["map_per_frame"] = {1000 * watch.lap_s() / static_cast<double>(track.frames.size()), Unit::millisecond};
   report.counts["points_offered"] = static_cast<std::int64_t>(builder.offered());
   report.counts["points"] = static_cast<std::int64_t>(builder.size());

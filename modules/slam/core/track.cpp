@@ -172,7 +172,9 @@ void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Rep
 
 Track estimate_track(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   auto pass = follow(source, options, report, run.part(0, 0.7));
-  if (pass.frames.size() < 2) throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together", report.warnings.empty() ? "" : report.warnings.front());
+  if (pass.frames.size() < 2)
+    throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together",
+                    report.warnings.empty() ? "" : report.warnings.front());
   if (options.loops == "odometry" && !run.asked_to_finish()) close_loops(pass, options, report, run.part(0.7, 0.8));
 
   Track track;
@@ -180,11 +182,11 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, overlap = 0;
+  double squared = 0, overlap = 0, rounds = 0;
   for (const auto& f : pass.frames) {
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
-    squared += f.rms_m * f.rms_m, overlap += f.overlap;
+    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
   }
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   const auto n = static_cast<double>(track.frames.size());
@@ -192,6 +194,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - track.frames.size());
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
+  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }

@@ -138,4 +138,45 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
   }
 }
 
+namespace {
+
+// Tangent of a ray's elevation; NaN where the sensor is not known.
+double steepness(const PointCloud& points, const SensorOf& sensor_of, std::size_t i) {
+  const auto sensor = sensor_of(i);
+  if (!sensor) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3f d = points.positions()[i] - *sensor;
+  return static_cast<double>(d.z()) / std::max(0.01, static_cast<double>(d.head<2>().norm()));
+}
+
+}  // namespace
+
+void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of, const Run& run) {
+  constexpr double bare_stem_m = 5, top_m = 1, margin = 0.03;
+  if (!sensor_of) {
+    for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m;
+    return;
+  }
+  struct Top {
+    int below = 0, all = 0;
+  };
+  std::vector<Top> tops(stems.size() + 1);
+  std::vector<double> steep;
+  for (std::size_t i = 0; i < points.size(); i += 97) steep.push_back(steepness(points, sensor_of, i));
+  std::erase_if(steep, [](double t) { return !std::isfinite(t); });
+  if (steep.empty()) return;
+  const auto limit = steep.begin() + static_cast<std::ptrdiff_t>(0.9999 * static_cast<double>(steep.size() - 1));
+  std::ranges::nth_element(steep, limit);
+  const double steepest = *limit;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if ((i & 0xfffffU) == 0) run.check_cancel();
+    const auto id = static_cast<std::size_t>(labels.tree_id[i]);
+    if (id == 0) continue;
+    const auto& s = stems[id - 1];
+    if (const double h = static_cast<double>(points.positions()[i].z()) - s.ground_z; h < s.height_m - top_m || h > s.height_m) continue;
+    const double t = steepness(points, sensor_of, i);
+    ++tops[id].all, tops[id].below += t < steepest - margin;
+  }
+  for (auto& s : stems) s.height_seen = 2 * tops[static_cast<std::size_t>(s.id)].below > tops[static_cast<std::size_t>(s.id)].all;
+}
+
 }  // namespace bole

@@ -54,6 +54,7 @@ class JointFit {
   }
 
   void describe(CylinderFit& fit) const;
+  DriftEvidence drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const;
 
  private:
   // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger one.
@@ -175,6 +176,21 @@ class JointFit {
   double information_;
 };
 
+DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const {
+  const auto m = static_cast<Eigen::Index>(2 * passes_);
+  Eigen::MatrixXd base = normal.topLeftCorner(6, 6);
+  base(5, 5) += 1 / square(options_.taper_sd);
+  base.diagonal() *= 1 + 1e-9;
+  const Eigen::MatrixXd mixed = normal.block(0, 6, 6, m);
+  DriftEvidence out;
+  out.information = normal.bottomRightCorner(m, m) - mixed.transpose() * base.ldlt().solve(mixed);
+  Eigen::VectorXd offset(m);
+  for (std::size_t k = 0; k < passes_; ++k) offset.segment<2>(static_cast<Eigen::Index>(2 * k)) = c.pass_offset[k];
+  // At the optimum the prior and the data balance.
+  out.target = out.information * offset + offset / square(options_.drift_sd_m);
+  return out;
+}
+
 // Covariance by the block sandwich: H^-1 (sum over blocks of g g^T) H^-1, where residuals within a block may be correlated at will. Two ways to
 // block are tried, by pass and section and by pass and bearing (bark, section shape), and the larger variance is kept.
 void JointFit::describe(CylinderFit& fit) const {
@@ -216,13 +232,18 @@ void JointFit::describe(CylinderFit& fit) const {
   fit.blocks = static_cast<int>(section_wins ? by_section.size() : by_bearing.size());
   fit.radius_sd_m = std::sqrt(std::max(0.0, worse(4, 4)));
   fit.position_sd_m = std::sqrt(std::max({0.0, worse(0, 0), worse(1, 1)}));
-  for (std::size_t k = 0; passes_ > 1 && k < passes_; ++k) {
-    const auto at = static_cast<Eigen::Index>(6 + 2 * k);
-    fit.offset_sd.emplace_back(std::sqrt(std::max(0.0, inverse(at, at))), std::sqrt(std::max(0.0, inverse(at + 1, at + 1))));
-  }
+  if (passes_ > 1) fit.drift = drift_evidence(c, normal);
 }
 
 }  // namespace
+
+double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m) {
+  const auto n = evidence.target.size();
+  const double variance = square(drift_sd_m);
+  const Eigen::MatrixXd posterior = evidence.information + Eigen::MatrixXd::Identity(n, n) / variance;
+  const Eigen::LDLT<Eigen::MatrixXd> solver(posterior);
+  return 0.5 * evidence.target.dot(solver.solve(evidence.target)) - 0.5 * (solver.vectorD().cwiseMax(1e-300).array().log().sum() + static_cast<double>(n) * std::log(variance));
+}
 
 std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start, double start_error_m, const CylinderFitOptions& options) {
   if (points.size() < 12 || !(start.radius > 0)) return std::nullopt;

@@ -13,6 +13,7 @@ struct BarkPoint {
   int pass = 0;                                   // from 0, consecutive
   int section = 0;
   std::uint32_t source = 0;  // into the cloud
+  float beam_variance = 0;   // of the energy across the beam at the point, one axis, square metres; 0: a thin ray
 };
 
 // Parameters: axis point (x, y) at z = 0, axis slopes, radius at z = 0 along the axis, radius per metre of stem; then an
@@ -32,6 +33,15 @@ struct CylinderFitOptions {
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
 };
 
+// The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for offsets d (x, y by pass).
+struct DriftEvidence {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd target;
+};
+
+// Log of the marginal likelihood of a normal prior with this standard deviation, up to a constant.
+double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m);
+
 struct CylinderFit {
   TaperedCylinder cylinder;
   double sigma_m = 0;         // robust scale of the residuals
@@ -41,11 +51,12 @@ struct CylinderFit {
   int inliers = 0;
   bool along_rays = false;
   std::vector<double> weight;                  // Tukey weight of each point, 0: outlier or gated
-  std::vector<Eigen::Vector2d> offset_sd;      // posterior standard deviation of each pass offset
+  DriftEvidence drift;                         // empty with one pass
 };
 
 // Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are
-// those by (x, y). Along rays, metres along the ray, positive when measured too far; else distance from the surface, positive outside.
+// those by (x, y). Along rays, metres along the ray, positive when measured too far, where a wide beam is
+// expected to measure the mean depth of the bark that it lights (second order in its width); else distance from the surface, positive outside.
 struct PointResidual {
   double value = 0;
   Eigen::Matrix<double, 6, 1> jacobian = Eigen::Matrix<double, 6, 1>::Zero();

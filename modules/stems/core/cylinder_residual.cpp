@@ -58,15 +58,18 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
   const double root = std::sqrt(radius * radius - std::max(0.0, impact2));
   const double across = along + root;
-  out.value = across / m, out.usable = true;
+  // The lit bark lies deeper than the middle of the beam by half the curvature of the section times the variance of the beam.
+  const double root2 = root * root, r2 = radius * radius, deeper = 0.5 * point.beam_variance * r2 / (root2 * root);
+  out.value = (across - deeper) / m, out.usable = true;
   if (!derivatives) return out;
 
   const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {
     const double dm = -cos_axis * d_cos / m;
     const double d_along = dA / m - A * dm / m2;
     const double d_impact2 = d_q2 - 2 * seen.s * ds - 2 * along * d_along;
-    const double d_across = d_along + (radius * d_radius - d_impact2 / 2) / root;
-    return d_across / m - across * dm / m2;
+    const double d_root = (radius * d_radius - d_impact2 / 2) / root;
+    const double d_deeper = 0.5 * point.beam_variance * (2 * radius * d_radius * root - 3 * r2 * d_root) / (root2 * root2);
+    return (d_along + d_root - d_deeper) / m - (across - deeper) * dm / m2;
   };
   for (int k = 0; k < 2; ++k) {
     const double ds = -seen.a[k];

@@ -16,7 +16,6 @@ namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is an even choice.
 constexpr std::size_t most_fit_points = 8000;
-constexpr double shape_floor_m = 0.0005;  // of the radius: no section is a circle
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
 double student_975(double freedom) {
@@ -24,6 +23,27 @@ double student_975(double freedom) {
   const double z3 = z * z * z, z5 = z3 * z * z;
   return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
+
+// How much denser the points lie on the surface than beside it: bark stands out, leaves do not.
+class RingDensity {
+ public:
+  explicit RingDensity(double radius) : radius_(radius) {}
+  void add(double distance) {
+    on_ += std::abs(distance) < ring_m;
+    beside_ += distance >= outer_low_m && distance < outer_high_m;
+    beside_ += distance <= -outer_low_m && distance > -outer_high_m;
+  }
+  double contrast() const {
+    const auto area = [&](double from, double to) { return std::numbers::pi * (to * to - from * from); };
+    const double on_area = area(std::max(0.0, radius_ - ring_m), radius_ + ring_m);
+    const double beside_area = area(radius_ + outer_low_m, radius_ + outer_high_m) + area(std::max(0.0, radius_ - outer_high_m), std::max(0.0, radius_ - outer_low_m));
+    return (on_ / on_area) / ((beside_ + 1) / beside_area);
+  }
+
+ private:
+  static constexpr double ring_m = 0.025, outer_low_m = 0.05, outer_high_m = 0.08;
+  double radius_, on_ = 0, beside_ = 0;
+};
 
 struct Attempt {
   StemAxes axes;
@@ -77,11 +97,13 @@ class StemFitter {
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
-    gather.radius = radius, gather.taper = axis.taper, gather.step = options_.section_step_m, gather.max_range = options_.max_range_m;
+    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m, gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
     gather.lowest = options_.search_bottom_m - breast_height_ - 0.1, gather.highest = options_.search_top_m - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather);
     a.passes = number_passes(a.points, rays_, options_.pass_gap_s);
-    a.sections = measure_sections(a.points, a.axes, radius, axis.taper, breast_height_, options_);
+    const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
+    number_sections(a.points, step);
+    a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
     a.line = join_sections(a.sections, options_);
     return a;
   }
@@ -131,19 +153,21 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, shape_floor_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.along_rays = fit.along_rays, s.passes = a.passes;
-  s.pass_offset = fit.cylinder.pass_offset, s.pass_offset_sd = fit.offset_sd;
+  s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
   std::vector<double> errors, angles;
   int inside = 0, on = 0;
+  RingDensity density(s.radius);
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
     const auto e = surface_residual(fit.cylinder, p);
     if (!e.usable) continue;
+    density.add(e.value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
     if (std::abs(e.value) < reach) {
       ++on, errors.push_back(std::abs(e.value)), angles.push_back(std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x));
@@ -152,6 +176,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     }
   }
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
+  s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.sigma_m = 1.4826 * median_of(errors);
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;
   for (const auto& m : a.sections) {

@@ -40,13 +40,16 @@ struct Stem {
   double arc_rad = 0;
   double pass_spread_m = 0;
   double inside_share = 0;      // points well inside the stem, of all on and in it
+  double contrast = 0;          // density of points on the surface by that just beside it
   double ray_through = 0;       // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
   int passes = 1, inliers = 0, sections_used = 0;
   bool along_rays = false;
   double lowest = 0, highest = 0;  // heights of the sections used
-  std::vector<Eigen::Vector2d> pass_offset, pass_offset_sd;
+  std::vector<Eigen::Vector2d> pass_offset;
+  DriftEvidence drift;  // what the passes say about their displacements
+  int faults = 0;
   std::vector<Section> sections;
   StemCandidate candidate;
   std::string quality, state;

@@ -9,7 +9,6 @@
 
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
-#include "stems/core/circle_fit.h"
 #include "stems/core/ray_test.h"
 #include "stems/core/stem_quality.h"
 
@@ -90,17 +89,20 @@ class Survey {
     }
   }
 
-  // Empirical Bayes: the spread of the offsets over all stems, with what each leaves unknown, is the prior of the second round.
+  // Empirical Bayes: the spread of the passes that makes the evidence of all stems likeliest is the prior of the second round. The sum over stems is
+  // of bounded terms, so that few wild ones do not open it for all.
   double estimate_drift() {
-    std::vector<double> squares;
-    for (const auto& f : fits_) {
-      if (!f.stem || f.stem->passes < 2 || objection(*f.stem, options_)) continue;
-      has_passes_ = true;
-      for (std::size_t k = 0; k < f.stem->pass_offset.size(); ++k)
-        for (int axis = 0; axis < 2; ++axis) squares.push_back(std::pow(f.stem->pass_offset[k][axis], 2) + std::pow(f.stem->pass_offset_sd[k][axis], 2));
+    std::vector<const DriftEvidence*> evidence;
+    for (const auto& f : fits_)
+      if (f.stem && f.stem->passes > 1 && f.stem->drift.target.size() > 0 && !objection(*f.stem, options_)) evidence.push_back(&f.stem->drift);
+    has_passes_ = !evidence.empty();
+    double best = first_drift_sd_m, highest = -std::numeric_limits<double>::infinity();
+    for (double sd = least_drift_sd_m; has_passes_ && sd <= most_drift_sd_m; sd *= 1.1) {
+      double sum = 0;
+      for (const auto* e : evidence) sum += std::max(-50.0, drift_log_likelihood(*e, sd) - drift_log_likelihood(*e, most_drift_sd_m));
+      if (sum > highest) highest = sum, best = sd;
     }
-    // Robust: few wild offsets must not open the prior for all. 0.4549 is the median of a squared normal variable.
-    return squares.empty() ? first_drift_sd_m : std::clamp(std::sqrt(median_of(squares) / 0.4549), least_drift_sd_m, most_drift_sd_m);
+    return best;
   }
 
   void accept() {
@@ -112,6 +114,7 @@ class Survey {
         out_.rejected.push_back({{candidates_[i].x, candidates_[i].y, candidates_[i].ground_z}, 2 * candidates_[i].radius, candidates_[i].points, f.rejected});
     }
     test_rays();
+    for (auto& s : fitted_) judge(s, breast_height_);
     std::ranges::stable_sort(fitted_, [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
     for (auto& s : fitted_) {
       auto why = objection(s, options_);
@@ -125,9 +128,10 @@ class Survey {
     number();
   }
 
+  // Two stems of a fork touch at most; what overlaps a better stem by more is part of it.
   const Stem* twin_of(const Stem& s) const {
     for (const auto& o : out_.stems)
-      if ((o.breast_height - s.breast_height).head<2>().norm() < std::max(0.7 * std::max(o.radius, s.radius), 0.5 * (o.radius + s.radius))) return &o;
+      if ((o.breast_height - s.breast_height).head<2>().norm() < o.radius + s.radius - 0.5 * std::min(o.radius, s.radius)) return &o;
     return nullptr;
   }
 
@@ -137,17 +141,22 @@ class Survey {
       return;
     }
     run_.report(0.78, "rays through the candidates");
-    const auto sensor_of = [&](std::size_t i) -> std::optional<Eigen::Vector3f> {
+    const auto counts = count_rays(fitted_, points_, sensor_of_point(), run_);
+    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
+  }
+
+  // Null when no sensor positions are known.
+  SensorOf sensor_of_point() const {
+    if (!rays_.has_sensor()) return {};
+    return [this](std::size_t i) -> std::optional<Eigen::Vector3f> {
       if (rays_.sensor_x) return Eigen::Vector3f((*rays_.sensor_x)[i], (*rays_.sensor_y)[i], (*rays_.sensor_z)[i]);
       return sensor_at(*trajectory_, points_.origin, (*rays_.time)[i]);
     };
-    const auto counts = count_rays(fitted_, points_, sensor_of, run_);
-    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
   }
 
   void number() {
     std::ranges::sort(out_.stems, [](const Stem& a, const Stem& b) { return std::pair(-a.breast_height.y(), a.breast_height.x()) < std::pair(-b.breast_height.y(), b.breast_height.x()); });
-    for (std::size_t i = 0; i < out_.stems.size(); ++i) out_.stems[i].id = static_cast<int>(i) + 1, judge(out_.stems[i], breast_height_);
+    for (std::size_t i = 0; i < out_.stems.size(); ++i) out_.stems[i].id = static_cast<int>(i) + 1;
     std::ranges::sort(out_.rejected, [](const RejectedStem& a, const RejectedStem& b) { return std::pair(-a.position.y(), a.position.x()) < std::pair(-b.position.y(), b.position.x()); });
   }
 
@@ -155,6 +164,7 @@ class Survey {
     run_.report(0.85, "points of each tree");
     auto labels = assign_points(out_.stems, points_, options_, run_);
     measure_heights(out_.stems, points_, labels, run_);
+    judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
     out_.points = points_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));

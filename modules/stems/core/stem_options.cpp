@@ -30,6 +30,8 @@ const OptionTable& option_table(const MeasureOptions*) {
           Option<S, double>{"section_step", &S::section_step_m, Unit::metre, {0.02, 1.0}, Tier::advanced, "Spacing and thickness of the sections."},
           Option<S, double>{"max_sigma", &S::max_sigma_m, Unit::metre, {0.002, 0.10}, Tier::expert, "Cap of the robust scale of the residuals, so that outliers cannot swell the stem."},
           Option<S, double>{"ray_gate", &S::ray_gate, Unit::none, {0.5, 0.99}, Tier::expert, "Rays that pass the stem axis further away than this share of the radius are left out of the ray model."},
+          Option<S, double>{"beam_divergence", &S::beam_divergence_mrad, Unit::none, {0, 20}, Tier::expert, "Full angle of the beam in milliradians, for the ray model: a wide beam measures a little deeper than its middle on round bark."},
+          Option<S, double>{"range_bias", &S::range_bias_m, Unit::metre, {0, 0.05}, Tier::expert, "Standard deviation of what the sensor measures too far or too near on all of a stem alike, bark fissures included: it widens the intervals."},
           Option<S, double>{"pass_gap", &S::pass_gap_s, Unit::second, {0.5, 600}, Tier::advanced, "A pause of this length in the returns of a stem begins a new pass of the walk."},
           Option<S, double>{"max_range", &S::max_range_m, Unit::metre, {1, 300}, Tier::advanced, "Returns from further away are left out of the fits where the range is known and nearer ones suffice."},
           Option<S, double>{"max_ray_through", &S::max_ray_through, Unit::none, {0.01, 1}, Tier::advanced, "A candidate is rejected when more than this share of the rays towards its core pass through it."},

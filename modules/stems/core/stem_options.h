@@ -20,7 +20,7 @@ struct MeasureOptions {
   double search_top_m = 3.50;
   double max_lean_deg = 35;
   int min_sections = 3;
-  int min_section_points = 8;
+  int min_section_points = 6;
   double min_arc_deg = 80;
   // Fit
   std::string breast_height_from = "uphill";
@@ -29,6 +29,8 @@ struct MeasureOptions {
   double section_step_m = 0.10;
   double max_sigma_m = 0.025;
   double ray_gate = 0.90;
+  double beam_divergence_mrad = 2.0;
+  double range_bias_m = 0.0012;
   double pass_gap_s = 10;
   double max_range_m = 20;
   double max_ray_through = 0.30;

@@ -50,12 +50,16 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     const Eigen::Vector3d in_cloud = layer.position[k].cast<double>(), p = axes.to_stem(in_cloud);
     if (p.z() < options.lowest || p.z() > options.highest || p.head<2>().norm() > options.radius + options.taper * p.z() + margin) return;
     BarkPoint b;
-    b.p = p, b.section = static_cast<int>(std::lround(p.z() / options.step)), b.source = layer.index[k];
+    b.p = p, b.source = layer.index[k];
     double range = 0;
     if (rays.has_sensor()) {
       const Eigen::Vector3d ray = in_cloud - sensor_of(layer, rays, k);
       range = ray.norm();
-      if (range > 0.1 && std::isfinite(range)) b.ray = axes.rotation * ray / range;
+      if (range > 0.1 && std::isfinite(range)) {
+        b.ray = axes.rotation * ray / range;
+        const double beam_radius = 0.5 * options.beam_divergence * range;
+        b.beam_variance = static_cast<float>(0.25 * beam_radius * beam_radius);  // of an evenly lit disc
+      }
     }
     near.push_back({b, range});
   });
@@ -66,6 +70,21 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
   const std::size_t stride = near.size() / most_points + 1;
   for (std::size_t i = 0; i < near.size(); i += stride) out.push_back(near[i].point);
   return out;
+}
+
+void number_sections(std::vector<BarkPoint>& points, double step_m) {
+  for (auto& p : points) p.section = static_cast<int>(std::lround(p.p.z() / step_m));
+}
+
+double section_step(const std::vector<BarkPoint>& points, double step_m, int least) {
+  double step = step_m;
+  for (; step < 3.9 * step_m; step *= 2) {
+    std::map<long, int> counts;
+    for (const auto& p : points) ++counts[std::lround(p.p.z() / step)];
+    const auto thin = std::ranges::count_if(counts, [&](const auto& c) { return c.second < least; });
+    if (2 * thin <= static_cast<std::ptrdiff_t>(counts.size())) break;
+  }
+  return step;
 }
 
 int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s) {

@@ -35,13 +35,17 @@ double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, con
 struct GatherOptions {
   double radius = 0, taper = 0;
   double lowest = 0, highest = 0;  // along the stem from breast height, metres
-  double step = 0.1;               // of the sections
   double max_range = 20;
+  double beam_divergence = 0;  // full angle, radians
 };
 
-// Points near the expected surface or inside, sorted by place; section = round(z / step). Points beyond max_range are left out when nearer
+// Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer
 // ones are plenty; of very many an even choice remains.
 std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes, const GatherOptions& options);
+
+// Sections thick enough to hold a circle: `step_m`, doubled up to four times its size while most of the sections have fewer than `least` points.
+double section_step(const std::vector<BarkPoint>& points, double step_m, int least);
+void number_sections(std::vector<BarkPoint>& points, double step_m);
 
 // Gives every point its pass, from 0, by pauses in time or by the cloud's own passes; the number of passes. One when neither is known.
 int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s);

@@ -22,14 +22,14 @@ void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, co
 
 }  // namespace
 
-std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, double radius, double taper, double breast_height_m, const MeasureOptions& options) {
+std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, const SectionPlan& plan, const MeasureOptions& options) {
   std::map<int, std::vector<Eigen::Vector2d>> by_section;
   for (const auto& p : points) by_section[p.section].push_back(p.p.head<2>());
   std::vector<MeasuredSection> out;
   for (const auto& [number, ring] : by_section) {
     MeasuredSection m;
-    m.number = number, m.z = number * options.section_step_m, m.section.height = breast_height_m + m.z;
-    const double expected = std::max(0.01, radius + taper * m.z);
+    m.number = number, m.z = number * plan.step, m.section.height = plan.breast_height + m.z;
+    const double expected = std::max(0.01, plan.radius + plan.taper * m.z);
     if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m)) {
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;

@@ -20,7 +20,13 @@ struct SectionLine {
   int sections = 0;
 };
 
-std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, double radius, double taper, double breast_height_m, const MeasureOptions& options);
+// What the sections are expected to be.
+struct SectionPlan {
+  double radius = 0, taper = 0;  // at breast height; metres of radius per metre
+  double step = 0.1;             // spacing and thickness
+  double breast_height = 1.3;
+};
+std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, const SectionPlan& plan, const MeasureOptions& options);
 
 // Marks as used the sections that agree with one another, those within the window around breast height when there are enough, else the nearest ones.
 SectionLine join_sections(std::vector<MeasuredSection>& sections, const MeasureOptions& options);

@@ -8,6 +8,7 @@
 
 #include "survey/core/choose_targets.h"
 #include "survey/core/ground_plane.h"
+#include "survey/core/post_centre.h"
 #include "survey/core/retro_clusters.h"
 #include "survey/core/vertical.h"
 
@@ -61,12 +62,22 @@ class FrameFinder {
     }
     frame_.report.counts["strong_points"] = static_cast<std::int64_t>(search.strong_points);
     frame_.report.counts["target_candidates"] = static_cast<std::int64_t>(candidates.size());
-    for (auto& c : candidates) c.centre = R_level_map_ * c.centre;
+    for (auto& c : candidates) c.centre = levelled_centre(c);
     std::optional<Eigen::Vector3d> start;
     if (trajectory_ && !trajectory_->empty()) start = R_level_map_ * trajectory_->poses.front().T_target_sensor.translation();
     auto choice = choose_targets(candidates, start, options_);
     for (const auto& w : choice.warnings) frame_.report.warn(w);
     return choice;
+  }
+
+  // The axis of a round post where that is what was seen, else the mean; its height is that of the mean.
+  Eigen::Vector3d levelled_centre(const RetroCluster& cluster) {
+    Eigen::Vector3d centre = R_level_map_ * cluster.centre;
+    std::vector<Eigen::Vector2d> plan;
+    for (const auto i : cluster.members) plan.emplace_back((R_level_map_ * cloud_.position(i) - centre).head<2>());
+    const auto post = fit_post(plan, cluster.weights, options_.target_size_m / 2);
+    if (post.valid) centre.head<2>() += post.centre, ++posts_;
+    return centre;
   }
 
   void keep_map_axes() {
@@ -118,6 +129,7 @@ class FrameFinder {
     report.facts["level"] = vertical_.method;
     if (!choice.reason.empty()) report.facts["centre"] = choice.reason;
     report.counts["targets"] = static_cast<std::int64_t>(choice.targets.size());
+    report.counts["round_targets"] = posts_;
     report.counts["stems_for_level"] = static_cast<std::int64_t>(vertical_.stems);
     report.metrics["tilt"] = {tilt_deg, Unit::degree};
     std::string level = "not levelled";
@@ -140,7 +152,7 @@ class FrameFinder {
   Vertical vertical_;
   Eigen::Matrix3d R_level_map_ = Eigen::Matrix3d::Identity();
   PlotFrame frame_;
-  int rejected_ = 0;
+  int rejected_ = 0, posts_ = 0;
 };
 
 }  // namespace

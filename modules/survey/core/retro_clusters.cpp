@@ -80,6 +80,7 @@ double longest_extent(const PointCloud& cloud, const std::vector<std::uint32_t>&
 RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>& points, const SensorPositions& sensor) {
   RetroCluster out;
   out.points = points.size();
+  out.members = points;
   out.extent_m = longest_extent(cloud, points);
   std::map<std::uint64_t, std::pair<Eigen::Vector3d, double>> by_view;  // sum of positions, count
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -93,13 +94,12 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
   out.views = static_cast<int>(by_view.size());
   out.view_span_m = sensor.known() ? (high - low).norm() : std::numeric_limits<double>::quiet_NaN();
   std::vector<Eigen::VectorXd> samples;
-  std::vector<double> weights;
   for (std::size_t k = 0; k < points.size(); ++k) {
     samples.emplace_back(cloud.positions()[points[k]].cast<double>());
-    weights.push_back(1.0 / by_view.at(views[k]).second);
+    out.weights.push_back(1.0 / by_view.at(views[k]).second);
   }
   constexpr double least_sigma_m = 0.02;
-  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, weights, least_sigma_m).mean);
+  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, out.weights, least_sigma_m).mean);
   return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,12 @@ namespace bole::survey {
 struct RetroCluster {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // in the cloud's axes, metres
   std::size_t points = 0;
-  double extent_m = 0;     // along its longest axis
-  double view_span_m = 0;  // greatest distance between the sensor positions it was seen from; NaN when they are not known
-  int views = 0;           // cells of 1 m of sensor positions it was seen from (1 when they are not known)
-  std::string rejected;    // empty for a candidate, else the reason in words
+  double extent_m = 0;                 // along its longest axis
+  double view_span_m = 0;              // greatest distance between the sensor positions it was seen from; NaN when they are not known
+  int views = 0;                       // cells of 1 m of sensor positions it was seen from (1 when they are not known)
+  std::vector<std::uint32_t> members;  // indices of its points
+  std::vector<double> weights;         // of the members: one per view, shared by its points
+  std::string rejected;                // empty for a candidate, else the reason in words
 };
 
 struct RetroSearch {

@@ -1,9 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "modules/render/small_survey.h"
+#include "modules/render/well_formed.h"
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_sheet.h"
@@ -24,10 +27,103 @@ StemMapData map_data() {
 
 std::vector<Figure> all_charts() {
   const auto& s = survey();
-  std::vector<Figure> figures{stem_map(map_data(), 160), dbh_scatter(s.matches, 85), dbh_error_boxes(s.matches, 85), dbh_histogram(s.stems.numbers("dbh_cm"), 85), position_errors(s.matches, 85), trajectory_plan(s.trajectory, &s.reference, 120), trajectory_plan(s.trajectory, nullptr, 120)};
+  std::vector<Figure> figures{stem_map(map_data(), 160),
+                              dbh_scatter(s.matches, 85),
+                              dbh_error_boxes(s.matches, 85),
+                              dbh_histogram(s.stems.numbers("dbh_cm"), 85),
+                              position_errors(s.matches, 85),
+                              trajectory_plan(s.trajectory, &s.reference, 120),
+                              trajectory_plan(s.trajectory, nullptr, 120)};
   figures.back().name = "trajectory_time";
   for (auto& page : slice_sheets(s.stems, s.slice, 180)) figures.push_back(page);
   return figures;
+}
+
+int pixels_near(const Image& image, const Color& color, double tolerance = 0.08) {
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto c = image.pixel(x, y);
+      count += std::abs(c.r - color.r) < tolerance && std::abs(c.g - color.g) < tolerance && std::abs(c.b - color.b) < tolerance;
+    }
+  return count;
+}
+
+Table one_stem(double dbh_cm, const std::string& quality) {
+  Table t;
+  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}), t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh_cm}),
+      t.set("quality", std::vector<std::string>{quality});
+  return t;
+}
+
+TEST(StemMap, StemsAreTrueToScale) {
+  const PlotArea area{PlotArea::Shape::rectangle, {0, 0}, 20, 20};
+  const auto thick = one_stem(200, "poor"), thin = one_stem(100, "poor");
+  const auto color = mix(ink::paper, ink::poor, 0.85);
+  const auto big = pixels_near(figure_image(stem_map({&thick, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
+  const auto small = pixels_near(figure_image(stem_map({&thin, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
+  // A disc of 2 m on about 21.8 m of map over 83 mm; the legend has a disc of 2.2 mm.
+  const double disc = std::numbers::pi * std::pow(1.0 / 21.8 * 83.5 / 25.4 * 200, 2);
+  EXPECT_NEAR(big - small, 0.75 * disc, 0.06 * disc);
+}
+
+TEST(StemMap, MissedAndFalseAreMarkedOnlyWhenCompared) {
+  auto data = map_data();
+  const auto with = pixels_near(figure_image(stem_map(data, 120), 150), ink::accent, 0.05);
+  data.matches = nullptr;
+  const auto without = pixels_near(figure_image(stem_map(data, 120), 150), ink::accent, 0.05);
+  EXPECT_GT(with, without + 60);
+}
+
+TEST(StemMap, NoStemsNoBoundary) {
+  Table empty;
+  for (const char* c : {"x_m", "y_m"}) empty.set(c, std::vector<double>{});
+  EXPECT_GT(figure_image(stem_map({&empty, {}, nullptr, nullptr, nullptr, false}, 100), 50).height, 30);
+}
+
+TEST(SliceSheet, WorstFirstOnAsManyPagesAsNeeded) {
+  const auto& s = survey();
+  const auto pages = slice_sheets(s.stems, s.slice, 180);
+  ASSERT_EQ(pages.size(), 2U);  // 40 trees, 30 to a page
+  EXPECT_EQ(pages[0].name, "slices_01");
+  const auto first = figure_image(pages[0], 60), last = figure_image(pages[1], 60);
+  EXPECT_GT(pixels_near(first, ink::poor), pixels_near(last, ink::poor));
+  EXPECT_EQ(pixels_near(last, ink::poor, 0.04), 0);
+  // The head of the first panel is tinted as a poor one.
+  const auto head = first.pixel(40, 4);
+  EXPECT_GT(head.r, head.g);
+}
+
+TEST(SliceSheet, TreesWithoutPointsAreShown) {
+  const auto& s = survey();
+  EXPECT_EQ(slice_sheets(s.stems, PointCloud(), 180).size(), 2U);
+}
+
+TEST(Statistics, ByHand) {
+  const auto s = error_statistics({11, 19, 33}, {10, 20, 30});
+  EXPECT_EQ(s.count, 3U);
+  EXPECT_DOUBLE_EQ(s.bias, 1);
+  EXPECT_DOUBLE_EQ(s.bias_percent, 5);
+  EXPECT_NEAR(s.rmse, std::sqrt(11.0 / 3), 1e-12);
+  EXPECT_NEAR(error_statistics({1, 2, 3}, {2, 4, 6}).r_squared, 1, 1e-12);
+}
+
+TEST(Statistics, SpreadOfPositions) {
+  const auto s = error_spread({{1, 0}, {-1, 0}, {0, 0.5}, {0, -0.5}});
+  EXPECT_DOUBLE_EQ(s.mean.norm(), 0);
+  EXPECT_DOUBLE_EQ(s.covariance(0, 0), 0.5);
+  EXPECT_NEAR(s.sigma_max, std::sqrt(0.5), 1e-12);
+}
+
+TEST(Charts, AllComeOutInEveryFormat) {
+  for (const auto& figure : all_charts()) {
+    const auto image = figure_image(figure, 40);
+    EXPECT_EQ(image.width, std::lround(figure.width_mm / 25.4 * 40)) << figure.name;
+    EXPECT_LT(pixels_near(image, ink::paper, 0.02), 0.97 * image.width * image.height) << figure.name;
+    EXPECT_EQ(testing_data::markup_trouble(figure_svg(figure)), "") << figure.name;
+    EXPECT_THAT(figure_pdf(figure), testing::StartsWith("%PDF")) << figure.name;
+    EXPECT_FALSE(figure.caption.empty());
+  }
 }
 
 // Set BOLE_FIGURES_DIR to look at them.

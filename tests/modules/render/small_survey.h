@@ -92,23 +92,30 @@ class SurveyMaker {
     // One stem is missed and one is false.
     auto est_x = x_, est_y = y_, ref_dbh = dbh_, ref_x = mx, ref_y = my, est_dbh = estimate;
     const double nan = std::nan("");
-    kind.push_back("missed"), est_x.push_back(nan), est_y.push_back(nan), ref_x.push_back(0.3 * o_.plot_m), ref_y.push_back(-0.47 * o_.plot_m), ref_dbh.push_back(9), est_dbh.push_back(nan), dx.push_back(nan), dy.push_back(nan), error.push_back(nan);
+    kind.push_back("missed"), est_x.push_back(nan), est_y.push_back(nan), ref_x.push_back(0.3 * o_.plot_m), ref_y.push_back(-0.47 * o_.plot_m), ref_dbh.push_back(9), est_dbh.push_back(nan), dx.push_back(nan),
+        dy.push_back(nan), error.push_back(nan);
     kind.back() = "missed";
     kind.front() = "false";
     auto& m = survey_.matches;
     std::vector<std::int64_t> tree_id = id, ref_id = id;
     tree_id.push_back(0), ref_id.push_back(900);
-    m.set("kind", kind), m.set("tree_id", tree_id), m.set("ref_id", ref_id), m.set("x_m", est_x), m.set("y_m", est_y), m.set("ref_x_m", ref_x), m.set("ref_y_m", ref_y), m.set("dx_m", dx), m.set("dy_m", dy), m.set("dbh_cm", est_dbh), m.set("ref_dbh_cm", ref_dbh), m.set("dbh_error_cm", error);
+    m.set("kind", kind), m.set("tree_id", tree_id), m.set("ref_id", ref_id), m.set("x_m", est_x), m.set("y_m", est_y), m.set("ref_x_m", ref_x), m.set("ref_y_m", ref_y), m.set("dx_m", dx), m.set("dy_m", dy),
+        m.set("dbh_cm", est_dbh), m.set("ref_dbh_cm", ref_dbh), m.set("dbh_error_cm", error);
     survey_.targets.set("name", std::vector<std::string>{"centre", "north"});
-    survey_.targets.set("x_m", std::vector<double>{0, 0}), survey_.targets.set("y_m", std::vector<double>{0, o_.plot_m / 2}), survey_.targets.set("z_m", std::vector<double>{1.2, 1.2}), survey_.targets.set("points", std::vector<std::int64_t>{120, 80});
-    survey_.rejected.set("x_m", std::vector<double>{1}), survey_.rejected.set("y_m", std::vector<double>{2}), survey_.rejected.set("z_m", std::vector<double>{0}), survey_.rejected.set("dbh_cm", std::vector<double>{35}), survey_.rejected.set("points", std::vector<std::int64_t>{60}), survey_.rejected.set("reason", std::vector<std::string>{"rays pass through it"});
-    survey_.summary.set("measure", std::vector<std::string>{"DBH RMSE", "DBH bias", "completeness"}), survey_.summary.set("value", std::vector<double>{0.61, 0.05, 97.6}), survey_.summary.set("unit", std::vector<std::string>{"cm", "cm", "%"}), survey_.summary.set("published", std::vector<std::string>{"1.03", "0.25", ""});
+    survey_.targets.set("x_m", std::vector<double>{0, 0}), survey_.targets.set("y_m", std::vector<double>{0, o_.plot_m / 2}), survey_.targets.set("z_m", std::vector<double>{1.2, 1.2}),
+        survey_.targets.set("points", std::vector<std::int64_t>{120, 80});
+    survey_.rejected.set("x_m", std::vector<double>{1}), survey_.rejected.set("y_m", std::vector<double>{2}), survey_.rejected.set("z_m", std::vector<double>{0}), survey_.rejected.set("dbh_cm", std::vector<double>{35}),
+        survey_.rejected.set("points", std::vector<std::int64_t>{60}), survey_.rejected.set("reason", std::vector<std::string>{"rays pass through it"});
+    survey_.summary.set("measure", std::vector<std::string>{"DBH RMSE", "DBH bias", "completeness"}), survey_.summary.set("value", std::vector<double>{0.61, 0.05, 97.6}),
+        survey_.summary.set("unit", std::vector<std::string>{"cm", "cm", "%"}), survey_.summary.set("published", std::vector<std::string>{"1.03", "0.25", ""});
     std::vector<std::int64_t> sec_id;
     std::vector<double> sh, sx, sy, sz, sd;
     for (std::size_t i = 0; i < n; ++i)
       for (const double h : {0.9, 1.3, 1.7, 2.1}) sec_id.push_back(id[i]), sh.push_back(h), sx.push_back(x_[i]), sy.push_back(y_[i]), sz.push_back(z[i] + h), sd.push_back(estimate[i] - 0.8 * (h - 1.3));
     const auto k = sec_id.size();
-    survey_.sections.set("tree_id", sec_id), survey_.sections.set("height_m", sh), survey_.sections.set("x_m", sx), survey_.sections.set("y_m", sy), survey_.sections.set("z_m", sz), survey_.sections.set("diameter_cm", sd), survey_.sections.set("sigma_cm", std::vector<double>(k, 0.7)), survey_.sections.set("arc_deg", std::vector<double>(k, 200)), survey_.sections.set("inliers", std::vector<std::int64_t>(k, 80)), survey_.sections.set("used", std::vector<std::int64_t>(k, 1));
+    survey_.sections.set("tree_id", sec_id), survey_.sections.set("height_m", sh), survey_.sections.set("x_m", sx), survey_.sections.set("y_m", sy), survey_.sections.set("z_m", sz),
+        survey_.sections.set("diameter_cm", sd), survey_.sections.set("sigma_cm", std::vector<double>(k, 0.7)), survey_.sections.set("arc_deg", std::vector<double>(k, 200)),
+        survey_.sections.set("inliers", std::vector<std::int64_t>(k, 80)), survey_.sections.set("used", std::vector<std::int64_t>(k, 1));
   }
 
   void add(const Eigen::Vector3d& p, double above, int tree, int pass, double intensity) {

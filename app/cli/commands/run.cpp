@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "console.h"
+#include "pipeline/document.h"
+#include "vtkbridge/executor.h"
+
+namespace bole::cli {
+namespace {
+
+struct Arguments {
+  std::string pipeline, out, cache;
+  std::vector<std::string> sets;
+  bool no_cache = false;
+};
+
+// The report's numbers in the order a person looks for them: message, then warnings.
+void print_stage(const StageOutcome& outcome) {
+  const auto& record = outcome.record;
+  const auto& report = record.report;
+  switch (outcome.state) {
+    case StageState::done:
+    case StageState::from_cache:
+      fmt::print("{:<16} {:>8.1f} s {:>6.0f} MiB{}  {}\n", record.id, report.seconds, report.peak_mib, record.from_cache ? " (cached)" : "", report.message);
+      break;
+    default: fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ", outcome.error);
+  }
+  for (const auto& w : report.warnings) fmt::print("{:<16}   note: {}\n", "", w);
+}
+
+void run_document(Program& program, const Arguments& args) {
+  auto document = PipelineDocument::load(args.pipeline, StageRegistry::global());
+  apply_sets(document, args.sets);
+  Interrupts interrupts;
+  ProgressLine line;
+  RunSettings settings;
+  settings.output_dir = args.out;
+  if (!args.cache.empty()) settings.cache_dir = args.cache;
+  settings.use_cache = !args.no_cache;
+  settings.finish = interrupts.finish();
+  settings.cancel = interrupts.cancel();
+  settings.progress = [&line](const std::string& stage, double fraction, std::string_view what) { line.update(stage, fraction, what); };
+  const auto outcome = run_pipeline(document, settings);
+  line.clear();
+  for (const auto& stage : outcome.stages) print_stage(stage);
+  if (!outcome.error.empty()) fmt::print(stderr, "bole: {}\n", outcome.error);
+  if (!args.out.empty()) fmt::print("\nResults are in {}\n", args.out);
+  program.exit_code = outcome.exit_code;
+}
+
+}  // namespace
+
+void add_run(Program& program) {
+  auto args = std::make_shared<Arguments>();
+  auto* command = program.app.add_subcommand("run", "Run a pipeline document");
+  command->add_option("pipeline", args->pipeline, "Pipeline document (JSON)")->required();
+  command->add_option("--set", args->sets, "Set an option: STAGE.OPTION=VALUE (bole stages TYPE lists them)")->type_name("ASSIGNMENT");
+  command->add_option("--out", args->out, "Folder for results")->type_name("DIR")->required();
+  command->add_option("--cache", args->cache, "Folder of stored stage results (default: cache in the results' folder)")->type_name("DIR");
+  command->add_flag("--no-cache", args->no_cache, "Run every stage, store nothing");
+  command->callback([args, &program] { run_document(program, *args); });
+}
+
+}  // namespace bole::cli

@@ -1,0 +1,18 @@
+#include "register_stages.h"
+
+#include "pipeline/register_all_stages.h"
+#include "pipeline/stage.h"
+#ifdef BOLE_WITH_VTK
+#include "report/make_report.h"
+#endif
+
+namespace bole::cli {
+
+void register_stages() {
+  register_all_stages(StageRegistry::global());
+#ifdef BOLE_WITH_VTK
+  register_report_stages(StageRegistry::global());
+#endif
+}
+
+}  // namespace bole::cli

@@ -1,0 +1,27 @@
+// Options of the evaluation.
+#pragma once
+
+#include <string>
+
+#include "base/option.h"
+
+namespace bole {
+
+struct EvaluationOptions {
+  double match_distance_m = 0.5;
+  double dbh_gate_m = 0.15;
+  double min_dbh_m = 0.075;
+  std::string plot_shape = "rectangle";
+  double plot_width_m = 32, plot_height_m = 32, plot_radius_m = 15;
+  double plot_x_m = 0, plot_y_m = 0;
+  double class_width_m = 0.05, distance_step_m = 5;
+  std::string align_stems = "none";
+  std::string align_trajectory = "se3";
+  double most_time_gap_s = 0.5;
+  double rpe_step_s = 1.0;
+  std::string published_plot = "none";
+};
+
+const OptionTable& option_table(const EvaluationOptions*);
+
+}  // namespace bole

@@ -1,0 +1,204 @@
+#include "vtkbridge/executor.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkExecutive.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <mutex>
+#include <set>
+
+#include "vtkBoleStage.h"
+#include "vtkbridge/stage_control.h"
+#include "vtkbridge/stage_execution.h"
+#include "vtkbridge/summary.h"
+
+namespace bole {
+namespace fs = std::filesystem;
+
+std::string_view stage_state_name(StageState state) {
+  constexpr std::array<std::string_view, 5> names{"done", "from_cache", "failed", "skipped", "cancelled"};
+  return names[static_cast<std::size_t>(state)];
+}
+
+struct PipelineExecutor::Graph {
+  std::map<std::string, vtkSmartPointer<vtkBoleStage>, std::less<>> stages;
+  std::map<std::string, int> executions;  // as counted when the last run ended
+  std::shared_ptr<ResultCache> cache;
+  vtkNew<vtkCallbackCommand> silence;  // an observer that does nothing
+  std::mutex mutex;
+  vtkBoleStage* running = nullptr;
+};
+
+namespace {
+
+bool is_done(const StageOutcome& outcome) { return outcome.state == StageState::done || outcome.state == StageState::from_cache; }
+
+const StageOutcome* find_outcome(const RunOutcome& outcome, const std::string& id) {
+  const auto it = std::ranges::find_if(outcome.stages, [&](const StageOutcome& s) { return s.record.id == id; });
+  return it == outcome.stages.end() ? nullptr : &*it;
+}
+
+std::vector<OptionRecord> option_records(const OptionSet& options) {
+  std::vector<OptionRecord> records;
+  for (const auto& spec : options.table().specs) records.push_back({spec.name, option_text(options.get(spec.name)), std::string(unit_symbol(spec.unit)), options.is_default(spec.name)});
+  return records;
+}
+
+void check(const PipelineDocument& document) {
+  const auto problems = validate(document);
+  if (problems.empty()) return;
+  std::string text;
+  for (const auto& p : problems) text += (text.empty() ? "" : "\n") + (p.stage.empty() ? p.message : "stage '" + p.stage + "': " + p.message);
+  throw bad_input(text);
+}
+
+void note_first_error(RunOutcome& outcome, int exit_code, const std::string& error) {
+  if (outcome.exit_code != 0) return;
+  outcome.exit_code = exit_code;
+  outcome.error = error;
+}
+
+fs::path cache_folder(const RunSettings& settings) {
+  if (!settings.use_cache) return {};
+  if (settings.cache_dir) return *settings.cache_dir;
+  return settings.output_dir.empty() ? fs::path() : settings.output_dir / "cache";
+}
+
+}  // namespace
+
+PipelineExecutor::PipelineExecutor(PipelineDocument document) : document_(std::move(document)), graph_(std::make_unique<Graph>()) {
+  for (const auto& node : document_.stages()) {
+    vtkNew<vtkBoleStage> stage;
+    stage->SetStageType(node.type->name.c_str());
+    stage->SetOptions(node.options);
+    stage->SetGenerateVertices(false);
+    // Errors are read from the stage; VTK shall not print them as well.
+    stage->AddObserver(vtkCommand::ErrorEvent, graph_->silence);
+    stage->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, graph_->silence);
+    graph_->stages[node.id] = stage;
+  }
+}
+
+PipelineExecutor::~PipelineExecutor() = default;
+
+vtkBoleStage* PipelineExecutor::stage(std::string_view id) const {
+  const auto it = graph_->stages.find(id);
+  return it == graph_->stages.end() ? nullptr : it->second.Get();
+}
+
+void PipelineExecutor::set(std::string_view stage_and_option, std::string_view text) {
+  document_.set(stage_and_option, text);
+  const auto id = parse_source(stage_and_option).id;
+  stage(id)->SetOptions(document_.at(id).options);
+}
+
+void PipelineExecutor::finish_running_stage() {
+  const std::lock_guard lock(graph_->mutex);
+  if (graph_->running) graph_->running->Finish();
+}
+
+StageControl PipelineExecutor::control_for(const StageNode& node, const RunSettings& settings, const RunOutcome& so_far) const {
+  StageControl control;
+  control.cancel = settings.cancel;
+  if (!settings.finish.stop_requested()) control.finish = settings.finish;
+  if (settings.progress) control.progress = [&settings, id = node.id](double fraction, std::string_view what) { settings.progress(id, fraction, what); };
+  control.record = [this, &so_far] {
+    auto record = std::make_shared<RunRecord>();
+    record->document = document_.source().empty() ? document_.title() : document_.source();
+    for (const auto& s : so_far.stages)
+      if (is_done(s)) record->stages.push_back(s.record);
+    return record;
+  };
+  control.cache = graph_->cache;
+  control.output_dir = settings.output_dir, control.scratch_dir = settings.scratch_dir;
+  control.core_only = true;
+  return control;
+}
+
+void PipelineExecutor::set_running(vtkBoleStage* running) {
+  const std::lock_guard lock(graph_->mutex);
+  graph_->running = running;
+}
+
+// Runs one stage whose producers have run. Required inputs from a stage that failed: skipped; optional ones: left out.
+StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSettings& settings, RunOutcome& so_far) {
+  auto* const vtk_stage = stage(node.id);
+  StageOutcome outcome;
+  outcome.record = {node.id, node.type->name, option_records(*vtk_stage->GetOptions()), {}, false};
+  std::vector<std::string> left_out;
+  for (const auto& port : node.type->inputs) {
+    const auto joint = node.inputs.find(port.name);
+    const SourcePort source = joint == node.inputs.end() ? SourcePort{} : parse_source(joint->second);
+    const auto* producer = find_outcome(so_far, source.id);
+    const bool usable = producer && is_done(*producer);
+    if (producer && !usable && !port.optional) {
+      outcome.error = "stage '" + source.id + "' gave no " + source.port;
+      return outcome;
+    }
+    if (producer && !usable) left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
+    vtk_stage->ConnectInput(port.name.c_str(), usable ? stage(source.id) : nullptr, source.port.c_str());
+  }
+  vtk_stage->SetControl(control_for(node, settings, so_far));
+  if (!vtk_stage->OutputFilesPresent()) vtk_stage->Modified();
+  set_running(vtk_stage);
+  vtk_stage->Update();
+  set_running(nullptr);
+  vtk_stage->DetachControl();
+  if (vtk_stage->GetExitCode() != 0) {
+    outcome.state = vtk_stage->GetExitCode() == 3 ? StageState::cancelled : StageState::failed;
+    outcome.error = vtk_stage->GetErrorText();
+    note_first_error(so_far, vtk_stage->GetExitCode(), "stage '" + node.id + "': " + outcome.error);
+    return outcome;
+  }
+  auto& counted = graph_->executions[node.id];
+  outcome.record.from_cache = vtk_stage->GetExecutionCount() == counted;
+  counted = vtk_stage->GetExecutionCount();
+  outcome.state = outcome.record.from_cache ? StageState::from_cache : StageState::done;
+  outcome.record.report = vtk_stage->GetReport();
+  for (auto& text : left_out) outcome.record.report.warn(std::move(text));
+  outcome.files = vtk_stage->GetOutputFiles();
+  return outcome;
+}
+
+RunOutcome PipelineExecutor::run(const RunSettings& settings) {
+  const auto start = std::chrono::steady_clock::now();
+  RunOutcome outcome;
+  try {
+    check(document_);
+    if (!settings.output_dir.empty()) fs::create_directories(settings.output_dir);
+    const fs::path folder = cache_folder(settings);
+    graph_->cache = folder.empty() ? nullptr : std::make_shared<ResultCache>(folder);
+    std::map<std::string, int> waiting;  // consumers that have not run
+    for (const auto& node : document_.stages())
+      for (const auto& [port, source] : node.inputs) ++waiting[parse_source(source).id];
+    for (const auto* node : document_.in_order()) {
+      if (settings.cancel.stop_requested()) note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
+      outcome.stages.push_back(settings.cancel.stop_requested() ? StageOutcome{{node->id, node->type->name, option_records(node->options), {}, false}, StageState::cancelled, "cancelled on request", {}}
+                                                                : run_stage_of(*node, settings, outcome));
+      for (const auto& [port, source] : node->inputs)
+        if (const auto id = parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
+      if (waiting[node->id] == 0) stage(node->id)->ReleaseResults();
+    }
+    if (graph_->cache) graph_->cache->prune(settings.cache_bytes);
+  } catch (const Error& e) {
+    note_first_error(outcome, e.exit_code(), e.what());
+  } catch (const std::exception& e) {
+    note_first_error(outcome, 1, e.what());
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  try {
+    outcome.summary_json = summary_json(document_, outcome, seconds, settings.output_dir);
+    if (!settings.output_dir.empty() && fs::is_directory(settings.output_dir)) write_atomically(settings.output_dir / "summary.json", outcome.summary_json);
+  } catch (const std::exception& e) {
+    note_first_error(outcome, 1, e.what());
+  }
+  return outcome;
+}
+
+RunOutcome run_pipeline(const PipelineDocument& document, const RunSettings& settings) { return PipelineExecutor(document).run(settings); }
+
+}  // namespace bole

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Runs one case: simulates a scan when asked, runs a pipeline on it, and holds numbers of summary.json against bounds.
+
+An expectation reads STAGE.NAME OP NUMBER, where NAME is a metric or a count of the stage: 'evaluate.dbh_rmse<=1.0'.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+OPERATORS = {"<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b, "==": lambda a, b: a == b}
+
+
+def run(command):
+    print("+", " ".join(map(str, command)), flush=True)
+    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    print(result.stdout, flush=True)
+    if result.returncode != 0:
+        sys.exit(f"exit code {result.returncode}")
+    return result.stdout
+
+
+def value_of(summary, path):
+    stage_id, name = path.split(".", 1)
+    stage = next((s for s in summary["stages"] if s["id"] == stage_id), None)
+    if stage is None:
+        sys.exit(f"no stage {stage_id} in the summary")
+    if name in stage["metrics"]:
+        return stage["metrics"][name]["value"]
+    if name in stage["counts"]:
+        return stage["counts"][name]
+    sys.exit(f"{stage_id} has no metric or count '{name}'; it has {', '.join(sorted(stage['metrics']) + sorted(stage['counts']))}")
+
+
+def check(summary, expectation):
+    match = re.fullmatch(r"([\w.]+)(<=|>=|==)(-?[\d.]+)", expectation)
+    if not match:
+        sys.exit(f"cannot read the expectation '{expectation}'")
+    path, operator, bound = match.groups()
+    value = value_of(summary, path)
+    good = value is not None and OPERATORS[operator](value, float(bound))
+    print(f"{'ok  ' if good else 'FAIL'} {path} = {value} (expected {operator} {bound})")
+    return good
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--bole", required=True)
+    parser.add_argument("--work", required=True, type=pathlib.Path)
+    parser.add_argument("--simulate", nargs="*", help="arguments of bole simulate; {scan} in --set is its folder")
+    parser.add_argument("--pipeline", required=True)
+    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--expect", action="append", default=[])
+    args = parser.parse_args()
+
+    shutil.rmtree(args.work, ignore_errors=True)
+    scan = args.work / "scan"
+    if args.simulate:
+        run([args.bole, "simulate", *args.simulate, "--out", scan])
+    command = [args.bole, "run", args.pipeline, "--out", args.work / "out", "--no-cache"]
+    for assignment in args.set:
+        command += ["--set", assignment.replace("{scan}", str(scan))]
+    run(command)
+    summary = json.loads((args.work / "out" / "summary.json").read_text())
+    good = [check(summary, e) for e in args.expect]
+    if all(good):
+        shutil.rmtree(args.work, ignore_errors=True)  # recordings are large; a failed case keeps its own
+    return 0 if all(good) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,36 @@
+// Tables and trajectories from memory: whatever the bytes are, the readers give their data or an Error; what was read as a
+// table can be written and read again.
+#include "base/error.h"
+#include "io/core/table_file.h"
+#include "io/core/trajectory_file.h"
+
+namespace {
+
+template <class F>
+void allow_bad_input(F&& f) {
+  try {
+    f();
+  } catch (const bole::Error& error) {
+    if (error.kind() != bole::ErrorKind::bad_input) throw;
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const bole::Bytes file(data, size);
+  allow_bad_input([&] { bole::read_tum(file, "fuzz"); });
+  allow_bad_input([&] { bole::read_kitti_poses(file, "fuzz"); });
+  bole::Table table;
+  bool is_table = false;
+  allow_bad_input([&] {
+    table = bole::read_table(file, "fuzz");
+    is_table = true;
+  });
+  if (is_table) {
+    const auto text = bole::table_text(table);
+    const auto again = bole::read_table({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "again");
+    if (again.rows() != table.rows() || again.columns().size() != table.columns().size()) std::abort();
+  }
+  return 0;
+}

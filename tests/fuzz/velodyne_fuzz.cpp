@@ -1,0 +1,18 @@
+// Data packets with any content decode into returns whose numbers are finite and whose indices are in range.
+#include <cmath>
+#include <cstdlib>
+
+#include "sensor/core/velodyne_decoder.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const std::array decoders{bole::VelodyneDecoder(bole::load_sensor_model("vlp16")), bole::VelodyneDecoder(bole::load_sensor_model("vlp32c")), bole::VelodyneDecoder(bole::load_sensor_model("hdl64e_s2"))};
+  const auto packet = bole::parse_velodyne_packet({data, size});
+  if (!packet) return 0;
+  for (const auto& decoder : decoders) {
+    std::vector<bole::VelodyneReturn> returns;
+    decoder.decode(*packet, returns);
+    for (const auto& r : returns)
+      if (!r.position.allFinite() || r.ring >= decoder.model().rings() || !std::isfinite(r.time_offset_s)) std::abort();
+  }
+  return 0;
+}

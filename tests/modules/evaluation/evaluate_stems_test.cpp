@@ -1,0 +1,145 @@
+#include "evaluation/core/evaluate_stems.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "evaluation/core/assignment.h"
+
+namespace bole {
+namespace {
+
+Table trees(const std::vector<std::array<double, 3>>& rows) {
+  std::vector<std::int64_t> id;
+  std::vector<double> x, y, dbh;
+  for (const auto& r : rows) id.push_back(static_cast<std::int64_t>(id.size()) + 1), x.push_back(r[0]), y.push_back(r[1]), dbh.push_back(r[2]);
+  Table t;
+  t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("dbh_cm", dbh);
+  return t;
+}
+
+double value(const Table& summary, const std::string& measure) {
+  const auto& names = summary.texts("measure");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == measure) return summary.numbers("value")[i];
+  ADD_FAILURE() << "no measure " << measure;
+  return std::nan("");
+}
+
+TEST(Assignment, TheNearestPairIsGivenUpForMorePairs) {
+  // Left 0 is nearest to right 0, but left 1 can only take right 0.
+  const auto pairs = assign_pairs({{0, 0, 0.1}, {0, 1, 0.4}, {1, 0, 0.2}});
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].right, 1U);
+  EXPECT_EQ(pairs[1].right, 0U);
+}
+
+TEST(Assignment, OfEquallyManyPairsTheCheapestSetWins) {
+  const auto pairs = assign_pairs({{0, 0, 1}, {0, 1, 2}, {1, 0, 2}, {1, 1, 4}, {5, 7, 3}});
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0].right, 1U);  // 2 + 2 < 1 + 4
+  EXPECT_EQ(pairs[1].right, 0U);
+  EXPECT_EQ(pairs[2].right, 7U);
+  EXPECT_TRUE(assign_pairs({}).empty());
+}
+
+TEST(EvaluateStems, MeasuresAreThoseOfThePaper) {
+  // Errors (0.1, 0), (-0.1, 0.2), DBH +1 and -2 cm on 20 and 40 cm.
+  const auto e = evaluate_stems(trees({{1.1, 2, 21}, {-5.1, 3.2, 38}}), trees({{1, 2, 20}, {-5, 3, 40}}), {});
+  EXPECT_EQ(e.matched, 2U);
+  EXPECT_NEAR(value(e.summary, "position_mean_x"), 0.0, 1e-12);
+  EXPECT_NEAR(value(e.summary, "position_mean_y"), 0.1, 1e-12);
+  // Deviations (0.1, -0.1), (-0.1, 0.1): Sigma = [[0.01, -0.01], [-0.01, 0.01]], eigenvalues 0 and 0.02.
+  EXPECT_NEAR(value(e.summary, "position_cov_xy"), -0.01, 1e-12);
+  EXPECT_NEAR(value(e.summary, "position_sigma_x"), 0.1, 1e-12);
+  EXPECT_NEAR(value(e.summary, "position_sigma_max"), std::sqrt(0.02), 1e-12);
+  EXPECT_NEAR(value(e.summary, "position_rmse_x"), 0.1, 1e-12);
+  EXPECT_NEAR(value(e.summary, "position_rmse_y"), std::sqrt(0.02), 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_bias"), -0.5, 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_relative_bias"), 0.0, 1e-12);  // +5 % and -5 %
+  EXPECT_NEAR(value(e.summary, "dbh_rmse"), std::sqrt(2.5), 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_relative_rmse"), 5.0, 1e-12);
+}
+
+TEST(EvaluateStems, TreesCountByPlaceAndDiameter) {
+  const auto reference = trees({{0, 0, 20}, {5, 5, 20}, {-5, 5, 6}, {16.2, 0, 30}});
+  const auto estimate = trees({
+      {0.1, 0, 20},    // matched
+      {-5, 5.1, 8},    // matches a tree below min_dbh: neither matched nor false
+      {15.9, 0, 30},   // inside, but its tree stands just outside: not false
+      {10, -10, 15},   // false
+      {-10, -10, 5},   // too thin to be false
+      {30, 30, 25},    // outside
+  });
+  const auto e = evaluate_stems(estimate, reference, {});
+  EXPECT_EQ(e.matched, 1U);
+  EXPECT_EQ(e.missed, 1U);
+  EXPECT_EQ(e.extra, 1U);
+  EXPECT_NEAR(value(e.summary, "completeness"), 50, 1e-12);
+  EXPECT_NEAR(value(e.summary, "correctness"), 50, 1e-12);
+  EXPECT_THAT(e.matches.texts("kind"), testing::ElementsAre("matched", "missed", "false"));
+  EXPECT_THAT(e.matches.integers("tree_id"), testing::ElementsAre(1, 0, 4));
+  EXPECT_THAT(e.matches.integers("ref_id"), testing::ElementsAre(1, 2, 0));
+  EvaluationOptions circle;
+  circle.plot_shape = "circle", circle.plot_radius_m = 6;
+  EXPECT_EQ(evaluate_stems(estimate, reference, circle).missed, 0U);  // (5, 5) lies 7.07 m out
+}
+
+TEST(EvaluateStems, GatesAndClasses) {
+  const auto reference = trees({{0, 0, 12}, {0.3, 0, 31}});
+  // Positions alone would cross the pairs; diameters tell them apart.
+  const auto e = evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, {});
+  EXPECT_THAT(e.matches.numbers("dbh_error_cm"), testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(-1, 1e-9)));
+  EXPECT_NEAR(value(e.summary, "dbh_10_to_15_cm_bias"), 0.5, 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_30_to_35_cm_trees"), 1, 1e-12);
+  EXPECT_NEAR(value(e.summary, "distance_0_to_5_m_completeness"), 100, 1e-12);
+  EvaluationOptions tight;
+  tight.match_distance_m = 0.05;
+  EXPECT_EQ(evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, tight).matched, 0U);
+}
+
+TEST(EvaluateStems, IntervalsAreCountedThatHoldTheTruth) {
+  auto estimate = trees({{0, 0, 20}, {5, 5, 30}});
+  estimate.set("dbh_lo_cm", std::vector<double>{19, 30.5}), estimate.set("dbh_hi_cm", std::vector<double>{21, 31});
+  EXPECT_NEAR(value(evaluate_stems(estimate, trees({{0, 0, 20.9}, {5, 5, 30}}), {}).summary, "dbh_interval_coverage"), 50, 1e-12);
+}
+
+TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
+  const auto reference = trees({{0, 0, 20}, {8, 0, 20}, {0, 8, 20}, {-8, -8, 20}});
+  std::vector<std::array<double, 3>> moved;
+  const Eigen::Rotation2Dd turn(0.01);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d p = turn * Eigen::Vector2d(reference.numbers("x_m")[i], reference.numbers("y_m")[i]) + Eigen::Vector2d(0.2, -0.1);
+    moved.push_back({p.x(), p.y(), 20});
+  }
+  EvaluationOptions o;
+  EXPECT_GT(value(evaluate_stems(trees(moved), reference, o).summary, "position_rmse_x"), 0.1);
+  o.align_stems = "rigid";
+  EXPECT_LT(value(evaluate_stems(trees(moved), reference, o).summary, "position_rmse_x"), 1e-9);
+}
+
+TEST(EvaluateStems, PublishedFiguresStandBesideOurs) {
+  EvaluationOptions o;
+  o.published_plot = "2";
+  const auto summary = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}}), o).summary;
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    if (summary.texts("measure")[i] == "dbh_rmse") {
+      EXPECT_EQ(summary.texts("published")[i], "1.07");
+    }
+  }
+}
+
+TEST(EvaluateStems, AbsentColumnsAndPositionsAreNamed) {
+  Table empty;
+  empty.set("x_m", std::vector<double>{1});
+  EXPECT_THROW(evaluate_stems(empty, trees({{0, 0, 1}}), {}), Error);
+  try {
+    evaluate_stems(trees({{0, std::nan(""), 20}}), trees({{0, 0, 20}}), {});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("row 1 of a stem table has no position"));
+  }
+}
+
+}  // namespace
+}  // namespace bole

@@ -1,0 +1,90 @@
+#include "evaluation/core/evaluate_trajectory.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace bole {
+namespace {
+
+double value(const Table& summary, const std::string& measure) {
+  const auto& names = summary.texts("measure");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == measure) return summary.numbers("value")[i];
+  ADD_FAILURE() << "no measure " << measure;
+  return std::nan("");
+}
+
+// A bent walk of 20 s at 1 m/s.
+Trajectory walk(double start = 0, double step = 0.1) {
+  Trajectory t;
+  for (double s = 0; s <= 20 + 1e-9; s += step) {
+    Pose T = Pose::Identity();
+    T.translation() = Eigen::Vector3d(s, s < 10 ? 0 : 0.5 * (s - 10), 0.1 * s);
+    T.linear() = rotation_from_rpy(0, 0, 0.05 * s);
+    t.poses.push_back({start + s, T});
+  }
+  return t;
+}
+
+Trajectory moved(Trajectory t, const Pose& by) {
+  for (auto& p : t.poses) p.T_target_sensor = by * p.T_target_sensor;
+  return t;
+}
+
+TEST(EvaluateTrajectory, ARigidMotionIsNoErrorAfterAlignment) {
+  const Pose by = se3_exp((Vector6d() << 0.1, -0.2, 0.4, 3, -2, 1).finished());
+  const auto e = evaluate_trajectory(moved(walk(), by), walk(), {});
+  EXPECT_LT(value(e.summary, "ate_rmse"), 1e-9);
+  EXPECT_LT(value(e.summary, "rotation_error_max"), 1e-5);
+  EXPECT_LT(value(e.summary, "rpe_translation_max"), 1e-9);
+  EXPECT_LT(value(e.summary, "drift"), 1e-9);
+  EXPECT_TRUE(e.T_reference_estimate.isApprox(by.inverse(), 1e-9));
+  EvaluationOptions none;
+  none.align_trajectory = "none";
+  EXPECT_GT(value(evaluate_trajectory(moved(walk(), by), walk(), none).summary, "ate_rmse"), 1);
+}
+
+TEST(EvaluateTrajectory, HandComputedErrors) {
+  auto estimate = walk();
+  estimate.poses.back().T_target_sensor.translation().x() += 0.3;  // one of 201 poses
+  EvaluationOptions none;
+  none.align_trajectory = "none";
+  const auto e = evaluate_trajectory(estimate, walk(), none);
+  EXPECT_NEAR(value(e.summary, "poses"), 201, 0);
+  EXPECT_NEAR(value(e.summary, "ate_max"), 0.3, 1e-9);
+  EXPECT_NEAR(value(e.summary, "ate_rmse"), 0.3 / std::sqrt(201), 1e-9);
+  EXPECT_NEAR(value(e.summary, "ate_median"), 0, 1e-9);
+  EXPECT_NEAR(value(e.summary, "end_error"), 0.3, 1e-9);
+  const double length = 10 * std::sqrt(1.01) + 10 * std::sqrt(1.26);
+  EXPECT_NEAR(value(e.summary, "length"), length, 1e-6);
+  EXPECT_NEAR(value(e.summary, "drift"), 100 * 0.3 / length, 1e-6);
+  EXPECT_NEAR(e.errors.numbers("error_x_m").back(), 0.3, 1e-9);
+}
+
+TEST(EvaluateTrajectory, PosesAreInterpolatedToTheEstimatesTimes) {
+  auto coarse = walk(0, 1.0);
+  Trajectory estimate;
+  estimate.poses.push_back({-5, Pose::Identity()});  // no reference there
+  for (const auto& p : walk(0, 0.25).poses) estimate.poses.push_back(p);
+  EvaluationOptions o;
+  o.align_trajectory = "none", o.most_time_gap_s = 1.5;
+  const auto e = evaluate_trajectory(estimate, coarse, o);
+  EXPECT_EQ(e.poses, 81U);
+  EXPECT_LT(value(e.summary, "ate_max"), 1e-9);
+  coarse.poses.erase(coarse.poses.begin() + 4, coarse.poses.begin() + 8);  // a gap of 5 s: nothing is compared inside
+  EXPECT_EQ(evaluate_trajectory(estimate, coarse, o).poses, 81U - 19U);
+}
+
+TEST(EvaluateTrajectory, DifferentClocksAreExplained) {
+  try {
+    evaluate_trajectory(walk(1000), walk(), {});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("0 of 201 poses"));
+    EXPECT_THAT(e.hint(), testing::HasSubstr("clock"));
+  }
+}
+
+}  // namespace
+}  // namespace bole

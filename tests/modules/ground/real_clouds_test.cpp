@@ -1,0 +1,101 @@
+// Ground filtering of real clouds whose ground was classified by others, with the errors of Sithole & Vosselman (2004):
+// type I: ground taken for object, type II: object taken for ground, total: all wrong points.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "ground/core/model_ground.h"
+#include "io/core/las_reader.h"
+
+namespace bole::ground {
+namespace {
+
+struct FilterErrors {
+  double type_1 = 0, type_2 = 0, total = 0;  // per cent
+};
+
+// `is_ground` is the reference; points that are neither (water, ...) are left out by `counts`.
+FilterErrors compare(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& reference, std::uint8_t left_out = 0) {
+  double ground = 0, object = 0, lost = 0, wrong = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (reference[i] == left_out) continue;
+    if (reference[i] == 2)
+      ++ground, lost += found[i] != 2;
+    else
+      ++object, wrong += found[i] == 2;
+  }
+  return {100 * lost / ground, 100 * wrong / object, 100 * (lost + wrong) / (ground + object)};
+}
+
+FilterErrors filter_errors(const std::string& file, GroundOptions options, std::uint8_t left_out = 0) {
+  const auto cloud = read_las(file);
+  options.keep_classes = false;
+  const auto model = model_ground(cloud, options, Run{});
+  const auto e = compare(model.classification, cloud.values<std::uint8_t>(arrays::classification), left_out);
+  printf("%s: type I %.2f %%, type II %.2f %%, total %.2f %% of %zu points; %s\n", std::filesystem::path(file).filename().c_str(), e.type_1, e.type_2, e.total, cloud.size(), model.report.message.c_str());
+  return e;
+}
+
+#define NEED_FOLDER(folder)                                                                      \
+  const std::string data_folder = std::string(BOLE_SHARED_DATA_DIR) + "/" + (folder);            \
+  if (!std::filesystem::exists(data_folder)) GTEST_SKIP() << "the folder " << data_folder << " is absent"
+
+GroundOptions airborne() {
+  GroundOptions o;
+  o.cell_m = 1, o.seed_m = 24, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5, o.tolerance_m = 0.4, o.fill_distance_m = 40;
+  return o;
+}
+
+TEST(RealClouds, IsprsSample31BuildingsAndSteps) {
+  NEED_FOLDER("isprs_filter");
+  const auto e = filter_errors(data_folder + "/samp31_ref.las", airborne());
+  EXPECT_LT(e.total, 8);
+}
+
+TEST(RealClouds, IsprsSample51ForestOnSlopes) {
+  NEED_FOLDER("isprs_filter");
+  const auto e = filter_errors(data_folder + "/samp51_ref.las", airborne());
+  EXPECT_LT(e.total, 8);
+}
+
+TEST(RealClouds, BorealForestFromTheAir) {
+  NEED_FOLDER("als_ground");
+  auto o = airborne();
+  o.seed_m = 10;
+  const auto e = filter_errors(data_folder + "/Topography.laz", o, 9);
+  EXPECT_LT(e.total, 20);
+}
+
+TEST(RealClouds, MixedConiferFromTheAir) {
+  NEED_FOLDER("als_ground");
+  auto o = airborne();
+  o.seed_m = 10;
+  const auto e = filter_errors(data_folder + "/MixedConifer.laz", o);
+  EXPECT_LT(e.total, 20);
+}
+
+TEST(RealClouds, PlantationFromTheGround) {
+  NEED_FOLDER("tls_plantation_4trees");
+  std::ifstream in(data_folder + "/tls_plantation_class.csv");
+  std::string line;
+  std::getline(in, line);
+  PointCloud::Positions positions;
+  std::vector<std::uint8_t> reference;
+  while (std::getline(in, line)) {
+    float x = 0, y = 0, z = 0;
+    char label[16] = {};
+    ASSERT_EQ(std::sscanf(line.c_str(), "%f,%f,%f,%15s", &x, &y, &z, label), 4) << line;
+    positions.emplace_back(x, y, z);
+    reference.push_back(label[0] == 'g' ? 2 : 1);
+  }
+  const auto model = model_ground(PointCloud(positions), {}, bole::Run{});
+  const auto e = compare(model.classification, reference);
+  printf("plantation: type I %.2f %%, type II %.2f %%, total %.2f %%; %s\n", e.type_1, e.type_2, e.total, model.report.message.c_str());
+  EXPECT_LT(e.total, 20);
+}
+
+}  // namespace
+}  // namespace bole::ground

@@ -1,0 +1,74 @@
+// What the tests of the module io share.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "io/core/mapped_file.h"
+
+namespace bole::testing_io {
+
+inline std::filesystem::path shared(const std::string& relative) { return std::filesystem::path(BOLE_SHARED_DATA_DIR) / relative; }
+
+// Skips the test when a folder of real files is absent.
+#define BOLE_NEEDS_SHARED(folder) \
+  if (!std::filesystem::exists(bole::testing_io::shared(folder))) GTEST_SKIP() << "the real files of shared/data/" << (folder) << " are absent"
+
+// A folder of its own that goes away with the object.
+class TempDir {
+ public:
+  TempDir() : path_(std::filesystem::temp_directory_path() / ("bole_io_" + std::to_string(::getpid()) + "_" + std::to_string(counter()++))) { std::filesystem::create_directories(path_); }
+  ~TempDir() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  static int& counter() {
+    static int count = 0;
+    return count;
+  }
+  std::filesystem::path path_;
+};
+
+inline Bytes bytes_of(const std::string& text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+
+template <class T>
+void put(std::string& out, T value) {
+  char bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  out.append(bytes, sizeof(T));
+}
+
+inline void write_file(const std::filesystem::path& path, const std::string& content) {
+  std::filesystem::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << content;
+}
+
+inline std::string read_file(const std::filesystem::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path, std::ios::binary).rdbuf();
+  return out.str();
+}
+
+template <class F>
+std::string error_of(F&& f) {
+  try {
+    f();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+}  // namespace bole::testing_io

@@ -1,0 +1,72 @@
+#include "io/core/table_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "io_test_tools.h"
+
+namespace bole {
+namespace {
+
+using namespace testing_io;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Table read(const std::string& text) { return read_table(bytes_of(text), "t.csv"); }
+
+TEST(TableFile, TypesFollowTheCells) {
+  const auto t = read("tree_id,dbh_cm,state,note,height_m\n1,20.5,auto,\"said \"\"big\"\", twice\",\n2,,edited,\"two\nlines\",\n");
+  EXPECT_EQ(t.rows(), 2U);
+  EXPECT_THAT(t.integers("tree_id"), ElementsAre(1, 2));
+  EXPECT_EQ(t.numbers("dbh_cm")[0], 20.5);
+  EXPECT_TRUE(std::isnan(t.numbers("dbh_cm")[1]));
+  EXPECT_THAT(t.texts("note"), ElementsAre("said \"big\", twice", "two\nlines"));
+  EXPECT_TRUE(std::isnan(t.numbers("height_m")[0]));
+}
+
+TEST(TableFile, OtherDelimitersFactsAndLineEnds) {
+  const auto t = read("\xEF\xBB\xBF# axes: plot\n# crs: EPSG:25832\nx_m;name\r\n1,5;a\r\n2;b\r\n\r\n");
+  EXPECT_EQ(t.facts.at("axes"), "plot");
+  EXPECT_EQ(t.facts.at("crs"), "EPSG:25832");
+  EXPECT_THAT(t.numbers("x_m"), ElementsAre(1.5, 2));
+  EXPECT_THAT(read("a\tb\n1\tx, y\n").texts("b"), ElementsAre("x, y"));
+  EXPECT_EQ(read("a,b\n").rows(), 0U);
+  EXPECT_THAT(read("a,b\n1,").texts("b"), ElementsAre(""));
+}
+
+TEST(TableFile, ErrorsNameTheLine) {
+  EXPECT_THAT(error_of([] { read("a,b\n1,2\n3\n"); }), HasSubstr("'t.csv' line 3 has 1 cell"));
+  EXPECT_THAT(error_of([] { read("a,b\n1,2,3\n"); }), HasSubstr("line 2 has 3 cells"));
+  EXPECT_THAT(error_of([] { read("a,a\n1,2\n"); }), HasSubstr("'a' twice"));
+  EXPECT_THAT(error_of([] { read("a,\n1,2\n"); }), HasSubstr("without a name"));
+  EXPECT_THAT(error_of([] { read("a,b\n\"1,2\n"); }), HasSubstr("line 2 opens a quote"));
+  EXPECT_THAT(error_of([] { read(""); }), HasSubstr("empty"));
+  EXPECT_THAT(error_of([] { read(std::string("a,b\n\0,2\n", 8)); }), HasSubstr("not text"));
+  EXPECT_THAT(error_of([] { read_table(std::filesystem::path{}); }), HasSubstr("no table"));
+}
+
+TEST(TableFile, WhatIsWrittenIsReadBack) {
+  Table t;
+  t.set("tree_id", std::vector<std::int64_t>{3, -4});
+  t.set("dbh_cm", std::vector<double>{1.0 / 3, std::nan("")});
+  t.set("x_m", std::vector<double>{1.23456, 2});
+  t.set("note", std::vector<std::string>{"a, \"b\"\n c", "# not a fact"});
+  t.set("empty", std::vector<std::string>{"", ""});
+  const TempDir dir;
+  write_table(dir / "sub/t.csv", t, {{"x_m", 3}});
+  EXPECT_THAT(read_file(dir / "sub/t.csv"), HasSubstr("3,0.3333333333333333,1.235,"));
+  const auto back = read_table(dir / "sub/t.csv");
+  EXPECT_EQ(back.integers("tree_id"), t.integers("tree_id"));
+  EXPECT_EQ(back.numbers("dbh_cm")[0], 1.0 / 3);
+  EXPECT_TRUE(std::isnan(back.numbers("dbh_cm")[1]));
+  EXPECT_EQ(back.numbers("x_m")[0], 1.235);
+  EXPECT_EQ(back.texts("note"), t.texts("note"));
+  EXPECT_EQ(back.texts("empty"), t.texts("empty"));
+  Table one;
+  one.set("note", std::vector<std::string>{"a", "", "b"});
+  EXPECT_EQ(read(table_text(one)).texts("note"), one.texts("note"));
+}
+
+}  // namespace
+}  // namespace bole

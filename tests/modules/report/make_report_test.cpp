@@ -1,0 +1,216 @@
+#include "report/make_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "io/core/gdal_writer.h"
+#include "io/core/table_file.h"
+#include "modules/render/small_survey.h"
+#include "modules/render/well_formed.h"
+#include "report/core/html.h"
+
+namespace bole {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+DataSet inputs_of(const testing_data::SmallSurvey& s) {
+  DataSet inputs;
+  inputs.set("stems", s.stems), inputs.set("points", s.points), inputs.set("slice", s.slice), inputs.set("dem", s.dem);
+  inputs.set("trajectory", s.trajectory), inputs.set("reference_trajectory", s.reference), inputs.set("sections", s.sections), inputs.set("rejected", s.rejected);
+  inputs.set("targets", s.targets), inputs.set("matches", s.matches), inputs.set("summary", s.summary);
+  return inputs;
+}
+
+std::shared_ptr<const RunRecord> record() {
+  RunRecord r;
+  r.document = "forest_plot.json";
+  StageRecord stage;
+  stage.id = "slice", stage.type = "stems.slice";
+  stage.options = {{"height", "1.3", "m", true}, {"thickness", "0.2", "m", false}};
+  stage.report.message = "4 000 points <around> breast height";
+  stage.report.seconds = 1.25;
+  stage.report.peak_mib = 321;
+  stage.report.warn("a warning of the slice & more");
+  r.stages.push_back(stage);
+  return std::make_shared<const RunRecord>(r);
+}
+
+class MakeReport : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* kept = std::getenv("BOLE_FIGURES_DIR");
+    dir_ = (kept != nullptr ? std::filesystem::path(kept) : std::filesystem::path(testing::TempDir())) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    keep_ = kept != nullptr;
+    std::filesystem::remove_all(dir_);
+    run_.output_dir = dir_;
+    run_.record = record();
+  }
+  void TearDown() override {
+    if (!keep_) std::filesystem::remove_all(dir_);
+  }
+  static ReportOptions quick() {
+    ReportOptions o;
+    o.dpi = 60;
+    o.point_budget = 20000;
+    return o;
+  }
+  std::filesystem::path dir_;
+  bool keep_ = false;
+  bole::Run run_;
+};
+
+std::string without_pictures(std::string html) {
+  const std::string begin = "src=\"data:";
+  for (auto at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 5)) html.erase(at + 5, html.find('"', at + 5) - at - 5);
+  return html;
+}
+
+TEST_F(MakeReport, WritesEverything) {
+  const auto s = testing_data::make_small_survey();
+  auto options = quick();
+  if (keep_) options = {};
+  const auto result = make_report(inputs_of(s), options, run_);
+  EXPECT_THAT(result.report.warnings, testing::IsEmpty());
+  for (const char* file : {"stems.csv",
+                           "sections.csv",
+                           "rejected.csv",
+                           "matches.csv",
+                           "trajectory.tum",
+                           "cloud.las",
+                           "dem.tif",
+                           "plot.gpkg",
+                           "report.html",
+                           "figures/stem_map.png",
+                           "figures/stem_map.svg",
+                           "figures/stem_map.pdf",
+                           "figures/map_height.png",
+                           "figures/map_tree.png",
+                           "figures/map_intensity.png",
+                           "figures/map_top_height.png",
+                           "figures/dbh_scatter.svg",
+                           "figures/dbh_errors.pdf",
+                           "figures/dbh_histogram.png",
+                           "figures/position_errors.png",
+                           "figures/trajectory.svg",
+                           "figures/slices_01.png"})
+    EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+  EXPECT_EQ(read_table(dir_ / "stems.csv").rows(), s.stems.rows());
+  EXPECT_EQ(read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
+
+  const auto html = contents(dir_ / "report.html");
+  const auto page = without_pictures(html);
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(html, HasSubstr("data:image/svg+xml;base64,"));
+  EXPECT_THAT(page, Not(HasSubstr("http")));
+  EXPECT_THAT(page, Not(testing::ContainsRegex("(src|href)=\"[^\"]")));
+  EXPECT_THAT(page, HasSubstr("20.0 m × 20.0 m"));  // from the targets
+  EXPECT_THAT(page, HasSubstr("a warning of the slice &amp; more"));
+  EXPECT_THAT(page, HasSubstr("&lt;around&gt;"));
+  EXPECT_THAT(page, HasSubstr("thickness"));
+  EXPECT_THAT(page, HasSubstr("321"));
+  EXPECT_THAT(page, HasSubstr("rays pass through it"));
+  EXPECT_THAT(page, HasSubstr("1.03"));  // published
+  EXPECT_EQ(testing_data::markup_trouble(page), "");
+}
+
+TEST_F(MakeReport, StemsAloneAreEnough) {
+  DataSet inputs;
+  inputs.set("stems", testing_data::make_small_survey().stems);
+  run_.record = nullptr;
+  const auto result = make_report(inputs, quick(), run_);
+  EXPECT_THAT(result.report.warnings, testing::IsEmpty());
+  EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
+  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("No plot boundary is set"));
+}
+
+TEST_F(MakeReport, NoStemsNoTrouble) {
+  Table empty;
+  for (const char* c : {"x_m", "y_m", "dbh_cm"}) empty.set(c, std::vector<double>{});
+  DataSet inputs;
+  inputs.set("stems", empty);
+  make_report(inputs, quick(), run_);
+  EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
+}
+
+TEST_F(MakeReport, OneFigureThatFailsEndsNothing) {
+  DataSet inputs;
+  auto s = testing_data::make_small_survey();
+  auto broken = s.matches;
+  broken.remove("dbh_cm");
+  inputs.set("stems", s.stems), inputs.set("matches", broken);
+  PointCloud nowhere(PointCloud::Positions(5, Eigen::Vector3f::Constant(std::nanf(""))));
+  inputs.set("points", nowhere);
+  auto options = quick();
+  options.plot_shape = "rectangle";
+  const auto result = make_report(inputs, options, run_);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("map by height")));
+  EXPECT_TRUE(std::filesystem::exists(dir_ / "figures/stem_map.png"));
+  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("map by height"));
+}
+
+TEST_F(MakeReport, TitleIsHarmless) {
+  DataSet inputs;
+  inputs.set("stems", testing_data::make_small_survey().stems);
+  auto options = quick();
+  options.title = "<script>alert('x')</script>";
+  make_report(inputs, options, run_);
+  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("<script>alert")));
+}
+
+TEST_F(MakeReport, CancelStops) {
+  std::stop_source stop;
+  run_.cancel = stop.get_token();
+  stop.request_stop();
+  DataSet inputs;
+  inputs.set("stems", testing_data::make_small_survey().stems);
+  EXPECT_THROW(make_report(inputs, quick(), run_), Error);
+  EXPECT_FALSE(std::filesystem::exists(dir_ / "report.html"));
+}
+
+TEST_F(MakeReport, NeedsAFolder) {
+  run_.output_dir.clear();
+  DataSet inputs;
+  inputs.set("stems", testing_data::make_small_survey().stems);
+  try {
+    make_report(inputs, quick(), run_);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("--out"));
+  }
+}
+
+TEST(ReportStage, IsRegistered) {
+  StageRegistry registry;
+  register_report_stages(registry);
+  const auto& type = registry.at("report.plot");
+  EXPECT_TRUE(type.writes_files);
+  EXPECT_NE(type.input("reference_trajectory"), nullptr);
+  EXPECT_FALSE(type.input("stems")->optional);
+}
+
+TEST(Html, Escapes) { EXPECT_EQ(escaped("<a href=\"x\">'&'\x01"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;"); }
+
+TEST(Html, Base64) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
+}
+
+}  // namespace
+}  // namespace bole

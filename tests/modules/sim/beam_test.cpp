@@ -1,0 +1,131 @@
+#include "sim/core/beam.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bole::sim {
+namespace {
+
+SensorModel one_laser() {
+  SensorModel sensor = load_sensor_model("vlp32c");
+  sensor.channels = {LaserChannel{}};
+  return sensor;
+}
+
+// A wall at x, from y0 to y1, 20 m high, facing the sensor.
+Piece wall(float x, float y0, float y1, Material material = Material::bark, float reflectivity = 0.4f) {
+  Piece piece{{}, material, reflectivity, 0, 0};
+  piece.mesh.vertices = {{x, y0, -10}, {x, y1, -10}, {x, y1, 10}, {x, y0, 10}};
+  piece.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return piece;
+}
+
+BeamParameters exact() {
+  BeamParameters p;
+  p.noise = p.dropouts = 0;
+  return p;
+}
+
+struct Shot {
+  std::vector<Piece> pieces;
+  BeamParameters parameters = exact();
+  // Echoes of `count` pulses along +x.
+  std::vector<LaserEcho> fire(int count) const {
+    SceneModel model;
+    model.pieces = pieces;
+    const RayScene scene(model);
+    const SensorModel sensor = one_laser();
+    const Beam beam(sensor, parameters, scene, 1);
+    std::vector<LaserEcho> echoes;
+    for (int i = 0; i < count; ++i) echoes.push_back(beam.fire(Pose::Identity(), 0, 0, static_cast<std::uint64_t>(i)));
+    return echoes;
+  }
+};
+
+TEST(Beam, measures_a_wall_exactly_without_noise) {
+  for (const auto& echo : Shot{{wall(7.25f, -5, 5)}}.fire(50)) EXPECT_NEAR(echo.range_m, 7.25, 1e-4);
+}
+
+TEST(Beam, noise_has_the_sigma_of_the_sensor) {
+  Shot shot{{wall(7.25f, -5, 5)}};
+  shot.parameters.noise = 1;
+  shot.parameters.laser_bias_m = 0;
+  double sum = 0, squares = 0;
+  const auto echoes = shot.fire(4000);
+  for (const auto& e : echoes) sum += e.range_m - 7.25, squares += std::pow(e.range_m - 7.25, 2);
+  const double n = static_cast<double>(echoes.size()), sigma = one_laser().range_sigma_m;
+  EXPECT_NEAR(sum / n, 0, 4 * sigma / std::sqrt(n));
+  EXPECT_NEAR(std::sqrt(squares / n), sigma, 0.05 * sigma);
+}
+
+TEST(Beam, lasers_have_biases_of_their_own) {
+  SceneModel model;
+  model.pieces = {wall(7.25f, -5, 5)};
+  const RayScene scene(model);
+  SensorModel sensor = one_laser();
+  sensor.channels.resize(40);
+  BeamParameters parameters = exact();
+  parameters.noise = 1e-3;
+  parameters.laser_bias_m = 4;  // metres, times the factor on noise: 4 mm
+  const Beam beam(sensor, parameters, scene, 1);
+  double squares = 0;
+  for (std::size_t c = 0; c < 40; ++c) squares += std::pow(beam.fire(Pose::Identity(), c, 0, c).range_m - 7.25, 2);
+  EXPECT_NEAR(std::sqrt(squares / 40), 0.004, 0.0015);
+}
+
+TEST(Beam, an_edge_before_a_near_wall_gives_mixed_pixels) {
+  // The beam is half on the edge of a wall 0.3 m in front of another: ranges in between. 3 m apart: one or the other.
+  int between_near = 0, between_far = 0;
+  for (const auto& e : Shot{{wall(8, 0, 5), wall(8.3f, -5, 5)}}.fire(200)) between_near += e.range_m > 8.02f && e.range_m < 8.28f;
+  for (const auto& e : Shot{{wall(8, 0, 5), wall(11, -5, 5)}}.fire(200)) between_far += e.range_m > 8.02f && e.range_m < 10.98f;
+  EXPECT_GT(between_near, 150);
+  EXPECT_EQ(between_far, 0);
+}
+
+TEST(Beam, without_divergence_there_are_no_mixed_pixels) {
+  Shot shot{{wall(8, 0.001f, 5), wall(8.3f, -5, 5)}};
+  shot.parameters.divergence = 0;
+  for (const auto& e : shot.fire(100)) EXPECT_NEAR(e.range_m, 8.3, 1e-4);
+}
+
+TEST(Beam, an_edge_is_seen_from_outside_it) {
+  // Aimed 1 cm past the edge, part of the beam still meets it: with nothing behind, the point is reported off the wall.
+  int seen = 0;
+  for (const auto& e : Shot{{wall(10, 0.01f, 5)}}.fire(100)) seen += e.range_m > 0;
+  EXPECT_GT(seen, 90);
+  seen = 0;
+  for (const auto& e : Shot{{wall(10, 0.10f, 5)}}.fire(100)) seen += e.range_m > 0;
+  EXPECT_EQ(seen, 0);
+}
+
+TEST(Beam, foil_shines_and_bark_does_not) {
+  for (const auto& e : Shot{{wall(9, -5, 5, Material::retro, 1)}}.fire(100)) EXPECT_GE(e.intensity, 190);
+  for (const auto& e : Shot{{wall(9, -5, 5)}}.fire(100)) {
+    EXPECT_GE(e.intensity, 20);
+    EXPECT_LE(e.intensity, 60);
+  }
+}
+
+TEST(Beam, dark_surfaces_far_away_are_lost) {
+  int near = 0, far = 0;
+  for (const auto& e : Shot{{wall(20, -5, 5, Material::bark, 0.1f)}}.fire(200)) near += e.range_m > 0;
+  for (const auto& e : Shot{{wall(180, -50, 50, Material::bark, 0.1f)}}.fire(200)) far += e.range_m > 0;
+  EXPECT_GT(near, 195);
+  EXPECT_LT(far, 40);
+}
+
+TEST(Beam, too_near_is_no_return) {
+  for (const auto& e : Shot{{wall(0.3f, -5, 5)}}.fire(20)) EXPECT_EQ(e.range_m, 0);
+}
+
+TEST(Beam, the_same_pulse_gives_the_same_echo) {
+  Shot shot{{wall(7, -5, 5)}};
+  shot.parameters.noise = 1;
+  const auto a = shot.fire(50), b = shot.fire(50);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].range_m, b[i].range_m);
+  EXPECT_NE(a[0].range_m, a[1].range_m);
+}
+
+}  // namespace
+}  // namespace bole::sim

@@ -1,0 +1,160 @@
+#include "slam/core/registration.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "slam/core/keyframes.h"
+#include "synthetic/scan_world.h"
+
+namespace bole {
+namespace {
+
+using synthetic::SpinningSensor;
+using synthetic::SyntheticScan;
+
+SlamOptions best_options() {
+  SlamOptions o;
+  o.preset = "best";
+  return resolved(o);
+}
+
+Features features_of(const SyntheticScan& source, std::size_t frame_index) {
+  ScanFrame frame;
+  source.read(frame_index, frame);
+  Scan scan;
+  prepare_scan(frame, {0.5, 60, source.rings()}, scan);
+  Features features;
+  FeatureExtractor(best_options()).extract(scan, features);
+  return features;
+}
+
+FrameMotion truth_of(const SyntheticScan& source, std::size_t frame_index, double begin_shift_s = 0) {
+  const double t = source.frame_time_s(frame_index) + begin_shift_s;
+  return {source.truth(t), source.truth(t + 0.1)};
+}
+
+// A map of frames with their true motion.
+void fill(FeatureMaps& maps, const SyntheticScan& source, std::size_t first, std::size_t last) {
+  for (std::size_t k = first; k <= last; ++k) insert_keyframe(make_keyframe(k, 0, features_of(source, k).map, truth_of(source, k)), maps);
+}
+
+SyntheticScan walk(std::size_t frames) {
+  return {synthetic::trunks(10, 3.5), SpinningSensor::even(32, -25, 15, 450), [](double t) { return synthetic::walk_on_circle(t, 5, 1, 1, 0); }, frames};
+}
+
+double distance(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
+double angle(const Pose& a, const Pose& b) { return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle(); }
+
+TEST(Registration, PoseEquationsAreTheDerivativesOfTheCost) {
+  const Eigen::Vector3d p(3, -2, 0.7);
+  const Pose T = se3_exp((Vector6d() << 0.2, -0.4, 0.9, 1, 5, -2).finished());
+  for (const auto kind : {Target::Kind::plane, Target::Kind::line}) {
+    Target target;
+    target.mean = T * p + Eigen::Vector3d(0.02, -0.03, 0.01);
+    target.axis = Eigen::Vector3d(0.4, -0.3, 0.9).normalized();
+    target.variance_m2 = 0.0009;
+    target.kind = kind;
+    const double kernel = 1e6;  // so wide that the weight does not change
+    const auto cost = [&](const Vector6d& d) {
+      Pose moved = T;
+      moved.linear() = so3_exp(d.head<3>()).toRotationMatrix() * T.linear();
+      moved.translation() += d.tail<3>();
+      return 0.5 * pose_equations(target, moved * p, moved.linear() * p, kernel).squared_m2 / target.variance_m2;
+    };
+    const auto e = pose_equations(target, T * p, T.linear() * p, kernel);
+    const double h = 1e-6;
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(e.g[i], (cost(h * Vector6d::Unit(i)) - cost(-h * Vector6d::Unit(i))) / (2 * h), 1e-5 * e.g.norm());
+    EXPECT_LT((e.H - e.H.transpose()).norm(), 1e-9 * e.H.norm());
+    EXPECT_GE(e.H.eigenvalues().real().minCoeff(), -1e-9 * e.H.norm());
+  }
+}
+
+TEST(Registration, TheKernelTakesWeightFromFarPoints) {
+  Target target;
+  target.axis = Eigen::Vector3d::UnitZ();
+  target.variance_m2 = 0.0004;
+  target.kind = Target::Kind::plane;
+  const Eigen::Vector3d lever(4, 1, 0);
+  const auto near = pose_equations(target, {4, 1, 0.02}, lever, 3), far = pose_equations(target, {4, 1, 0.6}, lever, 3);
+  EXPECT_TRUE(near.inlier);
+  EXPECT_FALSE(far.inlier);
+  EXPECT_LT(far.H.norm(), 0.02 * near.H.norm());
+}
+
+TEST(Registration, ARigidShiftIsFoundToMillimetres) {
+  const auto source = walk(6);
+  FeatureMaps maps(0.1);
+  fill(maps, source, 0, 4);
+  const auto truth = truth_of(source, 5);
+  const Pose off = se3_exp((Vector6d() << 0.01, -0.015, 0.03, 0.12, -0.1, 0.05).finished());
+  RegistrationSettings settings;
+  settings.rounds = 25;
+  const auto r = register_frame(features_of(source, 5).query, maps, {off * truth.T_map_begin, off * truth.T_map_end}, settings, {});
+  EXPECT_LT(distance(r.motion.T_map_end, truth.T_map_end), 0.005);
+  EXPECT_LT(angle(r.motion.T_map_end, truth.T_map_end), 0.002);
+  EXPECT_GT(r.overlap, 0.5);
+}
+
+TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
+  const auto source = walk(6);
+  FeatureMaps maps(0.1);
+  fill(maps, source, 0, 4);
+  const auto truth = truth_of(source, 5);
+  // The guess stands still at the true begin: constant velocity is wrong by a whole step.
+  const FrameMotion guess{truth.T_map_begin, truth.T_map_begin};
+  const auto query = features_of(source, 5).query;
+  RegistrationSettings settings;
+  settings.rounds = 25;
+  settings.motion_sigma_m = 0.2, settings.motion_sigma_rad = 0.05;
+  const auto rigid = register_frame(query, maps, guess, settings, {});
+  settings.model = MotionModel::elastic;
+  const auto elastic = register_frame(query, maps, guess, settings, {});
+  EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end), 0.012);
+  EXPECT_LT(distance(elastic.motion.T_map_begin, truth.T_map_begin), 0.012);
+  EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end), 0.5 * distance(rigid.motion.T_map_end, truth.T_map_end));
+  EXPECT_LT(elastic.rms_m, rigid.rms_m);
+}
+
+TEST(Registration, TheResultDoesNotDependOnTheNumberOfThreads) {
+  const auto source = walk(3);
+  FeatureMaps maps(0.1);
+  fill(maps, source, 0, 1);
+  const auto query = features_of(source, 2).query;
+  const auto truth = truth_of(source, 2);
+  RegistrationSettings settings;
+  settings.model = MotionModel::elastic;
+  const auto solve = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return register_frame(query, maps, {truth.T_map_begin, truth.T_map_begin}, settings, {}).motion.T_map_end.matrix().eval();
+  };
+  EXPECT_EQ(solve(1), solve(4));
+}
+
+TEST(Registration, AnOpenDirectionShows) {
+  // Between two endless walls nothing holds the shift along them.
+  synthetic::World corridor;
+  corridor.planes = {{Eigen::Vector3d::UnitY(), 2}, {-Eigen::Vector3d::UnitY(), 2}, {Eigen::Vector3d::UnitZ(), -1.5}};
+  const SyntheticScan tube(
+      corridor, SpinningSensor::even(16, -15, 15, 450), [](double) { return Pose::Identity(); }, 2);
+  const SyntheticScan plot = walk(2);
+  FeatureMaps tube_maps(0.1), plot_maps(0.1);
+  fill(tube_maps, tube, 0, 0);
+  fill(plot_maps, plot, 0, 0);
+  const auto in_tube = register_frame(features_of(tube, 1).query, tube_maps, {}, {}, {});
+  const auto in_plot = register_frame(features_of(plot, 1).query, plot_maps, truth_of(plot, 1), {}, {});
+  EXPECT_LT(in_tube.conditioning, 1e-3);
+  EXPECT_GT(in_plot.conditioning, 10 * in_tube.conditioning);
+}
+
+TEST(Registration, AgainstNothingThereIsNoOverlap) {
+  const auto source = walk(1);
+  const auto r = register_frame(features_of(source, 0).query, FeatureMaps(0.1), {}, {}, {});
+  EXPECT_EQ(r.matched, 0u);
+  EXPECT_EQ(r.overlap, 0);
+  EXPECT_TRUE(r.motion.T_map_end.isApprox(Pose::Identity()));
+}
+
+}  // namespace
+}  // namespace bole

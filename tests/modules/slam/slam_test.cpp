@@ -1,0 +1,288 @@
+#include "slam/core/slam.h"
+
+#include <gmock/gmock.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <fstream>
+#include <limits>
+#include <thread>
+
+#include "slam/core/loops.h"
+#include "slam/core/pose_graph.h"
+#include "synthetic/scan_world.h"
+
+namespace bole {
+namespace {
+
+using synthetic::SpinningSensor;
+using synthetic::SyntheticScan;
+using testing::HasSubstr;
+
+SyntheticScan small_walk(std::size_t frames, double noise_m = 0.01) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = noise_m;
+  return {synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, frames};
+}
+
+SlamOptions preset(const char* name) {
+  SlamOptions o;
+  o.preset = name;
+  o.map_voxel_m = 0.03;
+  return o;
+}
+
+// Largest distance of the estimated from the true positions, the first poses laid on each other.
+double worst_m(const Trajectory& estimate, const SyntheticScan& source) {
+  const Pose T_truth_map = source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
+  double worst = 0;
+  for (const auto& p : estimate.poses) worst = std::max(worst, ((T_truth_map * p.T_target_sensor).translation() - source.truth(p.time_s).translation()).norm());
+  return worst;
+}
+
+void write_truth(const std::filesystem::path& file, const SyntheticScan& source, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
+  std::ofstream out(file);
+  out.precision(12);
+  for (const auto& p : source.true_trajectory(200).poses) {
+    const Eigen::Quaterniond q(p.T_target_sensor.linear());
+    const Eigen::Vector3d t = p.T_target_sensor.translation() + shift;
+    out << p.time_s << ' ' << t.x() << ' ' << t.y() << ' ' << t.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w() << '\n';
+  }
+}
+
+TEST(SlamOptions, EveryPresetDecidesEverythingThatIsLeftToIt) {
+  const auto& table = option_table(static_cast<const SlamOptions*>(nullptr));
+  for (const auto& name : table.at("preset").choices) {
+    SlamOptions o;
+    o.preset = name;
+    const SlamOptions r = resolved(o);
+    for (const auto& spec : table.specs) {
+      EXPECT_NE(option_text(spec.get(&r)), "preset") << name << " " << spec.name;
+      if (spec.help.find("as the preset says") != std::string::npos) {
+        EXPECT_NE(spec.get(&r), spec.default_value) << name << " " << spec.name;
+      }
+      EXPECT_NO_THROW(spec.checked(spec.get(&r))) << name << " " << spec.name;
+    }
+  }
+}
+
+TEST(SlamOptions, WhatIsSetHoldsAgainstThePreset) {
+  SlamOptions o;
+  o.preset = "loam";
+  o.deskew = "elastic";
+  o.neighbour_keyframes = 7;
+  const auto r = resolved(o);
+  EXPECT_EQ(r.deskew, "elastic");
+  EXPECT_EQ(r.neighbour_keyframes, 7);
+  EXPECT_EQ(r.features, "curvature");
+  o.preset = "none";
+  EXPECT_THROW(resolved(o), Error);
+}
+
+TEST(Slam, BestFollowsAWalkingGaitToCentimetres) {
+  const auto source = small_walk(40);
+  const auto result = run_slam(source, preset("best"), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 40);
+  EXPECT_EQ(result.report.status, Status::ok);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.04);
+  EXPECT_GE(result.trajectory.poses.size(), 40u * 5u);
+}
+
+TEST(Slam, LoamMapsTheWalk) {
+  const auto source = small_walk(40);
+  const auto result = run_slam(source, preset("loam"), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 40);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.25);
+}
+
+TEST(Slam, WithTruePosesTheMapLiesOnTheSurfaces) {
+  const auto source = small_walk(15, 0);
+  const auto file = std::filesystem::path(testing::TempDir()) / "truth.tum";
+  const Eigen::Vector3d utm(453000, 5410000, 300);
+  for (const Eigen::Vector3d& shift : {Eigen::Vector3d(0, 0, 0), utm}) {
+    write_truth(file, source, shift);
+    auto options = preset("best");
+    options.trajectory = file;
+    const auto result = run_slam(source, options, {});
+    ASSERT_GT(result.points.size(), 10000u);
+    const auto& x = result.points.values<float>(arrays::sensor_x);
+    const auto& time = result.points.values<double>(arrays::time);
+    const auto& range = result.points.values<float>(arrays::range);
+    const auto& y = result.points.values<float>(arrays::sensor_y);
+    const auto& z = result.points.values<float>(arrays::sensor_z);
+    const auto world = synthetic::trunks(9, 3.5);
+    for (std::size_t i = 0; i < result.points.size(); i += 101) {
+      // From the true sensor position the world begins just at the point.
+      const Eigen::Vector3d sensor = source.truth(time[i]).translation(), p = result.points.position(i) - shift;
+      const Eigen::Vector3d ray = p - sensor;
+      EXPECT_NEAR(world.range(sensor, ray.normalized()), ray.norm(), 0.02);
+      EXPECT_NEAR(range[i], ray.norm(), 1e-3);
+      EXPECT_LT((result.points.origin - shift + Eigen::Vector3d(x[i], y[i], z[i]) - sensor).norm(), 1e-3);
+    }
+    EXPECT_LT((result.trajectory.poses.front().T_target_sensor.translation() - shift - source.truth(0).translation()).norm(), 1e-3);
+  }
+}
+
+TEST(Slam, ATrajectoryOfAnotherClockIsRefused) {
+  const auto source = small_walk(3);
+  const auto file = std::filesystem::path(testing::TempDir()) / "other.tum";
+  std::ofstream(file) << "1000 0 0 0 0 0 0 1\n1001 0 0 0 0 0 0 1\n";
+  auto options = preset("best");
+  options.trajectory = file;
+  try {
+    run_slam(source, options, {});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
+    EXPECT_THAT(e.what(), HasSubstr("clock"));
+  }
+}
+
+TEST(Slam, TheResultDoesNotDependOnTheNumberOfThreads) {
+  const auto source = small_walk(8);
+  const auto solve = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return run_slam(source, preset("best"), {});
+  };
+  const auto a = solve(1), b = solve(3);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_EQ(a.points.positions(), b.points.positions());
+  EXPECT_EQ(a.trajectory.poses.back().T_target_sensor.matrix(), b.trajectory.poses.back().T_target_sensor.matrix());
+}
+
+TEST(Slam, ALostTrackEndsTheMapAndSaysWhere) {
+  auto source = small_walk(30);
+  // From frame 12 on the sensor is somewhere else altogether: noise without shape.
+  source.spoil = [](std::size_t index, ScanFrame& frame) {
+    if (index < 12) return;
+    std::mt19937 random(static_cast<unsigned>(index));
+    std::uniform_real_distribution<float> any(1, 40);
+    for (auto& p : frame.positions) p = p.normalized() * any(random);
+  };
+  const auto result = run_slam(source, preset("best"), {});
+  EXPECT_EQ(result.report.status, Status::finished_early);
+  EXPECT_EQ(result.report.facts.at("lost_at_frame"), "12");
+  EXPECT_EQ(result.report.counts.at("frames"), 12);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("lost at frame 12")));
+  EXPECT_GT(result.points.size(), 1000u);
+  EXPECT_LT(result.trajectory.poses.back().time_s, 1.25);
+}
+
+TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
+  auto source = small_walk(20);
+  source.spoil = [](std::size_t index, ScanFrame& frame) {
+    if (index == 7) frame.clear();
+    if (index == 9)
+      for (auto& p : frame.positions) p.setConstant(std::numeric_limits<float>::quiet_NaN());
+    if (index == 11) throw bad_input("frame 11 is damaged");
+  };
+  const auto result = run_slam(source, preset("best"), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 17);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("frame 7")));
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("frame 11 is damaged")));
+  EXPECT_LT(worst_m(result.trajectory, source), 0.06);
+  for (const auto& p : result.points.positions()) ASSERT_TRUE(p.allFinite());
+}
+
+TEST(Slam, AGapInTheRecordingIsBridged) {
+  auto source = small_walk(24);
+  for (int i = 0; i < 24; ++i) source.start_times_s.push_back(0.1 * i + (i < 14 ? 0 : 1.0));
+  const auto result = run_slam(source, preset("best"), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 24);
+  EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() - (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation()).norm(), 0.06);
+}
+
+TEST(Slam, AScanWithoutFramesOrReturnsIsRefused) {
+  EXPECT_THROW(run_slam(small_walk(0), preset("best"), {}), Error);
+  auto empty = small_walk(5);
+  empty.spoil = [](std::size_t, ScanFrame& frame) { frame.clear(); };
+  EXPECT_THROW(run_slam(empty, preset("loam"), {}), Error);
+}
+
+TEST(Slam, CancelReturnsWithinHalfASecond) {
+  const auto source = small_walk(200);
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  std::chrono::steady_clock::time_point asked;
+  run.progress = [&](double fraction, std::string_view) {
+    if (fraction > 0.005 && !stop.stop_requested()) asked = std::chrono::steady_clock::now(), stop.request_stop();
+  };
+  try {
+    run_slam(source, preset("best"), run);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::cancelled);
+  }
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count(), 0.5);
+}
+
+TEST(Slam, AskedToFinishItKeepsTheMapSoFar) {
+  const auto source = small_walk(30);
+  std::stop_source stop;
+  bole::Run run;
+  run.finish = stop.get_token();
+  int reports = 0;
+  run.progress = [&](double, std::string_view) {
+    if (++reports == 10) stop.request_stop();
+  };
+  const auto result = run_slam(source, preset("best"), run);
+  EXPECT_EQ(result.report.status, Status::finished_early);
+  EXPECT_LT(result.report.counts.at("frames"), 15);
+  EXPECT_GT(result.points.size(), 1000u);
+}
+
+TEST(Slam, TheMapStaysBelowItsBound) {
+  const auto source = small_walk(10);
+  auto options = preset("best");
+  options.refine_rounds = -1;
+  options.map_voxel_m = 0.002;
+  options.map_max_points_million = 0.02;
+  const auto result = run_slam(source, options, {});
+  EXPECT_LE(result.points.size(), 20000u);
+  EXPECT_GE(result.points.size(), 9000u);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("map_max_points")));
+  // Thinning is even: the frames keep like shares.
+  const auto& time = result.points.values<double>(arrays::time);
+  const auto late = std::ranges::count_if(time, [](double t) { return t > 0.5; });
+  EXPECT_NEAR(static_cast<double>(late) / static_cast<double>(time.size()), 0.5, 0.15);
+}
+
+TEST(Loops, ARevisitCorrectsADriftedChain) {
+  // Key frames round a circle of 25 m with true features, whose poses drift by 0.4 m and 2 deg on the way.
+  const auto walk = [](double t) { return synthetic::walk_on_circle(t, 4, 1, 0, 0); };
+  const SyntheticScan source(synthetic::trunks(9, 3.5), SpinningSensor::even(32, -25, 15, 360), walk, 300);
+  SlamOptions options;
+  options.loop_path_m = 18;
+  options = resolved(options);
+  std::vector<Keyframe> keyframes;
+  std::vector<Pose> truth;
+  for (std::size_t k = 0; k <= 52; ++k) {
+    const std::size_t index = 5 * k;
+    ScanFrame frame;
+    source.read(index, frame);
+    Scan scan;
+    prepare_scan(frame, {0.5, 60, source.rings()}, scan);
+    Features features;
+    FeatureExtractor(options).extract(scan, features);
+    const double t = source.frame_time_s(index);
+    auto keyframe = make_keyframe(k, t + 0.1, features.map, {source.truth(t), source.truth(t + 0.1)});
+    truth.push_back(keyframe.T_map_keyframe);
+    const double s = static_cast<double>(k) / 52;
+    keyframe.T_map_keyframe = se3_exp((Vector6d() << 0, 0, 0.035 * s, 0.3 * s, 0.2 * s, 0.15 * s).finished()) * keyframe.T_map_keyframe;
+    keyframe.path_m = 0.5 * static_cast<double>(k);
+    keyframes.push_back(std::move(keyframe));
+  }
+  const auto search = find_loops(keyframes, options, {});
+  ASSERT_FALSE(search.loops.empty());
+  for (const auto& l : search.loops) EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(), 0.05);
+  const auto graph = optimise_pose_graph(keyframes, search.loops, {});
+  EXPECT_LT(graph.final_cost, graph.initial_cost);
+  EXPECT_EQ(graph.doubted_loops, 0u);
+  const double before = (keyframes.back().T_map_keyframe.translation() - truth.back().translation()).norm();
+  const double after = (graph.T_map_keyframe.back().translation() - truth.back().translation()).norm();
+  EXPECT_LT(after, 0.25 * before);
+}
+
+}  // namespace
+}  // namespace bole
