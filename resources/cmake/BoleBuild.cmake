@@ -42,6 +42,11 @@ if(BOLE_SANITIZE)
   add_link_options(-fsanitize=${BOLE_SANITIZE})
 endif()
 
+if(BOLE_FUZZ)
+  # The modules report which branches an input takes; without that a fuzzer is blind.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [STAGES])
 #   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/*.cpp (stages.cpp apart). Headers are included
 #   as "NAME/..." or "NAME/core/...". PUBLIC are libraries seen in headers, PRIVATE those of .cpp files only.

@@ -1,10 +1,12 @@
 #include "io/core/crs_geokeys.h"
 
 #include <cpl_vsi.h>
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <atomic>
+#include <cmath>
 #include <vector>
 
 namespace bole::las {
@@ -90,6 +92,19 @@ std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii) {
   CPLPopErrorHandler();
   VSIUnlink(name.c_str());
   return wkt;
+}
+
+std::string unit_warning(const std::string& wkt) {
+  OGRSpatialReference crs;
+  CPLPushErrorHandler(quiet);
+  const bool known = !wkt.empty() && crs.importFromWkt(wkt.c_str()) == OGRERR_NONE;
+  const char* name = nullptr;
+  const double metres = known ? crs.GetLinearUnits(&name) : 1;
+  const bool degrees = known && crs.IsGeographic() != 0;
+  CPLPopErrorHandler();
+  if (degrees) return "the coordinates are longitude and latitude, not metres: project the cloud first";
+  if (std::abs(metres - 1) < 1e-9) return {};
+  return fmt::format("the coordinates are in {} ({} m), not in metres", name == nullptr ? "a unit without a name" : name, metres);
 }
 
 int epsg_of_wkt(const std::string& wkt) {

@@ -51,13 +51,4 @@ class ColumnBuilder {
   std::vector<Column> extra_;
 };
 
-// Point flags as columns of 0 and 1 (scanner_channel: 0 to 3); a cloud has those of them that are set anywhere.
-struct FlagColumn {
-  const char* name;
-  unsigned shift, mask;
-};
-// Places in the flag byte of formats 6 to 10.
-inline constexpr std::array<FlagColumn, 7> flag_columns{
-    {{"synthetic", 0, 1}, {"key_point", 1, 1}, {"withheld", 2, 1}, {"overlap", 3, 1}, {"scanner_channel", 4, 3}, {"scan_direction", 6, 1}, {"edge_of_flight_line", 7, 1}}};
-
 }  // namespace bole::las

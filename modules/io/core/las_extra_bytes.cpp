@@ -62,6 +62,7 @@ std::size_t extra_type_size(ExtraType type) {
 
 ArrayType ExtraDimension::column_type() const {
   if (const auto* known = find_array(name)) return known->type;
+  if (is_flag_column(name)) return ArrayType::uint8;
   if (scaled) return ArrayType::float64;
   switch (type) {
     case ExtraType::u8:

@@ -1,7 +1,10 @@
 // Where the fields of the LAS point formats 0 to 10 lie (ASPRS LAS Specification 1.4 R15, tables 7 to 17).
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace bole::las {
 
@@ -34,5 +37,18 @@ inline constexpr std::size_t flags = 15, classification = 16, user_data = 17, sc
 
 // Degrees per unit of the scan angle of formats 6 and up.
 inline constexpr double scan_angle_step_deg = 0.006;
+
+// Point flags as columns of 0 and 1 (scanner_channel: 0 to 3); a cloud has those of them that are set anywhere.
+struct FlagColumn {
+  const char* name;
+  unsigned shift, mask;
+};
+// Places in the flag byte of formats 6 to 10.
+inline constexpr std::array<FlagColumn, 7> flag_columns{
+    {{"synthetic", 0, 1}, {"key_point", 1, 1}, {"withheld", 2, 1}, {"overlap", 3, 1}, {"scanner_channel", 4, 3}, {"scan_direction", 6, 1}, {"edge_of_flight_line", 7, 1}}};
+
+inline bool is_flag_column(std::string_view name) {
+  return std::ranges::any_of(flag_columns, [&](const FlagColumn& flag) { return flag.name == name; });
+}
 
 }  // namespace bole::las

@@ -153,6 +153,9 @@ LasInfo parse_info(Bytes file, bool with_crs) {
   read_counts(file, info);
   read_all_vlrs(file, info);
   info.crs_wkt = crs_of(file, info, with_crs);
+  if (with_crs) {
+    if (const std::string text = unit_warning(info.crs_wkt); !text.empty()) info.warnings.push_back(text);
+  }
   for (const auto& dimension : extra_dimensions(file, info, info.warnings)) info.extra_columns.push_back(dimension.name);
   return info;
 }

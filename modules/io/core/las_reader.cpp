@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "io/core/las_columns.h"
-#include "io/core/mapped_file.h"
 #include "io/core/laz_reader.h"
+#include "io/core/mapped_file.h"
 
 namespace bole {
 

@@ -16,7 +16,7 @@ constexpr std::array<const ArrayInfo*, 12> field_arrays{&arrays::intensity,     
 
 // Whether a point record of the layout has a field for the column.
 bool has_field(std::string_view name, const PointLayout& layout) {
-  if (std::ranges::any_of(flag_columns, [&](const FlagColumn& f) { return f.name == name; })) return layout.extended || (name != "overlap" && name != "scanner_channel");
+  if (is_flag_column(name)) return layout.extended || (name != "overlap" && name != "scanner_channel");
   if (name == arrays::near_infrared.name) return layout.near_infrared >= 0;
   if (name == arrays::red.name || name == arrays::green.name || name == arrays::blue.name) return layout.colour >= 0;
   return std::ranges::any_of(field_arrays, [&](const ArrayInfo* info) { return info->name == name; });
@@ -89,6 +89,7 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
   const auto it = cloud_.columns().find(name);
   if (it == cloud_.columns().end()) return;
   if (low >= high) low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
+  std::size_t fractions = 0;
   std::visit(
       [&](const auto& values) {
         using From = typename std::decay_t<decltype(values)>::value_type;
@@ -96,11 +97,16 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
         for (std::size_t i = 0; i < count; ++i, at += record_length_) {
           if constexpr (std::is_same_v<From, T>)
             store(at, values[first + i]);
-          else
-            store(at, static_cast<T>(std::round(held(name, static_cast<double>(values[first + i]) * per_unit, low, high))));
+          else {
+            const double value = held(name, static_cast<double>(values[first + i]) * per_unit, low, high), whole = std::round(value);
+            if (whole != value) ++fractions;
+            store(at, static_cast<T>(whole));
+          }
         }
       },
       *it->second);
+  // Scan angles are steps of their own unit; elsewhere a fraction is lost.
+  if (fractions > 0 && std::string_view(name) != arrays::scan_angle.name) rounded_[name] += fractions;
 }
 
 void RecordEncoder::encode(std::size_t first, std::size_t count, std::uint8_t* records) {
@@ -222,6 +228,7 @@ std::vector<std::string> RecordEncoder::warnings() const {
     else
       out.push_back(fmt::format("{} values of {} do not fit the LAS field and are held at its ends", count, name));
   }
+  for (const auto& [name, count] : rounded_) out.push_back(fmt::format("{} values of {} are rounded to whole numbers, as the LAS field holds them", count, name));
   return out;
 }
 

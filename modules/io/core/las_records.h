@@ -55,7 +55,8 @@ class RecordEncoder {
   PointLayout layout_;
   std::size_t record_length_ = 0;
   std::vector<ExtraDimension> dimensions_;
-  std::map<std::string, std::size_t, std::less<>> held_;  // values held at the end of a field, per column
+  std::map<std::string, std::size_t, std::less<>> held_;     // values held at the end of a field, per column
+  std::map<std::string, std::size_t, std::less<>> rounded_;  // values that lost a fraction
 };
 
 }  // namespace bole::las

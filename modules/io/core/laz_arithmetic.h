@@ -11,7 +11,6 @@
 
 namespace bole::laz {
 
-
 // Frequencies of the symbols 0 .. symbols - 1, refreshed ever more rarely as they settle. Unprepared until first used, so
 // that the many models of a chunk that never occur cost nothing.
 class SymbolModel {

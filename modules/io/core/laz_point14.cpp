@@ -17,7 +17,7 @@ using las::store;
 namespace f = las::field;
 namespace fe = las::field::extended;
 
-constexpr std::size_t point_size = 30, time_at = 22;
+constexpr std::size_t time_at = 22;
 
 enum LayerOf : std::size_t { returns_xy, z, classification, flags, intensity, scan_angle, user_data, point_source, gps_time, layer_count };
 

@@ -144,6 +144,19 @@ TEST(LasReader, ScalarExtraBytesBecomeColumns) {
   EXPECT_FALSE(read_las(file.bytes(), {.extra_bytes = false}).has("tree_id"));
 }
 
+// Extra bytes may bear the name of a flag, in any type.
+TEST(LasReader, ExtraBytesNamedAsAFlag) {
+  LasFile file;
+  file.extra = 4;
+  std::vector<std::uint8_t> descriptor(192);
+  descriptor[2] = 9;
+  las::store_text(&descriptor[4], 32, "withheld");
+  file.add_vlr("LASF_Spec", 4, descriptor);
+  file.add(0, 0, 0);
+  las::store(file.add(1, 1, 1) + 28, 1.F);
+  EXPECT_EQ(read_las(file.bytes(), {.drop_withheld = true}).size(), 1U);
+}
+
 TEST(LasReader, HeadersThatCannotBeUsed) {
   EXPECT_THAT(error_of({}), HasSubstr("does not begin with LASF"));
   const auto good = small_file().bytes();

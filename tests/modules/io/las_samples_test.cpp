@@ -69,6 +69,7 @@ TEST(LasSamples, UserDefinedGeoTiffKeysBecomeWkt) {
   const LasInfo info = las_info(path);
   EXPECT_THAT(info.crs_wkt, testing::HasSubstr("PROJCS"));
   EXPECT_THAT(info.crs_wkt, testing::HasSubstr("Lambert_Conformal_Conic"));
+  EXPECT_THAT(info.warnings, testing::Contains(testing::HasSubstr("0.3048 m), not in metres")));
 }
 
 }  // namespace

@@ -146,12 +146,13 @@ TEST_F(LasWriter, HeaderTellsTheBoxAndTheSystem) {
 
 TEST_F(LasWriter, ValuesThatDoNotFitAreHeldAndTold) {
   PointCloud cloud(PointCloud::Positions{{0, 0, 0}, {1, 1, 1}});
-  cloud.set_column(arrays::intensity, std::vector<float>{70000, 1});
+  cloud.set_column(arrays::intensity, std::vector<float>{70000, 0.25F});
   cloud.set_column("a name that is much longer than LAS can hold", std::vector<float>{1, 2});
   Report report;
   write_las(path(), cloud, {}, {}, &report);
   EXPECT_EQ(read_las(path()).values<float>(arrays::intensity)[0], 65535.F);
   EXPECT_THAT(report.warnings, Contains(HasSubstr("1 values of intensity")));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("1 values of intensity are rounded")));
   EXPECT_THAT(report.warnings, Contains(HasSubstr("much longer")));
 }
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/core/mapped_file.h"
 #include "io/core/las_reader.h"
 #include "io/core/laz_chunks.h"
+#include "io/core/mapped_file.h"
 
 namespace bole {
 namespace {
