@@ -42,7 +42,7 @@ class SeedFinder {
     constexpr int most_rounds = 20;
     for (int round = 0; round < most_rounds && pass_over_low_noise(); ++round) {
     }
-    return without_high_seeds();
+    return without_islands(without_high_seeds());
   }
 
  private:
@@ -83,6 +83,35 @@ class SeedFinder {
     for (std::size_t cell = 0; cell < keys_.cells(); ++cell)
       if (seed(cell) != none && look_around(cell).too_low < 2) seeds.push_back(seed(cell));
     return seeds;
+  }
+
+  // Seeds that hang together over gaps of one cell with at least a tenth as many cells as the largest such group.
+  std::vector<std::uint32_t> without_islands(const std::vector<std::uint32_t>& seeds) const {
+    const auto& shape = keys_.shape();
+    std::vector<std::uint32_t> island(keys_.cells(), none);
+    std::vector<char> seeded(keys_.cells(), 0);
+    for (const auto s : seeds) seeded[keys_.key(s)] = 1;
+    std::vector<std::size_t> sizes;
+    for (const auto s : seeds) {
+      if (island[keys_.key(s)] != none) continue;
+      const auto number = static_cast<std::uint32_t>(sizes.size());
+      std::vector<std::size_t> open{keys_.key(s)};
+      island[open.back()] = number;
+      sizes.push_back(0);
+      while (!open.empty()) {
+        const auto cell = open.back();
+        open.pop_back();
+        ++sizes.back();
+        for_each_near(shape, static_cast<int>(cell % static_cast<std::size_t>(shape.nx)), static_cast<int>(cell / static_cast<std::size_t>(shape.nx)), [&](std::size_t other) {
+          if (seeded[other] && island[other] == none) island[other] = number, open.push_back(other);
+        });
+      }
+    }
+    std::vector<std::uint32_t> out;
+    const std::size_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
+    for (const auto s : seeds)
+      if (sizes[island[keys_.key(s)]] * 10 >= largest) out.push_back(s);
+    return out;
   }
 
   const std::vector<LowPoint>& candidates_;

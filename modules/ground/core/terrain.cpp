@@ -38,6 +38,7 @@ class TerrainFitter {
         const bool own = !near[local(ix, iy - low)].empty();
         if (window.empty() || (!own && !surrounded(window))) continue;
         const auto fit = fit_ground_band(window, options_.band_m);
+        if (fit.height > options_.roughness_m) continue;  // only leaves, stones or bark are seen here
         height[cell] = prior_[cell] + static_cast<float>(fit.height);
         sigma[cell] = static_cast<float>(fit.sigma);
       }

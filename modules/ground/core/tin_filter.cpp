@@ -31,7 +31,7 @@ class TinFilter {
       prune();
     }
     triangulate();
-    if (surface_.triangles.empty())
+    if (surface_.measured < 3 || surface_.triangles.empty())
       throw failure("only " + std::to_string(surface_.measured) + " ground points were found among " + std::to_string(candidates_.size()) + " candidates", "at least three, not on one line",
                     "Lower seed_m, or check that the cloud has ground points and its z axis points up");
     return std::move(surface_);

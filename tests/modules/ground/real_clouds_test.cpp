@@ -39,8 +39,8 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
   return e;
 }
 
-#define NEED_FOLDER(folder)                                                                      \
-  const std::string data_folder = std::string(BOLE_SHARED_DATA_DIR) + "/" + (folder);            \
+#define NEED_FOLDER(folder)                                                           \
+  const std::string data_folder = std::string(BOLE_SHARED_DATA_DIR) + "/" + (folder); \
   if (!std::filesystem::exists(data_folder)) GTEST_SKIP() << "the folder " << data_folder << " is absent"
 
 GroundOptions airborne() {
@@ -52,13 +52,13 @@ GroundOptions airborne() {
 TEST(RealClouds, IsprsSample31BuildingsAndSteps) {
   NEED_FOLDER("isprs_filter");
   const auto e = filter_errors(data_folder + "/samp31_ref.las", airborne());
-  EXPECT_LT(e.total, 8);
+  EXPECT_LT(e.total, 2);
 }
 
 TEST(RealClouds, IsprsSample51ForestOnSlopes) {
   NEED_FOLDER("isprs_filter");
   const auto e = filter_errors(data_folder + "/samp51_ref.las", airborne());
-  EXPECT_LT(e.total, 8);
+  EXPECT_LT(e.total, 3.5);
 }
 
 TEST(RealClouds, BorealForestFromTheAir) {
@@ -66,6 +66,8 @@ TEST(RealClouds, BorealForestFromTheAir) {
   auto o = airborne();
   o.seed_m = 10;
   const auto e = filter_errors(data_folder + "/Topography.laz", o, 9);
+  // The reference holds one low point in four only; sparse hilltops below crowns are lost (type I).
+  EXPECT_LT(e.type_1, 18);
   EXPECT_LT(e.total, 20);
 }
 
@@ -74,7 +76,8 @@ TEST(RealClouds, MixedConiferFromTheAir) {
   auto o = airborne();
   o.seed_m = 10;
   const auto e = filter_errors(data_folder + "/MixedConifer.laz", o);
-  EXPECT_LT(e.total, 20);
+  EXPECT_LT(e.type_1, 1);
+  EXPECT_LT(e.total, 10);  // low herbs within tolerance_m count as type II
 }
 
 TEST(RealClouds, PlantationFromTheGround) {
@@ -94,7 +97,8 @@ TEST(RealClouds, PlantationFromTheGround) {
   const auto model = model_ground(PointCloud(positions), {}, bole::Run{});
   const auto e = compare(model.classification, reference);
   printf("plantation: type I %.2f %%, type II %.2f %%, total %.2f %%; %s\n", e.type_1, e.type_2, e.total, model.report.message.c_str());
-  EXPECT_LT(e.total, 20);
+  EXPECT_LT(e.type_1, 1);
+  EXPECT_LT(e.total, 9);
 }
 
 }  // namespace
