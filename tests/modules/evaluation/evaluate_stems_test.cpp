@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "evaluation/core/assignment.h"

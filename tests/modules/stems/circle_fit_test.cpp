@@ -1,0 +1,63 @@
+#include "stems/core/circle_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace bole {
+namespace {
+
+std::vector<Eigen::Vector2d> ring(const Circle& c, double from, double to, int n, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < n; ++i) {
+    const double a = from + (to - from) * (i + 0.5) / n, r = c.radius + noise * normal(random);
+    points.emplace_back(c.centre.x() + r * std::cos(a), c.centre.y() + r * std::sin(a));
+  }
+  return points;
+}
+
+TEST(HyperCircle, IsExactOnExactPoints) {
+  const Circle truth{{3, -2}, 0.15};
+  for (const double arc : {6.28, 3.0, 1.0}) {
+    const auto found = hyper_circle(ring(truth, 0.4, 0.4 + arc, 20, 0, 1));
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->radius, 0.15, 1e-9);
+    EXPECT_LT((found->centre - truth.centre).norm(), 1e-9);
+  }
+}
+
+TEST(HyperCircle, HasLessBiasThanHalfAMillimetreOnAHalfRing) {
+  double sum = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) sum += hyper_circle(ring({{0, 0}, 0.15}, 0, std::numbers::pi, 100, 0.01, seed))->radius - 0.15;
+  EXPECT_LT(std::abs(sum / 200), 0.0005);
+}
+
+TEST(HyperCircle, RefusesLinesAndTooFewPoints) {
+  EXPECT_FALSE(hyper_circle({{0, 0}, {1, 1}}));
+  EXPECT_FALSE(hyper_circle({{0, 0}, {1, 1}, {2, 2}, {3, 3}}));
+  EXPECT_FALSE(hyper_circle({{1, 1}, {1, 1}, {1, 1}}));
+}
+
+TEST(RobustCircle, OutliersDoNotSwellIt) {
+  auto points = ring({{1, 1}, 0.12}, 0, 6.28, 200, 0.008, 3);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> u(-0.25, 0.25);
+  for (int i = 0; i < 60; ++i) points.emplace_back(1 + u(random), 1 + u(random));
+  const auto found = robust_circle(points, {{1.02, 0.99}, 0.10}, 0.05, 0.025);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->circle.radius, 0.12, 0.003);
+  EXPECT_GT(found->arc_rad, 6.0);
+}
+
+TEST(CoveredArc, CountsTenDegreeSectors) {
+  std::vector<double> angles;
+  for (int i = 0; i < 9; ++i) angles.push_back((i * 10 + 5) * std::numbers::pi / 180);
+  EXPECT_NEAR(covered_arc_rad(angles), std::numbers::pi / 2, 1e-12);
+  EXPECT_EQ(covered_arc_rad({}), 0);
+}
+
+}  // namespace
+}  // namespace bole

@@ -1,0 +1,238 @@
+#include "stems/core/measure_stems.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <numeric>
+#include <set>
+#include <stop_token>
+
+#include "stems/core/breast_height_slice.h"
+#include "synthetic/stem_cloud.h"
+
+namespace bole {
+namespace {
+
+using synthetic::make_stem_cloud;
+using synthetic::random_stand;
+using synthetic::StemCloud;
+using synthetic::StemCloudOptions;
+
+// Few enough rays for a quick test.
+StemCloudOptions coarse() {
+  StemCloudOptions o;
+  o.pass_step = 0.5, o.azimuth_step = 0.4;
+  return o;
+}
+
+StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) { return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {}); }
+
+struct Errors {
+  std::size_t missed = 0, extra = 0, covered = 0;
+  double bias = 0, rmse = 0;  // centimetres
+};
+
+Errors compare(const StemCloud& cloud, const StemSurvey& survey) {
+  Errors e;
+  std::set<int> used;
+  double n = 0;
+  for (const auto& t : cloud.stems) {
+    const Eigen::Vector2d at = t.base + 1.3 * t.direction().head<2>();
+    const auto it = std::ranges::find_if(survey.stems, [&](const Stem& s) { return (s.breast_height.head<2>() - at).norm() < 0.05 && !used.contains(s.id); });
+    if (it == survey.stems.end()) {
+      ++e.missed;
+      continue;
+    }
+    used.insert(it->id);
+    const double error = 200 * it->radius - 100 * t.dbh;
+    n += 1, e.bias += error, e.rmse += error * error, e.covered += t.dbh >= 2 * it->radius_low && t.dbh <= 2 * it->radius_high;
+  }
+  e.extra = survey.stems.size() - used.size();
+  e.bias /= n, e.rmse = std::sqrt(e.rmse / n);
+  return e;
+}
+
+TEST(MeasureStems, TrueDiametersComeBackAlongRays) {
+  const auto cloud = make_stem_cloud(random_stand(9, 0.07, 0.45, 1), coarse());
+  const auto survey = measure(cloud);
+  const auto e = compare(cloud, survey);
+  EXPECT_EQ(e.missed + e.extra, 0U);
+  EXPECT_LT(std::abs(e.bias), 0.1);
+  EXPECT_LT(e.rmse, 0.3);
+  EXPECT_GE(e.covered, 8U);
+  EXPECT_EQ(survey.report.facts.at("fit"), "along rays");
+}
+
+TEST(MeasureStems, WithoutRaysTheSurfaceIsFitted) {
+  auto o = coarse();
+  o.rays = o.time = false, o.range_noise = 0.003;
+  const auto cloud = make_stem_cloud(random_stand(9, 0.07, 0.45, 2), o);
+  const auto e = compare(cloud, measure(cloud));
+  EXPECT_EQ(e.missed + e.extra, 0U);
+  EXPECT_LT(e.rmse, 0.3);
+}
+
+TEST(MeasureStems, ShrubsAndOutliersAreNoStems) {
+  auto o = coarse();
+  o.shrub_points = 20000, o.outlier_share = 0.05;
+  const auto cloud = make_stem_cloud(random_stand(9, 0.08, 0.45, 3), o);
+  const auto e = compare(cloud, measure(cloud));
+  EXPECT_EQ(e.missed, 0U);
+  EXPECT_EQ(e.extra, 0U);
+  EXPECT_LT(e.rmse, 0.5);
+}
+
+TEST(MeasureStems, LeaningStemsAreMeasuredAcrossTheirAxis) {
+  synthetic::TrueStem s;
+  s.dbh = 0.25, s.slope = {std::tan(20 * std::numbers::pi / 180), 0};
+  const auto cloud = make_stem_cloud({s}, coarse());
+  const auto survey = measure(cloud);
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(200 * survey.stems[0].radius, 25, 0.4);
+  const auto table = stem_table(survey);
+  EXPECT_NEAR(table.numbers("lean_deg")[0], 20, 0.3);
+  EXPECT_NEAR(table.numbers("lean_azimuth_deg")[0], 90, 1);  // towards the east
+}
+
+TEST(MeasureStems, BreastHeightIsCountedFromTheUphillSide) {
+  synthetic::TrueStem s;
+  s.dbh = 0.40;
+  auto o = coarse();
+  o.ground_slope = 0.5;
+  const auto cloud = make_stem_cloud({s}, o);
+  MeasureOptions mean;
+  mean.breast_height_from = "mean";
+  const auto uphill = measure(cloud), middle = measure(cloud, mean);
+  ASSERT_EQ(uphill.stems.size(), 1U);
+  ASSERT_EQ(middle.stems.size(), 1U);
+  EXPECT_NEAR(uphill.stems[0].ground_z, 0.5 * 0.2, 0.01);
+  EXPECT_NEAR(middle.stems[0].ground_z, 0, 0.01);
+  EXPECT_NEAR(uphill.stems[0].breast_height.z(), 1.3 + 0.1, 0.01);
+}
+
+TEST(MeasureStems, TheDriftOfPassesIsFoundAndTakenOut) {
+  auto o = coarse();
+  o.drift = 0.02, o.pass_step = 0.25;
+  const auto cloud = make_stem_cloud(random_stand(9, 0.12, 0.40, 4), o);
+  const auto survey = measure(cloud);
+  EXPECT_LT(compare(cloud, survey).rmse, 0.7);
+  EXPECT_GT(survey.report.metrics.at("drift_between_passes").value, 0.5);
+  EXPECT_EQ(survey.stems.at(0).passes, 3);
+}
+
+// Properties: the same plot told differently gives the same stems.
+
+TEST(MeasureStems, AnOffsetOfMillionsOfMetresChangesNothing) {
+  auto o = coarse();
+  const auto near = measure(make_stem_cloud(random_stand(4, 0.1, 0.3, 5), o));
+  o.offset_x = 500000, o.offset_y = 5800000;
+  const auto far = measure(make_stem_cloud(random_stand(4, 0.1, 0.3, 5), o));
+  ASSERT_EQ(near.stems.size(), far.stems.size());
+  for (std::size_t i = 0; i < near.stems.size(); ++i) {
+    EXPECT_NEAR(near.stems[i].radius, far.stems[i].radius, 1e-6);
+    EXPECT_NEAR(stem_table(near).numbers("y_m")[i] + 5800000, stem_table(far).numbers("y_m")[i], 1e-4);
+  }
+}
+
+TEST(MeasureStems, TheOrderOfThePointsDoesNotMatter) {
+  const auto cloud = make_stem_cloud(random_stand(4, 0.1, 0.3, 6), coarse());
+  std::vector<std::uint32_t> order(cloud.points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  auto shuffled = cloud;
+  shuffled.points = cloud.points.subset(order);
+  const auto a = measure(cloud), b = measure(shuffled);
+  ASSERT_EQ(a.stems.size(), b.stems.size());
+  for (std::size_t i = 0; i < a.stems.size(); ++i) EXPECT_NEAR(a.stems[i].radius, b.stems[i].radius, 2e-4);
+}
+
+TEST(MeasureStems, IdsAgreeInTableAndCloudFromNorthToSouth) {
+  const auto cloud = make_stem_cloud(random_stand(4, 0.1, 0.3, 7), coarse());
+  const auto survey = measure(cloud);
+  const auto table = stem_table(survey);
+  EXPECT_THAT(table.integers("tree_id"), testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_TRUE(std::ranges::is_sorted(table.numbers("y_m"), std::greater{}));
+  const auto& id = survey.points.values<std::int32_t>(arrays::tree_id);
+  const auto& bark = survey.points.values<std::uint8_t>(arrays::stem);
+  std::size_t wrong = 0, marked = 0;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    if (bark[i] == 0) continue;
+    ++marked;
+    const auto& s = survey.stems.at(static_cast<std::size_t>(id[i]) - 1);
+    const Eigen::Vector3d q = survey.points.positions()[i].cast<double>() - s.breast_height;
+    wrong += std::abs((q - q.dot(s.direction) * s.direction).norm() - s.radius) > 0.08;
+  }
+  EXPECT_GT(marked, id.size() / 2);
+  EXPECT_EQ(wrong, 0U);
+  EXPECT_EQ(table.facts.at("axes"), "plot");
+  EXPECT_GT(section_table(survey).rows(), 30U);
+}
+
+TEST(MeasureStems, NothingToMeasureIsExplained) {
+  StemCloudOptions o = coarse();
+  auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), o);
+  EXPECT_THROW(measure_stems(PointCloud(), cloud.points, cloud.dem, nullptr, {}, {}), Error);
+  EXPECT_THROW(measure_stems(cloud.points, PointCloud(), cloud.dem, nullptr, {}, {}), Error);
+  auto bare = cloud.points;
+  bare.remove_column("height_above_ground");
+  EXPECT_THROW(measure_stems(bare, cloud.points, cloud.dem, nullptr, {}, {}), Error);
+  MeasureOptions high;
+  high.search_bottom_m = 15, high.search_top_m = 20;
+  const auto nothing = measure(cloud, high);
+  EXPECT_EQ(stem_table(nothing).rows(), 0U);
+  EXPECT_THAT(nothing.report.warnings, testing::Contains(testing::HasSubstr("no point lies 15.0 to 20.0 m above ground")));
+  EXPECT_EQ(nothing.points.values<std::int32_t>(arrays::tree_id).size(), cloud.points.size());
+}
+
+TEST(MeasureStems, PointsThatAreNotNumbersAreLeftOut) {
+  auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
+  auto positions = cloud.points.positions();
+  auto heights = cloud.points.values<float>(arrays::height_above_ground);
+  for (std::size_t i = 0; i < positions.size(); i += 50) positions[i].x() = std::nanf(""), heights[i + 1] = std::nanf("");
+  cloud.points.set_positions(std::move(positions)), cloud.points.set_column(arrays::height_above_ground, std::move(heights));
+  const auto survey = measure(cloud);
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(2 * survey.stems[0].radius, cloud.stems[0].dbh, 0.005);
+}
+
+TEST(MeasureStems, ThinStemsAreListedAsRejectedWithTheReason) {
+  const auto cloud = make_stem_cloud(random_stand(1, 0.12, 0.12, 9), coarse());
+  MeasureOptions o;
+  o.min_dbh_m = 0.15;
+  const auto survey = measure(cloud, o);
+  EXPECT_TRUE(survey.stems.empty());
+  EXPECT_THAT(rejected_table(survey).texts("reason"), testing::Contains(testing::HasSubstr("below min_dbh of 15.0 cm")));
+}
+
+TEST(MeasureStems, ACancelIsHeeded) {
+  const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  stop.request_stop();
+  EXPECT_THROW(measure_stems(cloud.points, cloud.points, cloud.dem, nullptr, {}, run), Error);
+}
+
+TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
+  const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
+  SliceOptions o;
+  o.height = 1.37;
+  const auto slice = breast_height_slice(cloud.points, o, {});
+  for (const float h : slice.values<float>(arrays::height_above_ground)) EXPECT_NEAR(h, 1.37, 0.0501);
+  EXPECT_NEAR(slice_height_m(slice), 1.37, 1e-9);
+  o.height = 5, o.thickness = 0.01;
+  auto low = cloud.points;
+  low.set_column(arrays::height_above_ground, std::vector<float>(low.size(), 0.5F));
+  try {
+    breast_height_slice(low, o, {});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("heights run from 0.50 to 0.50 m"));
+  }
+}
+
+}  // namespace
+}  // namespace bole
