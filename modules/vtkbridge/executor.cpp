@@ -129,6 +129,10 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
   auto* const vtk_stage = stage(node.id);
   StageOutcome outcome;
   outcome.record = {node.id, node.type->name, option_records(*vtk_stage->GetOptions()), {}, false};
+  if (node.skipped()) {
+    outcome.record.report.message = "Skipped: no file is given.";
+    return outcome;
+  }
   std::vector<std::string> left_out;
   for (const auto& port : node.type->inputs) {
     const auto joint = node.inputs.find(port.name);
@@ -139,7 +143,7 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
       outcome.error = "stage '" + source.id + "' gave no " + source.port;
       return outcome;
     }
-    if (producer && !usable) left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
+    if (producer && !usable && !producer->error.empty()) left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
     vtk_stage->ConnectInput(port.name.c_str(), usable ? stage(source.id) : nullptr, source.port.c_str());
   }
   vtk_stage->SetControl(control_for(node, settings, so_far));
@@ -176,9 +180,13 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
     for (const auto& node : document_.stages())
       for (const auto& [port, source] : node.inputs) ++waiting[parse_source(source).id];
     for (const auto* node : document_.in_order()) {
-      if (settings.cancel.stop_requested()) note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
-      outcome.stages.push_back(settings.cancel.stop_requested() ? StageOutcome{{node->id, node->type->name, option_records(node->options), {}, false}, StageState::cancelled, "cancelled on request", {}}
-                                                                : run_stage_of(*node, settings, outcome));
+      if (settings.cancel.stop_requested()) {
+        note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
+        outcome.stages.push_back({{node->id, node->type->name, option_records(node->options), {}, false}, StageState::cancelled, "cancelled on request", {}});
+        continue;
+      }
+      outcome.stages.push_back(run_stage_of(*node, settings, outcome));
+      // Results that no stage needs any more leave the memory; the cache has them.
       for (const auto& [port, source] : node->inputs)
         if (const auto id = parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
       if (waiting[node->id] == 0) stage(node->id)->ReleaseResults();

@@ -95,7 +95,13 @@ std::shared_ptr<bole::LazyData> vtkBoleStage::Internals::input(int port, vtkData
   const auto& declared = type->inputs[static_cast<std::size_t>(port)];
   try {
     if (!object) throw bole::bad_input("nothing is connected", declared.help);
-    if (auto data = bole::attached(object); data && data->kind() == declared.kind) return data;
+    if (auto data = bole::attached(object)) {
+      if (data->kind() == declared.kind) return data;
+      if (data->kind() == bole::DataKind::none) {  // a stage that had nothing to give
+        if (declared.optional) return nullptr;
+        throw bole::bad_input("the stage before gave nothing", declared.help);
+      }
+    }
     return std::make_shared<bole::LazyData>(bole::core_from_vtk(object, declared.kind));
   } catch (const Error& e) {
     throw e.at("input '" + declared.name + "'").at(type->name);
@@ -141,7 +147,10 @@ void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t 
   const auto& declared = type->outputs[static_cast<std::size_t>(port)];
   if (!result || !object) return;
   const auto it = result->outputs.find(declared.name);
-  if (it == result->outputs.end()) return object->Initialize();
+  if (it == result->outputs.end()) {
+    object->Initialize();
+    return bole::attach(object, std::make_shared<bole::LazyData>(bole::Data()));
+  }
   if (core_only) {
     object->Initialize();
   } else {

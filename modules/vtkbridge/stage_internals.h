@@ -63,7 +63,7 @@ class vtkBoleStage::Internals {
   bool accepted(vtkBoleStage* self, const std::function<void()>& work);
   void fail(vtkBoleStage* self, const bole::Error& error);
 
-  // The core object behind an input.
+  // The core object behind an input; null when a stage before had nothing to give and the input is optional.
   std::shared_ptr<bole::LazyData> input(int port, vtkDataObject* object);
   // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an error.
   bool update(vtkBoleStage* self, const bole::PortData& inputs);

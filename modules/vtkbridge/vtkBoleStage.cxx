@@ -262,7 +262,8 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
     if (!this->Inner->type) throw bole::bad_input("no stage type is set", "a stage that `bole stages` lists");
     bole::PortData data;
     for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-      if (inputs[port]->GetNumberOfInformationObjects() > 0) data[this->GetInputPortName(port)] = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0));
+      if (inputs[port]->GetNumberOfInformationObjects() > 0)
+        if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0))) data[this->GetInputPortName(port)] = std::move(core);
     if (!this->Inner->update(this, data)) return;
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
       vtkInformation* info = outputs->GetInformationObject(port);

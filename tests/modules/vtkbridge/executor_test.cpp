@@ -194,6 +194,33 @@ TEST_F(Executor, AFailureTakesOnlyWhatNeedsIt) {
   EXPECT_THAT(s["stages"][2]["error"].get<std::string>(), HasSubstr("stage 'b' gave no points"));
 }
 
+TEST_F(Executor, AnOutputThatAStageDoesNotGiveIsNoInput) {
+  std::string text = chain;
+  const std::string maker = R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
+  text.replace(text.find(maker), maker.size(), R"({"id": "e", "type": "toy.nothing"})");
+  for (int round = 0; round < 2; ++round) {  // the second from the cache
+    const auto outcome = run_pipeline(document(text), settings_);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_EQ(written(), "10");
+  }
+  const auto outcome = run_pipeline(document(R"({"stages": [{"id": "n", "type": "toy.nothing"}, {"id": "l", "type": "toy.lift", "inputs": {"points": "n.points"}}]})"), settings_);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.error, testing::AllOf(HasSubstr("input 'points'"), HasSubstr("gave nothing")));
+}
+
+TEST_F(Executor, AnOptionalStageWithoutItsFileIsSkipped) {
+  std::string text = chain;
+  const std::string maker = R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
+  text.replace(text.find(maker), maker.size(), R"({"id": "e", "type": "toy.points", "optional": true})");
+  const auto outcome = run_pipeline(document(text), settings_);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_EQ(written(), "10");
+  for (const auto& stage : outcome.stages) {
+    EXPECT_EQ(stage.state == StageState::skipped, stage.record.id == "e");
+    EXPECT_TRUE(stage.record.report.warnings.empty());
+  }
+}
+
 TEST_F(Executor, ADocumentThatCannotRunIsRefusedBefore) {
   const auto outcome = run_pipeline(document(R"({"stages": [{"id": "a", "type": "toy.points"}, {"id": "c", "type": "toy.count", "inputs": {"points": "a.points"}}, {"id": "l", "type": "toy.lift"}]})"), settings_);
   EXPECT_EQ(outcome.exit_code, 2);

@@ -201,6 +201,7 @@ inline void register_toys() {
   auto sink = stage_type("toy.write", {{"table", DataKind::table, "Counts.", false, {}}, {"extra", DataKind::cloud, "More.", true, {}}}, {}, no_options(), write);
   sink.writes_files = true;
   registry.add(std::move(sink));
+  registry.add(stage_type("toy.nothing", {}, {cloud}, no_options(), [](const DataSet&, const OptionSet&, const Run&) { return StageResult(); }));
   registry.add(stage_type("toy.slow", {cloud}, {cloud}, no_options(), slow));
   registry.add(stage_type("toy.frames", {}, {{"frames", DataKind::frames, "Frames.", false, {}}}, no_options(), open_frames));
   registry.add(stage_type("toy.use_frames", {{"frames", DataKind::frames, "Frames.", false, {}}}, {{"trajectory", DataKind::trajectory, "Path.", false, {}}, {"dem", DataKind::raster, "Grid.", false, {}}}, no_options(),
