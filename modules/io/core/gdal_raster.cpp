@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include <gdal_priv.h>
+#include <cpl_error.h>
+
 #include "io/core/gdal_support.h"
 #include "io/core/gdal_writer.h"
 

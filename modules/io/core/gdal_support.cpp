@@ -1,5 +1,8 @@
 #include "io/core/gdal_support.h"
 
+#include <cpl_error.h>
+#include <gdal_priv.h>
+
 #include <unistd.h>
 
 #include <mutex>
@@ -7,6 +10,8 @@
 #include "base/error.h"
 
 namespace bole::gdal {
+
+void CloseDataset::operator()(GDALDataset* set) const { GDALClose(set); }
 
 GDALDriver& driver(const char* name) {
   static std::once_flag once;

@@ -1,18 +1,18 @@
-// What the GDAL writers share. Included by .cpp files only.
+// What the GDAL writers share.
 #pragma once
-
-#include <cpl_error.h>
-#include <gdal_priv.h>
 
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
 
+class GDALDataset;
+class GDALDriver;
+
 namespace bole::gdal {
 
 struct CloseDataset {
-  void operator()(GDALDataset* set) const { GDALClose(set); }
+  void operator()(GDALDataset* set) const;
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 

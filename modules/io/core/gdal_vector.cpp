@@ -1,4 +1,6 @@
+#include <cpl_error.h>
 #include <fmt/format.h>
+#include <gdal_priv.h>
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
