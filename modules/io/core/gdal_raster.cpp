@@ -1,13 +1,12 @@
+#include <cpl_error.h>
 #include <fmt/format.h>
+#include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
-#include <gdal_priv.h>
-#include <cpl_error.h>
-
 #include "io/core/gdal_support.h"
 #include "io/core/gdal_writer.h"
 
