@@ -79,6 +79,16 @@ void take_errors(const Trajectory& trajectory, const Trajectory& reference, Walk
   }
 }
 
+constexpr double most_segments = 1500;  // each has its own colour, hence its own line in the vector files
+
+// Keeps points at least a step apart, and the last.
+void thin(Walk& walk, double step_m) {
+  Walk kept;
+  for (std::size_t i = 0; i < walk.at.size(); ++i)
+    if (kept.at.empty() || i + 1 == walk.at.size() || (walk.at[i] - kept.at.back()).norm() >= step_m) kept.at.push_back(walk.at[i]), kept.value.push_back(walk.value[i]);
+  walk.at = std::move(kept.at), walk.value = std::move(kept.value);
+}
+
 Walk walk_of(const Trajectory& trajectory, const Trajectory* reference) {
   Walk walk;
   for (const auto& pose : trajectory.poses) {
@@ -86,6 +96,7 @@ Walk walk_of(const Trajectory& trajectory, const Trajectory* reference) {
     walk.value.push_back(pose.time_s - trajectory.poses.front().time_s);
   }
   if (reference != nullptr && reference->poses.size() >= 2) take_errors(trajectory, *reference, walk);
+  thin(walk, std::max(0.02, trajectory.length_m() / most_segments));
   double most = 0;
   for (const double v : walk.value)
     if (std::isfinite(v)) most = std::max(most, v);

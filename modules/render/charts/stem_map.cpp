@@ -85,14 +85,15 @@ Frame frame_of(const Content& content, double width_mm) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Eigen::Vector2d lo(inf, inf), hi(-inf, -inf);
   const auto include = [&](const Eigen::Vector2d& p) { lo = lo.cwiseMin(p), hi = hi.cwiseMax(p); };
-  for (const auto& s : content.stems) include(s.at);
   for (const auto& p : content.outline) include(p);
+  if (content.outline.empty())
+    for (const auto& s : content.stems) include(s.at);
   for (const auto& m : content.missed) include(m.at);
   for (const auto& m : content.targets) include(m.at);
   if (content.stems.empty() && content.outline.empty())
     for (const auto& p : content.path) include(p);
   if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
-  const double pad = 0.03 * std::max({(hi - lo).maxCoeff(), 2.0}) + 0.3;
+  const double pad = (content.outline.empty() ? 0.03 : 0.06) * std::max((hi - lo).maxCoeff(), 2.0) + 0.3;
   lo.array() -= pad, hi.array() += pad;
   // A long strip is widened, so that the sheet keeps a readable shape.
   const double least_height = 0.3 * (hi.x() - lo.x()), most_height = 1.35 * (hi.x() - lo.x());
@@ -182,10 +183,13 @@ void draw(Canvas& canvas, const Content& content, const Frame& frame) {
 Figure stem_map(const StemMapData& data, double width_mm) {
   auto content = content_of(data);
   const auto frame = frame_of(content, width_mm);
+  const auto all = content.stems.size();
+  std::erase_if(content.stems, [&](const Stem& s) { return s.at.x() < frame.x.lo || s.at.x() > frame.x.hi || s.at.y() < frame.y.lo || s.at.y() > frame.y.hi; });
   Figure figure;
   figure.name = "stem_map";
   figure.title = "Stem map";
   figure.caption = "Stems at breast height, drawn to scale and coloured by the quality of their fit; the numbers are the tree ids.";
+  if (content.stems.size() < all) figure.caption += " " + std::to_string(all - content.stems.size()) + " stems further outside the plot are not shown.";
   figure.width_mm = width_mm;
   figure.height_mm = frame.box.y1 + margin_below + furniture_mm;
   figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };

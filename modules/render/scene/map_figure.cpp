@@ -2,7 +2,6 @@
 
 #include <vtkCamera.h>
 #include <vtkFloatArray.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -19,6 +18,7 @@
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
 #include "render/scene/thin.h"
+#include "render/scene/view_camera.h"
 
 namespace bole {
 namespace {
@@ -26,17 +26,6 @@ namespace {
 constexpr double mm_per_inch = 25.4;
 constexpr int supersampling = 2;  // each pixel is the mean of so many squared
 constexpr double side_mm = 19;    // the legend's column
-
-// World to sheet: a 4 x 4 matrix to the unit cube, then millimetres.
-struct Projection {
-  Eigen::Matrix4d world_to_view = Eigen::Matrix4d::Identity();
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  Box box;
-  Eigen::Vector2d map(const Eigen::Vector3d& world) const {
-    const Eigen::Vector4d v = world_to_view * (world - origin).homogeneous();
-    return {box.x0 + (v.x() / v.w() + 1) / 2 * box.width(), box.y1 - (v.y() / v.w() + 1) / 2 * box.height()};
-  }
-};
 
 struct Extent {
   Eigen::Vector3d lo, hi;
@@ -80,74 +69,20 @@ Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indi
   for (std::size_t k = 0; k < indices.size(); k += step) z.push_back(static_cast<float>(cloud.position(indices[k]).z()));
   if (z.empty()) z = {0, 1};
   std::sort(z.begin(), z.end());
-  const auto cut = z.size() / 500;
+  const auto cut = z.size() / 3000;
   return {{window.lo.x(), window.lo.y(), z[cut]}, {window.hi.x(), window.hi.y(), z[z.size() - 1 - cut]}};
 }
 
-Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect) {
-  auto* m = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);
-  Eigen::Matrix4d matrix;
-  for (int r = 0; r < 4; ++r)
-    for (int c = 0; c < 4; ++c) matrix(r, c) = m->GetElement(r, c);
-  return matrix;
-}
-
 // What must be seen: a sample of the points up to the top of the extent, and the corners of its floor.
-std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View& view) {
+std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View& view, const Eigen::Vector3d& origin) {
   const auto& e = view.extent;
   std::vector<Eigen::Vector3d> points;
   for (const double x : {e.lo.x(), e.hi.x()})
-    for (const double y : {e.lo.y(), e.hi.y()}) points.emplace_back(x, y, e.lo.z());
+    for (const double y : {e.lo.y(), e.hi.y()}) points.emplace_back(Eigen::Vector3d(x, y, e.lo.z()) - origin);
   const std::size_t step = std::max<std::size_t>(1, view.indices.size() / 20000);
   for (std::size_t k = 0; k < view.indices.size(); k += step)
-    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z()) points.push_back(p);
+    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z()) points.push_back(p - origin);
   return points;
-}
-
-// The view's rectangle around the points, in -1 to 1.
-Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin) {
-  Box box{1e9, 1e9, -1e9, -1e9};
-  for (const auto& p : points) {
-    const Eigen::Vector4d v = matrix * (p - origin).homogeneous();
-    box = {std::min(box.x0, v.x() / v.w()), std::min(box.y0, v.y() / v.w()), std::max(box.x1, v.x() / v.w()), std::max(box.y1, v.y() / v.w())};
-  }
-  return box;
-}
-
-void aim(vtkCamera* camera, const View& view, const std::vector<Eigen::Vector3d>& outline, const MapOptions& options, const Eigen::Vector3d& origin) {
-  const Eigen::Vector3d focus = view.extent.centre() - origin, size = view.extent.hi - view.extent.lo;
-  const double aspect = view.box.width() / view.box.height();
-  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
-  if (options.view == MapView::top) {
-    camera->ParallelProjectionOn();
-    camera->SetPosition(focus.x(), focus.y(), focus.z() + 10 * size.norm());
-    camera->SetViewUp(0, 1, 0);
-    camera->SetParallelScale(std::max(size.y(), size.x() / aspect) / 2);
-    camera->SetClippingRange(size.norm(), 20 * size.norm());
-    return;
-  }
-  const double azimuth = options.from_azimuth_deg * std::numbers::pi / 180, elevation = options.elevation_deg * std::numbers::pi / 180;
-  const Eigen::Vector3d direction(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
-  camera->SetViewUp(0, 0, 1);
-  camera->SetViewAngle(24);
-  double distance = 2.6 * size.norm();
-  Eigen::Vector3d target = focus;
-  // Move back and sideways until all of it just fits.
-  for (int round = 0; round < 6; ++round) {
-    const Eigen::Vector3d position = target + distance * direction;
-    camera->SetPosition(position.x(), position.y(), position.z());
-    camera->SetFocalPoint(target.x(), target.y(), target.z());
-    camera->SetClippingRange(0.05 * distance, 4 * distance);
-    const Box seen = rectangle_on_view(view_matrix(camera, aspect), outline, origin);
-    const double half_height = distance * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
-    const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);
-    target += right * seen.centre().x() * half_height * aspect + up * seen.centre().y() * half_height;
-    distance *= std::max(seen.width(), seen.height()) / 2 * 1.03;
-  }
-  const Eigen::Vector3d position = target + distance * direction;
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetFocalPoint(target.x(), target.y(), target.z());
-  camera->SetClippingRange(std::max(0.1, distance - size.norm()), distance + size.norm());
 }
 
 // Means of squares of pixels, rows turned to run from the top.
@@ -188,6 +123,8 @@ Color ground_color(const MapOptions& options) { return options.dark ? hex(0x1118
 void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
   std::vector<StemShape> shapes;
   if (options.stems && data.stems != nullptr) shapes = stem_shapes(*data.stems, data.sections);
+  const Window window{view.extent.lo.head<2>(), view.extent.hi.head<2>()};
+  std::erase_if(shapes, [&](const StemShape& s) { return !window.contains(s.breast_height); });
   auto indices = view.indices;
   drop_points_on_stems(*data.points, shapes, 0.035, indices);
   renderer->AddActor(points_actor(*data.points, indices, view.coloring, origin, point_px));
@@ -218,7 +155,13 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   const Color ground = ground_color(options);
   renderer->SetBackground(ground.r, ground.g, ground.b);
   add_actors(renderer, data, options, view, origin, point_size_px(view, width * supersampling));
-  aim(renderer->GetActiveCamera(), view, outline_points(*data.points, view), options, origin);
+  auto* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d size = view.extent.hi - view.extent.lo;
+  const double aspect = view.box.width() / view.box.height();
+  if (options.view == MapView::top)
+    aim_from_above(camera, Eigen::Vector3d::Zero(), size, aspect);
+  else
+    aim_obliquely(camera, Eigen::Vector3d::Zero(), size, aspect, outline_points(*data.points, view, origin), options.from_azimuth_deg, options.elevation_deg);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -227,7 +170,7 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   window->Render();
   vtkNew<vtkUnsignedCharArray> rgb;
   window->GetPixelData(0, 0, width * supersampling - 1, height * supersampling - 1, 0, rgb);
-  Projection projection{view_matrix(renderer->GetActiveCamera(), view.box.width() / view.box.height()), origin, view.box};
+  Projection projection{view_matrix(camera, aspect), origin, view.box};
   EyeDomeOptions shading;
   shading.radius_px = 1.2 * supersampling * options.dpi / 150;
   shading.strength = options.view == MapView::top ? 0.45 : 0.62;

@@ -121,9 +121,16 @@ std::string number_or_text(const Table& table, const char* column, std::size_t r
 std::string evaluation_section(const ReportContent& c) {
   if (c.summary == nullptr || c.summary->rows() == 0) return {};
   HtmlTable table{{{"Measure"}, {"This run", true}, {"Unit"}, {"Published", true}}, {}, false};
-  for (std::size_t i = 0; i < c.summary->rows(); ++i)
-    table.rows.push_back({number_or_text(*c.summary, "measure", i), number_or_text(*c.summary, "value", i), number_or_text(*c.summary, "unit", i), number_or_text(*c.summary, "published", i)});
+  auto by_class = table;
+  for (std::size_t i = 0; i < c.summary->rows(); ++i) {
+    auto measure = number_or_text(*c.summary, "measure", i);
+    // Measures of one class of diameters or distances are many: they fold away.
+    auto& rows = measure.find("_to_") != std::string::npos ? by_class.rows : table.rows;
+    std::replace(measure.begin(), measure.end(), '_', ' ');
+    rows.push_back({measure, number_or_text(*c.summary, "value", i), number_or_text(*c.summary, "unit", i), number_or_text(*c.summary, "published", i)});
+  }
   std::string body = paragraph("Compared with the reference that was given. Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace them.", "note") + table.html();
+  if (!by_class.rows.empty()) body += "<details><summary>By class of diameter and distance</summary>\n" + by_class.html() + "</details>\n";
   if (c.matches != nullptr) {
     const auto kind = texts_or_empty(*c.matches, "kind");
     const auto count = [&](const char* word) { return std::to_string(std::count(kind.begin(), kind.end(), word)); };

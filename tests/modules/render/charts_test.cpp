@@ -62,8 +62,8 @@ TEST(StemMap, StemsAreTrueToScale) {
   const auto color = mix(ink::paper, ink::poor, 0.85);
   const auto big = pixels_near(figure_image(stem_map({&thick, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
   const auto small = pixels_near(figure_image(stem_map({&thin, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
-  // A disc of 2 m on about 21.8 m of map over 83 mm; the legend has a disc of 2.2 mm.
-  const double disc = std::numbers::pi * std::pow(1.0 / 21.8 * 83.5 / 25.4 * 200, 2);
+  // A disc of 2 m on 23 m of map (6 % and 0.3 m around the plot) over 83.5 mm; the legend has a disc of 2.2 mm.
+  const double disc = std::numbers::pi * std::pow(1.0 / 23 * 83.5 / 25.4 * 200, 2);
   EXPECT_NEAR(big - small, 0.75 * disc, 0.06 * disc);
 }
 
