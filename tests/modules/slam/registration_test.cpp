@@ -83,7 +83,7 @@ TEST(Registration, TheKernelTakesWeightFromFarPoints) {
   EXPECT_LT(far.H.norm(), 0.02 * near.H.norm());
 }
 
-TEST(Registration, ARigidShiftIsFoundToMillimetres) {
+TEST(Registration, ARigidShiftOfSixteenCentimetresIsFoundToOne) {
   const auto source = walk(6, 0);
   FeatureMaps maps(0.1);
   fill(maps, source, 0, 4);
@@ -92,8 +92,8 @@ TEST(Registration, ARigidShiftIsFoundToMillimetres) {
   RegistrationSettings settings;
   settings.rounds = 25;
   const auto r = register_frame(features_of(source, 5).query, maps, {off * truth.T_map_begin, off * truth.T_map_end}, settings, {});
-  EXPECT_LT(distance(r.motion.T_map_end, truth.T_map_end), 0.005);
-  EXPECT_LT(angle(r.motion.T_map_end, truth.T_map_end), 0.002);
+  EXPECT_LT(distance(r.motion.T_map_end, truth.T_map_end), 0.01);
+  EXPECT_LT(angle(r.motion.T_map_end, truth.T_map_end), 0.004);
   EXPECT_GT(r.overlap, 0.5);
 }
 
