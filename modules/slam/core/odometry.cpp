@@ -12,6 +12,8 @@ constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
 
 // A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to the next.
+constexpr double stride_s = 1.05;        // two steps
+constexpr double longest_join_s = 0.15;  // frames farther apart than this have a gap between them
 constexpr double gait_acceleration_m_s2 = 4, gait_turn_acceleration_rad_s2 = 2;
 
 std::string percent(double share) { return number_text(std::round(share * 100)) + " %"; }
@@ -21,24 +23,30 @@ std::string percent(double share) { return number_text(std::round(share * 100)) 
 Odometry::Odometry(const SlamOptions& resolved_options)
     : options_(resolved_options), local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes)), last_frame_map_(2 * resolved_options.cell_m) {}
 
-// Constant velocity from the last frame, also over a gap between frames; after failures the speed fades, for nothing is known.
+// Constant velocity from the last frame. Over a gap the mean motion of the last stride holds better than that of one moment of the
+// gait. After failures the speed fades, for nothing is known.
 FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   if (frames_.empty()) return {};
   const auto& last = frames_.back();
-  const double last_span_s = last.end_s - last.begin_s;
+  const double last_span_s = last.end_s - last.begin_s, gap_s = std::max(0.0, begin_s - last.end_s);
   if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
   Vector6d velocity = se3_log(last.motion.delta()) / last_span_s;
-  if (options_.deskew != "elastic") {
-    // There the motion within the frame is a guess of before the registration; the ends of two frames are better known.
-    const auto& before = frames_[frames_.size() - 2];
-    velocity = se3_log(before.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - before.end_s);
-  }
+  // Where the motion within a frame is a guess of before the registration, the ends of two frames are better known.
+  if (options_.deskew != "elastic") velocity = mean_velocity(0.5 * last_span_s);
+  if (gap_s > longest_join_s) velocity = mean_velocity(stride_s);
   if (failed_in_a_row_ > 0) velocity *= 0.5;
-  const double gap_s = std::max(0.0, begin_s - last.end_s);
   FrameMotion out;
   out.T_map_begin = last.motion.T_map_end * se3_exp(velocity * std::min(gap_s, 1.5));
   out.T_map_end = out.T_map_begin * se3_exp(velocity * (end_s - begin_s));
   return out;
+}
+
+// From the end of the frame that ended at least `over_s` before the last one.
+Vector6d Odometry::mean_velocity(double over_s) const {
+  const auto& last = frames_.back();
+  std::size_t k = frames_.size() - 2;
+  while (k > 0 && last.end_s - frames_[k].end_s < over_s) --k;
+  return se3_log(frames_[k].motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - frames_[k].end_s);
 }
 
 FrameMotion Odometry::guessed(const FrameMotion& prediction, const Features& features, const Run& run) {
@@ -58,7 +66,6 @@ void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const 
   settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * changed_s;
   settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * changed_s;
   settings.motion_sigma_rad = gait_turn_acceleration_rad_s2 * span_s * changed_s;
-  if (gap_s > 2 * span_s) settings.coarse_rounds = 6, settings.rounds += 6;
 }
 
 RegistrationSettings Odometry::base_settings() const {
@@ -71,13 +78,22 @@ RegistrationSettings Odometry::base_settings() const {
 
 Registration Odometry::registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run) {
   RegistrationSettings settings = base_settings();
+  FrameMotion start = guess;
+  if (gap_s > longest_join_s) {
+    // The sensor may be far from the prediction: first find the place with the frame as it is.
+    settings.coarse_rounds = 8;
+    settings.rounds = options_.rounds + 8;
+    const auto found = register_frame(features.query, local_map_.maps(), guess, settings, run);
+    if (found.overlap >= options_.lost_overlap) start = found.motion;
+    settings = base_settings();
+  }
   if (options_.deskew == "elastic") {
     settings.model = MotionModel::elastic;
     hold_to_gait(settings, gap_s);
-    return register_frame(features.query, local_map_.maps(), guess, settings, run);
+    return register_frame(features.query, local_map_.maps(), start, settings, run);
   }
   settings.model = MotionModel::rigid;
-  auto r = register_frame(features.query, local_map_.maps(), guess, settings, run);
+  auto r = register_frame(features.query, local_map_.maps(), start, settings, run);
   if (options_.deskew == "twice") {
     // SPEC A5: the motion from the last pose to the one just found replaces the guess, and the raw frame is registered again.
     const Pose T_map_begin = gap_s < 0.02 ? frames_.back().motion.T_map_end : r.motion.T_map_begin;

@@ -46,6 +46,7 @@ class Odometry {
 
  private:
   FrameMotion predicted(double begin_s, double end_s) const;
+  Vector6d mean_velocity(double over_s) const;
   RegistrationSettings base_settings() const;
   void hold_to_gait(RegistrationSettings& settings, double gap_s) const;
   FrameMotion guessed(const FrameMotion& prediction, const Features& features, const Run& run);

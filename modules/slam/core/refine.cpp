@@ -115,7 +115,7 @@ void add_smoothness(const Path& path, const RefineSettings& settings, BandedSyst
     error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after - so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
         (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
     Vector6d w;
-    w << Eigen::Vector3d::Constant(std::pow(settings.jerk_sigma_rad_s2 * mean, -2)), Eigen::Vector3d::Constant(std::pow(settings.jerk_sigma_m_s2 * mean, -2));
+    w << Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_rad_s2 * mean, -2)), Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_m_s2 * mean, -2));
     const std::array<double, 3> share{1 / before, -1 / before - 1 / after, 1 / after};
     for (std::size_t a = 0; a < 3; ++a) {
       system.gradient(i - 1 + a) += share[a] * w.cwiseProduct(error);

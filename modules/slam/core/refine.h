@@ -23,8 +23,8 @@ struct RefineSettings {
   double cell_m = 0.1;
   double sigma_m = 0.02;
   double kernel_sigmas = 3;
-  double jerk_sigma_m_s2 = 10;  // change of velocity between pieces of the path, per second
-  double jerk_sigma_rad_s2 = 5;
+  double acceleration_sigma_m_s2 = 10;  // change of velocity between pieces of the path, per second
+  double acceleration_sigma_rad_s2 = 5;
 };
 
 struct RefineResult {

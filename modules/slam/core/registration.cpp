@@ -212,7 +212,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
     // Coarse levels and a wide kernel first: they reach farther and still know the surfaces.
     const int coarse = std::max(0, settings.coarse_rounds - round);
     const bool match = coarse > 0 || (round - settings.coarse_rounds) % 2 == 0 || round == 0;
-    sums = equations.sums(out.motion, match ? std::min(coarse, 2) : -1, settings.kernel_sigmas * (1 + coarse), run);
+    sums = equations.sums(out.motion, match ? std::min(coarse, 3) : -1, settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
     out.rounds = round + 1;
     if (sums.matched < 12) break;
     add_priors(out.motion, guess, settings, sums);

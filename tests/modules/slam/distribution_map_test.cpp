@@ -46,7 +46,7 @@ TEST(DistributionMap, GivesTheDirectionOfALine) {
 
 TEST(DistributionMap, TheOrderOfPointsDoesNotMatterBelowTheCap) {
   auto points = points_on_plane(Eigen::Vector3d::UnitZ(), 0.01, 5);
-  points.resize(500);
+  points.resize(DistributionMap::most_per_cell);
   DistributionMap a(0.1), b(0.1);
   for (const auto& p : points) a.insert(p);
   std::ranges::reverse(points);

@@ -92,7 +92,7 @@ TEST(Slam, LoamMapsTheWalk) {
   const auto source = small_walk(40);
   const auto result = run_slam(source, preset("loam"), {});
   EXPECT_EQ(result.report.counts.at("frames"), 40);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.25);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.5);
 }
 
 TEST(Slam, WithTruePosesTheMapLiesOnTheSurfaces) {
