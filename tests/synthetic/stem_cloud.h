@@ -15,30 +15,30 @@
 namespace bole::synthetic {
 
 struct TrueStem {
-  Eigen::Vector2d base = Eigen::Vector2d::Zero();  // axis at the ground
-  double dbh = 0.25;                               // perpendicular to the axis at 1.3 m along it, metres
-  double taper = 0.01;                             // metres of diameter per metre
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero(); // metres per metre of height
-  double length = 8;                               // along the axis
-  double ellipse = 0;                              // relative: radius varies by +-ellipse with twice the bearing
+  Eigen::Vector2d base = Eigen::Vector2d::Zero();   // axis at the ground
+  double dbh = 0.25;                                // perpendicular to the axis at 1.3 m along it, metres
+  double taper = 0.01;                              // metres of diameter per metre
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  // metres per metre of height
+  double length = 8;                                // along the axis
+  double ellipse = 0;                               // relative: radius varies by +-ellipse with twice the bearing
 
   Eigen::Vector3d direction() const { return Eigen::Vector3d(slope.x(), slope.y(), 1).normalized(); }
   double radius_at(double along) const { return std::max(0.005, 0.5 * (dbh - taper * (along - 1.3))); }
 };
 
 struct StemCloudOptions {
-  double range_noise = 0.015;          // along the ray, metres
-  double angle_noise = 0.0;            // of the ray direction as recorded, radians
-  double drift = 0.0;                  // SD of the displacement of each pass, per axis, metres
+  double range_noise = 0.015;  // along the ray, metres
+  double angle_noise = 0.0;    // of the ray direction as recorded, radians
+  double drift = 0.0;          // SD of the displacement of each pass, per axis, metres
   int passes = 3;
-  double pass_step = 0.25;             // sensor positions along each pass, metres
+  double pass_step = 0.25;                          // sensor positions along each pass, metres
   double azimuth_step = 0.2, elevation_step = 1.0;  // degrees
   double lowest_elevation = -25, highest_elevation = 15;
   double most_range = 15;
-  double ground_slope = 0;             // dz/dx
-  int shrub_points = 0;                // scattered in balls around random places
-  double outlier_share = 0;            // of returns, moved uniformly by up to +-0.3 m along the ray
-  double offset_x = 0, offset_y = 0;   // of the cloud's origin
+  double ground_slope = 0;            // dz/dx
+  int shrub_points = 0;               // scattered in balls around random places
+  double outlier_share = 0;           // of returns, moved uniformly by up to +-0.3 m along the ray
+  double offset_x = 0, offset_y = 0;  // of the cloud's origin
   unsigned seed = 1;
   bool rays = true, time = true;
 };

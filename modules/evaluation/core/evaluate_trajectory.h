@@ -10,8 +10,8 @@
 namespace bole {
 
 struct TrajectoryEvaluation {
-  Table summary;  // measure, value, unit, published
-  Table errors;   // time_s, x_m, y_m, z_m (reference), error_m, error_x_m, error_y_m, error_z_m, rotation_error_deg
+  Table summary;                                 // measure, value, unit, published
+  Table errors;                                  // time_s, x_m, y_m, z_m (reference), error_m, error_x_m, error_y_m, error_z_m, rotation_error_deg
   Pose T_reference_estimate = Pose::Identity();  // the alignment
   std::size_t poses = 0;
 };

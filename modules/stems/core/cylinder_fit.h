@@ -26,10 +26,10 @@ struct TaperedCylinder {
 };
 
 struct CylinderFitOptions {
-  bool along_rays = false;        // residual: measured less predicted range along the ray, else distance from the surface
-  double ray_gate = 0.9;          // rays with an impact parameter beyond this share of the radius are left out
-  double max_sigma_m = 0.025;     // cap of the robust scale
-  double drift_sd_m = 0.01;       // prior of the pass offsets
+  bool along_rays = false;                       // residual: measured less predicted range along the ray, else distance from the surface
+  double ray_gate = 0.9;                         // rays with an impact parameter beyond this share of the radius are left out
+  double max_sigma_m = 0.025;                    // cap of the robust scale
+  double drift_sd_m = 0.01;                      // prior of the pass offsets
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
 };
 
@@ -44,14 +44,14 @@ double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m);
 
 struct CylinderFit {
   TaperedCylinder cylinder;
-  double sigma_m = 0;         // robust scale of the residuals
-  double radius_sd_m = 0;     // standard deviation of the radius, correlated residuals allowed for
-  double position_sd_m = 0;   // of the axis point, larger axis
-  int blocks = 0;             // groups of residuals that count as independent
+  double sigma_m = 0;        // robust scale of the residuals
+  double radius_sd_m = 0;    // standard deviation of the radius, correlated residuals allowed for
+  double position_sd_m = 0;  // of the axis point, larger axis
+  int blocks = 0;            // groups of residuals that count as independent
   int inliers = 0;
   bool along_rays = false;
-  std::vector<double> weight;                  // Tukey weight of each point, 0: outlier or gated
-  DriftEvidence drift;                         // empty with one pass
+  std::vector<double> weight;  // Tukey weight of each point, 0: outlier or gated
+  DriftEvidence drift;         // empty with one pass
 };
 
 // Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are

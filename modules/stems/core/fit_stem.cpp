@@ -110,8 +110,8 @@ class StemFitter {
 
   bool result_is_fit(const Attempt& a, StemFitResult& result) const {
     if (a.line.sections >= options_.min_sections) return true;
-    result.rejected = fmt::format("only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections, a.sections.size(), options_.min_arc_deg, options_.min_section_points,
-                                  options_.min_sections);
+    result.rejected =
+        fmt::format("only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections, a.sections.size(), options_.min_arc_deg, options_.min_section_points, options_.min_sections);
     return false;
   }
 
@@ -133,9 +133,7 @@ class StemFitter {
     return fit;
   }
 
-  static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) {
-    return {axes.to_cloud(Eigen::Vector3d(c.x, c.y, 0)), axes.rotation.transpose() * c.direction(), c.radius, c.taper};
-  }
+  static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) { return {axes.to_cloud(Eigen::Vector3d(c.x, c.y, 0)), axes.rotation.transpose() * c.direction(), c.radius, c.taper}; }
 
   Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
 

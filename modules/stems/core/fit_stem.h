@@ -15,15 +15,15 @@ namespace bole {
 // What the fits read of the cloud: columns are null when the cloud lacks them.
 struct CloudRays {
   const std::vector<float>*sensor_x = nullptr, *sensor_y = nullptr, *sensor_z = nullptr;  // offsets, as the points
-  std::vector<Eigen::Vector3f> sensor;  // from a trajectory where the columns are absent, by layer point; empty when not
+  std::vector<Eigen::Vector3f> sensor;                                                    // from a trajectory where the columns are absent, by layer point; empty when not
   const std::vector<double>* time = nullptr;
   const std::vector<std::int32_t>* pass = nullptr;
   bool has_sensor() const { return sensor_x || !sensor.empty(); }
 };
 
 struct Section {
-  double height = 0;                     // along the stem above its ground, metres
-  Eigen::Vector3d centre;                // offsets from the cloud's origin
+  double height = 0;       // along the stem above its ground, metres
+  Eigen::Vector3d centre;  // offsets from the cloud's origin
   double radius = 0, sigma = 0, arc_rad = 0;
   int inliers = 0;
   bool used = false;
@@ -39,9 +39,9 @@ struct Stem {
   double sigma_m = 0;                                       // of the distances from the surface
   double arc_rad = 0;
   double pass_spread_m = 0;
-  double inside_share = 0;      // points well inside the stem, of all on and in it
-  double contrast = 0;          // density of points on the surface by that just beside it
-  double ray_through = 0;       // share of rays through the core; NaN when not tested
+  double inside_share = 0;  // points well inside the stem, of all on and in it
+  double contrast = 0;      // density of points on the surface by that just beside it
+  double ray_through = 0;   // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
   int passes = 1, inliers = 0, sections_used = 0;

@@ -59,7 +59,8 @@ class Survey {
     auto linked = link_circles(circles, options_);
     candidates_ = std::move(linked.stems);
     for (const auto& w : linked.weak)
-      out_.rejected.push_back({{w.x, w.y, w.ground_z}, 2 * w.radius, w.points, fmt::format("seen as a circle at {} heights only ({:.1f} to {:.1f} m); min_sections is {}", w.sections, w.lowest, w.highest, options_.min_sections)});
+      out_.rejected.push_back(
+          {{w.x, w.y, w.ground_z}, 2 * w.radius, w.points, fmt::format("seen as a circle at {} heights only ({:.1f} to {:.1f} m); min_sections is {}", w.sections, w.lowest, w.highest, options_.min_sections)});
     gather_rays();
   }
 
@@ -184,8 +185,11 @@ class Survey {
   }
 
   std::string no_stems() const {
-    if (layer_.size() == 0) return fmt::format("no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights that the cloud has", options_.search_bottom_m, options_.search_top_m);
-    if (circles_ == 0) return fmt::format("no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc or min_dbh, or change the search heights", layer_.size(), options_.search_bottom_m, options_.search_top_m, options_.min_arc_deg);
+    if (layer_.size() == 0)
+      return fmt::format("no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights that the cloud has", options_.search_bottom_m, options_.search_top_m);
+    if (circles_ == 0)
+      return fmt::format("no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc or min_dbh, or change the search heights", layer_.size(), options_.search_bottom_m,
+                         options_.search_top_m, options_.min_arc_deg);
     if (candidates_.empty()) {
       return fmt::format("no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen search_bottom to search_top", circles_, options_.min_sections);
     }

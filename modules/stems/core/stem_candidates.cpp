@@ -50,7 +50,9 @@ struct Consensus {
 class Linker {
  public:
   Linker(const std::vector<SlabCircle>& circles, const MeasureOptions& options)
-      : circles_(circles), taken_(circles.size(), false), most_slope_(std::tan(options.max_lean_deg * std::numbers::pi / 180)),
+      : circles_(circles),
+        taken_(circles.size(), false),
+        most_slope_(std::tan(options.max_lean_deg * std::numbers::pi / 180)),
         grid_(circles, (options.search_top_m - options.search_bottom_m) * most_slope_ * 0.5 + 0.5) {}
 
   // The best axis through circle `i` and one of its neighbours.

@@ -23,15 +23,34 @@ const OptionTable& option_table(const MeasureOptions*) {
           Option<S, int>{"min_sections", &S::min_sections, Unit::none, {2, 20}, Tier::advanced, "A stem must be seen as a circle at this many heights."},
           Option<S, int>{"min_section_points", &S::min_section_points, Unit::none, {4, 1000}, Tier::advanced, "A section is used when it has at least this many points on the bark."},
           Option<S, double>{"min_arc", &S::min_arc_deg, Unit::degree, {30, 300}, Tier::advanced, "A section is used when at least this much of its circle is seen."},
-          Option<S, std::string>{"breast_height_from", &S::breast_height_from, TextKind::choice, {"uphill", "mean"}, Tier::basic, "Breast height is counted from the highest ground at the stem base, or from the mean of the ground around it."},
-          Option<S, std::string>{"model", &S::model, TextKind::choice, {"auto", "ray", "surface"}, Tier::advanced,
+          Option<S, std::string>{"breast_height_from",
+                                 &S::breast_height_from,
+                                 TextKind::choice,
+                                 {"uphill", "mean"},
+                                 Tier::basic,
+                                 "Breast height is counted from the highest ground at the stem base, or from the mean of the ground around it."},
+          Option<S, std::string>{"model",
+                                 &S::model,
+                                 TextKind::choice,
+                                 {"auto", "ray", "surface"},
+                                 Tier::advanced,
                                  "Residual of the joint fit: along the ray, which needs sensor positions (auto takes it where they are known), or the distance to the bark surface."},
           Option<S, double>{"window", &S::window_m, Unit::metre, {0.1, 3.0}, Tier::advanced, "The joint fit uses sections up to this far above and below breast height."},
           Option<S, double>{"section_step", &S::section_step_m, Unit::metre, {0.02, 1.0}, Tier::advanced, "Spacing and thickness of the sections."},
           Option<S, double>{"max_sigma", &S::max_sigma_m, Unit::metre, {0.002, 0.10}, Tier::expert, "Cap of the robust scale of the residuals, so that outliers cannot swell the stem."},
           Option<S, double>{"ray_gate", &S::ray_gate, Unit::none, {0.5, 0.99}, Tier::expert, "Rays that pass the stem axis further away than this share of the radius are left out of the ray model."},
-          Option<S, double>{"beam_divergence", &S::beam_divergence_mrad, Unit::none, {0, 20}, Tier::expert, "Full angle of the beam in milliradians, for the ray model: a wide beam measures a little deeper than its middle on round bark."},
-          Option<S, double>{"range_bias", &S::range_bias_m, Unit::metre, {0, 0.05}, Tier::expert, "Standard deviation of what the sensor measures too far or too near on all of a stem alike, bark fissures included: it widens the intervals."},
+          Option<S, double>{"beam_divergence",
+                            &S::beam_divergence_mrad,
+                            Unit::none,
+                            {0, 20},
+                            Tier::expert,
+                            "Full angle of the beam in milliradians, for the ray model: a wide beam measures a little deeper than its middle on round bark."},
+          Option<S, double>{"range_bias",
+                            &S::range_bias_m,
+                            Unit::metre,
+                            {0, 0.05},
+                            Tier::expert,
+                            "Standard deviation of what the sensor measures too far or too near on all of a stem alike, bark fissures included: it widens the intervals."},
           Option<S, double>{"pass_gap", &S::pass_gap_s, Unit::second, {0.5, 600}, Tier::advanced, "A pause of this length in the returns of a stem begins a new pass of the walk."},
           Option<S, double>{"max_range", &S::max_range_m, Unit::metre, {1, 300}, Tier::advanced, "Returns from further away are left out of the fits where the range is known and nearer ones suffice."},
           Option<S, double>{"max_ray_through", &S::max_ray_through, Unit::none, {0.01, 1}, Tier::advanced, "A candidate is rejected when more than this share of the rays towards its core pass through it."},
@@ -39,8 +58,7 @@ const OptionTable& option_table(const MeasureOptions*) {
           Option<S, double>{"bark_tolerance", &S::bark_tolerance_m, Unit::metre, {0.005, 0.2}, Tier::advanced, "Points nearer than this to the fitted surface are marked as bark."},
       },
       [](const S& s) {
-        if (s.search_top_m < s.search_bottom_m + 0.5)
-          throw bad_input("options search_bottom " + number_text(s.search_bottom_m) + " m and search_top " + number_text(s.search_top_m) + " m", "at least 0.5 m between them");
+        if (s.search_top_m < s.search_bottom_m + 0.5) throw bad_input("options search_bottom " + number_text(s.search_bottom_m) + " m and search_top " + number_text(s.search_top_m) + " m", "at least 0.5 m between them");
         if (s.max_dbh_m <= s.min_dbh_m) throw bad_input("options min_dbh " + number_text(s.min_dbh_m) + " m and max_dbh " + number_text(s.max_dbh_m) + " m", "max_dbh above min_dbh");
       });
   return table;

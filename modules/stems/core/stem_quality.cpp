@@ -10,7 +10,7 @@ namespace bole {
 namespace {
 constexpr double to_deg = 180 / std::numbers::pi;
 constexpr int most_faults = 4;  // a fit with as many is no stem
-}
+}  // namespace
 
 void judge(Stem& s, double breast_height_m) {
   s.reasons.clear();
@@ -31,7 +31,7 @@ void judge(Stem& s, double breast_height_m) {
   if (s.sigma_m > 0.02) fault(s.sigma_m > 0.03 ? 2 : 1, fmt::format("rough or blurred bark: {:.1f} cm", 100 * s.sigma_m));
   if (s.pass_spread_m > 0.05) fault(1, fmt::format("passes disagree by {:.0f} cm", 100 * s.pass_spread_m));
   if (s.taper > 0.01) fault(1, "wider above than below");
-  if (s.ray_through > 0.1) fault(1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
+  if (s.ray_through > 0.1) fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
   if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15) s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
   s.faults = faults;
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";

@@ -8,7 +8,7 @@
 namespace bole {
 
 struct MeasuredSection {
-  int number = 0;  // round(z / step): 0 at breast height
+  int number = 0;              // round(z / step): 0 at breast height
   double x = 0, y = 0, z = 0;  // centre in stem axes
   bool good = false;           // enough points and arc, near the expected surface
   Section section;

@@ -2,8 +2,8 @@
 #ifndef vtkBoleBreastHeightSlice_h
 #define vtkBoleBreastHeightSlice_h
 
-#include "vtkBoleStemsModule.h"  // for export macro
 #include "vtkBoleStage.h"
+#include "vtkBoleStemsModule.h"  // for export macro
 
 class VTKBOLESTEMS_EXPORT vtkBoleBreastHeightSlice : public vtkBoleStage {
  public:

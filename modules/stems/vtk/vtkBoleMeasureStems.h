@@ -2,8 +2,8 @@
 #ifndef vtkBoleMeasureStems_h
 #define vtkBoleMeasureStems_h
 
-#include "vtkBoleStemsModule.h"  // for export macro
 #include "vtkBoleStage.h"
+#include "vtkBoleStemsModule.h"  // for export macro
 
 class VTKBOLESTEMS_EXPORT vtkBoleMeasureStems : public vtkBoleStage {
  public:

@@ -67,12 +67,12 @@ TEST(EvaluateStems, MeasuresAreThoseOfThePaper) {
 TEST(EvaluateStems, TreesCountByPlaceAndDiameter) {
   const auto reference = trees({{0, 0, 20}, {5, 5, 20}, {-5, 5, 6}, {16.2, 0, 30}});
   const auto estimate = trees({
-      {0.1, 0, 20},    // matched
-      {-5, 5.1, 8},    // matches a tree below min_dbh: neither matched nor false
-      {15.9, 0, 30},   // inside, but its tree stands just outside: not false
-      {10, -10, 15},   // false
-      {-10, -10, 5},   // too thin to be false
-      {30, 30, 25},    // outside
+      {0.1, 0, 20},   // matched
+      {-5, 5.1, 8},   // matches a tree below min_dbh: neither matched nor false
+      {15.9, 0, 30},  // inside, but its tree stands just outside: not false
+      {10, -10, 15},  // false
+      {-10, -10, 5},  // too thin to be false
+      {30, 30, 25},   // outside
   });
   const auto e = evaluate_stems(estimate, reference, {});
   EXPECT_EQ(e.matched, 1U);

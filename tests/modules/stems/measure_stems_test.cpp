@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <numeric>
+#include <random>
 #include <set>
 #include <stop_token>
 
