@@ -13,7 +13,6 @@ const OptionTable& option_table(const GroundOptions*) {
   using S = GroundOptions;
   static const OptionTable table = make_option_table<S>(
       {
-          Option<S, std::string>{"method", &S::method, TextKind::choice, {"tin"}, Tier::advanced, "How ground is told from vegetation: tin grows a triangulation from the lowest points upwards."},
           Option<S, double>{"cell_m", &S::cell_m, Unit::metre, {0.02, 10.0}, Tier::basic, "Cell size of the terrain model."},
           Option<S, double>{"seed_m",
                             &S::seed_m,

@@ -23,7 +23,7 @@ GridShape shape_over(const Points& points, double cell_m, const Position& positi
   return shape;
 }
 
-// f(key, ix, iy) for the cells of the 5 x 5 window around (ix, iy), itself apart.
+// f(index) for the cells of the 5 x 5 window around (ix, iy), itself apart.
 template <class F>
 void for_each_near(const GridShape& shape, int ix, int iy, const F& f) {
   for (int dy = -2; dy <= 2; ++dy)

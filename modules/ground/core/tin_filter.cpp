@@ -1,6 +1,5 @@
 #include "ground/core/tin_filter.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
