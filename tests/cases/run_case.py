@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+SKIPPED = 77  # what ctest takes for a skipped test
 OPERATORS = {"<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b, "==": lambda a, b: a == b}
 
 
@@ -55,8 +56,12 @@ def main():
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
+    parser.add_argument("--needs", type=pathlib.Path, help="a real file; the case is skipped where it is absent")
     args = parser.parse_args()
 
+    if args.needs and not args.needs.exists():
+        print(f"SKIPPED: {args.needs} is absent")
+        return SKIPPED
     shutil.rmtree(args.work, ignore_errors=True)
     scan = args.work / "scan"
     if args.simulate:
