@@ -56,12 +56,38 @@ void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& f
   if (share > 50) report.warn(fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell_m ({} m) is small for this density of points", share, number_text(model.dem.cell_m)));
 }
 
+// Height that all but one in a thousand points lie above: a stray point below does not count.
+float lowest_height(const PointCloud& cloud) {
+  std::vector<float> heights;
+  heights.reserve(cloud.size());
+  for (const auto& p : cloud.positions())
+    if (p.allFinite()) heights.push_back(p.z());
+  const auto rank = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 1000);
+  std::nth_element(heights.begin(), rank, heights.end());
+  return *rank;
+}
+
+// A level plane for a cloud without ground. Every cell counts as filled: no ground was seen.
+GroundModel level_ground(const PointCloud& cloud, const GridShape& shape, const GroundOptions& options, const Run& run) {
+  GroundModel model{make_raster(cloud, shape, "elevation_m"), make_raster(cloud, shape, "filled"), {}, {}, {}};
+  const double height = cloud.origin.z() + static_cast<double>(lowest_height(cloud));
+  std::ranges::fill(model.dem.values, static_cast<float>(height));
+  std::ranges::fill(model.filled.values, 1.0F);
+  model.height_above_ground = heights_above(cloud, model.dem, run);
+  model.classification = classify(cloud, model.height_above_ground, options);
+  model.report.counts["points"] = static_cast<std::int64_t>(cloud.size());
+  model.report.message = fmt::format("Level ground at {:.2f} m, the lowest points of the cloud.", height);
+  model.report.warn("heights are counted from the lowest points, not from ground");
+  return model;
+}
+
 }  // namespace
 
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
   run.report(0.0, "Sorting points into cells");
   const GridShape shape = grid_over(cloud, options.cell_m);
   const PointGrid grid(cloud, shape, run);
+  if (options.method == "lowest") return level_ground(cloud, shape, options, run);
 
   run.report(0.35, "Finding ground");
   const auto candidates = lowest_groups(cloud, grid, {options.roughness_m, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);

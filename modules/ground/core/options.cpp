@@ -13,6 +13,8 @@ const OptionTable& option_table(const GroundOptions*) {
   using S = GroundOptions;
   static const OptionTable table = make_option_table<S>(
       {
+          Option<S, std::string>{
+              "method", &S::method, TextKind::choice, {"tin", "lowest"}, Tier::basic, "tin: terrain from the ground points; lowest: a level plane at the lowest points, for a tree that was cut out without ground."},
           Option<S, double>{"cell_m", &S::cell_m, Unit::metre, {0.02, 10.0}, Tier::basic, "Cell size of the terrain model."},
           Option<S, double>{"seed_m",
                             &S::seed_m,

@@ -1,11 +1,14 @@
 // Options of the terrain model.
 #pragma once
 
+#include <string>
+
 #include "base/option.h"
 
 namespace bole::ground {
 
 struct GroundOptions {
+  std::string method = "tin";
   double cell_m = 0.25;
   double seed_m = 4.0;
   double max_slope_deg = 50.0;

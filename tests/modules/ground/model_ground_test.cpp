@@ -218,5 +218,18 @@ TEST(ModelGround, CancelLeavesAtOnce) {
   EXPECT_THROW(model_ground(Terrain(TerrainRecipe{}).cloud(), {}, run), Error);
 }
 
+TEST(ModelGround, ATreeWithoutGroundStandsOnItsLowestPoints) {
+  PointCloud::Positions points;
+  for (int i = 0; i < 4000; ++i) points.emplace_back(0.1F * std::cos(0.7F * static_cast<float>(i)), 0.1F * std::sin(0.7F * static_cast<float>(i)), 0.002F * static_cast<float>(i));
+  points.emplace_back(0.0F, 0.0F, -5.0F);  // one stray point below
+  const PointCloud tree(std::move(points), {500000, 5000000, 300});
+  GroundOptions options;
+  options.method = "lowest";
+  const auto model = model_ground(tree, options, {});
+  EXPECT_NEAR(model.height_above_ground[2000], 4.0, 0.02);
+  EXPECT_NEAR(model.dem.sample(500000, 5000000), 300.0, 0.02);
+  EXPECT_EQ(model.report.warnings.size(), 1u);
+}
+
 }  // namespace
 }  // namespace bole::ground
