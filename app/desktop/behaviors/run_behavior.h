@@ -1,0 +1,43 @@
+// Runs the document in a thread of its own, so that the window never waits; signals arrive in the thread of the window.
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <thread>
+
+#include "cloud/data.h"
+#include "document/session.h"
+#include "vtkbridge/executor.h"
+
+namespace bole::desktop {
+
+// What the views show, by stage id and port.
+using Results = std::map<std::string, DataSet>;
+
+class RunBehavior : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RunBehavior(Session& session, QObject* parent);
+  ~RunBehavior() override;  // cancels and waits
+
+  bool running() const { return running_; }
+  void start(const QString& output_dir);
+  void finish();  // keep the best so far of the running stage
+  void cancel();
+
+ Q_SIGNALS:
+  void progressed(const QString& stage, double fraction, const QString& what);
+  void finished(const RunOutcome& outcome, const Results& results);
+
+ private:
+
+  Session& session_;
+  std::unique_ptr<PipelineExecutor> executor_;
+  std::jthread thread_;
+  bool running_ = false;
+};
+
+}  // namespace bole::desktop

@@ -1,0 +1,59 @@
+// The window: a list of panels, views and behaviors around one session.
+#pragma once
+
+#include <QMainWindow>
+
+#include "behaviors/run_behavior.h"
+#include "document/session.h"
+
+class QAction;
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+
+namespace bole::desktop {
+
+class PipelinePanel;
+class PropertiesPanel;
+class SceneView;
+class TablePanel;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+
+  void open(const QString& path);
+  void save(const QString& path);
+  void run();
+
+  Session& session() { return session_; }
+  RunBehavior& runner() { return *run_; }
+  SceneView& scene() { return *scene_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void make_docks();
+  void make_actions();
+  void show_outcome(const RunOutcome& outcome, const Results& results);
+  void say(const QString& text);
+  // Errors become a sentence in the log and the status bar.
+  void guarded(const std::function<void()>& act);
+
+  Session session_;
+  RunBehavior* run_;
+  PipelinePanel* pipeline_;
+  PropertiesPanel* properties_;
+  SceneView* scene_;
+  TablePanel* stems_;
+  QPlainTextEdit* log_;
+  QProgressBar* progress_;
+  QAction *run_action_ = nullptr, *finish_action_ = nullptr, *cancel_action_ = nullptr;
+};
+
+}  // namespace bole::desktop
