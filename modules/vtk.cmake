@@ -1,5 +1,6 @@
 # The VTK modules: modules/vtkbridge and every modules/*/vtk, and the Python package bole made from them.
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel WrappingTools)
+bole_note_version(VTK ${VTK_VERSION})
 
 # Our own .cxx files of a VTK module are held to our warnings; the wrapper code that VTK generates is not.
 function(bole_vtk_sources target)
