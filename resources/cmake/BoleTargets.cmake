@@ -13,12 +13,13 @@ if(BOLE_CLANG_FORMAT)
   add_custom_target(format COMMAND ${BOLE_CLANG_FORMAT} -i ${bole_sources} VERBATIM COMMENT "Formatting")
 endif()
 
-# lint: format is checked, then clang-tidy on our own sources (generated wrapper code left out).
+# lint: format is checked, then clang-tidy on our own sources (generated wrapper code left out). The compile commands are GCC's: clang-tidy
+# does not know all of its warnings.
 if(BOLE_CLANG_FORMAT AND BOLE_RUN_CLANG_TIDY)
   add_custom_target(
     lint
     COMMAND ${BOLE_CLANG_FORMAT} --dry-run -Werror ${bole_sources}
-    COMMAND ${BOLE_RUN_CLANG_TIDY} -quiet -p ${CMAKE_BINARY_DIR} "${CMAKE_SOURCE_DIR}/(app|modules)/.*\\.(cpp|cxx)$"
+    COMMAND ${BOLE_RUN_CLANG_TIDY} -quiet -p ${CMAKE_BINARY_DIR} -extra-arg=-Wno-unknown-warning-option "${CMAKE_SOURCE_DIR}/(app|modules)/.*\\.(cpp|cxx)$"
     VERBATIM USES_TERMINAL)
 endif()
 

@@ -1,4 +1,4 @@
-// Speed of the terrain model on synthetic forest floors of several million points.
+// Speed of the terrain model on synthetic forest floors of one and four million points.
 #include <benchmark/benchmark.h>
 
 #include "ground/core/model_ground.h"
@@ -20,6 +20,6 @@ void model_ground(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(cloud.size()));
   state.counters["points"] = static_cast<double>(cloud.size());
 }
-BENCHMARK(model_ground)->Arg(2)->Arg(10)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(model_ground)->Arg(1)->Arg(4)->Iterations(1)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 
 }  // namespace

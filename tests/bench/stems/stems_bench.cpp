@@ -1,4 +1,4 @@
-// Points per second of slice and measurement on a plot of 10 M points.
+// Points per second of slice and measurement on a plot of 3 M points.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace bole {
 namespace {
 
-constexpr std::size_t points_wanted = 10'000'000;
+constexpr std::size_t points_wanted = 3'000'000;
 
 // 25 stems seen by rays, and as many points of ground and crowns as make a plot.
 const synthetic::StemCloud& plot() {
   static const synthetic::StemCloud cloud = [] {
     synthetic::StemCloudOptions o;
-    o.passes = 4;
+    o.passes = 3;
     auto stems = synthetic::make_stem_cloud(synthetic::random_stand(25, 0.08, 0.40, 1), o);
     auto positions = stems.points.positions();
     auto height = stems.points.values<float>(arrays::height_above_ground);
