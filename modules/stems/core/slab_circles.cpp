@@ -131,6 +131,7 @@ struct Random {
 struct Score {
   float on = 0, inside = 0, height = 0, z = 0, weight = 0;
   int points = 0;
+  float most() const { return on - 1.5F * inside; }  // what a whole circle would score
   std::uint32_t sectors = 0;  // bit per 20 degrees
 };
 

@@ -78,9 +78,9 @@ TEST(CylinderResidual, ARayOffTheGateOrAlongTheStemIsNotUsed) {
 
 TEST(CylinderFit, IsExactWithoutNoise) {
   const TaperedCylinder truth{0.01, 0.02, 0.04, -0.03, 0.12, -0.005, {}};
-  for (const bool along_rays : {false, true}) {
+  for (const auto misfit : {Misfit::surface, Misfit::clear_surface, Misfit::ray}) {
     CylinderFitOptions o;
-    o.along_rays = along_rays, o.drift_sd_m = 0.001;
+    o.misfit = misfit, o.drift_sd_m = 0.001;
     const auto fit = fit_tapered_cylinder(rays_at(truth, 0, 1), {0, 0, 0, 0, 0.11, 0, {}}, 0.03, o);
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->cylinder.radius, 0.12, 1e-5);
@@ -100,7 +100,7 @@ TEST(CylinderFit, DriftBetweenPassesCostsLittleAlongRays) {
     std::vector<Eigen::Vector2d> offset;
     for (int k = 0; k < 3; ++k) offset.emplace_back(normal(random), normal(random));
     CylinderFitOptions o;
-    o.along_rays = true, o.drift_sd_m = 0.03;
+    o.misfit = Misfit::ray, o.drift_sd_m = 0.03;
     const auto fit = fit_tapered_cylinder(rays_at(truth, 0.012, seed, offset), {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o);
     ASSERT_TRUE(fit);
     square += std::pow(200 * (fit->cylinder.radius - truth.radius), 2);
@@ -118,7 +118,7 @@ TEST(CylinderFit, TheEvidenceOfDriftIsLikeliestNearTheTruth) {
       std::vector<Eigen::Vector2d> offset;
       for (int k = 0; k < 3; ++k) offset.emplace_back(normal(random), normal(random));
       CylinderFitOptions o;
-      o.along_rays = true;
+      o.misfit = Misfit::ray;
       if (const auto fit = fit_tapered_cylinder(rays_at(truth, 0.012, seed, offset), {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o)) all.push_back(fit->drift);
     }
     double best = 0, highest = -1e300;
