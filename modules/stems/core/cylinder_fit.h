@@ -58,7 +58,7 @@ struct CylinderFit {
   double position_sd_m = 0;  // of the axis point, larger axis
   int blocks = 0;            // groups of residuals that count as independent
   int inliers = 0;
-  NoiseVariance noise;  // zero but for Misfit::clear_surface
+  NoiseVariance noise;         // zero but for Misfit::clear_surface
   std::vector<double> weight;  // Tukey weight of each point, 0: outlier or gated
   DriftEvidence drift;         // empty with one pass
 };

@@ -34,7 +34,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                                  TextKind::choice,
                                  {"auto", "ray", "surface"},
                                  Tier::advanced,
-                                 "What the joint fit makes small: surface is the distance to the bark; auto is the same where no sensor position is known, else without grazing rays and less the effect of noise on a round stem; ray is the error along the ray, for exact poses."},
+                                 "What the joint fit makes small: surface is the distance to the bark; auto is the same where no sensor position is known, else without grazing rays and less the effect of noise on a "
+                                 "round stem; ray is the error along the ray, for exact poses."},
           Option<S, double>{"window", &S::window_m, Unit::metre, {0.1, 3.0}, Tier::advanced, "The joint fit uses sections up to this far above and below breast height."},
           Option<S, double>{"section_step", &S::section_step_m, Unit::metre, {0.02, 1.0}, Tier::advanced, "Spacing and thickness of the sections."},
           Option<S, double>{"max_sigma", &S::max_sigma_m, Unit::metre, {0.002, 0.10}, Tier::expert, "Cap of the robust scale of the residuals, so that outliers cannot swell the stem."},

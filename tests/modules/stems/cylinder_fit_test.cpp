@@ -90,6 +90,28 @@ TEST(CylinderFit, IsExactWithoutNoise) {
   }
 }
 
+// Poses that jitter put a point beside its ray: along the ray that looks like a more curved, thinner stem.
+TEST(CylinderFit, JitterOfThePosesBiasesTheClearSurfaceLittle) {
+  const TaperedCylinder truth{0, 0, 0, 0, 0.11, -0.005, {}};
+  std::mt19937 random(5);
+  std::normal_distribution<double> jitter(0, 0.010);
+  double sum[2] = {0, 0};
+  constexpr int trials = 10;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    auto points = rays_at(truth, 0.012, seed);
+    for (auto& p : points) p.p += jitter(random) * p.ray.cross(Eigen::Vector3d::UnitZ()).normalized();
+    for (int k = 0; k < 2; ++k) {
+      CylinderFitOptions o;
+      o.misfit = k == 0 ? Misfit::clear_surface : Misfit::ray, o.drift_sd_m = 0.005;
+      const auto fit = fit_tapered_cylinder(points, {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o);
+      ASSERT_TRUE(fit);
+      sum[k] += 200 * (fit->cylinder.radius - truth.radius) / trials;
+    }
+  }
+  EXPECT_LT(std::abs(sum[0]), 0.2);
+  EXPECT_LT(std::abs(sum[0]), std::abs(sum[1]));
+}
+
 TEST(CylinderFit, DriftBetweenPassesCostsLittleAlongRays) {
   const TaperedCylinder truth{0, 0, 0, 0, 0.125, -0.005, {}};
   std::mt19937 random(7);
