@@ -21,11 +21,32 @@ double tukey_weight(double scaled_residual) {
   return std::abs(u) >= 1 ? 0 : (1 - u * u) * (1 - u * u);
 }
 
-double covered_arc_rad(const std::vector<double>& angles_rad) {
-  constexpr int sectors = 36;
-  std::array<bool, sectors> seen{};
-  for (const double a : angles_rad) seen[static_cast<std::size_t>(static_cast<int>(std::floor((a / (2 * std::numbers::pi) + 1) * sectors)) % sectors)] = true;
-  return 2 * std::numbers::pi * static_cast<double>(std::ranges::count(seen, true)) / sectors;
+namespace {
+
+constexpr int arc_sectors = 36;
+
+std::array<bool, arc_sectors> sectors_seen(const std::vector<double>& angles_rad) {
+  std::array<bool, arc_sectors> seen{};
+  for (const double a : angles_rad) seen[static_cast<std::size_t>(static_cast<int>(std::floor((a / (2 * std::numbers::pi) + 1) * arc_sectors)) % arc_sectors)] = true;
+  return seen;
+}
+
+}  // namespace
+
+double covered_arc_rad(const std::vector<double>& angles_rad) { return 2 * std::numbers::pi * static_cast<double>(std::ranges::count(sectors_seen(angles_rad), true)) / arc_sectors; }
+
+double unbroken_arc_rad(const std::vector<double>& angles_rad) {
+  const auto seen = sectors_seen(angles_rad);
+  int longest = 0, run = 0, empty = 0;
+  for (std::size_t i = 0; i < 2 * arc_sectors; ++i) {  // twice round, for the run across the start
+    if (seen[i % arc_sectors]) {
+      run += 1 + (run > 0 ? empty : 0), empty = 0;
+    } else if (++empty > 1) {
+      run = 0;
+    }
+    longest = std::max(longest, run);
+  }
+  return 2 * std::numbers::pi * std::min(longest, arc_sectors) / arc_sectors;
 }
 
 std::optional<Circle> hyper_circle(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights) {

@@ -30,6 +30,9 @@ std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& po
 // The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the centre.
 double covered_arc_rad(const std::vector<double>& angles_rad);
 
+// The longest run of such sectors, where one empty sector does not end a run.
+double unbroken_arc_rad(const std::vector<double>& angles_rad);
+
 // Median; reorders `values`. NaN when empty.
 double median_of(std::vector<double>& values);
 

@@ -38,6 +38,7 @@ struct Stem {
   double taper = 0;                                         // metres of radius per metre of stem
   double sigma_m = 0;                                       // of the distances from the surface
   double arc_rad = 0;
+  double unbroken_arc_rad = 0;  // longest part of the circle without a gap
   double pass_spread_m = 0;
   double inside_share = 0;  // points well inside the stem, of all on and in it
   double contrast = 0;      // density of points on the surface by that just beside it
@@ -45,7 +46,8 @@ struct Stem {
   double height_m = 0;
   bool height_seen = false;
   int passes = 1, inliers = 0, sections_used = 0;
-  bool along_rays = false;
+  bool rays_known = false;
+  NoiseVariance noise;             // of its points, where rays are known
   double lowest = 0, highest = 0;  // heights of the sections used
   std::vector<Eigen::Vector2d> pass_offset;
   DriftEvidence drift;  // what the passes say about their displacements

@@ -131,7 +131,8 @@ struct Random {
 struct Score {
   float on = 0, inside = 0, height = 0, z = 0, weight = 0;
   int points = 0;
-  std::uint32_t sectors = 0;  // bit per 20 degrees
+  float most() const { return on - 1.5F * inside; }  // what a whole circle would score
+  std::uint32_t sectors = 0;                         // bit per 20 degrees
 };
 
 constexpr int sector_count = 18;
@@ -197,7 +198,8 @@ class SlabGrid {
   std::vector<std::uint32_t> start_;
 };
 
-Score score_circle(const SlabGrid& slab, float x, float y, float radius) {
+// Sectors are counted only where the circle could beat `beat`: most cannot, and angles are what costs.
+Score score_circle(const SlabGrid& slab, float x, float y, float radius, double beat) {
   Score s;
   const float tolerance = ring_tolerance(radius), outer = radius + tolerance, hollow = std::max(0.F, radius - 2.5F * tolerance);
   slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
@@ -207,11 +209,17 @@ Score score_circle(const SlabGrid& slab, float x, float y, float radius) {
     const float e = (std::sqrt(d2) - radius) / tolerance;
     if (e > -1) {
       s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight, ++s.points;
-      const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
-      s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
     } else if (d2 < hollow * hollow) {
       s.inside += v.weight;
     }
+  });
+  if (s.most() <= beat) return s;
+  const float inner = radius - tolerance;
+  slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
+    const float dx = slab[k].x - x, dy = slab[k].y - y, d2 = dx * dx + dy * dy;
+    if (d2 > outer * outer || (inner > 0 && d2 <= inner * inner)) return;
+    const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
+    s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
   });
   return s;
 }
@@ -242,9 +250,10 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
       float x = 0, y = 0, radius = 0;
       if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y, radius)) continue;
       if (radius < least || radius > std::min(most, reaches[scale])) continue;
-      const auto s = score_circle(slab, x, y, radius);
+      const auto s = score_circle(slab, x, y, radius, best.score);
+      if (s.most() <= best.score) continue;
       const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
-      const double score = (s.on - 1.5 * s.inside) * std::sqrt(arc);
+      const double score = s.most() * std::sqrt(arc);
       if (score <= best.score || s.points < 5) continue;
       best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi, best.points = s.points;
       best.height = s.height / s.weight, best.z = s.z / s.weight;

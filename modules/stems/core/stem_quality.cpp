@@ -19,7 +19,7 @@ void judge(Stem& s, double breast_height_m) {
   const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * to_deg;
   if (arc_deg < 150)
     fault(arc_deg < 100 ? 2 : 1, fmt::format("only {:.0f} deg of the bark seen", arc_deg));
-  else if (!s.along_rays && arc_deg < 200)
+  else if (!s.rays_known && arc_deg < 200)
     fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
   if (half_cm > std::max(1.0, 16 * s.radius)) fault(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
@@ -43,6 +43,8 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
   if (2 * s.radius < options.min_dbh_m) return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, 100 * options.min_dbh_m);
   if (2 * s.radius > options.max_dbh_m) return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, 100 * options.max_dbh_m);
   if (s.arc_rad * to_deg < options.min_arc_deg) return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg, options.min_arc_deg);
+  if (s.unbroken_arc_rad * to_deg < options.min_arc_deg)
+    return fmt::format("separate clumps, not bark: no part of the circle longer than {:.0f} deg is without a gap (min_arc is {:.0f} deg)", s.unbroken_arc_rad * to_deg, options.min_arc_deg);
   if (s.inside_share > 0.5) return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
   if (s.faults >= most_faults) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
   if (s.radius_high - s.radius_low > 1.2 * s.radius) return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low, 200 * s.radius_high);

@@ -59,5 +59,18 @@ TEST(CoveredArc, CountsTenDegreeSectors) {
   EXPECT_EQ(covered_arc_rad({}), 0);
 }
 
+TEST(Arc, ClumpsHaveNoLongUnbrokenPart) {
+  const auto run = [](double from_deg, double to_deg, std::vector<double>& angles) {
+    for (double a = from_deg; a < to_deg; a += 5) angles.push_back(a * std::numbers::pi / 180);
+  };
+  std::vector<double> clumps, across_north;
+  run(2, 40, clumps), run(122, 160, clumps), run(242, 280, clumps);
+  EXPECT_NEAR(covered_arc_rad(clumps), 120 * std::numbers::pi / 180, 1e-9);
+  EXPECT_NEAR(unbroken_arc_rad(clumps), 40 * std::numbers::pi / 180, 1e-9);
+  run(-98, 102, across_north);
+  EXPECT_NEAR(unbroken_arc_rad(across_north), 200 * std::numbers::pi / 180, 0.2);
+  EXPECT_EQ(unbroken_arc_rad({}), 0);
+}
+
 }  // namespace
 }  // namespace bole
