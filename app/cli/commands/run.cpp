@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -43,8 +44,14 @@ std::string measure(const Report& report, const char* label, std::initializer_li
   return fmt::format("  {:<28} {} {}\n", label, values, unit);
 }
 
+// Whether the walk was read from a file in place of being computed: its error then tells nothing about SLAM.
+bool takes_given_poses(const StageOutcome& outcome) {
+  const auto& options = outcome.record.options;
+  return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) { return o.name == "trajectory" && !o.value.empty(); });
+}
+
 // What a person wants to know first when a reference was connected.
-void print_evaluation(const StageOutcome& outcome) {
+void print_evaluation(const StageOutcome& outcome, bool poses_given) {
   const auto& report = outcome.record.report;
   const auto count = [&](const char* name) {
     const auto it = report.counts.find(name);
@@ -54,7 +61,7 @@ void print_evaluation(const StageOutcome& outcome) {
   if (report.counts.contains("matched")) lines += fmt::format("  {:<28} {} / {} / {}\n", "stems found/missed/false", count("matched"), count("missed"), count("false"));
   lines += measure(report, "DBH bias, RMSE", {"dbh_bias", "dbh_rmse"}, 2, "cm");
   lines += measure(report, "position RMSE x, y", {"position_rmse_x", "position_rmse_y"}, 3, "m");
-  lines += measure(report, "trajectory RMSE (ATE)", {"ate_rmse"}, 3, "m");
+  lines += measure(report, "trajectory RMSE (ATE)", {"ate_rmse"}, 3, poses_given ? "m (given poses)" : "m");
   if (!lines.empty()) fmt::print("\nAgainst the reference ({}):\n{}", outcome.record.id, lines);
 }
 
@@ -73,8 +80,9 @@ void run_document(Program& program, const Arguments& args) {
   const auto outcome = run_pipeline(document, settings);
   line.clear();
   for (const auto& stage : outcome.stages) print_stage(stage);
+  const bool poses_given = std::any_of(outcome.stages.begin(), outcome.stages.end(), takes_given_poses);
   for (const auto& stage : outcome.stages)
-    if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage);
+    if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage, poses_given);
   if (!outcome.error.empty()) fmt::print(stderr, "bole: {}\n", outcome.error);
   if (!args.out.empty()) fmt::print("\nResults are in {}\n", args.out);
   program.exit_code = outcome.exit_code;

@@ -183,6 +183,11 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   return {shrunk(rgb, width, height), projection};
 }
 
+void round_colors(Image& image, int step) {
+  if (step <= 1) return;
+  for (auto& v : image.rgba) v = static_cast<std::uint8_t>(std::min(255, (v + step / 2) / step * step));
+}
+
 struct Drawing {
   Image picture;
   Projection projection;
@@ -290,6 +295,7 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;
   drawing->has_stems = !view.stems.empty();
   std::tie(drawing->picture, drawing->projection) = render(data, options, view);
+  round_colors(drawing->picture, options.color_step);
   view.indices = {}, view.drawn = {}, view.stems = {};
 
   const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
@@ -308,7 +314,8 @@ Figure hero_figure(const MapData& data, double width_mm, double dpi) {
   options.dark = true;
   options.furniture = false;
   options.elevation_deg = 17;
-  options.crown_share = 0.15;
+  options.crown_share = 0.6;
+  options.color_step = 16;
   options.dpi = dpi;
   auto figure = map_figure(data, options, width_mm);
   figure.name = "hero";

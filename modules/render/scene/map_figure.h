@@ -43,6 +43,7 @@ struct MapOptions {
   bool dark = false;       // light drawing on a dark ground, for screens
   double crown_share = 1;  // of the points higher than 4 m above ground, so many are drawn
   bool furniture = true;   // legend, grid labels, north arrow
+  int color_step = 1;      // colours are rounded to multiples of it, of 255: a greater step makes a smaller file
   double dpi = 300;
 };
 

@@ -45,7 +45,7 @@ TEST(Thin, DropsWhatIsNotANumber) {
 TEST(Thin, CancelStops) {
   std::stop_source stop;
   stop.request_stop();
-  Run run;
+  bole::Run run;
   run.cancel = stop.get_token();
   EXPECT_THROW(thin_for_drawing(copies(1), {}, 100, run), Error);
 }

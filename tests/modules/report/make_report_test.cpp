@@ -133,7 +133,9 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
   DataSet inputs;
   inputs.set("stems", testing_data::make_small_survey().stems);
   run_.record = nullptr;
-  const auto result = make_report(inputs, quick(), run_);
+  auto options = quick();
+  options.plot_shape = "none";
+  const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
   EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("No plot boundary is set"));
