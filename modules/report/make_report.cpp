@@ -4,6 +4,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -66,7 +67,7 @@ class Writer {
   }
 
   void write_figures(const Run& run) {
-    const auto plans = survey_figures(data_, o_);
+    const auto plans = survey_figures(data_, o_, run);
     bool can_render = true;
     if (data_.points != nullptr) {
       try {
@@ -96,12 +97,12 @@ class Writer {
       write_file(path.string() + ending, bytes);
       files_.push_back("figures/" + figure.name + ending);
     };
-    const std::string png = figure_png(figure, o_.dpi);
+    const std::string png = figure_png(figure, plan.dpi > 0 ? plan.dpi : o_.dpi);
     put(".png", png);
     std::string svg;
     if (figure.vector && (o_.vector_figures || (o_.page && !plan.picture))) svg = figure_svg(figure);
     if (figure.vector && o_.vector_figures) put(".svg", svg), put(".pdf", figure_pdf(figure));
-    if (!o_.page) return;
+    if (!o_.page || !plan.on_page) return;
     const bool as_vector = figure.vector && !plan.picture;
     pictures_.push_back({figure.title, figure.caption, as_vector ? "image/svg+xml" : "image/png", as_vector ? svg : o_.dpi <= page_dpi ? png : figure_png(figure, page_dpi), plan.wide});
   }
@@ -117,6 +118,13 @@ class Writer {
     }
   }
 
+  // Whether a stage before this one took the walk from a file in place of computing it.
+  bool poses_given() const {
+    if (run_.record == nullptr) return false;
+    const auto given = [](const OptionRecord& o) { return o.name == "trajectory" && !o.value.empty(); };
+    return std::any_of(run_.record->stages.begin(), run_.record->stages.end(), [&](const StageRecord& s) { return s.type == "slam.run" && std::any_of(s.options.begin(), s.options.end(), given); });
+  }
+
   void write_page() {
     ReportContent content;
     content.title = o_.title;
@@ -125,7 +133,8 @@ class Writer {
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
     content.metrics = plot_metrics(*data_.stems, data_.area, o_.min_dbh, o_.class_width);
     content.least_dbh_cm = o_.min_dbh;
-    content.stems = data_.stems, content.rejected = data_.rejected, content.summary = data_.summary, content.matches = data_.matches;
+    content.stems = data_.stems, content.rejected = data_.rejected, content.summary = data_.summary;
+    content.area = data_.area, content.poses_given = poses_given();
     content.pictures = std::move(pictures_);
     content.record = run_.record;
     if (run_.record != nullptr)

@@ -11,7 +11,7 @@ const OptionTable& option_table(const ReportOptions*) {
                              TextKind::choice,
                              {"auto", "rectangle", "circle", "none"},
                              Tier::basic,
-                             "Boundary that counts for values per hectare; auto: a square twice as wide as the distance from the centre to the north target, none without targets."},
+                             "Boundary that counts for values per hectare; auto: a square of plot_size where the stems lie in plot axes (targets were found), else none."},
       Option<S, double>{"plot_size", &S::plot_size, Unit::metre, {1, 10000}, Tier::basic, "Side of a rectangular (square) plot or diameter of a circular one, horizontal."},
       Option<S, double>{"plot_x", &S::plot_x, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, x in the axes of the stems."},
       Option<S, double>{"plot_y", &S::plot_y, Unit::metre, {-1e7, 1e7}, Tier::advanced, "Centre of the plot, y in the axes of the stems."},
@@ -24,6 +24,7 @@ const OptionTable& option_table(const ReportOptions*) {
       Option<S, bool>{"tables", &S::tables, Tier::basic, "Write stems.csv and the other tables, trajectory.tum, dem.tif and plot.gpkg."},
       Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write cloud.las."},
       Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures and write them as PNG."},
+      Option<S, bool>{"hero", &S::hero, Tier::expert, "Draw figures/hero.png too, a picture for a title page: the fitted stems and the walk on a dark ground, 1600 pixels wide."},
       Option<S, bool>{"vector_figures", &S::vector_figures, Tier::advanced, "Write charts and plans as SVG and PDF too."},
       Option<S, bool>{"page", &S::page, Tier::basic, "Write report.html."},
   });

@@ -21,6 +21,7 @@ struct ReportOptions {
   bool tables = true;
   bool cloud = true;
   bool figures = true;
+  bool hero = false;
   bool vector_figures = true;
   bool page = true;
 };

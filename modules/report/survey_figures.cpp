@@ -1,6 +1,7 @@
 #include "report/survey_figures.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
@@ -12,18 +13,44 @@
 namespace bole {
 namespace {
 
-MapData map_data(const SurveyData& d) { return {d.points, d.stems, d.sections, d.trajectory, d.area, d.north_known()}; }
+constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_per_inch = 25.4;
 
-void add_maps(const SurveyData& d, const ReportOptions& o, std::vector<FigurePlan>& plans) {
+// The data of all maps; their points are chosen when the first of them is drawn.
+class MapSource {
+ public:
+  MapSource(const SurveyData& d, const ReportOptions& o, const Run& run)
+      : data_{d.points, d.stems, d.sections, d.trajectory, d.area, d.north_known(), nullptr}, budget_(static_cast<std::size_t>(o.point_budget)), run_(run) {}
+
+  const MapData& data() {
+    if (data_.chosen == nullptr) {
+      chosen_ = choose_map_points(data_, budget_, run_);
+      data_.chosen = &chosen_;
+    }
+    run_.check_cancel();
+    return data_;
+  }
+
+ private:
+  MapData data_;
+  std::size_t budget_;
+  const Run& run_;
+  MapPoints chosen_;
+};
+
+void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::vector<FigurePlan>& plans) {
+  const auto source = std::make_shared<MapSource>(d, o, run);
   const auto add = [&](const char* name, PointColor color, MapView view) {
     MapOptions map;
     map.color = color, map.view = view, map.dpi = o.dpi, map.point_budget = static_cast<std::size_t>(o.point_budget);
-    plans.push_back({name, [&d, map, width = o.figure_width] { return std::vector<Figure>{map_figure(map_data(d), map, width)}; }, true, true, 20});
+    plans.push_back({name, [source, map, width = o.figure_width] { return std::vector<Figure>{map_figure(source->data(), map, width)}; }, true, true, map_share});
   };
   add("map by height", PointColor::height, MapView::oblique);
   if (d.points->has(arrays::tree_id)) add("map by tree", PointColor::tree, MapView::oblique);
   if (d.points->has(arrays::intensity)) add("map by intensity", PointColor::intensity, MapView::oblique);
   add("map from above", PointColor::height, MapView::top);
+  if (!o.hero) return;
+  constexpr double dpi = hero_width_px / hero_width_mm * mm_per_inch;
+  plans.push_back({"hero", [source] { return std::vector<Figure>{hero_figure(source->data(), hero_width_mm, dpi)}; }, true, true, map_share, false, dpi});
 }
 
 bool has_matches(const SurveyData& d) {
@@ -32,14 +59,22 @@ bool has_matches(const SurveyData& d) {
   return std::find(kind.begin(), kind.end(), "matched") != kind.end();
 }
 
+Table stems_inside(const SurveyData& d) {
+  const auto x = d.stems->numbers("x_m"), y = d.stems->numbers("y_m");
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (d.area.contains(x[i], y[i])) inside.push_back(i);
+  return d.stems->subset(inside);
+}
+
 }  // namespace
 
-std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions& o) {
+std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions& o, const Run& run) {
   std::vector<FigurePlan> plans;
   const double wide = o.figure_width, half = 0.47 * o.figure_width;
   const auto add = [&](const char* name, bool is_wide, std::function<Figure()> make) { plans.push_back({name, [make = std::move(make)] { return std::vector<Figure>{make()}; }, is_wide, false, 1}); };
   const bool has_stems = d.stems->rows() > 0;
-  if (d.points != nullptr && !d.points->empty()) add_maps(d, o, plans);
+  if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
     add("stem map", true, [&d, wide] { return stem_map({d.stems, d.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide); });
     add("diameter distribution", false, [&d, half, min_dbh = o.min_dbh, width = o.class_width] { return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.area, min_dbh)).numbers("dbh_cm"), half, width); });
@@ -50,7 +85,7 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
     add("position errors", false, [&d, half] { return position_errors(*d.matches, half); });
   }
   if (d.trajectory != nullptr && d.trajectory->poses.size() > 1) add("walk", true, [&d, wide] { return trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
-  if (has_stems && d.slice != nullptr) plans.push_back({"breast-height slices", [&d, wide] { return slice_sheets(*d.stems, *d.slice, wide); }, true, true, 5});
+  if (has_stems && d.slice != nullptr) plans.push_back({"breast-height slices", [&d, wide] { return slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
   return plans;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run.h"
 #include "render/draw/figure.h"
 #include "report/survey_data.h"
 
@@ -17,9 +18,11 @@ struct FigurePlan {
   bool wide = true;                           // over the whole page of the report
   bool picture = false;                       // embedded as pixels even where it could be vector
   double share = 1;                           // of the time that all figures take, about
+  bool on_page = true;                        // in report.html too
+  double dpi = 0;                             // of the PNG where it is not that of the options
 };
 
-// Those that the connected inputs allow, in the order of the report. `data` must outlive the plans.
-std::vector<FigurePlan> survey_figures(const SurveyData& data, const ReportOptions& options);
+// Those that the connected inputs allow, in the order of the report. `data`, `options` and `run` must outlive the plans.
+std::vector<FigurePlan> survey_figures(const SurveyData& data, const ReportOptions& options, const Run& run);
 
 }  // namespace bole

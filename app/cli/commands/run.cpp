@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
 #include "commands.h"
 #include "console.h"
 #include "pipeline/document.h"
@@ -23,9 +27,42 @@ void print_stage(const StageOutcome& outcome) {
     case StageState::from_cache:
       fmt::print("{:<16} {:>8.1f} s {:>6.0f} MiB{}  {}\n", record.id, report.seconds, report.peak_mib, record.from_cache ? " (cached)" : "", report.message);
       break;
-    default: fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ", outcome.error);
+    default:
+      fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ", outcome.error);
   }
   for (const auto& w : report.warnings) fmt::print("{:<16}   note: {}\n", "", w);
+}
+
+// One measure of an evaluation, or nothing where it was not taken.
+std::string measure(const Report& report, const char* label, std::initializer_list<const char*> names, int decimals, const char* unit) {
+  std::string values;
+  for (const char* name : names) {
+    const auto it = report.metrics.find(name);
+    if (it == report.metrics.end() || !std::isfinite(it->second.value)) return {};
+    values += fmt::format("{}{:.{}f}", values.empty() ? "" : ", ", it->second.value, decimals);
+  }
+  return fmt::format("  {:<28} {} {}\n", label, values, unit);
+}
+
+// Whether the walk was read from a file in place of being computed: its error then tells nothing about SLAM.
+bool takes_given_poses(const StageOutcome& outcome) {
+  const auto& options = outcome.record.options;
+  return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) { return o.name == "trajectory" && !o.value.empty(); });
+}
+
+// What a person wants to know first when a reference was connected.
+void print_evaluation(const StageOutcome& outcome, bool poses_given) {
+  const auto& report = outcome.record.report;
+  const auto count = [&](const char* name) {
+    const auto it = report.counts.find(name);
+    return it == report.counts.end() ? std::int64_t{0} : it->second;
+  };
+  std::string lines;
+  if (report.counts.contains("matched")) lines += fmt::format("  {:<28} {} / {} / {}\n", "stems found/missed/false", count("matched"), count("missed"), count("false"));
+  lines += measure(report, "DBH bias, RMSE", {"dbh_bias", "dbh_rmse"}, 2, "cm");
+  lines += measure(report, "position RMSE x, y", {"position_rmse_x", "position_rmse_y"}, 3, "m");
+  lines += measure(report, "trajectory RMSE (ATE)", {"ate_rmse"}, 3, poses_given ? "m (given poses)" : "m");
+  if (!lines.empty()) fmt::print("\nAgainst the reference ({}):\n{}", outcome.record.id, lines);
 }
 
 void run_document(Program& program, const Arguments& args) {
@@ -43,6 +80,9 @@ void run_document(Program& program, const Arguments& args) {
   const auto outcome = run_pipeline(document, settings);
   line.clear();
   for (const auto& stage : outcome.stages) print_stage(stage);
+  const bool poses_given = std::any_of(outcome.stages.begin(), outcome.stages.end(), takes_given_poses);
+  for (const auto& stage : outcome.stages)
+    if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage, poses_given);
   if (!outcome.error.empty()) fmt::print(stderr, "bole: {}\n", outcome.error);
   if (!args.out.empty()) fmt::print("\nResults are in {}\n", args.out);
   program.exit_code = outcome.exit_code;

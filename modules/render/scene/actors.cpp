@@ -172,12 +172,12 @@ vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const
   return actor;
 }
 
-vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin) {
+vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, double half_height_m) {
   RingSurface surface;
   for (const auto& stem : stems) {
     const Eigen::Vector3d along = (stem.axis.back() - stem.axis.front()).normalized(), centre = stem.breast_height - origin;
-    const double r = 1.12 * stem.breast_radius_m + 0.01;
-    surface.add({centre - 0.03 * along, centre + 0.03 * along}, {r, r}, hex(0xffe066));
+    const double r = 1.1 * stem.breast_radius_m + 0.4 * half_height_m;
+    surface.add({centre - half_height_m * along, centre + half_height_m * along}, {r, r}, hex(0xffe066));
   }
   auto actor = surface.actor();
   actor->GetProperty()->SetAmbient(0.6);

@@ -17,9 +17,9 @@ namespace bole {
 // Heights above ground run through viridis, but the ground itself is a quiet grey: a third of all points lie on it.
 vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const PointColoring& coloring, const Eigen::Vector3d& origin, double size_px);
 
-// All stems as one actor, in the colours of their quality (or one colour); rings mark breast height.
+// All stems as one actor, in the colours of their quality (or one colour); rings mark breast height, `half_height_m` up and down.
 vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, bool color_by_quality);
-vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin);
+vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, double half_height_m);
 
 vtkSmartPointer<vtkActor> path_actor(const Trajectory& trajectory, const Eigen::Vector3d& origin, double radius_m, const Color& color);
 

@@ -34,7 +34,9 @@ struct Extent {
 
 struct View {
   Extent extent;
-  std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> indices;  // what the view is aimed at
+  std::vector<std::uint32_t> drawn;
+  std::vector<StemShape> stems;
   PointColoring coloring;
   Box box;  // of the picture on the sheet
   double grid_step_m = 5;
@@ -53,6 +55,13 @@ Window window_of(const MapData& data) {
   if (!((w.hi - w.lo).minCoeff() > 1)) return middle_window(*data.points);
   const double margin = 1 + 0.03 * (w.hi - w.lo).maxCoeff();
   return {w.lo.array() - margin, w.hi.array() + margin};
+}
+
+std::vector<StemShape> stems_within(const MapData& data, const Window& window) {
+  if (data.stems == nullptr) return {};
+  auto shapes = stem_shapes(*data.stems, data.sections);
+  std::erase_if(shapes, [&](const StemShape& s) { return !window.contains(s.breast_height); });
+  return shapes;
 }
 
 void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_t>& indices) {
@@ -121,24 +130,20 @@ double grid_step(const Extent& extent) { return nice_step(std::max(extent.hi.x()
 Color ground_color(const MapOptions& options) { return options.dark ? hex(0x11181d) : ink::paper; }
 
 void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
-  std::vector<StemShape> shapes;
-  if (options.stems && data.stems != nullptr) shapes = stem_shapes(*data.stems, data.sections);
-  const Window window{view.extent.lo.head<2>(), view.extent.hi.head<2>()};
-  std::erase_if(shapes, [&](const StemShape& s) { return !window.contains(s.breast_height); });
-  auto indices = view.indices;
-  drop_points_on_stems(*data.points, shapes, 0.035, indices);
-  renderer->AddActor(points_actor(*data.points, indices, view.coloring, origin, point_px));
+  renderer->AddActor(points_actor(*data.points, view.drawn, view.coloring, origin, point_px));
   const auto& e = view.extent;
   if (options.view == MapView::oblique) {
     auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
     grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
     renderer->AddActor(grid);
   }
-  if (!shapes.empty()) {
-    renderer->AddActor(stems_actor(shapes, origin, false));
-    renderer->AddActor(breast_height_actor(shapes, origin));
+  // Marks keep a size on the picture, whatever the plot's.
+  const double span_m = (e.hi - e.lo).head<2>().maxCoeff();
+  if (!view.stems.empty()) {
+    renderer->AddActor(stems_actor(view.stems, origin, false));
+    renderer->AddActor(breast_height_actor(view.stems, origin, std::max(0.04, span_m / 250)));
   }
-  if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1) renderer->AddActor(path_actor(*data.trajectory, origin, 0.035, options.dark ? hex(0x7fd3ff) : ink::primary));
+  if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1) renderer->AddActor(path_actor(*data.trajectory, origin, std::max(0.035, span_m / 700), options.dark ? hex(0x7fd3ff) : ink::primary));
 }
 
 // How large a point must be to cover the gap to its neighbour.
@@ -176,6 +181,11 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   shading.strength = options.view == MapView::top ? 0.45 : 0.62;
   shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())}, depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
   return {shrunk(rgb, width, height), projection};
+}
+
+void round_colors(Image& image, int step) {
+  if (step <= 1) return;
+  for (auto& v : image.rgba) v = static_cast<std::uint8_t>(std::min(255, (v + step / 2) / step * step));
 }
 
 struct Drawing {
@@ -247,14 +257,28 @@ std::string caption_of(const Drawing& d) {
 
 }  // namespace
 
-Figure map_figure(const MapData& data, const MapOptions& options, double width_mm) {
+MapPoints choose_map_points(const MapData& data, std::size_t budget, const Run& run) {
+  constexpr double bark_m = 0.035;  // thickness of what lies on a stem
   if (data.points == nullptr || data.points->empty()) throw bad_input("the map has no points", "a point cloud");
+  const auto window = window_of(data);
+  MapPoints chosen;
+  chosen.all = thin_for_drawing(*data.points, window, budget, run);
+  if (chosen.all.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
+  chosen.off_stems = chosen.all;
+  run.check_cancel();
+  drop_points_on_stems(*data.points, stems_within(data, window), bark_m, chosen.off_stems);
+  return chosen;
+}
+
+Figure map_figure(const MapData& data, const MapOptions& options, double width_mm) {
   auto drawing = std::make_shared<Drawing>();
   auto& view = drawing->view;
+  if (data.points == nullptr || data.points->empty()) throw bad_input("the map has no points", "a point cloud");
   const auto window = window_of(data);
-  view.indices = thin_for_drawing(*data.points, window, options.point_budget);
-  if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.indices);
-  if (view.indices.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
+  const MapPoints chosen = data.chosen != nullptr ? *data.chosen : choose_map_points(data, options.point_budget);
+  view.indices = chosen.all, view.drawn = options.stems ? chosen.off_stems : chosen.all;
+  if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.drawn);
+  if (options.stems) view.stems = stems_within(data, window);
   view.extent = extent_of(*data.points, view.indices, window);
   view.coloring = coloring_for(*data.points, view.indices, options.color);
   view.grid_step_m = grid_step(view.extent);
@@ -269,9 +293,10 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   drawing->options = options;
   drawing->north_known = data.north_known;
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;
-  drawing->has_stems = options.stems && data.stems != nullptr && data.stems->rows() > 0;
+  drawing->has_stems = !view.stems.empty();
   std::tie(drawing->picture, drawing->projection) = render(data, options, view);
-  view.indices.clear();
+  round_colors(drawing->picture, options.color_step);
+  view.indices = {}, view.drawn = {}, view.stems = {};
 
   const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
   Figure figure{
@@ -289,7 +314,8 @@ Figure hero_figure(const MapData& data, double width_mm, double dpi) {
   options.dark = true;
   options.furniture = false;
   options.elevation_deg = 17;
-  options.crown_share = 0.15;
+  options.crown_share = 0.6;
+  options.color_step = 16;
   options.dpi = dpi;
   auto figure = map_figure(data, options, width_mm);
   figure.name = "hero";

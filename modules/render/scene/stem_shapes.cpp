@@ -46,7 +46,7 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
   if (sections != nullptr && sections->has("tree_id")) by_tree = used_sections(*sections);
   const auto id = stems.integers("tree_id");
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), z = stems.numbers("z_m"), dbh = stems.numbers("dbh_cm");
-  const auto lean = numbers_or_nan(stems, "lean_deg"), azimuth = numbers_or_nan(stems, "lean_azimuth_deg"), taper = numbers_or_nan(stems, "taper_cm_per_m"), seen = numbers_or_nan(stems, "height_seen");
+  const auto lean = numbers_or_nan(stems, "lean_deg"), azimuth = numbers_or_nan(stems, "lean_azimuth_deg"), taper = numbers_or_nan(stems, "taper_cm_per_m"), height = numbers_or_nan(stems, "height_m");
   const auto quality = texts_or_empty(stems, "quality");
   std::vector<StemShape> shapes;
   for (std::size_t i = 0; i < id.size(); ++i) {
@@ -61,7 +61,7 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
       const double tilt = std::isfinite(lean[i]) ? lean[i] * std::numbers::pi / 180 : 0, a = std::isfinite(azimuth[i]) ? azimuth[i] * std::numbers::pi / 180 : 0;
       // Azimuths turn clockwise from north.
       const Eigen::Vector3d per_metre(std::tan(tilt) * std::sin(a), std::tan(tilt) * std::cos(a), 1);
-      const double top = std::isfinite(seen[i]) ? std::clamp(seen[i], 2.0, 6.0) : 4.0;
+      const double top = std::isfinite(height[i]) ? std::clamp(height[i], 2.0, 6.0) : 4.0;
       for (const double h : {0.0, breast_height, top}) {
         shape.axis.push_back(shape.breast_height + (h - breast_height) * per_metre);
         shape.radius_m.push_back(std::max(0.01, shape.breast_radius_m + (std::isfinite(taper[i]) ? taper[i] / 200 : 0) * (h - breast_height)));

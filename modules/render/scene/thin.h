@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/run.h"
 #include "cloud/point_cloud.h"
 
 namespace bole {
@@ -19,7 +20,7 @@ struct Window {
 Window middle_window(const PointCloud& cloud, double share = 0.98);
 
 // Indices, ascending, of at most about `budget` finite points within the window: one per voxel of the smallest size that
-// keeps the budget, so that places that were scanned often are not drawn denser than others. Deterministic.
-std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Window& window, std::size_t budget);
+// keeps the budget, so that places that were scanned often are not drawn denser than others. Deterministic. Throws Error{cancelled}.
+std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Window& window, std::size_t budget, const Run& run = {});
 
 }  // namespace bole

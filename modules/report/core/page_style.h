@@ -26,6 +26,7 @@ th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); pa
 td { border-bottom: 1px solid var(--line); padding: .2rem .5rem; vertical-align: top; }
 th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 #plot td:nth-child(3) { white-space: nowrap; }
+#evaluation table { margin-bottom: 1rem; table-layout: fixed; } #evaluation > table th:first-child { width: 46%; }
 .sortable th { cursor: pointer; position: sticky; top: 0; }
 .sortable th:hover { color: var(--blue); }
 .sortable th.up::after { content: " \25B4"; } .sortable th.down::after { content: " \25BE"; }
@@ -61,7 +62,7 @@ for (const table of document.querySelectorAll('table.sortable')) {
     const down = head.classList.contains('up');
     for (const other of table.tHead.rows[0].cells) other.classList.remove('up', 'down');
     head.classList.add(down ? 'down' : 'up');
-    const key = row => row.cells[column].textContent.replace('\u2212', '-');
+    const key = row => row.cells[column].textContent.replace('\u2212', '-').replace('\u2265', '');
     const compare = (a, b) => {
       const x = parseFloat(key(a)), y = parseFloat(key(b));
       if (isNaN(x) || isNaN(y)) return isNaN(x) === isNaN(y) ? key(a).localeCompare(key(b)) : isNaN(x) ? 1 : -1;

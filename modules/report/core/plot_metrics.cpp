@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -37,19 +38,28 @@ void take_diameters(const std::vector<Counted>& stems, PlotMetrics& m) {
   m.sd_dbh_cm = stems.size() > 1 ? std::sqrt(spread / (n - 1)) : std::nan("");
 }
 
-void take_heights(std::vector<Counted> stems, PlotMetrics& m) {
-  std::erase_if(stems, [](const Counted& s) { return !std::isfinite(s.height_m); });
-  m.heights = stems.size();
-  if (stems.empty()) return;
-  double sum = 0, weighted = 0, weight = 0;
-  for (const auto& s : stems) sum += s.height_m, weighted += s.height_m * basal_area_m2(s.dbh_cm), weight += basal_area_m2(s.dbh_cm);
-  m.mean_height_m = sum / static_cast<double>(stems.size());
-  m.lorey_height_m = weighted / weight;
-  if (!std::isfinite(m.area_m2)) return;
+void take_dominant_height(std::vector<Counted> stems, PlotMetrics& m) {
   m.dominant_stems = std::min(stems.size(), std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(dominant_per_ha * m.area_m2 / m2_per_ha))));
   std::stable_sort(stems.begin(), stems.end(), [](const Counted& a, const Counted& b) { return a.dbh_cm > b.dbh_cm; });
-  m.dominant_height_m =
-      std::accumulate(stems.begin(), stems.begin() + static_cast<std::ptrdiff_t>(m.dominant_stems), 0.0, [](double total, const Counted& s) { return total + s.height_m; }) / static_cast<double>(m.dominant_stems);
+  stems.resize(m.dominant_stems);
+  std::erase_if(stems, [](const Counted& s) { return !std::isfinite(s.height_m); });
+  m.dominant_tops = stems.size();
+  if (stems.empty() || 2 * m.dominant_tops < m.dominant_stems) return;
+  m.dominant_height_m = std::accumulate(stems.begin(), stems.end(), 0.0, [](double total, const Counted& s) { return total + s.height_m; }) / static_cast<double>(stems.size());
+}
+
+void take_heights(const std::vector<Counted>& stems, PlotMetrics& m) {
+  double sum = 0, weighted = 0, weight = 0;
+  for (const auto& s : stems) {
+    if (!std::isfinite(s.height_m)) continue;
+    ++m.tops_seen;
+    sum += s.height_m, weighted += s.height_m * basal_area_m2(s.dbh_cm), weight += basal_area_m2(s.dbh_cm);
+  }
+  m.heights_known = enough_tops(m.tops_seen, stems.size());
+  if (!m.heights_known) return;
+  m.mean_height_m = sum / static_cast<double>(m.tops_seen);
+  m.lorey_height_m = weighted / weight;
+  if (std::isfinite(m.area_m2)) take_dominant_height(stems, m);
 }
 
 std::vector<DiameterClass> classes_of(const std::vector<Counted>& stems, double class_cm, double area_m2) {
@@ -81,6 +91,17 @@ bool rejected(const std::vector<std::string>& state, std::size_t i) { return sta
 
 }  // namespace
 
+bool enough_tops(std::size_t seen, std::size_t stems) { return seen > 0 && (seen == stems || (seen >= 5 && 5 * seen >= stems)); }
+
+std::vector<double> seen_heights(const Table& stems) {
+  auto height = numbers_or_nan(stems, "height_m");
+  if (!stems.has("height_seen")) return height;
+  const auto seen = numbers_or_nan(stems, "height_seen");
+  for (std::size_t i = 0; i < height.size(); ++i)
+    if (!(seen[i] > 0)) height[i] = std::numeric_limits<double>::quiet_NaN();
+  return height;
+}
+
 std::vector<std::size_t> counted_stems(const Table& stems, const PlotArea& area, double least_dbh_cm) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm");
   const auto state = texts_or_empty(stems, "state");
@@ -95,7 +116,7 @@ PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_
   PlotMetrics m;
   m.area_m2 = area.area_m2();
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m = m.lorey_height_m = m.dominant_height_m = nan;
-  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"), height = numbers_or_nan(stems, "height_m");
+  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"), height = seen_heights(stems);
   const auto state = texts_or_empty(stems, "state");
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (rejected(state, i) || !std::isfinite(dbh[i])) continue;
@@ -117,23 +138,33 @@ PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_
   return m;
 }
 
+namespace {
+
+std::vector<MetricRow> height_rows(const PlotMetrics& m) {
+  const std::string seen = "tops seen on " + std::to_string(m.tops_seen) + " of " + std::to_string(m.stems) + " stems";
+  if (!m.heights_known) return {{"Heights", "not given", "", m.tops_seen == 0 && m.stems == 0 ? "no stems" : seen + ": heights are lower bounds"}};
+  std::string dominant = "mean height of the 100 thickest stems per hectare";
+  if (m.dominant_stems > 0) dominant += ": " + std::to_string(m.dominant_stems) + " on this plot, tops seen on " + std::to_string(m.dominant_tops);
+  return {{"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"},
+          {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen},
+          {"Dominant height", fixed(m.dominant_height_m, 1), "m", dominant}};
+}
+
+}  // namespace
+
 std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
-  const std::string heights = std::to_string(m.heights) + " of " + std::to_string(m.stems) + " stems have a height";
-  return {
-      {"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"},
-      {"Stems", std::to_string(m.stems), "",
-       "DBH of at least " + fixed(least_dbh_cm, 1) + " cm and centre at breast height inside the plot; " + std::to_string(m.outside) + " outside, " + std::to_string(m.too_thin) + " thinner"},
-      {"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"},
-      {"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"},
-      {"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"},
-      {"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm", "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"},
-      {"Standard deviation of DBH", fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"},
-      {"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm", "√(mean of DBH²)"},
-      {"Mean height", fixed(m.mean_height_m, 1), "m", heights},
-      {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + heights},
-      {"Dominant height", fixed(m.dominant_height_m, 1), "m",
-       m.dominant_stems > 0 ? "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) + " on this plot" : "mean height of the 100 thickest stems per hectare"},
-  };
+  const std::string inside = std::isfinite(m.area_m2) ? " and centre at breast height inside the plot; " + std::to_string(m.outside) + " outside, " : "; ";
+  std::vector<MetricRow> rows;
+  if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
+  rows.push_back({"Stems", std::to_string(m.stems), "", "DBH of at least " + fixed(least_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
+  if (std::isfinite(m.area_m2)) rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"});
+  rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"});
+  if (std::isfinite(m.area_m2)) rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"});
+  rows.push_back({"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm", "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"});
+  rows.push_back({"Standard deviation of DBH", fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"});
+  rows.push_back({"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm", "√(mean of DBH²)"});
+  for (auto& row : height_rows(m)) rows.push_back(std::move(row));
+  return rows;
 }
 
 }  // namespace bole

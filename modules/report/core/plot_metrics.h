@@ -15,10 +15,10 @@ struct DiameterClass {
   double stems_per_ha = 0;  // NaN without a plot area
   double basal_area_m2 = 0;
   double basal_area_m2_per_ha = 0;
-  double mean_height_m = 0;  // of the heights that are known; NaN when none is
+  double mean_height_m = 0;  // of the tops that were seen; NaN when none was
 };
 
-// NaN where a number cannot be had: per-hectare values without a plot area, heights where none is known.
+// NaN where a number cannot be had: per-hectare values without a plot area, heights where too few tops were seen.
 struct PlotMetrics {
   double area_m2 = 0;        // horizontal
   std::size_t stems = 0;     // centre at breast height inside the plot, at least the least diameter, not rejected
@@ -31,15 +31,24 @@ struct PlotMetrics {
   double sd_dbh_cm = 0;              // with n - 1
   double quadratic_mean_dbh_cm = 0;  // sqrt of the mean of dbh^2
   double least_dbh_cm = 0, most_dbh_cm = 0;
-  std::size_t heights = 0;  // stems with a known height
+  std::size_t tops_seen = 0;   // stems whose top was seen; the height of the others is a lower bound and counts nowhere
+  bool heights_known = false;  // enough tops for the heights below, see enough_tops()
   double mean_height_m = 0;
   double lorey_height_m = 0;       // mean height weighted by basal area
-  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area
+  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area, or when less than half of their tops were seen
   std::size_t dominant_stems = 0;  // how many stems that is on this plot
+  std::size_t dominant_tops = 0;   // how many of their tops were seen
   std::vector<DiameterClass> classes;
 };
 
-// `stems`: columns x_m, y_m, dbh_cm, and height_m and state where known.
+// Whether heights of a plot may be told from so many tops: all of them, or at least 5 and at least a fifth of the stems. Below a
+// canopy the few tops that are seen belong to the low trees.
+bool enough_tops(std::size_t seen, std::size_t stems);
+
+// Heights by row, NaN where the top was not seen: column height_m where height_seen is not 0, all where it is absent.
+std::vector<double> seen_heights(const Table& stems);
+
+// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen and state where known.
 PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_dbh_cm, double class_cm = 4);
 
 // The rows of `stems` that count in plot_metrics().

@@ -5,6 +5,7 @@
 
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
+#include "report/core/evaluation_section.h"
 #include "report/core/html.h"
 #include "report/core/page_style.h"
 
@@ -22,7 +23,6 @@ std::string cards(const PlotMetrics& m) {
   std::string out = "<div class=\"cards\">\n" + card(std::to_string(m.stems), "", "stems");
   if (std::isfinite(m.area_m2)) out += card(fixed(m.stems_per_ha, 0), "1/ha", "stem density") + card(fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
   out += card(fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") + card(fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
-  if (m.heights > 0) out += card(fixed(m.lorey_height_m, 1), "m", "Lorey's height");
   return out + "</div>\n";
 }
 
@@ -30,10 +30,19 @@ std::string metrics_section(const ReportContent& c) {
   HtmlTable table{{{"Measure"}, {"Value", true}, {"Unit"}, {"How"}}, {}, false};
   for (const auto& row : metric_rows(c.metrics, c.least_dbh_cm)) table.rows.push_back({row.name, row.value, row.unit, row.how});
   std::string body = table.html();
-  if (!std::isfinite(c.metrics.area_m2)) body = paragraph("No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the report.", "note") + body;
-  HtmlTable classes{{{"DBH class (cm)"}, {"Stems", true}, {"1/ha", true}, {"Basal area (m²/ha)", true}, {"Mean height (m)", true}}, {}, false};
-  for (const auto& k : c.metrics.classes)
-    classes.rows.push_back({fixed(k.lo_cm, 0) + "–" + fixed(k.hi_cm, 0), std::to_string(k.stems), fixed(k.stems_per_ha, 0), fixed(k.basal_area_m2_per_ha, 2), fixed(k.mean_height_m, 1)});
+  if (!std::isfinite(c.metrics.area_m2)) body = paragraph("No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the report where the plot is known.", "note") + body;
+  const bool per_ha = std::isfinite(c.metrics.area_m2);
+  HtmlTable classes{{{"DBH class (cm)"}, {"Stems", true}}, {}, false};
+  if (per_ha) classes.columns.push_back({"1/ha", true});
+  classes.columns.push_back({per_ha ? "Basal area (m²/ha)" : "Basal area (m²)", true});
+  if (c.metrics.heights_known) classes.columns.push_back({"Mean height of tops seen (m)", true});
+  for (const auto& k : c.metrics.classes) {
+    std::vector<std::string> row{fixed(k.lo_cm, 0) + "–" + fixed(k.hi_cm, 0), std::to_string(k.stems)};
+    if (per_ha) row.push_back(fixed(k.stems_per_ha, 0));
+    row.push_back(per_ha ? fixed(k.basal_area_m2_per_ha, 2) : fixed(k.basal_area_m2, 3));
+    row.push_back(fixed(k.mean_height_m, 1));
+    classes.rows.push_back(std::move(row));
+  }
   if (!classes.rows.empty()) body += "<h3>By diameter class</h3>\n" + classes.html();
   return section("plot", "The plot", body);
 }
@@ -49,7 +58,17 @@ constexpr StemColumn stem_columns[] = {{"tree_id", "Tree", 0},    {"x_m", "x (m)
                                        {"dbh_hi_cm", "to", 1},    {"height_m", "Height (m)", 1}, {"lean_deg", "Lean (°)", 1}, {"arc_deg", "Arc (°)", 0}, {"passes", "Passes", 0},
                                        {"sigma_cm", "σ (cm)", 2}, {"inliers", "Points", 0},      {"quality", "Quality", -1},  {"state", "State", -1}};
 
+std::string stem_cell(const Table& stems, const StemColumn& column, double height_seen, std::size_t row) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(stems.find(column.column))) return (*texts)[row];
+  const std::string_view name = column.column;
+  if (name == "tree_id") return stems.text(name, row, 0);
+  const double value = numbers_or_nan(stems, name)[row];
+  const bool lower_bound = name == "height_m" && height_seen == 0 && std::isfinite(value);
+  return (lower_bound ? "≥ " : "") + fixed(value, column.decimals);
+}
+
 HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
+  const auto seen = numbers_or_nan(stems, "height_seen");
   HtmlTable table;
   table.sortable = true;
   std::vector<StemColumn> used;
@@ -60,20 +79,72 @@ HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
     }
   for (const auto i : rows) {
     std::vector<std::string> cells;
-    for (const auto& c : used) {
-      const auto* texts = std::get_if<std::vector<std::string>>(stems.find(c.column));
-      cells.push_back(texts != nullptr ? (*texts)[i] : c.column == std::string_view("tree_id") ? stems.text(c.column, i, 0) : fixed(numbers_or_nan(stems, c.column)[i], c.decimals));
-    }
+    for (const auto& c : used) cells.push_back(stem_cell(stems, c, seen[i], i));
     table.rows.push_back(std::move(cells));
   }
   return table;
 }
 
+std::vector<std::size_t> rows_inside(const Table& table, const PlotArea& area) {
+  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m");
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (area.contains(x[i], y[i])) rows.push_back(i);
+  return rows;
+}
+
+// "12 stems outside the plot are in stems.csv."; empty for none. `what`: the words for one and for several.
+std::string outside_note(std::size_t outside, const std::pair<std::string, std::string>& what, const std::string& file) {
+  if (outside == 0) return {};
+  return paragraph(std::to_string(outside) + " " + (outside == 1 ? what.first : what.second) + " outside the plot " + (outside == 1 ? "is" : "are") + " in " + file + ".", "note");
+}
+
 std::string stems_section(const ReportContent& c) {
   if (c.stems == nullptr) return {};
-  std::vector<std::size_t> all(c.stems->rows());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  return section("stems", "Stems", paragraph("Diameters at breast height with their 95 % interval. A click on a heading sorts.", "note screen") + stem_table(*c.stems, all).html());
+  const auto rows = rows_inside(*c.stems, c.area);
+  std::string text = "Diameters at breast height with their 95 % interval.";
+  const auto seen = numbers_or_nan(*c.stems, "height_seen");
+  if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; })) text += " Heights with ≥ are lower bounds: the top was not seen.";
+  return section("stems", "Stems",
+                 paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") + stem_table(*c.stems, rows).html() + outside_note(c.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
+}
+
+// The tables are written in ASCII; the page is not.
+std::string typeset(std::string text) {
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+  };
+  replace("+-", "±"), replace(" deg", "°");
+  return text;
+}
+
+std::string trees_to_check(const ReportContent& c) {
+  if (c.stems == nullptr) return {};
+  const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"), reasons = texts_or_empty(*c.stems, "reasons");
+  const auto dbh = numbers_or_nan(*c.stems, "dbh_cm"), x = numbers_or_nan(*c.stems, "x_m"), y = numbers_or_nan(*c.stems, "y_m");
+  HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
+  std::size_t outside = 0;
+  for (std::size_t i = 0; i < c.stems->rows(); ++i) {
+    if (state[i] != "check" && quality[i] != "poor") continue;
+    if (!c.area.contains(x[i], y[i]))
+      ++outside;
+    else
+      table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1), fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
+  }
+  std::string body;
+  if (!table.rows.empty()) body = "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
+  return body + outside_note(outside, {"stem to check", "stems to check"}, "stems.csv");
+}
+
+std::string rejected_candidates(const ReportContent& c) {
+  if (c.rejected == nullptr || c.rejected->rows() == 0) return {};
+  const auto rows = rows_inside(*c.rejected, c.area);
+  HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
+  const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"), points = numbers_or_nan(*c.rejected, "points");
+  const auto reason = texts_or_empty(*c.rejected, "reason");
+  for (const auto i : rows) table.rows.push_back({fixed(x[i], 2), fixed(y[i], 2), fixed(points[i], 0), typeset(reason[i])});
+  return "<details><summary>Rejected candidates (" + std::to_string(rows.size()) + ")</summary>\n" + table.html() + outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") +
+         "</details>\n";
 }
 
 std::string check_section(const ReportContent& c) {
@@ -83,21 +154,7 @@ std::string check_section(const ReportContent& c) {
     for (const auto& w : c.warnings) body += "<li>" + escaped(w) + "</li>\n";
     body += "</ul>\n";
   }
-  if (c.stems != nullptr) {
-    const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"), reasons = texts_or_empty(*c.stems, "reasons");
-    HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
-    for (std::size_t i = 0; i < c.stems->rows(); ++i)
-      if (state[i] == "check" || quality[i] == "poor")
-        table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1), fixed(numbers_or_nan(*c.stems, "dbh_cm")[i], 1), quality[i], reasons[i]});
-    if (!table.rows.empty()) body += "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
-  }
-  if (c.rejected != nullptr && c.rejected->rows() > 0) {
-    HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
-    const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"), points = numbers_or_nan(*c.rejected, "points");
-    const auto reason = texts_or_empty(*c.rejected, "reason");
-    for (std::size_t i = 0; i < c.rejected->rows(); ++i) table.rows.push_back({fixed(x[i], 2), fixed(y[i], 2), fixed(points[i], 0), reason[i]});
-    body += "<details><summary>Rejected candidates (" + std::to_string(c.rejected->rows()) + ")</summary>\n" + table.html() + "</details>\n";
-  }
+  body += trees_to_check(c) + rejected_candidates(c);
   if (body.empty()) body = paragraph("Nothing: no warnings, no tree asks to be checked.");
   return section("check", "What to look at", body);
 }
@@ -110,33 +167,14 @@ std::string pictures_section(const ReportContent& c) {
   return body.empty() ? std::string() : section("figures", "Figures", "<div class=\"figures\">\n" + body + "</div>\n");
 }
 
-std::string number_or_text(const Table& table, const char* column, std::size_t row) {
-  const auto* values = table.find(column);
-  if (values == nullptr) return {};
-  if (const auto* texts = std::get_if<std::vector<std::string>>(values)) return (*texts)[row];
-  const double v = numbers_or_nan(table, column)[row];
-  return fixed(v, v == std::round(v) ? 0 : std::abs(v) >= 10 ? 2 : 3);
-}
-
 std::string evaluation_section(const ReportContent& c) {
   if (c.summary == nullptr || c.summary->rows() == 0) return {};
-  HtmlTable table{{{"Measure"}, {"This run", true}, {"Unit"}, {"Published", true}}, {}, false};
-  auto by_class = table;
-  for (std::size_t i = 0; i < c.summary->rows(); ++i) {
-    auto measure = number_or_text(*c.summary, "measure", i);
-    // Measures of one class of diameters or distances are many: they fold away.
-    auto& rows = measure.find("_to_") != std::string::npos ? by_class.rows : table.rows;
-    std::replace(measure.begin(), measure.end(), '_', ' ');
-    rows.push_back({measure, number_or_text(*c.summary, "value", i), number_or_text(*c.summary, "unit", i), number_or_text(*c.summary, "published", i)});
-  }
-  std::string body = paragraph("Compared with the reference that was given. Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace them.", "note") + table.html();
-  if (!by_class.rows.empty()) body += "<details><summary>By class of diameter and distance</summary>\n" + by_class.html() + "</details>\n";
-  if (c.matches != nullptr) {
-    const auto kind = texts_or_empty(*c.matches, "kind");
-    const auto count = [&](const char* word) { return std::to_string(std::count(kind.begin(), kind.end(), word)); };
-    body += paragraph("Stems: " + count("matched") + " matched, " + count("missed") + " missed, " + count("false") + " false.");
-  }
-  return section("evaluation", "Against the reference", body);
+  std::string note = "Compared with the reference that was given.";
+  const auto published = texts_or_empty(*c.summary, "published");
+  if (std::any_of(published.begin(), published.end(), [](const auto& text) { return !text.empty(); }))
+    note += " Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace them.";
+  if (c.poses_given) note += " The poses of the walk were given to this run, so errors of the walk tell nothing about SLAM.";
+  return section("evaluation", "Against the reference", paragraph(note, "note") + evaluation_html(*c.summary, c.poses_given));
 }
 
 std::string stage_options(const StageRecord& stage) {

@@ -23,10 +23,11 @@ struct ReportContent {
   std::vector<std::pair<std::string, std::string>> facts;  // "Made on", "Axes", ...
   PlotMetrics metrics;
   double least_dbh_cm = 0;
+  PlotArea area;  // stems outside are counted and not listed
   const Table* stems = nullptr;
   const Table* rejected = nullptr;
   const Table* summary = nullptr;  // evaluation
-  const Table* matches = nullptr;
+  bool poses_given = false;        // the walk was an input of the run
   std::vector<ReportPicture> pictures;
   std::vector<std::string> warnings;
   std::shared_ptr<const RunRecord> record;

@@ -42,6 +42,14 @@ TEST(Thin, DropsWhatIsNotANumber) {
   EXPECT_EQ(thin_for_drawing(cloud, {}, 10).size(), 1U);
 }
 
+TEST(Thin, CancelStops) {
+  std::stop_source stop;
+  stop.request_stop();
+  bole::Run run;
+  run.cancel = stop.get_token();
+  EXPECT_THROW(thin_for_drawing(copies(1), {}, 100, run), Error);
+}
+
 TEST(EyeDome, DarkensTheFarSideOfAStepWithinItsBound) {
   const int w = 40, h = 10;
   std::vector<std::uint8_t> rgb(3 * w * h, 200);
@@ -84,7 +92,7 @@ TEST(Stems, ShapesFollowSectionsElseLeanAndTaper) {
 TEST(Map, ShowsGroundStemsAndPaper) {
   use_backend(Backend::automatic);
   const auto s = testing_data::make_small_survey();
-  const MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true};
+  const MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
   MapOptions options;
   options.dpi = 60;
   options.view = MapView::top;
@@ -96,13 +104,28 @@ TEST(Map, ShowsGroundStemsAndPaper) {
   EXPECT_LT(ground.b, 0.95);
   options.view = MapView::oblique;
   const auto oblique = figure_image(map_figure(data, options, 150), 60);
-  int orange = 0;
+  int orange = 0, yellow = 0;
   for (int y = 0; y < oblique.height; ++y)
     for (int x = 0; x < oblique.width - 45; ++x) {
       const auto c = oblique.pixel(x, y);
       orange += c.r > 0.5 && c.r > 1.5 * c.g && c.r > 2 * c.b;
+      yellow += c.r > 0.6 && c.g > 0.8 * c.r && c.b < 0.55 * c.r;
     }
   EXPECT_GT(orange, 40);  // fitted stems
+  EXPECT_GT(yellow, 40);  // rings at breast height
+}
+
+TEST(Map, ChosenPointsDrawTheSame) {
+  use_backend(Backend::automatic);
+  const auto s = testing_data::make_small_survey();
+  MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
+  MapOptions options;
+  options.dpi = 40, options.point_budget = 20000;
+  const auto anew = figure_image(map_figure(data, options, 100), 40);
+  const auto chosen = choose_map_points(data, options.point_budget);
+  EXPECT_LT(chosen.off_stems.size(), chosen.all.size());
+  data.chosen = &chosen;
+  EXPECT_EQ(figure_image(map_figure(data, options, 100), 40).rgba, anew.rgba);
 }
 
 TEST(Map, LargeCoordinatesDrawTheSame) {
@@ -110,10 +133,10 @@ TEST(Map, LargeCoordinatesDrawTheSame) {
   auto s = testing_data::make_small_survey();
   MapOptions options;
   options.dpi = 40, options.furniture = false;
-  const auto at_origin = figure_image(map_figure({&s.points, nullptr, nullptr, nullptr, {}, true}, options, 100), 40);
+  const auto at_origin = figure_image(map_figure({&s.points, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
   auto far = s.points;
   far.origin = {512345, 5412345, 300};
-  const auto far_away = figure_image(map_figure({&far, nullptr, nullptr, nullptr, {}, true}, options, 100), 40);
+  const auto far_away = figure_image(map_figure({&far, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
   ASSERT_EQ(at_origin.rgba.size(), far_away.rgba.size());
   double difference = 0;
   for (std::size_t i = 0; i < at_origin.rgba.size(); ++i) difference += std::abs(at_origin.rgba[i] - far_away.rgba[i]);
@@ -123,7 +146,7 @@ TEST(Map, LargeCoordinatesDrawTheSame) {
 TEST(Map, NothingToDrawIsSaid) {
   EXPECT_THROW(map_figure({}, {}, 100), Error);
   const PointCloud empty;
-  EXPECT_THROW(map_figure({&empty, nullptr, nullptr, nullptr, {}, true}, {}, 100), Error);
+  EXPECT_THROW(map_figure({&empty, nullptr, nullptr, nullptr, {}, true, nullptr}, {}, 100), Error);
 }
 
 TEST(Map, WriteThemForTheEye) {
@@ -134,7 +157,7 @@ TEST(Map, WriteThemForTheEye) {
   size.points_per_tree = 40000;
   size.ground_points = 800000;
   const auto s = testing_data::make_small_survey(size);
-  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true};
+  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
   MapOptions options;
   const auto write = [&](const Figure& f) { write_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi)); };
   options.dpi = 200;

@@ -120,7 +120,7 @@ class SurveyMaker {
 
   void add(const Eigen::Vector3d& p, double above, int tree, int pass, double intensity) {
     positions_.emplace_back(p.cast<float>());
-    above_.push_back(static_cast<float>(above)), tree_.push_back(tree), pass_.push_back(pass), intensity_.push_back(static_cast<float>(intensity));
+    above_.push_back(static_cast<float>(above)), tree_.push_back(tree), pass_.push_back(pass), intensity_.push_back(static_cast<float>(std::round(intensity)));
     if (tree > 0 && std::abs(above - 1.3) < 0.05) in_slice_.push_back(static_cast<std::uint32_t>(positions_.size() - 1));
   }
 

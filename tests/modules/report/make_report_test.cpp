@@ -11,7 +11,9 @@
 #include "io/core/table_file.h"
 #include "modules/render/small_survey.h"
 #include "modules/render/well_formed.h"
+#include "report/core/evaluation_section.h"
 #include "report/core/html.h"
+#include "report/survey_data.h"
 
 namespace bole {
 namespace {
@@ -117,7 +119,7 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_THAT(html, HasSubstr("data:image/svg+xml;base64,"));
   EXPECT_THAT(page, Not(HasSubstr("http")));
   EXPECT_THAT(page, Not(testing::ContainsRegex("(src|href)=\"[^\"]")));
-  EXPECT_THAT(page, HasSubstr("20.0 m × 20.0 m"));  // from the targets
+  EXPECT_THAT(page, HasSubstr("32.0 m × 32.0 m"));  // by design, whatever the distance of the targets
   EXPECT_THAT(page, HasSubstr("a warning of the slice &amp; more"));
   EXPECT_THAT(page, HasSubstr("&lt;around&gt;"));
   EXPECT_THAT(page, HasSubstr("thickness"));
@@ -131,10 +133,61 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
   DataSet inputs;
   inputs.set("stems", testing_data::make_small_survey().stems);
   run_.record = nullptr;
-  const auto result = make_report(inputs, quick(), run_);
+  auto options = quick();
+  options.plot_shape = "none";
+  const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
   EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("No plot boundary is set"));
+}
+
+TEST_F(MakeReport, AutoTakesNoPlotOutsidePlotAxes) {
+  ReportOptions o;
+  EXPECT_EQ(plot_area(o, Axes::plot).area_m2(), 32.0 * 32.0);
+  for (const auto axes : {Axes::unknown, Axes::global, Axes::map}) EXPECT_EQ(plot_area(o, axes).shape, PlotArea::Shape::none);
+  o.plot_shape = "rectangle", o.plot_size = 10;
+  EXPECT_EQ(plot_area(o, Axes::global).area_m2(), 100.0);
+  o.plot_shape = "none";
+  EXPECT_EQ(plot_area(o, Axes::plot).shape, PlotArea::Shape::none);
+  auto s = testing_data::make_small_survey();
+  s.stems.facts["axes"] = std::string(axes_name(Axes::global));
+  DataSet inputs;
+  inputs.set("stems", s.stems);
+  make_report(inputs, quick(), run_);
+  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("1/ha")));
+}
+
+TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
+  auto s = testing_data::make_small_survey();
+  auto x = s.stems.numbers("x_m");
+  std::vector<std::int64_t> seen(x.size(), 0);
+  std::vector<std::string> state(x.size(), "check"), reasons(x.size(), "wide interval: +-5.4 cm; only 90 deg of the bark seen");
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] = 100;
+  s.stems.set("x_m", x), s.stems.set("height_seen", seen), s.stems.set("state", state), s.stems.set("reasons", reasons);
+  DataSet inputs;
+  inputs.set("stems", s.stems), inputs.set("slice", s.slice);
+  make_report(inputs, quick(), run_);
+  const auto page = without_pictures(contents(dir_ / "report.html"));
+  EXPECT_THAT(page, HasSubstr("39 stems outside the plot are in stems.csv"));
+  EXPECT_THAT(page, HasSubstr("Trees to check (1)"));
+  EXPECT_THAT(page, HasSubstr("wide interval: ±5.4 cm; only 90° of the bark seen"));
+  EXPECT_THAT(page, HasSubstr("≥ "));
+  EXPECT_THAT(page, HasSubstr("tops seen on 0 of 1 stems: heights are lower bounds"));
+  EXPECT_THAT(page, Not(HasSubstr("Lorey")));
+  EXPECT_FALSE(std::filesystem::exists(dir_ / "figures/slices_02.png"));
+}
+
+TEST_F(MakeReport, HeroIsDrawnWhenAskedFor) {
+  const auto s = testing_data::make_small_survey();
+  DataSet inputs;
+  inputs.set("stems", s.stems), inputs.set("points", s.points);
+  auto options = quick();
+  options.hero = true, options.tables = options.cloud = false;
+  make_report(inputs, options, run_);
+  const auto png = contents(dir_ / "figures/hero.png");
+  ASSERT_GT(png.size(), 24U);
+  const auto width = static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]);
+  EXPECT_NEAR(width, 1600, 1);
 }
 
 TEST_F(MakeReport, NoStemsNoTrouble) {
@@ -191,6 +244,39 @@ TEST_F(MakeReport, NeedsAFolder) {
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("--out"));
   }
+}
+
+Table summary_of(const std::vector<std::tuple<std::string, double, std::string, std::string>>& rows) {
+  std::vector<std::string> measure, unit, published;
+  std::vector<double> value;
+  for (const auto& [m, v, u, p] : rows) measure.push_back(m), value.push_back(v), unit.push_back(u), published.push_back(p);
+  Table t;
+  t.set("measure", measure), t.set("value", value), t.set("unit", unit), t.set("published", published);
+  return t;
+}
+
+TEST(Evaluation, NamesForPeople) {
+  const auto summary = summary_of({{"dbh_rmse", 0.61234, "cm", "1.03"},
+                                   {"matched", 40, "", ""},
+                                   {"position_mean_x", -0.0412, "m", "-0.048"},
+                                   {"ate_rmse", 1e-9, "m", ""},
+                                   {"ate_mean", 1e-9, "m", ""},
+                                   {"new_measure", 3, "", ""},
+                                   {"dbh_20_to_24_cm_trees", 7, "", ""},
+                                   {"dbh_20_to_24_cm_bias", 0.126, "cm", ""},
+                                   {"distance_0_to_5_m_trees", 9, "", ""}});
+  const auto html = evaluation_html(summary, false);
+  EXPECT_EQ(testing_data::markup_trouble("<div>" + html + "</div>"), "");
+  EXPECT_THAT(html, HasSubstr("<td>DBH RMSE</td><td class=\"n\">0.61</td><td>cm</td><td class=\"n\">1.03</td>"));
+  EXPECT_THAT(html, HasSubstr("\u22120.048"));
+  EXPECT_THAT(html, HasSubstr("<td>new measure</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>20–24</td><td class=\"n\">7</td><td class=\"n\"></td><td class=\"n\"></td><td class=\"n\">0.13</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>0–5</td><td class=\"n\">9</td>"));
+  EXPECT_LT(html.find("Found"), html.find("Mean error in x"));
+  EXPECT_LT(html.find("Mean error in x"), html.find("DBH RMSE"));
+  for (const char* key : {"dbh_", "position_", "_to_", "ate_", "given poses"}) EXPECT_THAT(html, Not(HasSubstr(key)));
+  EXPECT_THAT(evaluation_html(summary, true), HasSubstr("given poses"));
+  EXPECT_EQ(evaluation_html(summary_of({}), true), "");
 }
 
 TEST(ReportStage, IsRegistered) {

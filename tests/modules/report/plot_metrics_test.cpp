@@ -10,12 +10,11 @@ namespace {
 
 // Four stems that count on a plot of 20 m x 25 m (500 m2), one outside, one too thin, one rejected.
 Table stems() {
-  const double nan = std::nan("");
   Table t;
   t.set("x_m", std::vector<double>{0, 5, -5, 9.9, 10.1, 1, 2});
   t.set("y_m", std::vector<double>{0, 12.5, 3, -4, 0, 1, 2});
   t.set("dbh_cm", std::vector<double>{10, 20, 30, 40, 50, 5, 35});
-  t.set("height_m", std::vector<double>{10, nan, 20, 24, 30, 4, 22});
+  t.set("height_m", std::vector<double>{10, 15, 20, 24, 30, 4, 22});
   t.set("state", std::vector<std::string>{"auto", "auto", "check", "edited", "auto", "auto", "rejected"});
   return t;
 }
@@ -35,13 +34,50 @@ TEST(PlotMetrics, ByHand) {
   EXPECT_DOUBLE_EQ(m.mean_dbh_cm, 25);
   EXPECT_NEAR(m.sd_dbh_cm, std::sqrt(500.0 / 3), 1e-12);
   EXPECT_NEAR(m.quadratic_mean_dbh_cm, std::sqrt(750.0), 1e-12);
-  EXPECT_EQ(m.heights, 3U);
-  EXPECT_DOUBLE_EQ(m.mean_height_m, 18);
-  // (10 * 1 + 20 * 9 + 24 * 16) / 26
-  EXPECT_NEAR(m.lorey_height_m, 574.0 / 26, 1e-12);
-  // 100 per hectare are 5 on 500 m2: all three with a height.
-  EXPECT_EQ(m.dominant_stems, 3U);
-  EXPECT_DOUBLE_EQ(m.dominant_height_m, 18);
+  EXPECT_EQ(m.tops_seen, 4U);
+  EXPECT_TRUE(m.heights_known);
+  EXPECT_DOUBLE_EQ(m.mean_height_m, 17.25);
+  // (10 * 1 + 15 * 4 + 20 * 9 + 24 * 16) / 30
+  EXPECT_NEAR(m.lorey_height_m, 634.0 / 30, 1e-12);
+  // 100 per hectare are 5 on 500 m2: all four.
+  EXPECT_EQ(m.dominant_stems, 4U);
+  EXPECT_DOUBLE_EQ(m.dominant_height_m, 17.25);
+}
+
+std::string told(const PlotMetrics& m) {
+  std::string text;
+  for (const auto& row : metric_rows(m, 7)) text += row.name + "|" + row.value + "|" + row.how + "\n";
+  return text;
+}
+
+// `n` stems in a line, the k-th of (10 + k) cm and m height; the tops of the first `seen` are seen.
+Table line_of_stems(int n, int seen) {
+  std::vector<double> x, y, size;
+  std::vector<std::int64_t> top;
+  for (int k = 0; k < n; ++k) x.push_back(0.1 * k), y.push_back(0), size.push_back(10 + k), top.push_back(k < seen);
+  Table t;
+  t.set("x_m", x), t.set("y_m", y), t.set("dbh_cm", size), t.set("height_m", size), t.set("height_seen", top);
+  return t;
+}
+
+TEST(PlotMetrics, HeightsComeFromSeenTopsAlone) {
+  const auto m = plot_metrics(line_of_stems(20, 6), rectangle, 7);
+  EXPECT_EQ(m.tops_seen, 6U);
+  EXPECT_DOUBLE_EQ(m.mean_height_m, 12.5);       // 10 to 15, none of the higher bounds
+  EXPECT_TRUE(std::isnan(m.dominant_height_m));  // no top of the five thickest was seen
+  EXPECT_THAT(told(m), testing::HasSubstr("tops seen on 6 of 20 stems"));
+}
+
+TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
+  for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}}) {
+    const auto m = plot_metrics(line_of_stems(n, seen), rectangle, 7);
+    EXPECT_FALSE(m.heights_known);
+    EXPECT_TRUE(std::isnan(m.mean_height_m) && std::isnan(m.lorey_height_m) && std::isnan(m.dominant_height_m));
+    EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) + " stems: heights are lower bounds"));
+    EXPECT_THAT(told(m), testing::Not(testing::HasSubstr("Lorey")));
+  }
+  EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle, 7).heights_known);
+  EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle, 7).heights_known);
 }
 
 TEST(PlotMetrics, DominantHeightTakesTheThickest) {
@@ -53,7 +89,9 @@ TEST(PlotMetrics, DominantHeightTakesTheThickest) {
 }
 
 TEST(PlotMetrics, Classes) {
-  const auto m = plot_metrics(stems(), rectangle, 7, 10);
+  auto table = stems();
+  table.set("height_seen", std::vector<std::int64_t>{1, 0, 1, 1, 1, 1, 1});
+  const auto m = plot_metrics(table, rectangle, 7, 10);
   ASSERT_EQ(m.classes.size(), 4U);
   EXPECT_DOUBLE_EQ(m.classes[1].lo_cm, 20);
   EXPECT_DOUBLE_EQ(m.classes[1].hi_cm, 30);
