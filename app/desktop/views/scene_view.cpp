@@ -54,7 +54,7 @@ void SceneView::rebuild() {
   if (stems_ && stems_->rows() > 0) {
     const auto shapes = stem_shapes(*stems_, sections_.get());
     renderer_->AddActor(stems_actor(shapes, origin, true));
-    renderer_->AddActor(breast_height_actor(shapes, origin));
+    renderer_->AddActor(breast_height_actor(shapes, origin, 0.04));
   }
   if (walk_ && walk_->poses.size() > 1) renderer_->AddActor(path_actor(*walk_, origin, 0.05, hex(0x1f6f9f)));
 }
