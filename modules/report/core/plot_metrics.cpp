@@ -143,11 +143,11 @@ namespace {
 std::vector<MetricRow> height_rows(const PlotMetrics& m) {
   const std::string seen = "tops seen on " + std::to_string(m.tops_seen) + " of " + std::to_string(m.stems) + " stems";
   if (!m.heights_known) return {{"Heights", "not given", "", m.tops_seen == 0 && m.stems == 0 ? "no stems" : seen + ": heights are lower bounds"}};
-  std::string dominant = "mean height of the 100 thickest stems per hectare";
-  if (m.dominant_stems > 0) dominant += ": " + std::to_string(m.dominant_stems) + " on this plot, tops seen on " + std::to_string(m.dominant_tops);
-  return {{"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"},
-          {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen},
-          {"Dominant height", fixed(m.dominant_height_m, 1), "m", dominant}};
+  std::vector<MetricRow> rows{{"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"}, {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen}};
+  if (m.dominant_stems > 0)
+    rows.push_back({"Dominant height", fixed(m.dominant_height_m, 1), "m",
+                    "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) + " on this plot, tops seen on " + std::to_string(m.dominant_tops)});
+  return rows;
 }
 
 }  // namespace
