@@ -140,43 +140,60 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
 
 namespace {
 
-// Tangent of a ray's elevation; NaN where the sensor is not known.
-double steepness(const PointCloud& points, const SensorOf& sensor_of, std::size_t i) {
-  const auto sensor = sensor_of(i);
-  if (!sensor) return std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Vector3f d = points.positions()[i] - *sensor;
-  return static_cast<double>(d.z()) / std::max(0.01, static_cast<double>(d.head<2>().norm()));
+// How far up and how far away the sensor measures: of returns from trees, so that the many on the ground do not count.
+struct SensorReach {
+  double steepest = 0;  // tangent of the elevation
+  double longest_m = 0;
+  bool covers(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const {
+    const Eigen::Vector3d ray = to - from;
+    return ray.norm() < longest_m && ray.z() < steepest * std::max(0.01, ray.head<2>().norm());
+  }
+};
+
+// Share `rank` of the values lie below; 0 for none.
+double quantile(std::vector<double>& values, double rank) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, at);
+  return *at;
+}
+
+SensorReach sensor_reach(const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of) {
+  std::vector<double> steepness, ranges;
+  for (std::size_t i = 0; i < points.size(); i += 7) {
+    if (labels.tree_id[i] == 0) continue;
+    const auto sensor = sensor_of(i);
+    if (!sensor) continue;
+    const Eigen::Vector3d ray = (points.positions()[i] - *sensor).cast<double>();
+    steepness.push_back(ray.z() / std::max(0.01, ray.head<2>().norm()));
+    ranges.push_back(ray.norm());
+  }
+  // A jerk of the hand tilts the sensor for a moment; that is not how far it sees.
+  return {quantile(steepness, 0.98), quantile(ranges, 0.999)};
 }
 
 }  // namespace
 
 void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of, const Run& run) {
-  constexpr double bare_stem_m = 5, top_m = 1, margin = 0.03;
+  constexpr double bare_stem_m = 5, beyond_m = 1.5;
+  constexpr int least_views = 50;
   if (!sensor_of) {
     for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m;
     return;
   }
-  struct Top {
-    int below = 0, all = 0;
-  };
-  std::vector<Top> tops(stems.size() + 1);
-  std::vector<double> steep;
-  for (std::size_t i = 0; i < points.size(); i += 97) steep.push_back(steepness(points, sensor_of, i));
-  std::erase_if(steep, [](double t) { return !std::isfinite(t); });
-  if (steep.empty()) return;
-  const auto limit = steep.begin() + static_cast<std::ptrdiff_t>(0.9999 * static_cast<double>(steep.size() - 1));
-  std::ranges::nth_element(steep, limit);
-  const double steepest = *limit;
+  const SensorReach reach = sensor_reach(points, labels, sensor_of);
+  std::vector<int> views(stems.size() + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
-    if (id == 0) continue;
+    if (id == 0 || views[id] >= least_views) continue;
     const auto& s = stems[id - 1];
-    if (const double h = static_cast<double>(points.positions()[i].z()) - s.ground_z; h < s.height_m - top_m || h > s.height_m) continue;
-    const double t = steepness(points, sensor_of, i);
-    ++tops[id].all, tops[id].below += t < steepest - margin;
+    const auto sensor = sensor_of(i);
+    if (!sensor) continue;
+    const Eigen::Vector3d above_top(s.breast_height.x(), s.breast_height.y(), s.ground_z + s.height_m + beyond_m);
+    views[id] += reach.covers(sensor->template cast<double>(), above_top) ? 1 : 0;
   }
-  for (auto& s : stems) s.height_seen = 2 * tops[static_cast<std::size_t>(s.id)].below > tops[static_cast<std::size_t>(s.id)].all;
+  for (auto& s : stems) s.height_seen = views[static_cast<std::size_t>(s.id)] >= least_views;
 }
 
 }  // namespace bole

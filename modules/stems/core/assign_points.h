@@ -20,8 +20,9 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
 // Sets height_m of each stem to its highest well-supported point above its ground.
 void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run);
 
-// Sets height_seen. With sensor positions: most returns of the highest metre came from rays below the steepest of the sensor's, so that it could have
-// seen further up. Without (`sensor_of` empty): the tree reaches well above the lowest limbs at least.
+// Sets height_seen. With sensor positions: from some of the places that the tree was scanned from, the sensor would have measured a return 1.5 m above the
+// highest one too, so that the top ends there (crowns in between may still hide more). Without (`sensor_of` empty): the tree reaches well above the
+// lowest limbs at least.
 void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of, const Run& run);
 
 }  // namespace bole
