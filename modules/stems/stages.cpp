@@ -32,7 +32,7 @@ StageType measure_stage() {
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
       "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per pass of the walk whose spread is estimated over all stems. Where sensor positions are known, "
-      "grazing rays are left out, the effect of noise on round stems is taken off, and candidates that rays pass through are rejected. Every point gets the id of its tree.";
+      "the error along the ray can be fitted instead of the distance from the surface (model), and candidates that rays pass through are rejected. Every point gets the id of its tree.";
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.", false, {arrays::height_above_ground}},
               {"slice", DataKind::cloud, "The slice that sets breast height.", false, {arrays::height_above_ground}},

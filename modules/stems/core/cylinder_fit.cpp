@@ -13,7 +13,6 @@ namespace bole {
 namespace {
 
 constexpr double smallest_sigma = 0.001;
-constexpr int noise_rounds = 12;  // after these the noise is held, so that the fit settles
 
 double square(double v) { return v * v; }
 
@@ -49,8 +48,7 @@ class JointFit {
       const double shrunk = std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
       scale = shrunk;
-      if (i < noise_rounds) estimate_noise(c, scale);
-      if (settled && (i >= noise_rounds || options_.misfit != Misfit::clear_surface) && (!moved || step_norm < 1e-6)) break;
+      if (settled && (!moved || step_norm < 1e-6)) break;
     }
     return c.radius > 0.004 && std::abs(c.slope_x) < 1 && std::abs(c.slope_y) < 1;
   }
@@ -59,52 +57,15 @@ class JointFit {
   DriftEvidence drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const;
 
  private:
-  // Which rays take part, and what noise makes of them, is settled between steps, not within: a gate that moved with the radius would pay for a larger one.
+  // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger one.
   void choose_active(const TaperedCylinder& c) {
-    active_.assign(points_.size(), true), offset_.assign(points_.size(), 0);
-    if (options_.misfit == Misfit::surface) return;
-    if (options_.misfit == Misfit::ray) {
-      for (std::size_t i = 0; i < points_.size(); ++i) active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
-      return;
-    }
-    // So far from the edge that noise across the ray makes few rays miss: those would leave the nearer ones behind.
-    const double gate = std::clamp(1 - 2 * std::sqrt(noise_.across) / c.radius, std::min(0.6, options_.ray_gate), options_.ray_gate);
-    share2_.resize(points_.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      share2_[i] = impact_share2(c, points_[i]), active_[i] = share2_[i] < gate * gate;
-      if (active_[i]) offset_[i] = mean_noise_offset(noise_, share2_[i], c.radius);
-    }
+    active_.assign(points_.size(), true);
+    if (!options_.along_rays) return;
+    for (std::size_t i = 0; i < points_.size(); ++i) active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
   }
 
-  // From the scatter of rays through the middle and of rays near the edge: var d = along cos^2 + across sin^2. By medians, for outliers.
-  void estimate_noise(const TaperedCylinder& c, double scale) {
-    if (options_.misfit != Misfit::clear_surface) return;
-    constexpr double middle = 0.4 * 0.4, edge = 0.55 * 0.55;
-    constexpr std::size_t enough = 30;
-    std::vector<double> error[2];
-    double sin2[2] = {0, 0};
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (!active_[i] || (share2_[i] > middle && share2_[i] < edge)) continue;
-      const double e = std::abs(value(c, i).value);
-      if (e > 4.685 * scale) continue;
-      const int k = share2_[i] >= edge;
-      error[k].push_back(e), sin2[k] += share2_[i];
-    }
-    if (error[0].size() < enough || error[1].size() < enough) return;
-    double variance[2];
-    for (int k = 0; k < 2; ++k) sin2[k] /= static_cast<double>(error[k].size()), variance[k] = square(1.4826 * median_of(error[k]));
-    const double slope = (variance[1] - variance[0]) / (sin2[1] - sin2[0]), most = square(options_.max_sigma_m);
-    noise_.along = std::clamp(variance[0] - slope * sin2[0], 0.0, most);
-    noise_.across = std::clamp(variance[0] + slope * (1 - sin2[0]), 0.0, most);
-  }
-
-  PointResidual residual(const TaperedCylinder& c, std::size_t i, bool derivatives = true) const {
-    if (options_.misfit == Misfit::ray) return ray_residual(c, points_[i], 0.998, derivatives);
-    auto e = surface_residual(c, points_[i], derivatives);
-    e.value -= offset_[i];
-    return e;
-  }
-  PointResidual value(const TaperedCylinder& c, std::size_t i) const { return residual(c, i, false); }
+  PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998) : surface_residual(c, p); }
+  PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998, false) : surface_residual(c, p, false); }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
@@ -133,7 +94,8 @@ class JointFit {
     double sum = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!active_[i]) continue;
-      const auto e = value(c, i);
+      const auto& p = points_[i];
+      const auto e = value(c, p);
       const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
       sum += rho(u2);
     }
@@ -172,7 +134,7 @@ class JointFit {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!active_[i]) continue;
       const auto& p = points_[i];
-      const auto e = residual(c, i);
+      const auto e = residual(c, p);
       const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
       sum += rho(u2);
       if (u2 >= 1) continue;
@@ -202,15 +164,13 @@ class JointFit {
   double robust_scale(const TaperedCylinder& c, double scale) const {
     std::vector<double> errors;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto e = value(c, i); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale) errors.push_back(std::abs(e.value));
+      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale) errors.push_back(std::abs(e.value));
     return 1.4826 * median_of(errors);
   }
 
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
   std::vector<bool> active_;
-  std::vector<double> share2_, offset_;  // of the impact parameter; what noise adds to the distance from the surface
-  NoiseVariance noise_;
   std::size_t passes_;
   std::size_t size_;
   double information_;
@@ -235,7 +195,6 @@ DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::Ma
 // block are tried, by pass and section and by pass and bearing (bark, section shape), and the larger variance is kept.
 void JointFit::describe(CylinderFit& fit) const {
   const auto& c = fit.cylinder;
-  fit.noise = noise_;
   const auto n = static_cast<Eigen::Index>(size_);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(n);
@@ -245,7 +204,7 @@ void JointFit::describe(CylinderFit& fit) const {
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!active_[i]) continue;
     const auto& p = points_[i];
-    const auto e = residual(c, i);
+    const auto e = residual(c, p);
     const double u = e.value / (4.685 * fit.sigma_m);
     if (!e.usable || std::abs(u) >= 1) continue;
     const double w = (1 - u * u) * (1 - u * u);
@@ -296,7 +255,7 @@ std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& po
     start.pass_offset.clear();
   JointFit joint(points, options, static_cast<std::size_t>(passes));
   CylinderFit fit;
-  fit.cylinder = start;
+  fit.cylinder = start, fit.along_rays = options.along_rays;
   fit.sigma_m = std::max(start_error_m / 2, options.max_sigma_m);
   if (!joint.solve(fit.cylinder, fit.sigma_m)) return std::nullopt;
   joint.describe(fit);

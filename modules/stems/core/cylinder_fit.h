@@ -25,21 +25,12 @@ struct TaperedCylinder {
   Eigen::Vector3d direction() const { return Eigen::Vector3d(slope_x, slope_y, 1).normalized(); }
 };
 
-// What the fit makes small. `surface`: distance from the bark. `clear_surface`: the same, of rays that hit the bark squarely enough, less what noise
-// makes of that distance on a round stem. `ray`: measured less predicted range along the ray.
-enum class Misfit { surface, clear_surface, ray };
-
 struct CylinderFitOptions {
-  Misfit misfit = Misfit::surface;
-  double ray_gate = 0.9;                         // rays with an impact parameter beyond this share of the radius are left out; not for `surface`
+  bool along_rays = false;                       // residual: measured less predicted range along the ray, else distance from the surface
+  double ray_gate = 0.9;                         // rays with an impact parameter beyond this share of the radius are left out
   double max_sigma_m = 0.025;                    // cap of the robust scale
   double drift_sd_m = 0.01;                      // prior of the pass offsets
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
-};
-
-// Variance of a measured point along its ray (range noise) and across it (pose noise, the width of the beam), square metres.
-struct NoiseVariance {
-  double along = 0, across = 0;
 };
 
 // The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for offsets d (x, y by pass).
@@ -58,7 +49,7 @@ struct CylinderFit {
   double position_sd_m = 0;  // of the axis point, larger axis
   int blocks = 0;            // groups of residuals that count as independent
   int inliers = 0;
-  NoiseVariance noise;         // zero but for Misfit::clear_surface
+  bool along_rays = false;
   std::vector<double> weight;  // Tukey weight of each point, 0: outlier or gated
   DriftEvidence drift;         // empty with one pass
 };
@@ -72,12 +63,6 @@ struct PointResidual {
   bool usable = false;
 };
 PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);
-// Squared impact parameter of the ray as a share of the squared radius: 0 through the axis, 1 a tangent. NaN for rays unknown or nearly parallel to the stem.
-double impact_share2(const TaperedCylinder& cylinder, const BarkPoint& point);
-// Mean distance from the surface that a ray with this impact share measures through noise, to second order. Given the
-// measured place of a ray, the ray itself lies across of it by noise: with true distance b of the ray from the axis and range noise n,
-// E d^2 = r^2 + along - across at every b, and E d = r + (E d^2 - r^2 - var d) / 2r with var d = along cos^2 + across sin^2 of the incidence.
-double mean_noise_offset(const NoiseVariance& noise, double impact_share2, double radius);
 PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate, bool derivatives = true);
 
 // Levenberg-Marquardt with Tukey weights from `start` (passes set, offsets zero or better). Nothing when too few points or no convergence.

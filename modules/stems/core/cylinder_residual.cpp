@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "stems/core/cylinder_fit.h"
 
@@ -46,17 +44,6 @@ PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point,
   out.jacobian[4] = -1, out.jacobian[5] = -seen.s;
   return out;
 }
-
-double impact_share2(const TaperedCylinder& c, const BarkPoint& point) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto seen = look(c, point);
-  const double cos_axis = point.ray.dot(seen.a), m2 = 1 - cos_axis * cos_axis, radius = c.radius + c.taper * seen.s;
-  if (point.ray.isZero() || m2 < 0.1 || radius <= 0) return nan;
-  const double along = seen.q.dot(point.ray) - seen.s * cos_axis;
-  return std::max(0.0, seen.q.squaredNorm() - seen.s * seen.s - along * along / m2) / (radius * radius);
-}
-
-double mean_noise_offset(const NoiseVariance& noise, double impact_share2, double radius) { return (noise.along * impact_share2 - noise.across * (1 + impact_share2)) / (2 * radius); }
 
 PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, double ray_gate, bool derivatives) {
   PointResidual out;

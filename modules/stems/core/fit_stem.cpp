@@ -127,8 +127,8 @@ class StemFitter {
     CylinderFitOptions o;
     o.max_sigma_m = options_.max_sigma_m, o.drift_sd_m = drift_sd_, o.ray_gate = options_.ray_gate;
     auto fit = fit_tapered_cylinder(used, start, 0.03, o);
-    if (!fit || options_.model == "surface" || !rays_.has_sensor()) return fit;
-    o.misfit = options_.model == "ray" ? Misfit::ray : Misfit::clear_surface;
+    if (!fit || options_.model != "ray" || !rays_.has_sensor()) return fit;
+    o.along_rays = true;
     if (auto with_rays = fit_tapered_cylinder(used, fit->cylinder, 0.02, o); with_rays && std::abs(with_rays->cylinder.radius - fit->cylinder.radius) < 0.03 + 0.3 * fit->cylinder.radius) return with_rays;
     return fit;
   }
@@ -153,7 +153,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
   const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
-  s.rays_known = rays_.has_sensor(), s.noise = fit.noise, s.passes = a.passes;
+  s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 

@@ -47,7 +47,6 @@ struct Stem {
   bool height_seen = false;
   int passes = 1, inliers = 0, sections_used = 0;
   bool rays_known = false;
-  NoiseVariance noise;             // of its points, where rays are known
   double lowest = 0, highest = 0;  // heights of the sections used
   std::vector<Eigen::Vector2d> pass_offset;
   DriftEvidence drift;  // what the passes say about their displacements

@@ -9,7 +9,6 @@
 
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
-#include "stems/core/circle_fit.h"
 #include "stems/core/ray_test.h"
 #include "stems/core/stem_quality.h"
 
@@ -177,22 +176,12 @@ class Survey {
     r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size()), r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
     r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()), r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
-    r.facts["fit"] = !rays_.has_sensor() || options_.model == "surface" ? "surface distance" : options_.model == "ray" ? "along rays" : "surface distance, grazing rays left out";
-    add_noise(r);
+    r.facts["fit"] = rays_.has_sensor() && options_.model == "ray" ? "along rays" : "surface distance";
     const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
     r.message = fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
     if (options_.model == "ray" && !rays_.has_sensor()) r.warn("model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, sensor_z, or time with a trajectory");
     if (out_.stems.empty()) r.warn(no_stems());
     if (to_check > 0) r.warn(fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
-  }
-
-  // Medians over the stems of the scatter of single points, along and across their rays.
-  void add_noise(Report& r) const {
-    std::vector<double> along, across;
-    for (const auto& s : out_.stems)
-      if (s.noise.along > 0 || s.noise.across > 0) along.push_back(std::sqrt(s.noise.along)), across.push_back(std::sqrt(s.noise.across));
-    if (along.empty()) return;
-    r.metrics["noise_along_rays"] = {100 * median_of(along), Unit::centimetre}, r.metrics["noise_across_rays"] = {100 * median_of(across), Unit::centimetre};
   }
 
   std::string no_stems() const {

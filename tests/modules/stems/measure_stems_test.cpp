@@ -55,15 +55,17 @@ Errors compare(const StemCloud& cloud, const StemSurvey& survey) {
   return e;
 }
 
-TEST(MeasureStems, TrueDiametersComeBackWhereRaysAreKnown) {
+TEST(MeasureStems, TrueDiametersComeBackAlongRays) {
   const auto cloud = make_stem_cloud(random_stand(9, 0.07, 0.45, 1), coarse());
-  const auto survey = measure(cloud);
+  MeasureOptions along_rays;
+  along_rays.model = "ray";
+  const auto survey = measure(cloud, along_rays);
   const auto e = compare(cloud, survey);
   EXPECT_EQ(e.missed + e.extra, 0U);
   EXPECT_LT(std::abs(e.bias), 0.1);
   EXPECT_LT(e.rmse, 0.3);
   EXPECT_GE(e.covered, 8U);
-  EXPECT_EQ(survey.report.facts.at("fit"), "surface distance, grazing rays left out");
+  EXPECT_EQ(survey.report.facts.at("fit"), "along rays");
 }
 
 TEST(MeasureStems, WithoutRaysTheSurfaceIsFitted) {
@@ -79,7 +81,9 @@ TEST(MeasureStems, ShrubsAndOutliersAreNoStems) {
   auto o = coarse();
   o.shrub_points = 20000, o.outlier_share = 0.05;
   const auto cloud = make_stem_cloud(random_stand(9, 0.08, 0.45, 3), o);
-  const auto e = compare(cloud, measure(cloud));
+  MeasureOptions along_rays;
+  along_rays.model = "ray";
+  const auto e = compare(cloud, measure(cloud, along_rays));
   EXPECT_EQ(e.missed, 0U);
   EXPECT_EQ(e.extra, 0U);
   EXPECT_LT(e.rmse, 0.5);
