@@ -1,6 +1,7 @@
 #include "slam/core/keyframes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace bole {
@@ -31,14 +32,17 @@ void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vecto
     nearest.resize(most_);
     std::ranges::sort(nearest);
   }
-  // Adding is cheap; taking away means building anew.
-  if (moved || !std::ranges::includes(nearest, members_)) {
+  // Adding is cheap; taking away means building anew. So members that are no longer near stay until there are half as many again.
+  std::vector<std::size_t> wanted;
+  std::ranges::set_union(nearest, members_, std::back_inserter(wanted));
+  if (moved || wanted.size() > most_ + most_ / 2) {
     maps_.clear();
     members_.clear();
+    wanted = std::move(nearest);
   }
-  for (const auto k : nearest)
+  for (const auto k : wanted)
     if (!std::ranges::binary_search(members_, k)) insert_keyframe(keyframes[k], maps_);
-  members_ = std::move(nearest);
+  members_ = std::move(wanted);
 }
 
 }  // namespace bole

@@ -10,11 +10,19 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
+constexpr double least_conditioning = 0.005;  // a plot has 0.05 to 0.5
+constexpr double sure_overlap = 0.6;          // below it a rigid frame is looked for farther away as well
 
 // A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to the next.
 constexpr double stride_s = 1.05;        // two steps
 constexpr double longest_join_s = 0.15;  // frames farther apart than this have a gap between them
 constexpr double gait_acceleration_m_s2 = 4, gait_turn_acceleration_rad_s2 = 2;
+
+// Each pose is made from the one before; without this the rotations stop being rotations after a hundred frames or so.
+Pose orthonormal(Pose T) {
+  T.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
+  return T;
+}
 
 std::string percent(double share) { return number_text(std::round(share * 100)) + " %"; }
 
@@ -30,33 +38,47 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   const auto& last = frames_.back();
   const double last_span_s = last.end_s - last.begin_s, gap_s = std::max(0.0, begin_s - last.end_s);
   if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
-  Vector6d velocity = se3_log(last.motion.delta()) / last_span_s;
-  // Where the motion within a frame is a guess of before the registration, the ends of two frames are better known.
-  if (options_.deskew != "elastic") velocity = mean_velocity(0.5 * last_span_s);
+  Vector6d velocity = elastic() ? Vector6d(se3_log(last.motion.delta()) / last_span_s) : mean_velocity(0.5 * last_span_s);
   if (gap_s > longest_join_s) velocity = mean_velocity(stride_s);
   if (failed_in_a_row_ > 0) velocity *= 0.5;
+  if (!elastic()) {
+    const double ahead_s = std::min(0.5 * (begin_s + end_s) - last.mid_s(), 1.5);
+    return motion_about(last.motion.at(0.5) * se3_exp(velocity * ahead_s), velocity, end_s - begin_s);
+  }
   FrameMotion out;
   out.T_map_begin = last.motion.T_map_end * se3_exp(velocity * std::min(gap_s, 1.5));
   out.T_map_end = out.T_map_begin * se3_exp(velocity * (end_s - begin_s));
   return out;
 }
 
-// From the end of the frame that ended at least `over_s` before the last one.
+// From the frame at least `over_s` before the last one. A rigid shift of a frame settles where its middle is; begin and end hang on
+// the motion that was assumed within it, and a velocity taken from them feeds its own error back with changed sign: it swings. So
+// rigid frames are compared by their middles.
 Vector6d Odometry::mean_velocity(double over_s) const {
   const auto& last = frames_.back();
   std::size_t k = frames_.size() - 2;
   while (k > 0 && last.end_s - frames_[k].end_s < over_s) --k;
-  return se3_log(frames_[k].motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - frames_[k].end_s);
+  const auto& first = frames_[k];
+  if (elastic()) return se3_log(first.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - first.end_s);
+  return se3_log(first.motion.at(0.5).inverse() * last.motion.at(0.5)) / (last.mid_s() - first.mid_s());
 }
 
-FrameMotion Odometry::guessed(const FrameMotion& prediction, const Features& features, const Run& run) {
-  if (options_.deskew == "none") return {prediction.T_map_end, prediction.T_map_end};
+// The motion over a frame of which a registration has found the middle, at the speed since the middle of the last frame.
+FrameMotion Odometry::with_speed_found(const FrameMotion& found, double begin_s, double end_s) const {
+  const auto& last = frames_.back();
+  const double since_s = 0.5 * (begin_s + end_s) - last.mid_s();
+  if (!last.ok || since_s <= 0 || begin_s - last.end_s > longest_join_s) return found;
+  const Pose T_map_mid = found.at(0.5);
+  return motion_about(T_map_mid, se3_log(last.motion.at(0.5).inverse() * T_map_mid) / since_s, end_s - begin_s);
+}
+
+// LOAM's two steps: against the frame before for the motion, against the map (registered()) for the place.
+FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features, const Run& run) {
+  if (options_.deskew == "none") return {prediction.at(0.5), prediction.at(0.5)};
   if (options_.first_guess != "last_frame") return prediction;
-  RegistrationSettings settings = base_settings();
-  settings.model = MotionModel::end;
-  hold_to_gait(settings, 0);
-  const auto r = register_frame(features.query, last_frame_map_, prediction, settings, run);
-  return r.overlap >= options_.lost_overlap ? r.motion : prediction;
+  const auto r = register_frame(features.query, last_frame_map_, prediction, base_settings(), run);
+  if (r.overlap < options_.lost_overlap || r.conditioning < least_conditioning) return prediction;
+  return with_speed_found(r.motion, begin_s, end_s);
 }
 
 // Priors of the motion over a frame that follows the last one after a gap.
@@ -76,7 +98,8 @@ RegistrationSettings Odometry::base_settings() const {
   return settings;
 }
 
-Registration Odometry::registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run) {
+Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features, const Run& run) {
+  const double gap_s = std::max(0.0, begin_s - frames_.back().end_s);
   RegistrationSettings settings = base_settings();
   FrameMotion start = guess;
   if (gap_s > longest_join_s) {
@@ -87,19 +110,31 @@ Registration Odometry::registered(const FrameMotion& guess, const Features& feat
     if (found.overlap >= options_.lost_overlap) start = found.motion;
     settings = base_settings();
   }
-  if (options_.deskew == "elastic") {
+  if (elastic()) {
     settings.model = MotionModel::elastic;
     hold_to_gait(settings, gap_s);
     return register_frame(features.query, local_map_.maps(), start, settings, run);
   }
   settings.model = MotionModel::rigid;
   auto r = register_frame(features.query, local_map_.maps(), start, settings, run);
-  if (options_.deskew == "twice") {
-    // SPEC A5: the motion from the last pose to the one just found replaces the guess, and the raw frame is registered again.
-    const Pose T_map_begin = gap_s < 0.02 ? frames_.back().motion.T_map_end : r.motion.T_map_begin;
-    settings.coarse_rounds = 0;
-    r = register_frame(features.query, local_map_.maps(), {T_map_begin, r.motion.T_map_end}, settings, run);
+  if (r.overlap < sure_overlap) {
+    // A sudden turn leaves the prediction behind. Search wider, from the prediction and from where the sensor was.
+    settings.coarse_rounds = 8;
+    settings.rounds = options_.rounds + 8;
+    const Pose& T_map_last = frames_.back().motion.T_map_end;
+    for (const auto& from : {start, FrameMotion{T_map_last, T_map_last}}) {
+      auto wider = register_frame(features.query, local_map_.maps(), from, settings, run);
+      if (wider.overlap > r.overlap) r = std::move(wider);
+    }
+    settings = base_settings();
   }
+  if (options_.deskew == "none") return r;
+  if (options_.deskew == "twice") {
+    // SPEC A5: the motion that was found replaces the guess, and the raw frame is registered again.
+    settings.coarse_rounds = 0;
+    r = register_frame(features.query, local_map_.maps(), with_speed_found(r.motion, begin_s, end_s), settings, run);
+  }
+  r.motion = with_speed_found(r.motion, begin_s, end_s);
   return r;
 }
 
@@ -108,7 +143,7 @@ std::string Odometry::objection(const Registration& r, const FrameMotion& predic
   if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite()) return "the solution is not finite";
   const double speed = (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
-  if (r.conditioning < 1e-4) return "the surroundings leave a direction of motion open";
+  if (r.conditioning < least_conditioning) return "the surroundings leave a direction of motion open";
   const double elapsed_s = end_s - frames_.back().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s) return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
@@ -127,21 +162,20 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
 
   Stopwatch watch;
   const FrameMotion prediction = predicted(begin_s, end_s);
-  const double gap_s = std::max(0.0, begin_s - frames_.back().end_s);
   frame.motion = prediction;
   if (features.query.size() < least_features) {
     frame.ok = false;
     why_failed_ = "only " + std::to_string(features.query.size()) + " usable points";
   } else {
-    const FrameMotion guess = guessed(prediction, features, run);
+    const FrameMotion guess = guessed(prediction, begin_s, end_s, features, run);
     times_.guess_s += watch.lap_s();
-    const Registration r = registered(guess, features, gap_s, run);
+    const Registration r = registered(guess, begin_s, end_s, features, run);
     times_.register_s += watch.lap_s();
-    frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds;
+    frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds, frame.conditioning = r.conditioning;
     const auto why = objection(r, prediction, begin_s, end_s);
     frame.ok = why.empty();
     if (frame.ok)
-      frame.motion = r.motion;
+      frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end)};
     else
       why_failed_ = why;
   }

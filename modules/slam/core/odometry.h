@@ -16,7 +16,9 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last key frame up to and with this frame
   bool ok = true;
   double overlap = 1, rms_m = 0;
+  double conditioning = 1;  // see Registration
   int rounds = 0;
+  double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
 
 struct OdometryTimes {
@@ -45,12 +47,14 @@ class Odometry {
   void drop_failed_tail();
 
  private:
+  bool elastic() const { return options_.deskew == "elastic"; }
   FrameMotion predicted(double begin_s, double end_s) const;
   Vector6d mean_velocity(double over_s) const;
   RegistrationSettings base_settings() const;
   void hold_to_gait(RegistrationSettings& settings, double gap_s) const;
-  FrameMotion guessed(const FrameMotion& prediction, const Features& features, const Run& run);
-  Registration registered(const FrameMotion& guess, const Features& features, double gap_s, const Run& run);
+  FrameMotion with_speed_found(const FrameMotion& found, double begin_s, double end_s) const;
+  FrameMotion guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features, const Run& run);
+  Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features, const Run& run);
   // Empty when the frame is credible, else why not.
   std::string objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const;
   void add_keyframe(const Features& features, const TrackedFrame& frame);

@@ -136,17 +136,34 @@ void close_loops(FirstPass& pass, const SlamOptions& options, Report& report, co
   report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
 }
 
+// Elastic frames know their begin and end. Of the others the middle is what the registration has found.
 Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
-  std::vector<FrameMotion> motions;
-  std::vector<std::pair<double, double>> spans_s;
+  if (elastic) {
+    std::vector<FrameMotion> motions;
+    std::vector<std::pair<double, double>> spans_s;
+    for (const auto& f : frames) {
+      if (!f.ok) continue;
+      motions.push_back(f.motion);
+      spans_s.emplace_back(f.begin_s, f.end_s);
+    }
+    return path_through_frames(motions, spans_s);
+  }
+  constexpr double gap_s = 0.15;
+  std::vector<StampedPose> nodes;
+  const TrackedFrame* last = nullptr;
+  const auto add = [&](double time_s, const Pose& T) {
+    if (nodes.empty() || time_s > nodes.back().time_s) nodes.push_back({time_s, T});
+  };
   for (const auto& f : frames) {
     if (!f.ok) continue;
-    motions.push_back(f.motion);
-    spans_s.emplace_back(f.begin_s, f.end_s);
-    // Without elastic frames the begin is a guess, and the end of the frame before is better known.
-    if (!elastic && motions.size() > 1 && spans_s.back().first - spans_s[spans_s.size() - 2].second < 0.02) motions.back().T_map_begin = motions[motions.size() - 2].T_map_end;
+    const bool after_gap = !last || f.begin_s - last->end_s > gap_s;
+    if (last && after_gap) add(last->end_s, last->motion.T_map_end);
+    if (after_gap) add(f.begin_s, f.motion.T_map_begin);
+    add(f.mid_s(), f.motion.at(0.5));
+    last = &f;
   }
-  return path_through_frames(motions, spans_s);
+  if (last) add(last->end_s, last->motion.T_map_end);
+  return Path(std::move(nodes));
 }
 
 void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
@@ -182,8 +199,9 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, overlap = 0, rounds = 0;
+  double squared = 0, overlap = 0, rounds = 0, weakest = 1;
   for (const auto& f : pass.frames) {
+    weakest = std::min(weakest, f.conditioning);
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
     squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
@@ -195,6 +213,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
   report.metrics["registration_rounds"] = {rounds / n, Unit::none};
+  report.metrics["weakest_conditioning"] = {weakest, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }
@@ -208,9 +227,12 @@ Track given_track(const FrameSource& source, const std::vector<StampedPose>& pos
     if (track.path.covers(begin_s, margin_s) && track.path.covers(end_s, margin_s)) track.frames.push_back({i, {}});
     if (i % 256 == 0) run.check_cancel();
   }
-  if (track.frames.empty())
-    throw bad_input("no frame lies within the trajectory: frames from " + number_text(source.size() ? source.frame_time_s(0) : 0) + " to " + number_text(source.size() ? source.frame_time_s(source.size() - 1) : 0) + " s",
-                    "times from " + number_text(track.path.begin_s()) + " to " + number_text(track.path.end_s()) + " s", "Check that the trajectory and the scan use the same clock");
+  if (track.frames.empty()) {
+    const double first_s = source.size() ? source.frame_time_s(0) : 0, last_s = source.size() ? source.frame_time_s(source.size() - 1) : 0;
+    throw bad_input("no frame lies within the trajectory: frames from " + number_text(first_s) + " to " + number_text(last_s) + " s, trajectory from " + number_text(track.path.begin_s()) + " to " +
+                        number_text(track.path.end_s()) + " s",
+                    "times of one clock", "Add the offset between the clocks to the times in the trajectory; if both began together it is " + number_text(first_s - track.path.begin_s()) + " s");
+  }
   if (const auto outside = source.size() - track.frames.size()) report.warn(std::to_string(outside) + " of " + std::to_string(source.size()) + " frames lie outside the trajectory and were left out");
   report.counts["frames"] = static_cast<std::int64_t>(track.frames.size());
   return track;
