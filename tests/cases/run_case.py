@@ -52,7 +52,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--bole", required=True)
     parser.add_argument("--work", required=True, type=pathlib.Path)
-    parser.add_argument("--simulate", nargs="*", help="arguments of bole simulate; {scan} in --set is its folder")
+    parser.add_argument("--simulate", nargs=argparse.REMAINDER, help="arguments of bole simulate, to the end of the line; {scan} in --set is its folder")
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
