@@ -30,7 +30,8 @@ void ProgressLine::update(std::string_view step, double fraction, std::string_vi
   fraction = std::clamp(fraction, 0.0, 1.0);
   if (step != step_) step_ = step, step_start_ = now, tenth_ = -1;
   const double spent = std::chrono::duration<double>(now - step_start_).count();
-  const std::string left = fraction > 0.02 && spent > 2 ? ", " + clock_text(spent * (1 - fraction) / fraction) + " left" : "";
+  const std::string left =
+      fraction > 0.02 && spent > 2 ? ", " + clock_text(spent * (1 - fraction) / fraction) + " left" : "";
   if (!terminal_) {
     const int tenth = static_cast<int>(fraction * 10);
     if (tenth == tenth_) return;
@@ -41,7 +42,8 @@ void ProgressLine::update(std::string_view step, double fraction, std::string_vi
   if (drawn_ && now - last_draw_ < std::chrono::milliseconds(80)) return;
   last_draw_ = now, drawn_ = true;
   const int filled = static_cast<int>(fraction * 24);
-  fmt::print(stderr, "\r\033[K{:<10} [{}{}] {:3.0f} % {}{}", step, std::string(static_cast<std::size_t>(filled), '='), std::string(static_cast<std::size_t>(24 - filled), ' '), 100 * fraction, what, left);
+  fmt::print(stderr, "\r\033[K{:<10} [{}{}] {:3.0f} % {}{}", step, std::string(static_cast<std::size_t>(filled), '='),
+             std::string(static_cast<std::size_t>(24 - filled), ' '), 100 * fraction, what, left);
   std::fflush(stderr);
 }
 

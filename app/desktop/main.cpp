@@ -1,7 +1,7 @@
 // The desktop program: bole-desktop [PIPELINE.json]
+#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QSurfaceFormat>
-#include <QVTKOpenGLNativeWidget.h>
 
 #include "base/error.h"
 #include "main_window.h"

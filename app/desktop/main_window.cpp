@@ -37,15 +37,25 @@ std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& result
 StageState panel_state(const StageOutcome& stage) {
   switch (stage.state) {
     case bole::StageState::done:
-    case bole::StageState::from_cache: return stage.record.report.warnings.empty() ? StageState::done : StageState::warning;
-    case bole::StageState::failed: return StageState::failed;
-    default: return StageState::idle;
+    case bole::StageState::from_cache:
+      return stage.record.report.warnings.empty() ? StageState::done : StageState::warning;
+    case bole::StageState::failed:
+      return StageState::failed;
+    default:
+      return StageState::idle;
   }
 }
 
 }  // namespace
 
-MainWindow::MainWindow() : run_(new RunBehavior(session_, this)), pipeline_(new PipelinePanel(session_, this)), properties_(new PropertiesPanel(session_, this)), scene_(new SceneView(this)), stems_(new TablePanel(this)), log_(new QPlainTextEdit(this)), progress_(new QProgressBar(this)) {
+MainWindow::MainWindow()
+    : run_(new RunBehavior(session_, this)),
+      pipeline_(new PipelinePanel(session_, this)),
+      properties_(new PropertiesPanel(session_, this)),
+      scene_(new SceneView(this)),
+      stems_(new TablePanel(this)),
+      log_(new QPlainTextEdit(this)),
+      progress_(new QProgressBar(this)) {
   setWindowTitle(tr("Bole"));
   resize(1600, 1000);
   setAcceptDrops(true);
@@ -81,14 +91,21 @@ void MainWindow::make_docks() {
 
 void MainWindow::make_actions() {
   auto* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(tr("Open pipeline…"), this, [this] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open pipeline"), {}, tr("Pipelines (*.json)"));
-    if (!path.isEmpty()) guarded([&] { open(path); });
-  }, QKeySequence::Open);
-  file->addAction(tr("Save pipeline as…"), this, [this] {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save pipeline"), session_.path(), tr("Pipelines (*.json)"));
-    if (!path.isEmpty()) guarded([&] { save(path); });
-  }, QKeySequence::SaveAs);
+  file->addAction(
+      tr("Open pipeline…"), this,
+      [this] {
+        const QString path = QFileDialog::getOpenFileName(this, tr("Open pipeline"), {}, tr("Pipelines (*.json)"));
+        if (!path.isEmpty()) guarded([&] { open(path); });
+      },
+      QKeySequence::Open);
+  file->addAction(
+      tr("Save pipeline as…"), this,
+      [this] {
+        const QString path =
+            QFileDialog::getSaveFileName(this, tr("Save pipeline"), session_.path(), tr("Pipelines (*.json)"));
+        if (!path.isEmpty()) guarded([&] { save(path); });
+      },
+      QKeySequence::SaveAs);
   file->addSeparator();
   file->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
 
@@ -104,7 +121,8 @@ void MainWindow::make_actions() {
   view->addAction(tr("Colour by height"), this, [this] { scene_->color_by(PointColor::height); });
   view->addAction(tr("Colour by intensity"), this, [this] { scene_->color_by(PointColor::intensity); });
   view->addAction(tr("Colour by tree"), this, [this] { scene_->color_by(PointColor::tree); });
-  view->addAction(tr("Reset camera"), this, [this] { scene_->reset_camera(); }, Qt::Key_0);
+  view->addAction(
+      tr("Reset camera"), this, [this] { scene_->reset_camera(); }, Qt::Key_0);
 
   auto* bar = addToolBar(tr("Run"));
   bar->setObjectName("run");
@@ -139,7 +157,8 @@ void MainWindow::save(const QString& path) { session_.save(path); }
 void MainWindow::run() {
   if (!session_.has_document() || run_->running()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
-  const QString out = QFileInfo(session_.path()).absolutePath() + "/" + QFileInfo(session_.path()).completeBaseName() + "_results";
+  const QString out =
+      QFileInfo(session_.path()).absolutePath() + "/" + QFileInfo(session_.path()).completeBaseName() + "_results";
   run_action_->setEnabled(false);
   finish_action_->setEnabled(true);
   cancel_action_->setEnabled(true);
@@ -154,17 +173,22 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
   cancel_action_->setEnabled(false);
   progress_->hide();
   for (const auto& stage : outcome.stages) {
-    pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage), QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
-    say(QString::fromStdString(stage.record.id + ": " + (stage.error.empty() ? stage.record.report.message : stage.error)));
+    pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
+                         QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
+    say(QString::fromStdString(stage.record.id + ": " +
+                               (stage.error.empty() ? stage.record.report.message : stage.error)));
   }
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
   auto stems = latest<Table>(outcome, results, "stems");
-  scene_->show_survey(latest<PointCloud>(outcome, results, "points"), stems, latest<Table>(outcome, results, "sections"), latest<Trajectory>(outcome, results, "trajectory"));
+  scene_->show_survey(latest<PointCloud>(outcome, results, "points"), stems,
+                      latest<Table>(outcome, results, "sections"), latest<Trajectory>(outcome, results, "trajectory"));
   stems_->show_table(std::move(stems));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (run_->running() && QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes) return event->ignore();
+  if (run_->running() &&
+      QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
+    return event->ignore();
   run_->cancel();
   event->accept();
 }

@@ -7,8 +7,11 @@ namespace bole {
 
 std::span<const ArrayInfo> array_vocabulary() {
   using namespace arrays;
-  static constexpr std::array all{intensity,  time,      range,           ring, pass,  keyframe, sensor_x,     sensor_y, sensor_z, height_above_ground, tree_id, stem, classification, return_number, number_of_returns,
-                                  scan_angle, user_data, point_source_id, red,  green, blue,     near_infrared};
+  static constexpr std::array all{intensity,  time,         range,           ring,          pass,
+                                  keyframe,   sensor_x,     sensor_y,        sensor_z,      height_above_ground,
+                                  tree_id,    stem,         classification,  return_number, number_of_returns,
+                                  scan_angle, user_data,    point_source_id, red,           green,
+                                  blue,       near_infrared};
   return all;
 }
 

@@ -27,7 +27,8 @@ void ContentHash::add_text(std::string_view text) {
 std::string ContentHash::hex() const {
   const XXH128_hash_t digest = XXH3_128bits_digest(&state_->xxh);
   char text[33];
-  std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(digest.high64), static_cast<unsigned long long>(digest.low64));
+  std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(digest.high64),
+                static_cast<unsigned long long>(digest.low64));
   return text;
 }
 

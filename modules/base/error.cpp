@@ -10,9 +10,11 @@ std::string Error::compose(const Parts& p) {
   return text;
 }
 
-Error::Error(ErrorKind error_kind, Parts parts) : std::runtime_error(compose(parts)), kind_(error_kind), parts_(std::move(parts)) {}
+Error::Error(ErrorKind error_kind, Parts parts)
+    : std::runtime_error(compose(parts)), kind_(error_kind), parts_(std::move(parts)) {}
 
-Error::Error(ErrorKind error_kind, std::string what_found, std::string what_needed, std::string what_to_do) : Error(error_kind, Parts{{}, std::move(what_found), std::move(what_needed), std::move(what_to_do)}) {}
+Error::Error(ErrorKind error_kind, std::string what_found, std::string what_needed, std::string what_to_do)
+    : Error(error_kind, Parts{{}, std::move(what_found), std::move(what_needed), std::move(what_to_do)}) {}
 
 Error Error::at(const std::string& where) const {
   Parts parts = parts_;
@@ -32,7 +34,11 @@ int Error::exit_code() const {
   return 1;
 }
 
-Error bad_input(std::string found, std::string needed, std::string hint) { return Error(ErrorKind::bad_input, std::move(found), std::move(needed), std::move(hint)); }
-Error failure(std::string found, std::string needed, std::string hint) { return Error(ErrorKind::failed, std::move(found), std::move(needed), std::move(hint)); }
+Error bad_input(std::string found, std::string needed, std::string hint) {
+  return Error(ErrorKind::bad_input, std::move(found), std::move(needed), std::move(hint));
+}
+Error failure(std::string found, std::string needed, std::string hint) {
+  return Error(ErrorKind::failed, std::move(found), std::move(needed), std::move(hint));
+}
 
 }  // namespace bole

@@ -15,9 +15,10 @@ enum class ErrorKind {
 
 class Error : public std::runtime_error {
  public:
-  // `what_found` says what was met ("frame 12 has 3 points"), `what_needed` what would have served, `what_to_do` the remedy.
-  // Either of the last two may be empty.
-  explicit Error(ErrorKind error_kind, std::string what_found, std::string what_needed = {}, std::string what_to_do = {});
+  // `what_found` says what was met ("frame 12 has 3 points"), `what_needed` what would have served, `what_to_do` the
+  // remedy. Either of the last two may be empty.
+  explicit Error(ErrorKind error_kind, std::string what_found, std::string what_needed = {},
+                 std::string what_to_do = {});
 
   // The same error with the place it came from ("stems.fit", "scan.pcap:12") in front of the message.
   Error at(const std::string& where) const;

@@ -80,14 +80,22 @@ std::string OptionSpec::needed() const {
 OptionValue OptionSpec::checked(const OptionValue& value) const {
   const auto wrong = [&] { return bad_input("option " + name + " is '" + option_text(value) + "'", needed()); };
   OptionValue v = value;
-  if (std::holds_alternative<std::string>(v) && !std::holds_alternative<std::string>(default_value)) return parsed(std::get<std::string>(v));
-  if (std::holds_alternative<double>(default_value) && std::holds_alternative<std::int64_t>(v)) v = static_cast<double>(std::get<std::int64_t>(v));
+  if (std::holds_alternative<std::string>(v) && !std::holds_alternative<std::string>(default_value))
+    return parsed(std::get<std::string>(v));
+  if (std::holds_alternative<double>(default_value) && std::holds_alternative<std::int64_t>(v))
+    v = static_cast<double>(std::get<std::int64_t>(v));
   // A whole number written as 5.0 is a whole number.
-  if (const auto* d = std::get_if<double>(&v); d && std::holds_alternative<std::int64_t>(default_value) && std::nearbyint(*d) == *d && std::abs(*d) < 1e15) v = static_cast<std::int64_t>(*d);
+  if (const auto* d = std::get_if<double>(&v);
+      d && std::holds_alternative<std::int64_t>(default_value) && std::nearbyint(*d) == *d && std::abs(*d) < 1e15)
+    v = static_cast<std::int64_t>(*d);
   if (v.index() != default_value.index()) throw wrong();
-  if (const auto* i = std::get_if<std::int64_t>(&v); i && (static_cast<double>(*i) < min || static_cast<double>(*i) > max)) throw wrong();
+  if (const auto* i = std::get_if<std::int64_t>(&v);
+      i && (static_cast<double>(*i) < min || static_cast<double>(*i) > max))
+    throw wrong();
   if (const auto* d = std::get_if<double>(&v); d && !(*d >= min && *d <= max)) throw wrong();
-  if (const auto* s = std::get_if<std::string>(&v); s && text_kind == TextKind::choice && std::ranges::find(choices, *s) == choices.end()) throw wrong();
+  if (const auto* s = std::get_if<std::string>(&v);
+      s && text_kind == TextKind::choice && std::ranges::find(choices, *s) == choices.end())
+    throw wrong();
   return v;
 }
 
@@ -116,7 +124,9 @@ const OptionSpec& OptionTable::at(std::string_view name) const {
   for (const auto& s : specs) names.push_back(s.name);
   std::string hint;
   for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
-  throw bad_input("there is no option '" + std::string(name) + "'", specs.empty() ? "no option: there is none here" : "the name of an option", hint.empty() ? hint : hint + "?");
+  throw bad_input("there is no option '" + std::string(name) + "'",
+                  specs.empty() ? "no option: there is none here" : "the name of an option",
+                  hint.empty() ? hint : hint + "?");
 }
 
 void OptionSet::set(std::string_view name, const OptionValue& value) {

@@ -5,7 +5,8 @@
 //   const OptionTable& option_table(const SliceOptions*) {
 //     using S = SliceOptions;
 //     static const OptionTable table = make_option_table<S>({
-//         Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height of the slice centre above ground."},
+//         Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height of the slice centre
+//         above ground."},
 //     });
 //     return table;
 //   }
@@ -150,12 +151,14 @@ std::string number_text(double value);
 std::string option_text(const OptionValue& value);
 
 // Up to `most` of `names` nearest to `word` by edit distance, for "did you mean".
-std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names, std::size_t most = 3);
+std::vector<std::string> nearest_names(std::string_view word, const std::vector<std::string>& names,
+                                       std::size_t most = 3);
 
 template <class S>
 class OptionEntry {
  public:
-  OptionEntry(const Option<S, double>& o) : spec(base(o.name, o.unit, o.tier, o.help)) {  // NOLINT: entries read as Option rows
+  OptionEntry(const Option<S, double>& o)
+      : spec(base(o.name, o.unit, o.tier, o.help)) {  // NOLINT: entries read as Option rows
     spec.min = o.range.min, spec.max = o.range.max;
     bind<double, double>(o.member);
   }
@@ -163,8 +166,10 @@ class OptionEntry {
     spec.min = o.range.min, spec.max = o.range.max;
     bind<int, std::int64_t>(o.member);
   }
-  OptionEntry(const Option<S, bool>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) { bind<bool, bool>(o.member); }  // NOLINT
-  OptionEntry(const Option<S, std::string>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {                         // NOLINT
+  OptionEntry(const Option<S, bool>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {
+    bind<bool, bool>(o.member);
+  }                                                                                                // NOLINT
+  OptionEntry(const Option<S, std::string>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {  // NOLINT
     spec.text_kind = o.kind, spec.choices = o.choices;
     bind<std::string, std::string>(o.member);
   }
@@ -179,7 +184,9 @@ class OptionEntry {
   template <class Member, class Value>
   void bind(Member S::*member) {
     spec.get = [member](const void* s) -> OptionValue { return static_cast<Value>(static_cast<const S*>(s)->*member); };
-    spec.assign = [member](void* s, const OptionValue& v) { static_cast<S*>(s)->*member = static_cast<Member>(std::get<Value>(v)); };
+    spec.assign = [member](void* s, const OptionValue& v) {
+      static_cast<S*>(s)->*member = static_cast<Member>(std::get<Value>(v));
+    };
     const S defaults{};
     spec.default_value = spec.get(&defaults);
   }
@@ -191,7 +198,9 @@ OptionTable make_option_table(std::vector<OptionEntry<S>> entries, std::function
   OptionTable table;
   for (auto& e : entries) table.specs.push_back(std::move(e.spec));
   table.make = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
-  table.copy = [](const void* s) { return std::static_pointer_cast<void>(std::make_shared<S>(*static_cast<const S*>(s))); };
+  table.copy = [](const void* s) {
+    return std::static_pointer_cast<void>(std::make_shared<S>(*static_cast<const S*>(s)));
+  };
   if (check) table.check_all = [check](const void* s) { check(*static_cast<const S*>(s)); };
   return table;
 }

@@ -10,7 +10,10 @@ void Run::check_cancel() const {
 
 Run Run::part(double begin, double end) const {
   Run inner = *this;
-  if (progress) inner.progress = [outer = progress, begin, end](double f, std::string_view what) { outer(begin + f * (end - begin), what); };
+  if (progress)
+    inner.progress = [outer = progress, begin, end](double f, std::string_view what) {
+      outer(begin + f * (end - begin), what);
+    };
   return inner;
 }
 

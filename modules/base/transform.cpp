@@ -60,9 +60,13 @@ Pose interpolate(const Pose& a, const Pose& b, double s) {
 
 Eigen::Matrix3d rotation_from_rpy(double roll, double pitch, double yaw) {
   using Eigen::AngleAxisd, Eigen::Vector3d;
-  return (AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(pitch, Vector3d::UnitY()) * AngleAxisd(roll, Vector3d::UnitX())).toRotationMatrix();
+  return (AngleAxisd(yaw, Vector3d::UnitZ()) * AngleAxisd(pitch, Vector3d::UnitY()) *
+          AngleAxisd(roll, Vector3d::UnitX()))
+      .toRotationMatrix();
 }
 
-Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix(); }
+Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
 
 }  // namespace bole

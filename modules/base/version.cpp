@@ -13,7 +13,8 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   while (!rest.empty()) {
     const auto end = rest.find(';');
     const auto entry = rest.substr(0, end);
-    if (const auto space = entry.find(' '); space != std::string_view::npos && space + 1 < entry.size()) list.emplace_back(entry.substr(0, space), entry.substr(space + 1));
+    if (const auto space = entry.find(' '); space != std::string_view::npos && space + 1 < entry.size())
+      list.emplace_back(entry.substr(0, space), entry.substr(space + 1));
     rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
   }
   return list;

@@ -14,6 +14,9 @@ bool DataSet::has(std::string_view port) const {
   return it != data_.end() && data_kind(it->second) != DataKind::none;
 }
 
-Error DataSet::missing(std::string_view port) { return bad_input("nothing of the right kind is connected to the input '" + std::string(port) + "'", "the output of an earlier stage"); }
+Error DataSet::missing(std::string_view port) {
+  return bad_input("nothing of the right kind is connected to the input '" + std::string(port) + "'",
+                   "the output of an earlier stage");
+}
 
 }  // namespace bole

@@ -19,7 +19,9 @@ namespace bole {
 enum class DataKind { none, cloud, table, raster, trajectory, frames };
 std::string_view data_kind_name(DataKind kind);
 
-using Data = std::variant<std::monostate, std::shared_ptr<const PointCloud>, std::shared_ptr<const Table>, std::shared_ptr<const Raster>, std::shared_ptr<const Trajectory>, std::shared_ptr<const FrameSource>>;
+using Data =
+    std::variant<std::monostate, std::shared_ptr<const PointCloud>, std::shared_ptr<const Table>,
+                 std::shared_ptr<const Raster>, std::shared_ptr<const Trajectory>, std::shared_ptr<const FrameSource>>;
 
 inline DataKind data_kind(const Data& data) { return static_cast<DataKind>(data.index()); }
 

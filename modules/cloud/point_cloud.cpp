@@ -48,13 +48,18 @@ const Column& PointCloud::column(std::string_view name) const {
   if (it != columns_.end()) return *it->second;
   std::string list;
   for (const auto& [n, c] : columns_) list += (list.empty() ? "" : ", ") + n;
-  throw bad_input("the cloud has no array '" + std::string(name) + "'", "one of that name", "It has: " + (list.empty() ? "none" : list));
+  throw bad_input("the cloud has no array '" + std::string(name) + "'", "one of that name",
+                  "It has: " + (list.empty() ? "none" : list));
 }
 
-void PointCloud::set_column(std::string_view name, Column column) { share_column(name, std::make_shared<const Column>(std::move(column))); }
+void PointCloud::set_column(std::string_view name, Column column) {
+  share_column(name, std::make_shared<const Column>(std::move(column)));
+}
 
 void PointCloud::share_column(std::string_view name, std::shared_ptr<const Column> column) {
-  if (column_size(*column) != size()) throw failure("array '" + std::string(name) + "' has " + std::to_string(column_size(*column)) + " values", std::to_string(size()) + ", one per point");
+  if (column_size(*column) != size())
+    throw failure("array '" + std::string(name) + "' has " + std::to_string(column_size(*column)) + " values",
+                  std::to_string(size()) + ", one per point");
   columns_.insert_or_assign(std::string(name), std::move(column));
 }
 

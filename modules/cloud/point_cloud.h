@@ -16,7 +16,8 @@
 namespace bole {
 
 // The types of ArrayType, in its order.
-using Column = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>, std::vector<float>, std::vector<double>>;
+using Column = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
+                            std::vector<float>, std::vector<double>>;
 
 std::size_t column_size(const Column& column);
 ArrayType column_type(const Column& column);
@@ -31,14 +32,15 @@ enum class Axes { unknown, sensor, map, plot, global };
 std::string_view axes_name(Axes axes);
 Axes axes_from_name(std::string_view name);  // throws Error{bad_input}
 
-// Copies are cheap: positions and columns are shared between copies and never changed once shared, so a stage that adds a
-// column to a cloud of 20 M points does not copy the points.
+// Copies are cheap: positions and columns are shared between copies and never changed once shared, so a stage that adds
+// a column to a cloud of 20 M points does not copy the points.
 class PointCloud {
  public:
   using Positions = std::vector<Eigen::Vector3f>;
 
   PointCloud() : positions_(std::make_shared<const Positions>()) {}
-  explicit PointCloud(Positions positions, const Eigen::Vector3d& cloud_origin = Eigen::Vector3d::Zero()) : origin(cloud_origin), positions_(std::make_shared<const Positions>(std::move(positions))) {}
+  explicit PointCloud(Positions positions, const Eigen::Vector3d& cloud_origin = Eigen::Vector3d::Zero())
+      : origin(cloud_origin), positions_(std::make_shared<const Positions>(std::move(positions))) {}
 
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // coordinate = origin + offset, metres
   Axes axes = Axes::unknown;
@@ -64,7 +66,9 @@ class PointCloud {
   template <class T>
   const std::vector<T>& values(std::string_view name) const {
     if (const auto* v = std::get_if<std::vector<T>>(&column(name))) return *v;
-    throw bad_input("array '" + std::string(name) + "' has type " + std::string(array_type_name(column_type(column(name)))), "another type");
+    throw bad_input(
+        "array '" + std::string(name) + "' has type " + std::string(array_type_name(column_type(column(name)))),
+        "another type");
   }
   template <class T>
   const std::vector<T>& values(const ArrayInfo& info) const {
@@ -85,8 +89,9 @@ class PointCloud {
   std::map<std::string, std::shared_ptr<const Column>, std::less<>> columns_;
 };
 
-// The coordinate that the source file holds for a point: its offset rounded to the grid of `scale`. position() where the
-// cloud has no grid. Exact up to 2^23 steps from the origin, where a float32 offset still tells neighbouring steps apart.
+// The coordinate that the source file holds for a point: its offset rounded to the grid of `scale`. position() where
+// the cloud has no grid. Exact up to 2^23 steps from the origin, where a float32 offset still tells neighbouring steps
+// apart.
 Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i);
 
 }  // namespace bole

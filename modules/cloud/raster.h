@@ -21,11 +21,16 @@ struct Raster {
   std::string crs_wkt;
   std::string quantity = "elevation_m";
 
-  float at(int ix, int iy) const { return values[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)]; }
-  float& at(int ix, int iy) { return values[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)]; }
+  float at(int ix, int iy) const {
+    return values[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)];
+  }
+  float& at(int ix, int iy) {
+    return values[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)];
+  }
   bool contains(int ix, int iy) const { return ix >= 0 && iy >= 0 && ix < nx && iy < ny; }
 
-  // Bilinear between cell centres; within half a cell of the border the border value holds. NaN outside or beside a hole.
+  // Bilinear between cell centres; within half a cell of the border the border value holds. NaN outside or beside a
+  // hole.
   double sample(double x, double y) const;
 };
 

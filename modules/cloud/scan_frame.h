@@ -39,7 +39,8 @@ class FrameSource {
   virtual std::vector<double> ring_elevations_rad() const { return {}; }
   virtual std::string sensor_model() const = 0;  // "vlp32c", ...; "unknown" when not known
   virtual std::string description() const = 0;   // "walk.pcap: 812 frames, VLP-32C"
-  // Where it came from, so that a stored result can name and reopen it: a JSON text that open_frame_source() understands.
+  // Where it came from, so that a stored result can name and reopen it: a JSON text that open_frame_source()
+  // understands.
   virtual std::string locator() const = 0;
 };
 

@@ -9,7 +9,9 @@ namespace {
 
 using nlohmann::json;
 
-Error damaged(const std::string& what) { return failure("stored result: " + what, "what was written", "Delete the cache folder if this stays"); }
+Error damaged(const std::string& what) {
+  return failure("stored result: " + what, "what was written", "Delete the cache folder if this stays");
+}
 
 template <class T>
 std::string put_vector(const std::vector<T>& values, BlobStore& store) {
@@ -20,7 +22,8 @@ template <class T>
 std::vector<T> get_vector(const json& id, std::size_t count, const BlobStore& store) {
   const auto name = id.get<std::string>();
   const std::size_t bytes = store.size(name);
-  if (bytes != count * sizeof(T)) throw damaged("an array has " + std::to_string(bytes) + " bytes instead of " + std::to_string(count * sizeof(T)));
+  if (bytes != count * sizeof(T))
+    throw damaged("an array has " + std::to_string(bytes) + " bytes instead of " + std::to_string(count * sizeof(T)));
   std::vector<T> values(count);
   store.get(name, std::as_writable_bytes(std::span(values)));
   return values;
@@ -31,10 +34,16 @@ std::vector<T> get_vector(const json& id, std::size_t count, const BlobStore& st
 constexpr std::string_view positions_tag = "positions";
 
 json put_vector3(const Eigen::Vector3d& v) { return json::array({v.x(), v.y(), v.z()}); }
-Eigen::Vector3d get_vector3(const json& j) { return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()}; }
+Eigen::Vector3d get_vector3(const json& j) {
+  return {j.at(0).get<double>(), j.at(1).get<double>(), j.at(2).get<double>()};
+}
 
 json store_cloud(const PointCloud& cloud, BlobStore& store) {
-  json j{{"size", cloud.size()}, {"origin", put_vector3(cloud.origin)}, {"axes", axes_name(cloud.axes)}, {"crs", cloud.crs_wkt}, {"scale", put_vector3(cloud.scale)}};
+  json j{{"size", cloud.size()},
+         {"origin", put_vector3(cloud.origin)},
+         {"axes", axes_name(cloud.axes)},
+         {"crs", cloud.crs_wkt},
+         {"scale", put_vector3(cloud.scale)}};
   j["positions"] = put_vector(cloud.positions(), store);
   j["columns"] = json::object();
   for (const auto& [name, column] : cloud.columns()) {
@@ -45,7 +54,8 @@ json store_cloud(const PointCloud& cloud, BlobStore& store) {
 }
 
 ArrayType type_from_name(const std::string& name) {
-  for (const auto type : {ArrayType::uint8, ArrayType::uint16, ArrayType::int32, ArrayType::float32, ArrayType::float64})
+  for (const auto type :
+       {ArrayType::uint8, ArrayType::uint16, ArrayType::int32, ArrayType::float32, ArrayType::float64})
     if (array_type_name(type) == name) return type;
   throw damaged("array type '" + name + "'");
 }
@@ -53,7 +63,9 @@ ArrayType type_from_name(const std::string& name) {
 std::shared_ptr<const Column> load_column(const json& j, std::size_t size, const BlobStore& store) {
   const auto id = j.at("blob").get<std::string>();
   const auto type_name = j.at("type").get<std::string>();
-  if (auto shared = std::static_pointer_cast<const Column>(store.recall(id, type_name)); shared && column_size(*shared) == size) return shared;
+  if (auto shared = std::static_pointer_cast<const Column>(store.recall(id, type_name));
+      shared && column_size(*shared) == size)
+    return shared;
   Column column = make_column(type_from_name(type_name), 0);
   std::visit([&]<class T>(std::vector<T>& values) { values = get_vector<T>(j.at("blob"), size, store); }, column);
   auto shared = std::make_shared<const Column>(std::move(column));
@@ -71,11 +83,13 @@ std::shared_ptr<const PointCloud> load_cloud(const json& j, const BlobStore& sto
   const auto id = j.at("positions").get<std::string>();
   auto positions = std::static_pointer_cast<const PointCloud::Positions>(store.recall(id, positions_tag));
   if (!positions || positions->size() != size) {
-    positions = std::make_shared<const PointCloud::Positions>(get_vector<Eigen::Vector3f>(j.at("positions"), size, store));
+    positions =
+        std::make_shared<const PointCloud::Positions>(get_vector<Eigen::Vector3f>(j.at("positions"), size, store));
     store.remember(id, positions_tag, positions);
   }
   cloud->share_positions(positions);
-  for (const auto& [name, column] : j.at("columns").items()) cloud->share_column(name, load_column(column, size, store));
+  for (const auto& [name, column] : j.at("columns").items())
+    cloud->share_column(name, load_column(column, size, store));
   return cloud;
 }
 
@@ -112,9 +126,12 @@ json store_table(const Table& table, BlobStore& store) {
   json j{{"rows", table.rows()}, {"facts", table.facts}, {"columns", json::array()}};
   for (const auto& column : table.columns()) {
     json c{{"name", column.name}};
-    if (const auto* numbers = std::get_if<std::vector<double>>(&column.values)) c["type"] = "number", c["blob"] = put_vector(*numbers, store);
-    if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&column.values)) c["type"] = "integer", c["blob"] = put_vector(*integers, store);
-    if (const auto* texts = std::get_if<std::vector<std::string>>(&column.values)) c["type"] = "text", c["blob"] = put_texts(*texts, store);
+    if (const auto* numbers = std::get_if<std::vector<double>>(&column.values))
+      c["type"] = "number", c["blob"] = put_vector(*numbers, store);
+    if (const auto* integers = std::get_if<std::vector<std::int64_t>>(&column.values))
+      c["type"] = "integer", c["blob"] = put_vector(*integers, store);
+    if (const auto* texts = std::get_if<std::vector<std::string>>(&column.values))
+      c["type"] = "text", c["blob"] = put_texts(*texts, store);
     j["columns"].push_back(std::move(c));
   }
   return j;
@@ -160,7 +177,8 @@ std::shared_ptr<const Raster> load_raster(const json& j, const BlobStore& store)
   raster->axes = axes_from_name(j.at("axes").get<std::string>());
   raster->crs_wkt = j.at("crs").get<std::string>();
   raster->quantity = j.at("quantity").get<std::string>();
-  raster->values = get_vector<float>(j.at("values"), static_cast<std::size_t>(raster->nx) * static_cast<std::size_t>(raster->ny), store);
+  raster->values = get_vector<float>(
+      j.at("values"), static_cast<std::size_t>(raster->nx) * static_cast<std::size_t>(raster->ny), store);
   return raster;
 }
 

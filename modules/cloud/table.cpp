@@ -17,7 +17,9 @@ const Table::Values* Table::find(std::string_view name) const {
 void Table::set(std::string_view name, Values values) {
   const std::size_t length = std::visit([](const auto& v) { return v.size(); }, values);
   if (columns_.empty()) rows_ = length;
-  if (length != rows_) throw failure("table column '" + std::string(name) + "' has " + std::to_string(length) + " rows", std::to_string(rows_));
+  if (length != rows_)
+    throw failure("table column '" + std::string(name) + "' has " + std::to_string(length) + " rows",
+                  std::to_string(rows_));
   const auto it = std::ranges::find(columns_, name, &NamedColumn::name);
   if (it != columns_.end())
     it->values = std::move(values);
@@ -36,7 +38,8 @@ const Table::Values& require(const Table& table, std::string_view name) {
   if (const auto* v = table.find(name)) return *v;
   std::string list;
   for (const auto& c : table.columns()) list += (list.empty() ? "" : ", ") + c.name;
-  throw bad_input("the table has no column '" + std::string(name) + "'", "one of that name", "It has: " + (list.empty() ? "none" : list));
+  throw bad_input("the table has no column '" + std::string(name) + "'", "one of that name",
+                  "It has: " + (list.empty() ? "none" : list));
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ class Table {
   void set(std::string_view name, Values values);
   void remove(std::string_view name);
 
-  // Typed access; numbers() also turns whole numbers into doubles. Throws Error{bad_input} when absent or of another type.
+  // Typed access; numbers() also turns whole numbers into doubles. Throws Error{bad_input} when absent or of another
+  // type.
   std::vector<double> numbers(std::string_view name) const;
   std::vector<std::int64_t> integers(std::string_view name) const;
   const std::vector<std::string>& texts(std::string_view name) const;

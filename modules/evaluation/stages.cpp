@@ -9,7 +9,9 @@ namespace {
 Table stacked(const Table& a, const Table& b) {
   auto measure = a.texts("measure"), unit = a.texts("unit"), published = a.texts("published");
   auto value = a.numbers("value");
-  for (std::size_t i = 0; i < b.rows(); ++i) measure.push_back(b.texts("measure")[i]), unit.push_back(b.texts("unit")[i]), published.push_back(b.texts("published")[i]), value.push_back(b.numbers("value")[i]);
+  for (std::size_t i = 0; i < b.rows(); ++i)
+    measure.push_back(b.texts("measure")[i]), unit.push_back(b.texts("unit")[i]),
+        published.push_back(b.texts("published")[i]), value.push_back(b.numbers("value")[i]);
   Table t;
   t.set("measure", measure), t.set("value", value), t.set("unit", unit), t.set("published", published);
   return t;
@@ -37,15 +39,22 @@ StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& ru
   if (in.has("reference_stems")) {
     auto stems = evaluate_stems(in.table("stems"), in.table("reference_stems"), options);
     auto& r = result.report;
-    r.counts["matched"] = static_cast<std::int64_t>(stems.matched), r.counts["missed"] = static_cast<std::int64_t>(stems.missed), r.counts["false"] = static_cast<std::int64_t>(stems.extra);
-    message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " + std::to_string(stems.extra) + " false";
-    if (stems.matched == 0) r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
+    r.counts["matched"] = static_cast<std::int64_t>(stems.matched),
+    r.counts["missed"] = static_cast<std::int64_t>(stems.missed),
+    r.counts["false"] = static_cast<std::int64_t>(stems.extra);
+    message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " +
+              std::to_string(stems.extra) + " false";
+    if (stems.matched == 0)
+      r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
     matches = std::move(stems.matches), summary = std::move(stems.summary);
   }
   run.check_cancel();
   if (in.has("reference_trajectory")) {
-    if (!in.has("trajectory")) throw bad_input("a reference trajectory is connected but no trajectory", "both", "Connect the input 'trajectory'");
-    const auto trajectory = evaluate_trajectory(in.trajectory("trajectory"), in.trajectory("reference_trajectory"), options);
+    if (!in.has("trajectory"))
+      throw bad_input("a reference trajectory is connected but no trajectory", "both",
+                      "Connect the input 'trajectory'");
+    const auto trajectory =
+        evaluate_trajectory(in.trajectory("trajectory"), in.trajectory("reference_trajectory"), options);
     message += (message.empty() ? "" : "; ") + std::to_string(trajectory.poses) + " poses compared";
     summary = stacked(summary, trajectory.summary);
   }
@@ -63,14 +72,17 @@ void register_evaluation_stages(StageRegistry& registry) {
   t.name = "evaluation.plot";
   t.title = "Evaluate a plot";
   t.help =
-      "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and diameter gates, completeness and correctness, mean and covariance of the position error, bias and "
-      "RMSE of the diameters, overall, by diameter class and by distance from the plot centre; absolute and relative error of the trajectory. Without a reference the tables are empty.";
+      "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and "
+      "diameter gates, completeness and correctness, mean and covariance of the position error, bias and "
+      "RMSE of the diameters, overall, by diameter class and by distance from the plot centre; absolute and relative "
+      "error of the trajectory. Without a reference the tables are empty.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},
               {"trajectory", DataKind::trajectory, "The sensor path to be judged.", true, {}},
               {"reference_stems", DataKind::table, "Reference trees: tree_id, x_m, y_m, dbh_cm.", true, {}},
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};
-  t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}}, {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}}};
+  t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
+               {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}}};
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
   t.run = evaluate_plot;
   registry.add(std::move(t));

@@ -26,14 +26,24 @@ void register_ground_stages(StageRegistry& registry) {
   type.name = "ground.model";
   type.title = "Model the ground";
   type.help =
-      "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; "
-      "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. "
-      "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance_m from any ground point the model has no value and points there have no height (NaN).";
-  type.source = "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, IAPRS XXXIII B4/1, 2000; local fit: Bole";
+      "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "
+      "groups of points of small cells are taken into a triangulation step by step; "
+      "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
+      "middle of the band and not along its lower edge or the top of the grass. "
+      "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance_m from any "
+      "ground point the model has no value and points there have no height (NaN).";
+  type.source =
+      "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, "
+      "IAPRS XXXIII B4/1, 2000; local fit: Bole";
   type.inputs = {{"points", DataKind::cloud, "A cloud whose z axis points up.", false, {}}};
-  type.outputs = {{"points", DataKind::cloud, "The same points with heights and classes.", false, {arrays::height_above_ground, arrays::classification}},
-                  {"dem", DataKind::raster, "Terrain height per cell.", false, {}},
-                  {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}}};
+  type.outputs = {
+      {"points",
+       DataKind::cloud,
+       "The same points with heights and classes.",
+       false,
+       {arrays::height_above_ground, arrays::classification}},
+      {"dem", DataKind::raster, "Terrain height per cell.", false, {}},
+      {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}}};
   type.options = &option_table(static_cast<const ground::GroundOptions*>(nullptr));
   type.run = run_model;
   registry.add(std::move(type));

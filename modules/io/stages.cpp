@@ -29,27 +29,40 @@ struct ReadTrajectoryOptions {
 // The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
 template <class S, class Base>
 OptionTable with_file(std::string_view help) {
-  auto table = make_option_table<S>({Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help}});
+  auto table =
+      make_option_table<S>({Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help}});
   const auto& inner = option_table(static_cast<const Base*>(nullptr));
   for (auto spec : inner.specs) {
     spec.get = [get = spec.get](const void* s) { return get(static_cast<const Base*>(static_cast<const S*>(s))); };
-    spec.assign = [assign = spec.assign](void* s, const OptionValue& v) { assign(static_cast<Base*>(static_cast<S*>(s)), v); };
+    spec.assign = [assign = spec.assign](void* s, const OptionValue& v) {
+      assign(static_cast<Base*>(static_cast<S*>(s)), v);
+    };
     table.specs.push_back(std::move(spec));
   }
-  table.check_all = [check = inner.check_all](const void* s) { check(static_cast<const Base*>(static_cast<const S*>(s))); };
+  table.check_all = [check = inner.check_all](const void* s) {
+    check(static_cast<const Base*>(static_cast<const S*>(s)));
+  };
   return table;
 }
 
 StageType read_scan() {
-  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>("Scan to read: a pcap or pcapng file of a Velodyne sensor, or a folder with one .bin (KITTI) or .pcd file per frame.");
+  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(
+      "Scan to read: a pcap or pcapng file of a Velodyne sensor, or a folder with one .bin (KITTI) or .pcd file per "
+      "frame.");
   StageType type;
   type.name = "io.read_scan";
   type.title = "Read a scan";
   type.help =
-      "Opens the recording of a spinning LiDAR and offers it frame by frame; frames are decoded when they are asked for, so that long recordings need little memory. "
-      "Every return keeps its ring and its own time. Lost, damaged and disordered packets are counted, and a recording that is cut off is read as far as it goes.";
+      "Opens the recording of a spinning LiDAR and offers it frame by frame; frames are decoded when they are asked "
+      "for, so that long recordings need little memory. "
+      "Every return keeps its ring and its own time. Lost, damaged and disordered packets are counted, and a recording "
+      "that is cut off is read as far as it goes.";
   type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
-  type.outputs = {{"frames", DataKind::frames, "The frames of the scan, in sensor axes.", false, {arrays::time, arrays::ring, arrays::intensity, arrays::return_number}}};
+  type.outputs = {{"frames",
+                   DataKind::frames,
+                   "The frames of the scan, in sensor axes.",
+                   false,
+                   {arrays::time, arrays::ring, arrays::intensity, arrays::return_number}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadScanOptions>();
@@ -61,14 +74,18 @@ StageType read_scan() {
 }
 
 StageType read_cloud_stage() {
-  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>("Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
+  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(
+      "Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
   StageType type;
   type.name = "io.read_cloud";
   type.title = "Read a point cloud";
   type.help =
-      "Reads a point cloud of any common format, recognised by its content. Coordinates come out in metres with z up; large ones are kept exactly as offsets from an origin. "
-      "Fields of the file become arrays of the common vocabulary (intensity, time, ring, return_number, classification, red, ...); others keep their names. "
-      "Points whose coordinates are not numbers are dropped and counted; a file that is cut off gives the points it holds.";
+      "Reads a point cloud of any common format, recognised by its content. Coordinates come out in metres with z up; "
+      "large ones are kept exactly as offsets from an origin. "
+      "Fields of the file become arrays of the common vocabulary (intensity, time, ring, return_number, "
+      "classification, red, ...); others keep their names. "
+      "Points whose coordinates are not numbers are dropped and counted; a file that is cut off gives the points it "
+      "holds.";
   type.source = "Bole";
   type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
   type.options = &table;
@@ -84,12 +101,19 @@ StageType read_cloud_stage() {
 }
 
 StageType read_table_stage() {
-  static const OptionTable table =
-      make_option_table<ReadTableOptions>({Option<ReadTableOptions, std::string>{"file", &ReadTableOptions::file, TextKind::input_path, {}, Tier::basic, "Table to read: CSV with a header line."}});
+  static const OptionTable table = make_option_table<ReadTableOptions>(
+      {Option<ReadTableOptions, std::string>{"file",
+                                             &ReadTableOptions::file,
+                                             TextKind::input_path,
+                                             {},
+                                             Tier::basic,
+                                             "Table to read: CSV with a header line."}});
   StageType type;
   type.name = "io.read_table";
   type.title = "Read a table";
-  type.help = "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty cells are missing values; lines that do not fit the header are named.";
+  type.help =
+      "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty "
+      "cells are missing values; lines that do not fit the header are named.";
   type.source = "RFC 4180";
   type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
   type.options = &table;
@@ -98,7 +122,8 @@ StageType read_table_stage() {
     auto read = read_table(options.as<ReadTableOptions>().file, run);
     result.report.counts["rows"] = static_cast<std::int64_t>(read.rows());
     result.report.counts["columns"] = static_cast<std::int64_t>(read.columns().size());
-    result.report.message = std::to_string(read.rows()) + " rows, " + std::to_string(read.columns().size()) + " columns";
+    result.report.message =
+        std::to_string(read.rows()) + " rows, " + std::to_string(read.columns().size()) + " columns";
     result.outputs.set("table", std::move(read));
     return result;
   };
@@ -108,14 +133,31 @@ StageType read_table_stage() {
 StageType read_trajectory_stage() {
   using S = ReadTrajectoryOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
-      Option<S, std::string>{"format", &S::format, TextKind::choice, {"auto", "tum", "kitti"}, Tier::advanced, "Format of the file; auto tells them apart by the number of values per line."},
-      Option<S, std::string>{"axes", &S::axes, TextKind::choice, {"unknown", "map", "plot", "global"}, Tier::advanced, "Axes that the poses are in."},
+      Option<S, std::string>{"file",
+                             &S::file,
+                             TextKind::input_path,
+                             {},
+                             Tier::basic,
+                             "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
+      Option<S, std::string>{"format",
+                             &S::format,
+                             TextKind::choice,
+                             {"auto", "tum", "kitti"},
+                             Tier::advanced,
+                             "Format of the file; auto tells them apart by the number of values per line."},
+      Option<S, std::string>{"axes",
+                             &S::axes,
+                             TextKind::choice,
+                             {"unknown", "map", "plot", "global"},
+                             Tier::advanced,
+                             "Axes that the poses are in."},
   });
   StageType type;
   type.name = "io.read_trajectory";
   type.title = "Read a trajectory";
-  type.help = "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
+  type.help =
+      "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses "
+      "have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
   type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
   type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
   type.options = &table;

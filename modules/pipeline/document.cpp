@@ -16,7 +16,8 @@ void check_keys(const ordered_json& object, const std::string& where, const std:
     if (std::ranges::find(known, key) != known.end() || key == "$schema") continue;
     std::string hint;
     for (const auto& n : nearest_names(key, known)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
-    throw bad_input(where + " has an unknown key '" + key + "'", "one of the keys that `bole stages --schema` lists", hint.empty() ? hint : hint + "?");
+    throw bad_input(where + " has an unknown key '" + key + "'", "one of the keys that `bole stages --schema` lists",
+                    hint.empty() ? hint : hint + "?");
   }
 }
 
@@ -40,29 +41,34 @@ std::string resolved(const std::string& path, const std::filesystem::path& base_
   return (base_dir / path).lexically_normal().string();
 }
 
-StageNode parse_stage(const ordered_json& object, std::size_t number, const StageRegistry& registry, const std::filesystem::path& base_dir) {
+StageNode parse_stage(const ordered_json& object, std::size_t number, const StageRegistry& registry,
+                      const std::filesystem::path& base_dir) {
   std::string where = "stage " + std::to_string(number);
   if (!object.is_object()) throw bad_input(where + " is " + object.dump(), "an object with id, type, inputs, options");
   const std::string id = text_of(object, "id", where);
-  if (id.empty() || id.find('.') != std::string::npos) throw bad_input(where + " has the id '" + id + "'", "a name without a dot");
+  if (id.empty() || id.find('.') != std::string::npos)
+    throw bad_input(where + " has the id '" + id + "'", "a name without a dot");
   where = "stage '" + id + "'";
   check_keys(object, where, {"id", "type", "inputs", "options", "label", "optional"});
   try {
     const StageType& type = registry.at(text_of(object, "type", where));
     StageNode node{id, &type, {}, OptionSet(*type.options), {}, false};
     if (object.contains("optional")) {
-      if (!object.at("optional").is_boolean()) throw bad_input("'optional' is " + object.at("optional").dump(), "true or false");
+      if (!object.at("optional").is_boolean())
+        throw bad_input("'optional' is " + object.at("optional").dump(), "true or false");
       node.optional = object.at("optional").get<bool>();
     }
     if (object.contains("inputs")) {
-      if (!object.at("inputs").is_object()) throw bad_input("'inputs' is " + object.at("inputs").dump(), "an object of port: \"id.port\"");
+      if (!object.at("inputs").is_object())
+        throw bad_input("'inputs' is " + object.at("inputs").dump(), "an object of port: \"id.port\"");
       for (const auto& [port, source] : object.at("inputs").items()) {
         if (!source.is_string()) throw bad_input("input '" + port + "' is " + source.dump(), "a text \"id.port\"");
         node.inputs[port] = source.get<std::string>();
       }
     }
     if (object.contains("options")) {
-      if (!object.at("options").is_object()) throw bad_input("'options' is " + object.at("options").dump(), "an object of option: value");
+      if (!object.at("options").is_object())
+        throw bad_input("'options' is " + object.at("options").dump(), "an object of option: value");
       for (const auto& [name, value] : object.at("options").items()) {
         const auto& spec = type.options->at(name);
         OptionValue v = option_value(spec, value);
@@ -81,23 +87,28 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
 
 bool StageNode::skipped() const {
   if (!optional) return false;
-  return std::ranges::any_of(options.table().specs, [&](const OptionSpec& spec) { return spec.text_kind == TextKind::input_path && std::get<std::string>(options.get(spec.name)).empty(); });
+  return std::ranges::any_of(options.table().specs, [&](const OptionSpec& spec) {
+    return spec.text_kind == TextKind::input_path && std::get<std::string>(options.get(spec.name)).empty();
+  });
 }
 
 SourcePort parse_source(std::string_view text) {
   const auto dot = text.find('.');
-  if (dot == std::string_view::npos || dot == 0 || dot + 1 == text.size()) throw bad_input("'" + std::string(text) + "'", "\"id.port\" of another stage");
+  if (dot == std::string_view::npos || dot == 0 || dot + 1 == text.size())
+    throw bad_input("'" + std::string(text) + "'", "\"id.port\" of another stage");
   return {std::string(text.substr(0, dot)), std::string(text.substr(dot + 1))};
 }
 
-PipelineDocument PipelineDocument::parse(std::string_view json_text, const StageRegistry& registry, const std::filesystem::path& base_dir) {
+PipelineDocument PipelineDocument::parse(std::string_view json_text, const StageRegistry& registry,
+                                         const std::filesystem::path& base_dir) {
   ordered_json root;
   try {
     root = ordered_json::parse(json_text);
   } catch (const nlohmann::json::exception& e) {
     throw bad_input(std::string("not a JSON text: ") + e.what(), "a pipeline document");
   }
-  if (!root.is_object() || !root.contains("stages") || !root.at("stages").is_array()) throw bad_input("no list of stages", "an object with a list \"stages\"");
+  if (!root.is_object() || !root.contains("stages") || !root.at("stages").is_array())
+    throw bad_input("no list of stages", "an object with a list \"stages\"");
   check_keys(root, "the document", {"title", "description", "stages"});
   PipelineDocument document;
   document.title_ = text_of(root, "title", "the document");
@@ -105,7 +116,8 @@ PipelineDocument PipelineDocument::parse(std::string_view json_text, const Stage
   for (const auto& stage : root.at("stages")) {
     document.stages_.push_back(parse_stage(stage, document.stages_.size() + 1, registry, base_dir));
     const auto& id = document.stages_.back().id;
-    if (std::ranges::count(document.stages_, id, &StageNode::id) > 1) throw bad_input("two stages have the id '" + id + "'", "different ids");
+    if (std::ranges::count(document.stages_, id, &StageNode::id) > 1)
+      throw bad_input("two stages have the id '" + id + "'", "different ids");
   }
   if (document.stages_.empty()) throw bad_input("the document has no stage", "at least one");
   return document;
@@ -139,7 +151,8 @@ void PipelineDocument::set(std::string_view stage_and_option, std::string_view t
   try {
     const auto& spec = node.type->options->at(option);
     OptionValue value = spec.parsed(text);
-    if (spec.text_kind == TextKind::input_path) value = resolved(std::get<std::string>(value), std::filesystem::current_path());
+    if (spec.text_kind == TextKind::input_path)
+      value = resolved(std::get<std::string>(value), std::filesystem::current_path());
     node.options.set(option, value);
     node.given.insert(option);
   } catch (const Error& e) {
@@ -160,7 +173,8 @@ std::vector<const StageNode*> PipelineDocument::in_order() const {
   std::map<std::string, int> mark;  // 1: being visited, 2: done
   const std::function<void(const StageNode&)> visit = [&](const StageNode& node) {
     if (mark[node.id] == 2) return;
-    if (mark[node.id] == 1) throw bad_input("stage '" + node.id + "' takes its own output", "stages joined without a circle");
+    if (mark[node.id] == 1)
+      throw bad_input("stage '" + node.id + "' takes its own output", "stages joined without a circle");
     mark[node.id] = 1;
     for (const auto& [port, source] : node.inputs) visit(at(parse_source(source).id));
     mark[node.id] = 2;
@@ -189,7 +203,8 @@ std::string PipelineDocument::to_json() const {
     if (!node.inputs.empty()) stage["inputs"] = node.inputs;
     ordered_json options;
     for (const auto& spec : node.type->options->specs)
-      if (!node.options.is_default(spec.name) || node.given.contains(spec.name)) std::visit([&](const auto& v) { options[spec.name] = v; }, node.options.get(spec.name));
+      if (!node.options.is_default(spec.name) || node.given.contains(spec.name))
+        std::visit([&](const auto& v) { options[spec.name] = v; }, node.options.get(spec.name));
     if (!options.empty()) stage["options"] = options;
     root["stages"].push_back(stage);
   }

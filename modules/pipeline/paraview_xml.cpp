@@ -44,9 +44,13 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-std::string attribute(std::string_view name, std::string_view value) { return " " + std::string(name) + "=\"" + escaped(value) + "\""; }
+std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+}
 
-std::string documentation(const std::string& text) { return "        <Documentation>" + escaped(text) + "</Documentation>\n"; }
+std::string documentation(const std::string& text) {
+  return "        <Documentation>" + escaped(text) + "</Documentation>\n";
+}
 
 std::string range_domain(const OptionSpec& spec, std::string_view element) {
   std::string domain = "        <" + std::string(element) + attribute("name", "range");
@@ -67,11 +71,18 @@ std::string option_property(const OptionSpec& spec) {
   const bool is_bool = std::holds_alternative<bool>(spec.default_value);
   const bool is_number = std::holds_alternative<double>(spec.default_value);
   const bool is_text = std::holds_alternative<std::string>(spec.default_value);
-  const std::string element = is_text ? "StringVectorProperty" : is_number ? "DoubleVectorProperty" : "IntVectorProperty";
+  const std::string element = is_text     ? "StringVectorProperty"
+                              : is_number ? "DoubleVectorProperty"
+                                          : "IntVectorProperty";
   const std::string unit(unit_symbol(spec.unit));
-  const std::string value = is_bool ? (std::get<bool>(spec.default_value) ? "1" : "0") : option_text(spec.default_value);
-  std::string xml = "      <" + element + attribute("name", spec.name) + attribute("label", spec.name + (unit.empty() ? "" : " (" + unit + ")")) + attribute("command", "SetOption");
-  xml += attribute("initial_string", spec.name) + attribute("number_of_elements", "1") + attribute("default_values", value) + attribute("panel_visibility", spec.tier == Tier::basic ? "default" : "advanced") + ">\n";
+  const std::string value =
+      is_bool ? (std::get<bool>(spec.default_value) ? "1" : "0") : option_text(spec.default_value);
+  std::string xml = "      <" + element + attribute("name", spec.name) +
+                    attribute("label", spec.name + (unit.empty() ? "" : " (" + unit + ")")) +
+                    attribute("command", "SetOption");
+  xml += attribute("initial_string", spec.name) + attribute("number_of_elements", "1") +
+         attribute("default_values", value) +
+         attribute("panel_visibility", spec.tier == Tier::basic ? "default" : "advanced") + ">\n";
   if (is_bool)
     xml += "        <BooleanDomain name=\"bool\"/>\n";
   else
@@ -86,9 +97,13 @@ std::string_view data_type(DataKind kind) {
 }
 
 std::string input_property(const Port& port, std::size_t index) {
-  std::string xml = "      <InputProperty" + attribute("name", port.name) + attribute("port_index", std::to_string(index)) + attribute("command", "SetInputConnection") + ">\n";
-  xml += "        <ProxyGroupDomain name=\"groups\">\n          <Group name=\"sources\"/>\n          <Group name=\"filters\"/>\n        </ProxyGroupDomain>\n";
-  xml += "        <DataTypeDomain name=\"input_type\">\n          <DataType" + attribute("value", data_type(port.kind)) + "/>\n        </DataTypeDomain>\n";
+  std::string xml = "      <InputProperty" + attribute("name", port.name) +
+                    attribute("port_index", std::to_string(index)) + attribute("command", "SetInputConnection") + ">\n";
+  xml +=
+      "        <ProxyGroupDomain name=\"groups\">\n          <Group name=\"sources\"/>\n          <Group "
+      "name=\"filters\"/>\n        </ProxyGroupDomain>\n";
+  xml += "        <DataTypeDomain name=\"input_type\">\n          <DataType" +
+         attribute("value", data_type(port.kind)) + "/>\n        </DataTypeDomain>\n";
   xml += documentation(port.help);
   if (port.optional) xml += "        <Hints>\n          <Optional/>\n        </Hints>\n";
   return xml + "      </InputProperty>\n";
@@ -98,14 +113,21 @@ std::string proxy(const StageType& type) {
   const std::string class_name = vtk_class_of_stage(type.name);
   std::string name = "Bole_" + type.name;
   std::ranges::replace(name, '.', '_');
-  std::string xml = "    <SourceProxy" + attribute("name", name) + attribute("class", class_name) + attribute("label", type.title) + ">\n";
+  std::string xml = "    <SourceProxy" + attribute("name", name) + attribute("class", class_name) +
+                    attribute("label", type.title) + ">\n";
   xml += "      <Documentation" + attribute("short_help", type.title) + ">" + escaped(type.help) + "</Documentation>\n";
-  if (class_name == "vtkBoleStage") xml += "      <StringVectorProperty name=\"StageType\" command=\"SetStageType\" number_of_elements=\"1\"" + attribute("default_values", type.name) + " panel_visibility=\"never\"/>\n";
+  if (class_name == "vtkBoleStage")
+    xml += "      <StringVectorProperty name=\"StageType\" command=\"SetStageType\" number_of_elements=\"1\"" +
+           attribute("default_values", type.name) + " panel_visibility=\"never\"/>\n";
   for (std::size_t i = 0; i < type.inputs.size(); ++i) xml += input_property(type.inputs[i], i);
   for (const auto& spec : type.options->specs) xml += option_property(spec);
-  for (std::size_t i = 0; i < type.outputs.size(); ++i) xml += "      <OutputPort" + attribute("name", type.outputs[i].name) + attribute("index", std::to_string(i)) + attribute("id", "port" + std::to_string(i)) + "/>\n";
+  for (std::size_t i = 0; i < type.outputs.size(); ++i)
+    xml += "      <OutputPort" + attribute("name", type.outputs[i].name) + attribute("index", std::to_string(i)) +
+           attribute("id", "port" + std::to_string(i)) + "/>\n";
   if (std::ranges::any_of(type.outputs, [](const Port& p) { return p.kind == DataKind::frames; }))
-    xml += "      <DoubleVectorProperty name=\"TimestepValues\" information_only=\"1\" repeatable=\"1\">\n        <TimeStepsInformationHelper/>\n      </DoubleVectorProperty>\n";
+    xml +=
+        "      <DoubleVectorProperty name=\"TimestepValues\" information_only=\"1\" repeatable=\"1\">\n        "
+        "<TimeStepsInformationHelper/>\n      </DoubleVectorProperty>\n";
   xml += "      <Hints>\n        <ShowInMenu category=\"Bole\"/>\n      </Hints>\n";
   return xml + "    </SourceProxy>\n";  // ParaView's element for filters as well
 }
@@ -120,7 +142,9 @@ std::string vtk_class_of_stage(std::string_view stage_type) {
 std::string paraview_xml(const StageRegistry& registry) {
   std::string sources, filters;
   for (const auto* type : registry.all()) (type->inputs.empty() ? sources : filters) += proxy(*type);
-  return "<ServerManagerConfiguration>\n  <ProxyGroup name=\"sources\">\n" + sources + "  </ProxyGroup>\n  <ProxyGroup name=\"filters\">\n" + filters + "  </ProxyGroup>\n</ServerManagerConfiguration>\n";
+  return "<ServerManagerConfiguration>\n  <ProxyGroup name=\"sources\">\n" + sources +
+         "  </ProxyGroup>\n  <ProxyGroup name=\"filters\">\n" + filters +
+         "  </ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 
 }  // namespace bole

@@ -1,4 +1,5 @@
-// The stages as ParaView server-manager XML, for a plugin that loads the VTK modules: sources, filters, their ports and options.
+// The stages as ParaView server-manager XML, for a plugin that loads the VTK modules: sources, filters, their ports and
+// options.
 #pragma once
 
 #include <string>

@@ -29,7 +29,8 @@ std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
   for (const auto& p : ports) {
     std::string names;
     for (const auto& a : p.arrays) names += fmt::format("{}`{}`", names.empty() ? "" : ", ", a.name);
-    text += fmt::format("| `{}` | {}{} | {} | {} |\n", p.name, data_kind_name(p.kind), inputs && p.optional ? ", optional" : "", names, p.help);
+    text += fmt::format("| `{}` | {}{} | {} | {} |\n", p.name, data_kind_name(p.kind),
+                        inputs && p.optional ? ", optional" : "", names, p.help);
   }
   return text;
 }
@@ -38,13 +39,17 @@ std::string options_markdown(const OptionTable& table) {
   std::string text = "| option | type | default | unit | range | tier | |\n|---|---|---|---|---|---|---|\n";
   for (const auto& o : table.specs) {
     const auto value = option_text(o.default_value);
-    text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", o.name, o.type_name(), value.empty() ? "" : "`" + value + "`", unit_symbol(o.unit), range_text(o), tier_name(o.tier), o.help);
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", o.name, o.type_name(),
+                        value.empty() ? "" : "`" + value + "`", unit_symbol(o.unit), range_text(o), tier_name(o.tier),
+                        o.help);
   }
   return text;
 }
 
 ordered_json option_schema(const OptionSpec& o) {
-  ordered_json s{{"description", o.help + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))}, {"default", json_value(o.default_value)}};
+  ordered_json s{
+      {"description", o.help + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))},
+      {"default", json_value(o.default_value)}};
   switch (o.default_value.index()) {
     case 0:
       s["type"] = "boolean";
@@ -80,13 +85,16 @@ std::string stage_markdown(const StageType& type) {
 
 std::string stages_index_markdown(const StageRegistry& registry) {
   std::string text = "# Stages\n\n| stage | |\n|---|---|\n";
-  for (const auto* type : registry.all()) text += fmt::format("| [`{}`]({}.md) | {} |\n", type->name, type->name, type->title);
-  return text + "\nThe arrays that clouds carry are listed in [arrays](arrays.md).\nPrinted by `bole stages --markdown`.\n";
+  for (const auto* type : registry.all())
+    text += fmt::format("| [`{}`]({}.md) | {} |\n", type->name, type->name, type->title);
+  return text +
+         "\nThe arrays that clouds carry are listed in [arrays](arrays.md).\nPrinted by `bole stages --markdown`.\n";
 }
 
 std::string arrays_markdown() {
   std::string text = "# Arrays of point clouds\n\n| array | type | unit | meaning |\n|---|---|---|---|\n";
-  for (const auto& a : array_vocabulary()) text += fmt::format("| `{}` | {} | {} | {} |\n", a.name, array_type_name(a.type), unit_symbol(a.unit), a.meaning);
+  for (const auto& a : array_vocabulary())
+    text += fmt::format("| `{}` | {} | {} | {} |\n", a.name, array_type_name(a.type), unit_symbol(a.unit), a.meaning);
   return text + "\nPrinted by `bole stages --markdown`.\n";
 }
 
@@ -97,14 +105,23 @@ std::string stages_json(const StageRegistry& registry) {
     for (const auto& p : from) {
       ordered_json names = ordered_json::array();
       for (const auto& a : p.arrays) names.push_back(a.name);
-      out.push_back({{"name", p.name}, {"kind", data_kind_name(p.kind)}, {"optional", p.optional}, {"arrays", names}, {"help", p.help}});
+      out.push_back({{"name", p.name},
+                     {"kind", data_kind_name(p.kind)},
+                     {"optional", p.optional},
+                     {"arrays", names},
+                     {"help", p.help}});
     }
     return out;
   };
   for (const auto* type : registry.all()) {
     ordered_json options = ordered_json::array();
     for (const auto& o : type->options->specs) {
-      ordered_json entry{{"name", o.name}, {"type", o.type_name()}, {"default", json_value(o.default_value)}, {"unit", unit_symbol(o.unit)}, {"tier", tier_name(o.tier)}, {"help", o.help}};
+      ordered_json entry{{"name", o.name},
+                         {"type", o.type_name()},
+                         {"default", json_value(o.default_value)},
+                         {"unit", unit_symbol(o.unit)},
+                         {"tier", tier_name(o.tier)},
+                         {"help", o.help}};
       if (std::isfinite(o.min)) entry["min"] = o.min;
       if (std::isfinite(o.max)) entry["max"] = o.max;
       if (!o.choices.empty()) entry["choices"] = o.choices;
@@ -133,17 +150,27 @@ std::string document_schema(const StageRegistry& registry) {
       if (!p.optional) required.push_back(p.name);
     }
     for (const auto& o : type->options->specs) options[o.name] = option_schema(o);
-    ordered_json stage{{"title", type->title}, {"type", "object"}, {"additionalProperties", false}, {"required", {"id", "type"}}};
-    stage["properties"] = {{"id", {{"type", "string"}, {"pattern", "^[^.]+$"}}},
-                           {"label", {{"type", "string"}}},
-                           {"optional", {{"type", "boolean"}}},
-                           {"type", {{"const", type->name}}},
-                           {"inputs", {{"type", "object"}, {"additionalProperties", false}, {"required", required}, {"properties", inputs}}},
-                           {"options", {{"type", "object"}, {"additionalProperties", false}, {"properties", options}}}};
+    ordered_json stage{
+        {"title", type->title}, {"type", "object"}, {"additionalProperties", false}, {"required", {"id", "type"}}};
+    stage["properties"] = {
+        {"id", {{"type", "string"}, {"pattern", "^[^.]+$"}}},
+        {"label", {{"type", "string"}}},
+        {"optional", {{"type", "boolean"}}},
+        {"type", {{"const", type->name}}},
+        {"inputs",
+         {{"type", "object"}, {"additionalProperties", false}, {"required", required}, {"properties", inputs}}},
+        {"options", {{"type", "object"}, {"additionalProperties", false}, {"properties", options}}}};
     stages.push_back(stage);
   }
-  ordered_json root{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Bole pipeline"}, {"type", "object"}, {"required", {"stages"}}, {"additionalProperties", false}};
-  root["properties"] = {{"$schema", {{"type", "string"}}}, {"title", {{"type", "string"}}}, {"description", {{"type", "string"}}}, {"stages", {{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", stages}}}}}};
+  ordered_json root{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                    {"title", "Bole pipeline"},
+                    {"type", "object"},
+                    {"required", {"stages"}},
+                    {"additionalProperties", false}};
+  root["properties"] = {{"$schema", {{"type", "string"}}},
+                        {"title", {{"type", "string"}}},
+                        {"description", {{"type", "string"}}},
+                        {"stages", {{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", stages}}}}}};
   return root.dump(2) + "\n";
 }
 
@@ -151,7 +178,9 @@ std::string options_text(const OptionTable& table) {
   std::string text;
   for (const auto& o : table.specs) {
     const auto unit = unit_symbol(o.unit);
-    std::string facts = fmt::format("default {}{}{}", option_text(o.default_value).empty() ? "empty" : option_text(o.default_value), unit.empty() ? "" : " ", unit);
+    std::string facts =
+        fmt::format("default {}{}{}", option_text(o.default_value).empty() ? "empty" : option_text(o.default_value),
+                    unit.empty() ? "" : " ", unit);
     if (const auto range = range_text(o); !range.empty()) facts += ", " + range;
     text += fmt::format("  {:<24} {} [{}; {}]\n", o.name, o.help, facts, tier_name(o.tier));
   }

@@ -26,12 +26,16 @@ Unit unit_from_symbol(std::string_view symbol) {
 std::string_view status_name(Status status) { return status_names[static_cast<std::size_t>(status)]; }
 
 ordered_json report_to_json(const Report& report) {
-  ordered_json j{{"status", status_name(report.status)}, {"message", report.message}, {"seconds", report.seconds}, {"peak_mib", report.peak_mib}};
+  ordered_json j{{"status", status_name(report.status)},
+                 {"message", report.message},
+                 {"seconds", report.seconds},
+                 {"peak_mib", report.peak_mib}};
   j["counts"] = report.counts;
   j["metrics"] = ordered_json::object();
   for (const auto& [name, metric] : report.metrics) {
     j["metrics"][name] = {{"value", nullptr}, {"unit", unit_symbol(metric.unit)}};
-    if (std::isfinite(metric.value)) j["metrics"][name]["value"] = metric.value;  // JSON has no NaN: null says "not known"
+    if (std::isfinite(metric.value))
+      j["metrics"][name]["value"] = metric.value;  // JSON has no NaN: null says "not known"
   }
   j["facts"] = report.facts;
   j["warnings"] = report.warnings;
@@ -49,7 +53,8 @@ Report report_from_json(const ordered_json& j) {
   report.counts = j.at("counts").get<std::map<std::string, std::int64_t>>();
   for (const auto& [name, metric] : j.at("metrics").items()) {
     const auto& value = metric.at("value");
-    report.metrics[name] = {value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(), unit_from_symbol(metric.at("unit").get<std::string>())};
+    report.metrics[name] = {value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>(),
+                            unit_from_symbol(metric.at("unit").get<std::string>())};
   }
   report.facts = j.at("facts").get<std::map<std::string, std::string>>();
   report.warnings = j.at("warnings").get<std::vector<std::string>>();

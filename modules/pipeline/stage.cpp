@@ -23,13 +23,17 @@ void check_inputs(const StageType& type, const DataSet& inputs) {
   for (const auto& port : type.inputs) {
     if (!inputs.has(port.name)) {
       if (port.optional) continue;
-      throw bad_input("input '" + port.name + "' is not connected", std::string(data_kind_name(port.kind)) + ": " + port.help);
+      throw bad_input("input '" + port.name + "' is not connected",
+                      std::string(data_kind_name(port.kind)) + ": " + port.help);
     }
     const auto& data = inputs.all().find(port.name)->second;
-    if (data_kind(data) != port.kind) throw bad_input("input '" + port.name + "' is a " + std::string(data_kind_name(data_kind(data))), "a " + std::string(data_kind_name(port.kind)));
+    if (data_kind(data) != port.kind)
+      throw bad_input("input '" + port.name + "' is a " + std::string(data_kind_name(data_kind(data))),
+                      "a " + std::string(data_kind_name(port.kind)));
     if (port.kind == DataKind::cloud)
       for (const auto& array : port.arrays)
-        if (!inputs.cloud(port.name).has(array)) inputs.cloud(port.name).column(array.name);  // throws with the list of arrays
+        if (!inputs.cloud(port.name).has(array))
+          inputs.cloud(port.name).column(array.name);  // throws with the list of arrays
   }
 }
 
@@ -76,7 +80,8 @@ const StageType& StageRegistry::at(std::string_view name) const {
   for (const auto& [n, t] : types_) names.push_back(n);
   std::string hint;
   for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
-  throw bad_input("there is no stage type '" + std::string(name) + "'", "one that `bole stages` lists", hint.empty() ? hint : hint + "?");
+  throw bad_input("there is no stage type '" + std::string(name) + "'", "one that `bole stages` lists",
+                  hint.empty() ? hint : hint + "?");
 }
 
 std::vector<const StageType*> StageRegistry::all() const {

@@ -42,8 +42,8 @@ struct StageType {
   const Port* output(std::string_view port) const;
 };
 
-// Checks inputs against the declared ports (presence, kind, arrays, emptiness is the stage's own affair), checks the options,
-// runs, and fills in report.seconds and peak_mib. Errors get the stage's name in front.
+// Checks inputs against the declared ports (presence, kind, arrays, emptiness is the stage's own affair), checks the
+// options, runs, and fills in report.seconds and peak_mib. Errors get the stage's name in front.
 StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run);
 
 class StageRegistry {

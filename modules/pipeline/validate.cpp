@@ -33,12 +33,14 @@ KnownArrays arrays_at(const PipelineDocument& document, const StageNode& node, s
   return known;
 }
 
-void check_joint(const PipelineDocument& document, const StageNode& node, const std::string& port_name, const std::string& joint, std::vector<Problem>& problems) {
+void check_joint(const PipelineDocument& document, const StageNode& node, const std::string& port_name,
+                 const std::string& joint, std::vector<Problem>& problems) {
   const Port* port = node.type->input(port_name);
   if (!port) {
     std::string list;
     for (const auto& p : node.type->inputs) list += (list.empty() ? "" : ", ") + p.name;
-    problems.push_back({node.id, "there is no input '" + port_name + "'; needed: one of " + (list.empty() ? "none" : list)});
+    problems.push_back(
+        {node.id, "there is no input '" + port_name + "'; needed: one of " + (list.empty() ? "none" : list)});
     return;
   }
   const auto source = parse_source(joint);
@@ -47,21 +49,25 @@ void check_joint(const PipelineDocument& document, const StageNode& node, const 
   if (!out) {
     std::string list;
     for (const auto& p : from.type->outputs) list += (list.empty() ? "" : ", ") + p.name;
-    problems.push_back({node.id, "input '" + port_name + "' is joined to '" + joint + "', which is not there; needed: one of " + (list.empty() ? "none" : list)});
+    problems.push_back({node.id, "input '" + port_name + "' is joined to '" + joint +
+                                     "', which is not there; needed: one of " + (list.empty() ? "none" : list)});
     return;
   }
   if (from.skipped() && !port->optional) {
-    problems.push_back({node.id, "input '" + port_name + "' takes from '" + from.id + "', which is skipped because its file is not given"});
+    problems.push_back({node.id, "input '" + port_name + "' takes from '" + from.id +
+                                     "', which is skipped because its file is not given"});
     return;
   }
   if (out->kind != port->kind) {
-    problems.push_back({node.id, "input '" + port_name + "' takes a " + std::string(data_kind_name(port->kind)) + ", but '" + joint + "' is a " + std::string(data_kind_name(out->kind))});
+    problems.push_back({node.id, "input '" + port_name + "' takes a " + std::string(data_kind_name(port->kind)) +
+                                     ", but '" + joint + "' is a " + std::string(data_kind_name(out->kind))});
     return;
   }
   const auto known = arrays_at(document, from, source.port);
   for (const auto& array : port->arrays)
     if (!known.open && !known.names.contains(std::string(array.name)))
-      problems.push_back({node.id, "input '" + port_name + "' needs the array '" + std::string(array.name) + "', which no stage before it makes. " + std::string(array.meaning)});
+      problems.push_back({node.id, "input '" + port_name + "' needs the array '" + std::string(array.name) +
+                                       "', which no stage before it makes. " + std::string(array.meaning)});
 }
 
 void check_options(const StageNode& node, std::vector<Problem>& problems) {
@@ -73,10 +79,12 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
   for (const auto& spec : node.type->options->specs) {
     if (spec.text_kind != TextKind::input_path) continue;
     const auto path = std::get<std::string>(node.options.get(spec.name));
-    if (!path.empty() && !std::filesystem::exists(path)) problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
+    if (!path.empty() && !std::filesystem::exists(path))
+      problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
     // The file of a reader is what it is for; other paths may stay empty.
     if (path.empty() && node.type->inputs.empty() && spec.tier == Tier::basic)
-      problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Give it with --set " + node.id + "." + spec.name + "=PATH"});
+      problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Give it with --set " +
+                                       node.id + "." + spec.name + "=PATH"});
   }
 }
 
@@ -94,7 +102,9 @@ std::vector<Problem> validate(const PipelineDocument& document) {
       }
     }
     for (const auto& port : node.type->inputs)
-      if (!port.optional && !node.inputs.contains(port.name)) problems.push_back({node.id, "input '" + port.name + "' is not joined; needed: a " + std::string(data_kind_name(port.kind)) + ". " + port.help});
+      if (!port.optional && !node.inputs.contains(port.name))
+        problems.push_back({node.id, "input '" + port.name + "' is not joined; needed: a " +
+                                         std::string(data_kind_name(port.kind)) + ". " + port.help});
     check_options(node, problems);
   }
   try {

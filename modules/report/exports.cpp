@@ -49,7 +49,9 @@ VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt)
   constexpr double step_m = 0.05;  // enough for a plan; trajectory.tum has all
   std::vector<Eigen::Vector3d> line;
   for (const auto& pose : trajectory.poses)
-    if (const Eigen::Vector3d p = pose.T_target_sensor.translation(); line.empty() || (p - line.back()).norm() >= step_m) line.push_back(p);
+    if (const Eigen::Vector3d p = pose.T_target_sensor.translation();
+        line.empty() || (p - line.back()).norm() >= step_m)
+      line.push_back(p);
   VectorLayer layer{"trajectory", GeometryKind::line, {std::move(line)}, {}, crs_wkt};
   layer.attributes.set("length_m", std::vector<double>{trajectory.length_m()});
   return layer;
@@ -74,16 +76,25 @@ void write_layers(const std::filesystem::path& path, const SurveyData& d) {
 std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) {
   std::vector<Export> exports;
   const auto add_table = [&](const char* file, const Table* table) {
-    if (o.tables && table != nullptr) exports.push_back({file, [table](const auto& path, const Run&, Report&) { write_table(path, *table, table_decimals()); }});
+    if (o.tables && table != nullptr)
+      exports.push_back(
+          {file, [table](const auto& path, const Run&, Report&) { write_table(path, *table, table_decimals()); }});
   };
   add_table("stems.csv", d.stems);
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
-  if (o.tables && d.trajectory != nullptr) exports.push_back({"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
-  if (o.tables && d.dem != nullptr) exports.push_back({"dem.tif", [&d](const auto& path, const Run&, Report&) { write_geotiff(path, *d.dem); }});
-  if (o.tables) exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
-  if (o.cloud && d.points != nullptr) exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) { write_las(path, *d.points, {}, run, &report); }});
+  if (o.tables && d.trajectory != nullptr)
+    exports.push_back(
+        {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
+  if (o.tables && d.dem != nullptr)
+    exports.push_back({"dem.tif", [&d](const auto& path, const Run&, Report&) { write_geotiff(path, *d.dem); }});
+  if (o.tables)
+    exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
+  if (o.cloud && d.points != nullptr)
+    exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) {
+                         write_las(path, *d.points, {}, run, &report);
+                       }});
   return exports;
 }
 

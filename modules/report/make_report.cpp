@@ -23,7 +23,8 @@ constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a sc
 
 class Writer {
  public:
-  Writer(const DataSet& inputs, const ReportOptions& options, const Run& run) : data_(survey_data(inputs, options)), o_(options), run_(run) {}
+  Writer(const DataSet& inputs, const ReportOptions& options, const Run& run)
+      : data_(survey_data(inputs, options)), o_(options), run_(run) {}
 
   StageResult write() {
     write_exports(run_.part(0, 0.3));
@@ -104,7 +105,11 @@ class Writer {
     if (figure.vector && o_.vector_figures) put(".svg", svg), put(".pdf", figure_pdf(figure));
     if (!o_.page || !plan.on_page) return;
     const bool as_vector = figure.vector && !plan.picture;
-    pictures_.push_back({figure.title, figure.caption, as_vector ? "image/svg+xml" : "image/png", as_vector ? svg : o_.dpi <= page_dpi ? png : figure_png(figure, page_dpi), plan.wide});
+    pictures_.push_back({figure.title, figure.caption, as_vector ? "image/svg+xml" : "image/png",
+                         as_vector            ? svg
+                         : o_.dpi <= page_dpi ? png
+                                              : figure_png(figure, page_dpi),
+                         plan.wide});
   }
 
   std::string area_text() const {
@@ -122,14 +127,17 @@ class Writer {
   bool poses_given() const {
     if (run_.record == nullptr) return false;
     const auto given = [](const OptionRecord& o) { return o.name == "trajectory" && !o.value.empty(); };
-    return std::any_of(run_.record->stages.begin(), run_.record->stages.end(), [&](const StageRecord& s) { return s.type == "slam.run" && std::any_of(s.options.begin(), s.options.end(), given); });
+    return std::any_of(run_.record->stages.begin(), run_.record->stages.end(), [&](const StageRecord& s) {
+      return s.type == "slam.run" && std::any_of(s.options.begin(), s.options.end(), given);
+    });
   }
 
   void write_page() {
     ReportContent content;
     content.title = o_.title;
     content.facts = {{"Plot", area_text()}, {"Axes", axes_text()}};
-    if (run_.record != nullptr && !run_.record->document.empty()) content.facts.emplace_back("Pipeline", run_.record->document);
+    if (run_.record != nullptr && !run_.record->document.empty())
+      content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
     content.metrics = plot_metrics(*data_.stems, data_.area, o_.min_dbh, o_.class_width);
     content.least_dbh_cm = o_.min_dbh;
@@ -174,7 +182,8 @@ class Writer {
 }  // namespace
 
 StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run) {
-  if (run.output_dir.empty()) throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
+  if (run.output_dir.empty())
+    throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
   return Writer(inputs, options, run).write();
 }
 

@@ -6,8 +6,8 @@
 
 namespace bole {
 
-// Writes data files, figures and report.html into run.output_dir. What cannot be written or drawn is listed in the warnings of
-// the report and does not end the run. Throws Error{bad_input} without an output folder, Error{cancelled}.
+// Writes data files, figures and report.html into run.output_dir. What cannot be written or drawn is listed in the
+// warnings of the report and does not end the run. Throws Error{bad_input} without an output folder, Error{cancelled}.
 StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run);
 
 // Adds the stage report.plot.

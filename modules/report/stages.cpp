@@ -1,4 +1,5 @@
-// Registers report.plot. It lives in bole_report and not with the stages of the core modules, because it draws with VTK.
+// Registers report.plot. It lives in bole_report and not with the stages of the core modules, because it draws with
+// VTK.
 #include "report/make_report.h"
 
 namespace bole {
@@ -8,11 +9,17 @@ void register_report_stages(StageRegistry& registry) {
   type.name = "report.plot";
   type.title = "Write the report";
   type.help =
-      "Writes what a survey has found into the output folder: stems.csv and the other tables, trajectory.tum, cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
-      "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.";
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, trajectory.tum, "
+      "cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
+      "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
+      "with every option and the time and memory of each stage. Inputs that are not connected are left out.";
   type.source = "Bole";
   type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
-                 {"points", DataKind::cloud, "The map, coloured by height_above_ground, intensity and tree_id where it has them.", true, {}},
+                 {"points",
+                  DataKind::cloud,
+                  "The map, coloured by height_above_ground, intensity and tree_id where it has them.",
+                  true,
+                  {}},
                  {"slice", DataKind::cloud, "Points around breast height, for the slice sheet.", true, {}},
                  {"dem", DataKind::raster, "Terrain model.", true, {}},
                  {"trajectory", DataKind::trajectory, "The walk of the scanner.", true, {}},
@@ -24,7 +31,9 @@ void register_report_stages(StageRegistry& registry) {
                  {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}}};
   type.options = &option_table(static_cast<const ReportOptions*>(nullptr));
   type.writes_files = true;
-  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) { return make_report(inputs, options.as<ReportOptions>(), run); };
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
+    return make_report(inputs, options.as<ReportOptions>(), run);
+  };
   registry.add(std::move(type));
 }
 

@@ -17,7 +17,10 @@ Axes axes_of(const SurveyData& data) {
 
 PlotArea plot_area(const ReportOptions& options, Axes axes) {
   if (options.plot_shape == "none" || (options.plot_shape == "auto" && axes != Axes::plot)) return {};
-  return {options.plot_shape == "circle" ? PlotArea::Shape::circle : PlotArea::Shape::rectangle, {options.plot_x, options.plot_y}, options.plot_size, options.plot_size};
+  return {options.plot_shape == "circle" ? PlotArea::Shape::circle : PlotArea::Shape::rectangle,
+          {options.plot_x, options.plot_y},
+          options.plot_size,
+          options.plot_size};
 }
 
 SurveyData survey_data(const DataSet& inputs, const ReportOptions& options) {

@@ -28,8 +28,8 @@ struct SurveyData {
 
 SurveyData survey_data(const DataSet& inputs, const ReportOptions& options);
 
-// The boundary that the options ask for. "auto": the square of plot_size in plot axes, whose origin is the centre target, else
-// none. A plot's size is a design value: the measured distance of the targets does not set it.
+// The boundary that the options ask for. "auto": the square of plot_size in plot axes, whose origin is the centre
+// target, else none. A plot's size is a design value: the measured distance of the targets does not set it.
 PlotArea plot_area(const ReportOptions& options, Axes axes);
 
 }  // namespace bole

@@ -19,7 +19,9 @@ constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_p
 class MapSource {
  public:
   MapSource(const SurveyData& d, const ReportOptions& o, const Run& run)
-      : data_{d.points, d.stems, d.sections, d.trajectory, d.area, d.north_known(), nullptr}, budget_(static_cast<std::size_t>(o.point_budget)), run_(run) {}
+      : data_{d.points, d.stems, d.sections, d.trajectory, d.area, d.north_known(), nullptr},
+        budget_(static_cast<std::size_t>(o.point_budget)),
+        run_(run) {}
 
   const MapData& data() {
     if (data_.chosen == nullptr) {
@@ -42,7 +44,10 @@ void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::
   const auto add = [&](const char* name, PointColor color, MapView view) {
     MapOptions map;
     map.color = color, map.view = view, map.dpi = o.dpi, map.point_budget = static_cast<std::size_t>(o.point_budget);
-    plans.push_back({name, [source, map, width = o.figure_width] { return std::vector<Figure>{map_figure(source->data(), map, width)}; }, true, true, map_share});
+    plans.push_back(
+        {name,
+         [source, map, width = o.figure_width] { return std::vector<Figure>{map_figure(source->data(), map, width)}; },
+         true, true, map_share});
   };
   add("map by height", PointColor::height, MapView::oblique);
   if (d.points->has(arrays::tree_id)) add("map by tree", PointColor::tree, MapView::oblique);
@@ -50,7 +55,8 @@ void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::
   add("map from above", PointColor::height, MapView::top);
   if (!o.hero) return;
   constexpr double dpi = hero_width_px / hero_width_mm * mm_per_inch;
-  plans.push_back({"hero", [source] { return std::vector<Figure>{hero_figure(source->data(), hero_width_mm, dpi)}; }, true, true, map_share, false, dpi});
+  plans.push_back({"hero", [source] { return std::vector<Figure>{hero_figure(source->data(), hero_width_mm, dpi)}; },
+                   true, true, map_share, false, dpi});
 }
 
 bool has_matches(const SurveyData& d) {
@@ -72,20 +78,30 @@ Table stems_inside(const SurveyData& d) {
 std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions& o, const Run& run) {
   std::vector<FigurePlan> plans;
   const double wide = o.figure_width, half = 0.47 * o.figure_width;
-  const auto add = [&](const char* name, bool is_wide, std::function<Figure()> make) { plans.push_back({name, [make = std::move(make)] { return std::vector<Figure>{make()}; }, is_wide, false, 1}); };
+  const auto add = [&](const char* name, bool is_wide, std::function<Figure()> make) {
+    plans.push_back({name, [make = std::move(make)] { return std::vector<Figure>{make()}; }, is_wide, false, 1});
+  };
   const bool has_stems = d.stems->rows() > 0;
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
-    add("stem map", true, [&d, wide] { return stem_map({d.stems, d.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide); });
-    add("diameter distribution", false, [&d, half, min_dbh = o.min_dbh, width = o.class_width] { return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.area, min_dbh)).numbers("dbh_cm"), half, width); });
+    add("stem map", true, [&d, wide] {
+      return stem_map({d.stems, d.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
+    });
+    add("diameter distribution", false, [&d, half, min_dbh = o.min_dbh, width = o.class_width] {
+      return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.area, min_dbh)).numbers("dbh_cm"), half, width);
+    });
   }
   if (has_matches(d)) {
     add("estimated against reference diameter", false, [&d, half] { return dbh_scatter(*d.matches, half); });
-    add("diameter errors", false, [&d, half, width = o.class_width] { return dbh_error_boxes(*d.matches, half, width); });
+    add("diameter errors", false,
+        [&d, half, width = o.class_width] { return dbh_error_boxes(*d.matches, half, width); });
     add("position errors", false, [&d, half] { return position_errors(*d.matches, half); });
   }
-  if (d.trajectory != nullptr && d.trajectory->poses.size() > 1) add("walk", true, [&d, wide] { return trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
-  if (has_stems && d.slice != nullptr) plans.push_back({"breast-height slices", [&d, wide] { return slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
+  if (d.trajectory != nullptr && d.trajectory->poses.size() > 1)
+    add("walk", true, [&d, wide] { return trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
+  if (has_stems && d.slice != nullptr)
+    plans.push_back(
+        {"breast-height slices", [&d, wide] { return slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
   return plans;
 }
 

@@ -22,7 +22,8 @@ struct FigurePlan {
   double dpi = 0;                             // of the PNG where it is not that of the options
 };
 
-// Those that the connected inputs allow, in the order of the report. `data`, `options` and `run` must outlive the plans.
+// Those that the connected inputs allow, in the order of the report. `data`, `options` and `run` must outlive the
+// plans.
 std::vector<FigurePlan> survey_figures(const SurveyData& data, const ReportOptions& options, const Run& run);
 
 }  // namespace bole

@@ -8,15 +8,24 @@ void register_slam_stages(StageRegistry& registry) {
   type.name = "slam.run";
   type.title = "Simultaneous localization and mapping";
   type.help =
-      "Finds the sensor's path from the frames alone and maps all returns with it. Features of each frame are registered against a local map of the nearest key frames, with the motion inside the frame taken out; "
-      "revisits close loops in a pose graph; a final adjustment fits the whole path to the whole map. Presets set the options that differ between published systems. With a given trajectory only the map is made.";
+      "Finds the sensor's path from the frames alone and maps all returns with it. Features of each frame are "
+      "registered against a local map of the nearest key frames, with the motion inside the frame taken out; "
+      "revisits close loops in a pose graph; a final adjustment fits the whole path to the whole map. Presets set the "
+      "options that differ between published systems. With a given trajectory only the map is made.";
   type.source = "Zhang and Singh 2014 (LOAM); SPEC A 1-8; Dellenbach et al. 2022 (elastic frames); Bole";
-  type.inputs = {{.name = "frames", .kind = DataKind::frames, .help = "Revolutions of a spinning multi-line sensor.", .arrays = {}}};
+  type.inputs = {{.name = "frames",
+                  .kind = DataKind::frames,
+                  .help = "Revolutions of a spinning multi-line sensor.",
+                  .arrays = {}}};
   type.outputs = {{.name = "points",
                    .kind = DataKind::cloud,
                    .help = "The map, with the history of each point.",
-                   .arrays = {arrays::time, arrays::range, arrays::ring, arrays::intensity, arrays::pass, arrays::keyframe, arrays::sensor_x, arrays::sensor_y, arrays::sensor_z}},
-                  {.name = "trajectory", .kind = DataKind::trajectory, .help = "Poses of the sensor in the axes of the map.", .arrays = {}}};
+                   .arrays = {arrays::time, arrays::range, arrays::ring, arrays::intensity, arrays::pass,
+                              arrays::keyframe, arrays::sensor_x, arrays::sensor_y, arrays::sensor_z}},
+                  {.name = "trajectory",
+                   .kind = DataKind::trajectory,
+                   .help = "Poses of the sensor in the axes of the map.",
+                   .arrays = {}}};
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);

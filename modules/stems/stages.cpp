@@ -9,7 +9,9 @@ StageType slice_stage() {
   StageType t;
   t.name = "stems.slice";
   t.title = "Breast-height slice";
-  t.help = "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for pictures of the sections.";
+  t.help =
+      "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for "
+      "pictures of the sections.";
   t.source = "Bole";
   t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground.", false, {arrays::height_above_ground}}};
   t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {}}};
@@ -18,7 +20,8 @@ StageType slice_stage() {
     StageResult result;
     auto slice = breast_height_slice(in.cloud("points"), options.as<SliceOptions>(), run);
     result.report.counts["points"] = static_cast<std::int64_t>(slice.size());
-    result.report.message = std::to_string(slice.size()) + " points at " + number_text(options.as<SliceOptions>().height) + " m above ground";
+    result.report.message = std::to_string(slice.size()) + " points at " +
+                            number_text(options.as<SliceOptions>().height) + " m above ground";
     result.outputs.set("slice", std::move(slice));
     return result;
   };
@@ -30,14 +33,25 @@ StageType measure_stage() {
   t.name = "stems.measure";
   t.title = "Measure stems";
   t.help =
-      "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
-      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per pass of the walk whose spread is estimated over all stems. Where sensor positions are known, "
-      "the error along the ray can be fitted instead of the distance from the surface (model), and candidates that rays pass through are rejected. Every point gets the id of its tree.";
+      "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
+      "Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
+      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per "
+      "pass of the walk whose spread is estimated over all stems. Where sensor positions are known, "
+      "the error along the ray can be fitted instead of the distance from the surface (model), and candidates that "
+      "rays pass through are rejected. Every point gets the id of its tree.";
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
-  t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.", false, {arrays::height_above_ground}},
+  t.inputs = {{"points",
+               DataKind::cloud,
+               "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.",
+               false,
+               {arrays::height_above_ground}},
               {"slice", DataKind::cloud, "The slice that sets breast height.", false, {arrays::height_above_ground}},
               {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
-              {"trajectory", DataKind::trajectory, "Sensor path, for clouds with time but without sensor positions.", true, {}}};
+              {"trajectory",
+               DataKind::trajectory,
+               "Sensor path, for clouds with time but without sensor positions.",
+               true,
+               {}}};
   t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
@@ -46,7 +60,8 @@ StageType measure_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
-    auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory, options.as<MeasureOptions>(), run);
+    auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory,
+                                options.as<MeasureOptions>(), run);
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
     result.outputs.set("rejected", rejected_table(survey));

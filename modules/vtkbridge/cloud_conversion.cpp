@@ -26,11 +26,21 @@ vtkSmartPointer<vtkDataArray> column_to_vtk(const std::string& name, const std::
   struct {
     const std::string& name;
     const std::shared_ptr<const Column>& owner;
-    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::uint8_t>& v) const { return shared_array<vtkUnsignedCharArray>(v.data(), v.size(), 1, owner, name); }
-    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::uint16_t>& v) const { return shared_array<vtkUnsignedShortArray>(v.data(), v.size(), 1, owner, name); }
-    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::int32_t>& v) const { return shared_array<vtkIntArray>(v.data(), v.size(), 1, owner, name); }
-    vtkSmartPointer<vtkDataArray> operator()(const std::vector<float>& v) const { return shared_array<vtkFloatArray>(v.data(), v.size(), 1, owner, name); }
-    vtkSmartPointer<vtkDataArray> operator()(const std::vector<double>& v) const { return shared_array<vtkDoubleArray>(v.data(), v.size(), 1, owner, name); }
+    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::uint8_t>& v) const {
+      return shared_array<vtkUnsignedCharArray>(v.data(), v.size(), 1, owner, name);
+    }
+    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::uint16_t>& v) const {
+      return shared_array<vtkUnsignedShortArray>(v.data(), v.size(), 1, owner, name);
+    }
+    vtkSmartPointer<vtkDataArray> operator()(const std::vector<std::int32_t>& v) const {
+      return shared_array<vtkIntArray>(v.data(), v.size(), 1, owner, name);
+    }
+    vtkSmartPointer<vtkDataArray> operator()(const std::vector<float>& v) const {
+      return shared_array<vtkFloatArray>(v.data(), v.size(), 1, owner, name);
+    }
+    vtkSmartPointer<vtkDataArray> operator()(const std::vector<double>& v) const {
+      return shared_array<vtkDoubleArray>(v.data(), v.size(), 1, owner, name);
+    }
   } visitor{name, column};
   return std::visit(visitor, *column);
 }
@@ -58,7 +68,8 @@ Column component_of(vtkDataArray* array, int component, ArrayType type) {
   Column column = make_column(type, static_cast<std::size_t>(array->GetNumberOfTuples()));
   std::visit(
       [&]<class T>(std::vector<T>& values) {
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<T>(array->GetComponent(static_cast<vtkIdType>(i), component));
+        for (std::size_t i = 0; i < values.size(); ++i)
+          values[i] = static_cast<T>(array->GetComponent(static_cast<vtkIdType>(i), component));
       },
       column);
   return column;
@@ -69,7 +80,8 @@ void add_colours(PointCloud& cloud, vtkDataArray* array) {
   const ArrayInfo* const channels[]{&arrays::red, &arrays::green, &arrays::blue};
   for (int c = 0; c < 3; ++c) {
     std::vector<std::uint16_t> values(cloud.size());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint16_t>(257.0 * array->GetComponent(static_cast<vtkIdType>(i), c));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] = static_cast<std::uint16_t>(257.0 * array->GetComponent(static_cast<vtkIdType>(i), c));
     cloud.set_column(*channels[c], std::move(values));
   }
 }
@@ -78,17 +90,22 @@ void add_columns(PointCloud& cloud, vtkDataArray* array, int number) {
   const std::string name = array->GetName() ? array->GetName() : "array_" + std::to_string(number);
   const int components = array->GetNumberOfComponents();
   if (static_cast<std::size_t>(array->GetNumberOfTuples()) != cloud.size())
-    throw bad_input("array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) + " values", std::to_string(cloud.size()) + ", one per point");
-  if ((components == 3 || components == 4) && array->GetDataType() == VTK_UNSIGNED_CHAR) return add_colours(cloud, array);
+    throw bad_input("array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) + " values",
+                    std::to_string(cloud.size()) + ", one per point");
+  if ((components == 3 || components == 4) && array->GetDataType() == VTK_UNSIGNED_CHAR)
+    return add_colours(cloud, array);
   const ArrayType type = column_type_for(array->GetDataType());
-  for (int c = 0; c < components; ++c) cloud.set_column(components == 1 ? name : name + "_" + std::to_string(c), component_of(array, c, type));
+  for (int c = 0; c < components; ++c)
+    cloud.set_column(components == 1 ? name : name + "_" + std::to_string(c), component_of(array, c, type));
 }
 
 // Where offsets in float32 are good to a tenth of a millimetre: the middle of the bounds, in whole metres.
 Eigen::Vector3d origin_for(vtkPoints* points) {
   if (points->GetDataType() != VTK_DOUBLE || points->GetNumberOfPoints() == 0) return Eigen::Vector3d::Zero();
   const double* b = points->GetBounds();
-  return Eigen::Vector3d(b[0] + b[1], b[2] + b[3], b[4] + b[5]).array().unaryExpr([](double sum) { return std::isfinite(sum) && std::abs(sum) > 2000 ? std::round(sum / 2) : 0.0; });
+  return Eigen::Vector3d(b[0] + b[1], b[2] + b[3], b[4] + b[5]).array().unaryExpr([](double sum) {
+    return std::isfinite(sum) && std::abs(sum) > 2000 ? std::round(sum / 2) : 0.0;
+  });
 }
 
 }  // namespace
@@ -96,7 +113,8 @@ Eigen::Vector3d origin_for(vtkPoints* points) {
 void to_vtk(const std::shared_ptr<const PointCloud>& cloud, vtkPolyData* out) {
   out->Initialize();
   vtkNew<vtkPoints> points;
-  points->SetData(shared_array<vtkFloatArray>(cloud->positions().data(), cloud->size(), 3, cloud->shared_positions(), "Points"));
+  points->SetData(
+      shared_array<vtkFloatArray>(cloud->positions().data(), cloud->size(), 3, cloud->shared_positions(), "Points"));
   out->SetPoints(points);
   for (const auto& [name, column] : cloud->columns()) out->GetPointData()->AddArray(column_to_vtk(name, column));
   set_vector3(out, "origin", cloud->origin);

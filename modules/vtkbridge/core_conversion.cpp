@@ -42,7 +42,8 @@ vtkMTimeType time_of(vtkDataObject* object) {
 template <class T>
 T* require(vtkDataObject* object, const char* needed) {
   if (auto* typed = T::SafeDownCast(object)) return typed;
-  throw bole::bad_input(std::string("a ") + (object ? object->GetClassName() : "missing object") + " is connected", std::string("a ") + needed);
+  throw bole::bad_input(std::string("a ") + (object ? object->GetClassName() : "missing object") + " is connected",
+                        std::string("a ") + needed);
 }
 
 }  // namespace
@@ -98,7 +99,8 @@ Data core_from_vtk(vtkDataObject* object, DataKind wanted) {
     case DataKind::trajectory:
       return trajectory_from_vtk(require<vtkPointSet>(object, "vtkPointSet"));
     case DataKind::frames:
-      throw bad_input("data without the frames of a scan is connected", "the output of a scan reader", "Connect io.read_scan");
+      throw bad_input("data without the frames of a scan is connected", "the output of a scan reader",
+                      "Connect io.read_scan");
     case DataKind::none:
       break;
   }

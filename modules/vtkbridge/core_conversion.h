@@ -1,8 +1,9 @@
-// Core types as VTK data objects and back. Arrays whose layout agrees are shared, not copied: a VTK array keeps the core
-// object that it shows alive. Core objects never change once made; VTK filters do not change their inputs either.
+// Core types as VTK data objects and back. Arrays whose layout agrees are shared, not copied: a VTK array keeps the
+// core object that it shows alive. Core objects never change once made; VTK filters do not change their inputs either.
 //
 //   PointCloud   vtkPolyData: points are float32 offsets; field data: origin (3 doubles), axes, crs, scale; columns are
-//                point-data arrays of their names. Rendering filters other than point mappers need vertices (add_vertices).
+//                point-data arrays of their names. Rendering filters other than point mappers need vertices
+//                (add_vertices).
 //   Table        vtkTable: double, long long and string columns; facts are string arrays of the field data.
 //   Raster       vtkImageData: one point per cell, at its centre; a float array named after the quantity.
 //   Trajectory   vtkPolyData: a poly-line; point data: time (s), orientation (quaternion w, x, y, z).
@@ -36,8 +37,9 @@ VTKBOLEBRIDGE_EXPORT void to_vtk(const Data& data, vtkDataObject* out, std::size
 // One poly-vertex cell over all points, so that any mapper draws them.
 VTKBOLEBRIDGE_EXPORT void add_vertices(vtkPolyData* cloud);
 
-// From the arrays of data that any VTK filter made. Points in double precision get an origin near their middle; colours and
-// vectors become one column per component (red, green, blue; name_0, name_1, ...). Throw Error{bad_input} naming what is missing.
+// From the arrays of data that any VTK filter made. Points in double precision get an origin near their middle; colours
+// and vectors become one column per component (red, green, blue; name_0, name_1, ...). Throw Error{bad_input} naming
+// what is missing.
 VTKBOLEBRIDGE_EXPORT std::shared_ptr<const PointCloud> cloud_from_vtk(vtkPointSet* points);
 VTKBOLEBRIDGE_EXPORT std::shared_ptr<const Table> table_from_vtk(vtkTable* table);
 VTKBOLEBRIDGE_EXPORT std::shared_ptr<const Raster> raster_from_vtk(vtkImageData* image);

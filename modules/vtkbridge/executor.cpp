@@ -35,7 +35,9 @@ struct PipelineExecutor::Graph {
 
 namespace {
 
-bool is_done(const StageOutcome& outcome) { return outcome.state == StageState::done || outcome.state == StageState::from_cache; }
+bool is_done(const StageOutcome& outcome) {
+  return outcome.state == StageState::done || outcome.state == StageState::from_cache;
+}
 
 const StageOutcome* find_outcome(const RunOutcome& outcome, const std::string& id) {
   const auto it = std::ranges::find_if(outcome.stages, [&](const StageOutcome& s) { return s.record.id == id; });
@@ -44,7 +46,9 @@ const StageOutcome* find_outcome(const RunOutcome& outcome, const std::string& i
 
 std::vector<OptionRecord> option_records(const OptionSet& options) {
   std::vector<OptionRecord> records;
-  for (const auto& spec : options.table().specs) records.push_back({spec.name, option_text(options.get(spec.name)), std::string(unit_symbol(spec.unit)), options.is_default(spec.name)});
+  for (const auto& spec : options.table().specs)
+    records.push_back({spec.name, option_text(options.get(spec.name)), std::string(unit_symbol(spec.unit)),
+                       options.is_default(spec.name)});
   return records;
 }
 
@@ -52,7 +56,8 @@ void check(const PipelineDocument& document) {
   const auto problems = validate(document);
   if (problems.empty()) return;
   std::string text;
-  for (const auto& p : problems) text += (text.empty() ? "" : "\n") + (p.stage.empty() ? p.message : "stage '" + p.stage + "': " + p.message);
+  for (const auto& p : problems)
+    text += (text.empty() ? "" : "\n") + (p.stage.empty() ? p.message : "stage '" + p.stage + "': " + p.message);
   throw bad_input(text);
 }
 
@@ -70,7 +75,8 @@ fs::path cache_folder(const RunSettings& settings) {
 
 }  // namespace
 
-PipelineExecutor::PipelineExecutor(PipelineDocument document) : document_(std::move(document)), graph_(std::make_unique<Graph>()) {
+PipelineExecutor::PipelineExecutor(PipelineDocument document)
+    : document_(std::move(document)), graph_(std::make_unique<Graph>()) {
   for (const auto& node : document_.stages()) {
     vtkNew<vtkBoleStage> stage;
     stage->SetStageType(node.type->name.c_str());
@@ -101,11 +107,15 @@ void PipelineExecutor::finish_running_stage() {
   if (graph_->running) graph_->running->Finish();
 }
 
-StageControl PipelineExecutor::control_for(const StageNode& node, const RunSettings& settings, const RunOutcome& so_far) const {
+StageControl PipelineExecutor::control_for(const StageNode& node, const RunSettings& settings,
+                                           const RunOutcome& so_far) const {
   StageControl control;
   control.cancel = settings.cancel;
   if (!settings.finish.stop_requested()) control.finish = settings.finish;
-  if (settings.progress) control.progress = [&settings, id = node.id](double fraction, std::string_view what) { settings.progress(id, fraction, what); };
+  if (settings.progress)
+    control.progress = [&settings, id = node.id](double fraction, std::string_view what) {
+      settings.progress(id, fraction, what);
+    };
   control.record = [this, &so_far] {
     auto record = std::make_shared<RunRecord>();
     record->document = document_.source().empty() ? document_.title() : document_.source();
@@ -143,7 +153,8 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
       outcome.error = "stage '" + source.id + "' gave no " + source.port;
       return outcome;
     }
-    if (producer && !usable && !producer->error.empty()) left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
+    if (producer && !usable && !producer->error.empty())
+      left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
     vtk_stage->ConnectInput(port.name.c_str(), usable ? stage(source.id) : nullptr, source.port.c_str());
   }
   vtk_stage->SetControl(control_for(node, settings, so_far));
@@ -182,7 +193,10 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
     for (const auto* node : document_.in_order()) {
       if (settings.cancel.stop_requested()) {
         note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
-        outcome.stages.push_back({{node->id, node->type->name, option_records(node->options), {}, false}, StageState::cancelled, "cancelled on request", {}});
+        outcome.stages.push_back({{node->id, node->type->name, option_records(node->options), {}, false},
+                                  StageState::cancelled,
+                                  "cancelled on request",
+                                  {}});
         continue;
       }
       outcome.stages.push_back(run_stage_of(*node, settings, outcome));
@@ -200,13 +214,16 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   try {
     outcome.summary_json = summary_json(document_, outcome, seconds, settings.output_dir);
-    if (!settings.output_dir.empty() && fs::is_directory(settings.output_dir)) write_atomically(settings.output_dir / "summary.json", outcome.summary_json);
+    if (!settings.output_dir.empty() && fs::is_directory(settings.output_dir))
+      write_atomically(settings.output_dir / "summary.json", outcome.summary_json);
   } catch (const std::exception& e) {
     note_first_error(outcome, 1, e.what());
   }
   return outcome;
 }
 
-RunOutcome run_pipeline(const PipelineDocument& document, const RunSettings& settings) { return PipelineExecutor(document).run(settings); }
+RunOutcome run_pipeline(const PipelineDocument& document, const RunSettings& settings) {
+  return PipelineExecutor(document).run(settings);
+}
 
 }  // namespace bole

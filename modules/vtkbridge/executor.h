@@ -1,5 +1,6 @@
-// Runs pipeline documents: a document becomes a graph of vtkBoleStage objects joined by SetInputConnection, and VTK's Update()
-// runs it. Stages run in topological order; one that fails takes those that need its outputs with it, and no others.
+// Runs pipeline documents: a document becomes a graph of vtkBoleStage objects joined by SetInputConnection, and VTK's
+// Update() runs it. Stages run in topological order; one that fails takes those that need its outputs with it, and no
+// others.
 #pragma once
 
 #include <cstdint>
@@ -61,7 +62,8 @@ class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
   void set(std::string_view stage_and_option, std::string_view text);
   vtkBoleStage* stage(std::string_view id) const;  // nullptr when there is none
 
-  // Runs what is not up to date, checks the document first. Errors are in the outcome, none are thrown. Writes summary.json.
+  // Runs what is not up to date, checks the document first. Errors are in the outcome, none are thrown. Writes
+  // summary.json.
   RunOutcome run(const RunSettings& settings);
 
   // Asks the stage that runs now for its best result so far; from any thread.

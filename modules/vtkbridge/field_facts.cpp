@@ -33,7 +33,8 @@ std::optional<Eigen::Vector3d> get_vector3(vtkDataObject* object, std::string_vi
   auto* array = object->GetFieldData()->GetArray(std::string(name).c_str());
   if (!array || array->GetNumberOfValues() != 3) return std::nullopt;
   Eigen::Vector3d value;
-  for (int i = 0; i < 3; ++i) value[i] = array->GetComponent(array->GetNumberOfTuples() == 3 ? i : 0, array->GetNumberOfTuples() == 3 ? 0 : i);
+  for (int i = 0; i < 3; ++i)
+    value[i] = array->GetComponent(array->GetNumberOfTuples() == 3 ? i : 0, array->GetNumberOfTuples() == 3 ? 0 : i);
   return value;
 }
 

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 std::int64_t change_time_ns(const fs::path& path) {
   std::error_code ignored;
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(fs::last_write_time(path, ignored).time_since_epoch()).count();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(fs::last_write_time(path, ignored).time_since_epoch())
+      .count();
 }
 
 void write_atomically(const fs::path& path, std::string_view text) {
@@ -40,7 +41,9 @@ FileKeys::FileKeys(fs::path memo_file) : memo_file_(std::move(memo_file)) {
   std::ifstream in(memo_file_);
   if (!in) return;
   try {
-    for (const auto& [path, entry] : nlohmann::json::parse(in).items()) known_[path] = {entry.at("size").get<std::uintmax_t>(), entry.at("changed_ns").get<std::int64_t>(), entry.at("key").get<std::string>()};
+    for (const auto& [path, entry] : nlohmann::json::parse(in).items())
+      known_[path] = {entry.at("size").get<std::uintmax_t>(), entry.at("changed_ns").get<std::int64_t>(),
+                      entry.at("key").get<std::string>()};
   } catch (const nlohmann::json::exception&) {
     known_.clear();  // a damaged memo costs a reading, nothing else
   }
@@ -49,7 +52,8 @@ FileKeys::FileKeys(fs::path memo_file) : memo_file_(std::move(memo_file)) {
 void FileKeys::save() {
   if (!changed_) return;
   nlohmann::json j = nlohmann::json::object();
-  for (const auto& [path, known] : known_) j[path] = {{"size", known.size}, {"changed_ns", known.changed_ns}, {"key", known.key}};
+  for (const auto& [path, known] : known_)
+    j[path] = {{"size", known.size}, {"changed_ns", known.changed_ns}, {"key", known.key}};
   write_atomically(memo_file_, j.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   changed_ = false;
 }
@@ -57,12 +61,15 @@ void FileKeys::save() {
 std::string FileKeys::file_key(const fs::path& path) {
   const std::string name = fs::absolute(path).lexically_normal().string();
   const Known now{fs::file_size(path), change_time_ns(path), {}};
-  if (const auto it = known_.find(name); it != known_.end() && it->second.size == now.size && it->second.changed_ns == now.changed_ns) return it->second.key;
+  if (const auto it = known_.find(name);
+      it != known_.end() && it->second.size == now.size && it->second.changed_ns == now.changed_ns)
+    return it->second.key;
   std::ifstream in(path, std::ios::binary);
   if (!in) return "unreadable";
   ContentHash hash;
   std::vector<char> buffer(std::size_t{1} << 20);
-  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) hash.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(in.gcount()))));
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
+    hash.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(in.gcount()))));
   known_[name] = {now.size, now.changed_ns, hash.hex()};
   changed_ = true;
   return known_[name].key;

@@ -1,5 +1,6 @@
-// What travels from stage to stage: data, or the way to get it, under the key of the result it belongs to. A stage whose
-// result lies in the cache hands its outputs on without reading them; they are read when a later stage needs them.
+// What travels from stage to stage: data, or the way to get it, under the key of the result it belongs to. A stage
+// whose result lies in the cache hands its outputs on without reading them; they are read when a later stage needs
+// them.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,8 @@ class LazyData {
   // Data that is there. An empty key means that its content has no name yet (content_key() makes one).
   explicit LazyData(Data data, std::string key = {}) : data_(std::move(data)), key_(std::move(key)), loaded_(true) {}
   // Data to be had from `load`.
-  LazyData(DataKind kind, std::string key, std::function<Data()> load) : key_(std::move(key)), load_(std::move(load)), kind_(kind) {}
+  LazyData(DataKind kind, std::string key, std::function<Data()> load)
+      : key_(std::move(key)), load_(std::move(load)), kind_(kind) {}
 
   const std::string& key() const { return key_; }
   DataKind kind() const {

@@ -28,7 +28,9 @@ CachedResult parse_entry(const ordered_json& j) {
   CachedResult result;
   result.report = report_from_json(j.at("report"));
   for (const auto& [port, stored] : j.at("outputs").items()) result.outputs[port] = stored.dump();
-  for (const auto& f : j.at("files")) result.files.push_back({f.at("path").get<std::string>(), f.at("size").get<std::uintmax_t>(), f.at("changed_ns").get<std::int64_t>()});
+  for (const auto& f : j.at("files"))
+    result.files.push_back(
+        {f.at("path").get<std::string>(), f.at("size").get<std::uintmax_t>(), f.at("changed_ns").get<std::int64_t>()});
   return result;
 }
 
@@ -41,7 +43,9 @@ std::optional<CachedResult> read_entry(const fs::path& path) {
   try {
     const auto j = ordered_json::parse(text.str());
     const auto body = j.at("entry").dump();
-    if (j.at("format").get<int>() != entry_format || j.at("checksum").get<std::string>() != content_hash(std::as_bytes(std::span(body)))) return std::nullopt;
+    if (j.at("format").get<int>() != entry_format ||
+        j.at("checksum").get<std::string>() != content_hash(std::as_bytes(std::span(body))))
+      return std::nullopt;
     return parse_entry(j.at("entry"));
   } catch (const std::exception&) {
     return std::nullopt;
@@ -53,9 +57,12 @@ std::optional<CachedResult> read_entry(const fs::path& path) {
 std::vector<WrittenFile> list_files(const fs::path& folder, const fs::path& except) {
   std::vector<WrittenFile> files;
   std::error_code ignored;
-  for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator(); it.increment(ignored)) {
-    if (!except.empty() && it->is_directory(ignored) && fs::equivalent(it->path(), except, ignored)) it.disable_recursion_pending();
-    if (it->is_regular_file(ignored)) files.push_back({it->path().string(), it->file_size(ignored), change_time_ns(it->path())});
+  for (auto it = fs::recursive_directory_iterator(folder, ignored); it != fs::recursive_directory_iterator();
+       it.increment(ignored)) {
+    if (!except.empty() && it->is_directory(ignored) && fs::equivalent(it->path(), except, ignored))
+      it.disable_recursion_pending();
+    if (it->is_regular_file(ignored))
+      files.push_back({it->path().string(), it->file_size(ignored), change_time_ns(it->path())});
   }
   std::ranges::sort(files, {}, &WrittenFile::path);
   return files;
@@ -73,14 +80,16 @@ std::vector<WrittenFile> changed_files(const std::vector<WrittenFile>& before, c
 bool all_there(const std::vector<WrittenFile>& files) {
   return std::ranges::all_of(files, [](const WrittenFile& f) {
     std::error_code ignored;
-    return fs::is_regular_file(f.path, ignored) && fs::file_size(f.path, ignored) == f.size && change_time_ns(f.path) == f.changed_ns;
+    return fs::is_regular_file(f.path, ignored) && fs::file_size(f.path, ignored) == f.size &&
+           change_time_ns(f.path) == f.changed_ns;
   });
 }
 
 ResultCache::ResultCache(fs::path folder) : folder_(std::move(folder)), file_keys_(folder_ / "files.json") {}
 
 fs::path ResultCache::blob_path(const std::string& id) const {
-  if (id.size() != 32 || id.find_first_not_of("0123456789abcdef") != std::string::npos) throw failure("stored result: '" + id + "' names no array");
+  if (id.size() != 32 || id.find_first_not_of("0123456789abcdef") != std::string::npos)
+    throw failure("stored result: '" + id + "' names no array");
   return folder_ / "blobs" / id.substr(0, 2) / id;
 }
 
@@ -97,7 +106,8 @@ std::string ResultCache::put(std::span<const std::byte> bytes) {
   std::string id = content_hash(bytes);
   const fs::path path = blob_path(id);
   std::error_code ignored;
-  if (fs::file_size(path, ignored) != bytes.size()) write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (fs::file_size(path, ignored) != bytes.size())
+    write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return id;
 }
 
@@ -129,8 +139,13 @@ std::optional<CachedResult> ResultCache::find(const std::string& key) {
   return result;
 }
 
-std::map<std::string, std::string> ResultCache::store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files) {
-  ordered_json entry{{"stage", stage_type}, {"report", report_to_json(result.report)}, {"outputs", ordered_json::object()}, {"files", files_to_json(files)}};
+std::map<std::string, std::string> ResultCache::store(const std::string& key, const std::string& stage_type,
+                                                      const StageResult& result,
+                                                      const std::vector<WrittenFile>& files) {
+  ordered_json entry{{"stage", stage_type},
+                     {"report", report_to_json(result.report)},
+                     {"outputs", ordered_json::object()},
+                     {"files", files_to_json(files)}};
   std::map<std::string, std::string> stored;
   for (const auto& [port, data] : result.outputs.all()) {
     stored[port] = store_data(data, *this);
@@ -138,7 +153,9 @@ std::map<std::string, std::string> ResultCache::store(const std::string& key, co
   }
   try {
     const auto body = entry.dump();
-    ordered_json file{{"format", entry_format}, {"checksum", content_hash(std::as_bytes(std::span(body)))}, {"entry", std::move(entry)}};
+    ordered_json file{{"format", entry_format},
+                      {"checksum", content_hash(std::as_bytes(std::span(body)))},
+                      {"entry", std::move(entry)}};
     write_atomically(result_path(key), file.dump(1));
     return stored;
   } catch (const nlohmann::json::exception& e) {
@@ -184,7 +201,8 @@ std::uintmax_t ResultCache::prune(std::uintmax_t most_bytes) {
   }
   // An array of the last minutes without a result may belong to one that another process is about to write.
   const auto young = fs::file_time_type::clock::now() - std::chrono::minutes(10);
-  for (auto it = fs::recursive_directory_iterator(folder_ / "blobs", ignored); it != fs::recursive_directory_iterator(); it.increment(ignored)) {
+  for (auto it = fs::recursive_directory_iterator(folder_ / "blobs", ignored); it != fs::recursive_directory_iterator();
+       it.increment(ignored)) {
     const auto id = it->path().filename().string();
     if (!it->is_regular_file(ignored) || kept.contains(id)) continue;
     if (!dropped.contains(id) && it->last_write_time(ignored) > young) continue;

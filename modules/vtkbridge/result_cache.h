@@ -4,7 +4,8 @@
 //   DIR/blobs/ab/<hash>      arrays, each named by its content and kept once
 //   DIR/files.json           keys of input files (file_keys.h)
 //
-// Entries are written atomically and checked when read; a damaged one counts as absent. Several processes may use a folder.
+// Entries are written atomically and checked when read; a damaged one counts as absent. Several processes may use a
+// folder.
 #pragma once
 
 #include <filesystem>
@@ -51,10 +52,13 @@ class ResultCache : private BlobStore {
   // The result under a key, when all its parts are there; its arrays are checked when they are loaded.
   std::optional<CachedResult> find(const std::string& key);
   // Returns what load() takes, per port.
-  std::map<std::string, std::string> store(const std::string& key, const std::string& stage_type, const StageResult& result, const std::vector<WrittenFile>& files);
+  std::map<std::string, std::string> store(const std::string& key, const std::string& stage_type,
+                                           const StageResult& result, const std::vector<WrittenFile>& files);
   void remove(const std::string& key);
   // Throws Error{failed} when an array is damaged.
-  Data load(const std::string& stored, const FrameOpener& open_frames) const { return load_data(stored, *this, open_frames); }
+  Data load(const std::string& stored, const FrameOpener& open_frames) const {
+    return load_data(stored, *this, open_frames);
+  }
 
   // Removes the results not used for longest until the folder holds at most `most_bytes`. Returns the bytes removed.
   std::uintmax_t prune(std::uintmax_t most_bytes);

@@ -21,7 +21,8 @@ struct StageControl {
   std::shared_ptr<ResultCache> cache;
   std::filesystem::path output_dir;
   std::filesystem::path scratch_dir;
-  // Outputs are handed on as core objects alone; vtkBoleStage::FillOutputs() makes VTK objects of them when somebody looks.
+  // Outputs are handed on as core objects alone; vtkBoleStage::FillOutputs() makes VTK objects of them when somebody
+  // looks.
   bool core_only = false;
 };
 

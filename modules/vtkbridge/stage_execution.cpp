@@ -25,7 +25,8 @@ StageResult run_now(const StageType& type, const OptionSet& options, const PortD
 // A result that lies in the cache. Should it prove damaged, the stage is run once for all its outputs.
 class StoredResult {
  public:
-  StoredResult(std::shared_ptr<ResultCache> cache, std::string key, std::function<DataSet()> run_again) : cache_(std::move(cache)), key_(std::move(key)), run_again_(std::move(run_again)) {}
+  StoredResult(std::shared_ptr<ResultCache> cache, std::string key, std::function<DataSet()> run_again)
+      : cache_(std::move(cache)), key_(std::move(key)), run_again_(std::move(run_again)) {}
 
   Data load(const std::string& port, const std::string& stored) {
     const std::lock_guard lock(mutex_);
@@ -51,7 +52,8 @@ class StoredResult {
   std::optional<DataSet> outputs_;
 };
 
-std::function<DataSet()> repeat(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run) {
+std::function<DataSet()> repeat(const StageType& type, const OptionSet& options, const PortData& inputs,
+                                const Run& run) {
   Run silent = run;
   silent.progress = nullptr;
   return [&type, options, inputs, silent] { return run_now(type, options, inputs, silent).outputs; };
@@ -67,7 +69,8 @@ std::string content_key(const Data& data) {
   return content_hash(std::as_bytes(std::span(text)));
 }
 
-std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, ResultCache& cache) {
+std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+                      ResultCache& cache) {
   ContentHash hash;
   hash.add_text(BOLE_VERSION);
   hash.add_text(type.name);
@@ -87,33 +90,42 @@ std::string stage_key(const StageType& type, const OptionSet& options, const Por
   return hash.hex();
 }
 
-StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, const std::shared_ptr<ResultCache>& cache) {
+StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+                             const std::shared_ptr<ResultCache>& cache) {
   StageExecution execution;
   const std::string key = cache ? stage_key(type, options, inputs, run, *cache) : std::string();
   const auto loader = [&] {
     const auto stored = std::make_shared<StoredResult>(cache, key, repeat(type, options, inputs, run));
-    return [stored](const std::string& port, const std::string& text) -> std::function<Data()> { return [stored, port, text] { return stored->load(port, text); }; };
+    return [stored](const std::string& port, const std::string& text) -> std::function<Data()> {
+      return [stored, port, text] { return stored->load(port, text); };
+    };
   };
   if (cache) {
     if (const auto found = cache->find(key)) {
       const auto load = loader();
       for (const auto& [port, text] : found->outputs) {
         const auto* declared = type.output(port);
-        execution.outputs[port] = std::make_shared<LazyData>(declared ? declared->kind : DataKind::none, output_key(key, port), load(port, text));
+        execution.outputs[port] = std::make_shared<LazyData>(declared ? declared->kind : DataKind::none,
+                                                             output_key(key, port), load(port, text));
       }
       execution.report = found->report, execution.files = found->files, execution.from_cache = true;
       return execution;
     }
   }
-  const auto before = type.writes_files ? list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()) : std::vector<WrittenFile>();
+  const auto before = type.writes_files ? list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path())
+                                        : std::vector<WrittenFile>();
   StageResult result = run_now(type, options, inputs, run);
-  if (type.writes_files) execution.files = changed_files(before, list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()));
+  if (type.writes_files)
+    execution.files =
+        changed_files(before, list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()));
   const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish();
-  for (const auto& [port, data] : result.outputs.all()) execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
+  for (const auto& [port, data] : result.outputs.all())
+    execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
   if (cache && whole) {
     try {
       const auto load = loader();
-      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files)) execution.outputs.at(port)->set_load(load(port, text));
+      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files))
+        execution.outputs.at(port)->set_load(load(port, text));
     } catch (const std::exception& e) {  // a full disk must not cost the result
       spdlog::warn("{}: the result is not kept in the cache: {}", type.name, e.what());
     }

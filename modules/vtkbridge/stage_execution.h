@@ -20,14 +20,16 @@ struct StageExecution {
   std::vector<WrittenFile> files;  // that a sink wrote into Run::output_dir
 };
 
-// Runs a stage or takes its result from `cache` (may be null). Outputs of a stored result are loaded when asked for; should
-// an array prove damaged then, the stage is run after all. Results of a run that was asked to finish early are not stored.
-// Throws what run_stage() throws.
-StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, const std::shared_ptr<ResultCache>& cache);
+// Runs a stage or takes its result from `cache` (may be null). Outputs of a stored result are loaded when asked for;
+// should an array prove damaged then, the stage is run after all. Results of a run that was asked to finish early are
+// not stored. Throws what run_stage() throws.
+StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+                             const std::shared_ptr<ResultCache>& cache);
 
-// The key of a result: stage type and version, Bole's version, every option, the content of input files, the keys of the
-// inputs, and the folder a sink writes into.
-std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run, ResultCache& cache);
+// The key of a result: stage type and version, Bole's version, every option, the content of input files, the keys of
+// the inputs, and the folder a sink writes into.
+std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+                      ResultCache& cache);
 
 // The key of data that no stage made: its content.
 std::string content_key(const Data& data);

@@ -16,7 +16,10 @@ int port_index(const std::vector<Port>& ports, const char* name) {
   return it == ports.end() ? -1 : static_cast<int>(it - ports.begin());
 }
 
-std::string port_name(const std::vector<Port>& ports, int index) { return index >= 0 && index < static_cast<int>(ports.size()) ? ports[static_cast<std::size_t>(index)].name : std::string(); }
+std::string port_name(const std::vector<Port>& ports, int index) {
+  return index >= 0 && index < static_cast<int>(ports.size()) ? ports[static_cast<std::size_t>(index)].name
+                                                              : std::string();
+}
 
 std::string port_list(const std::vector<Port>& ports) {
   std::string list;
@@ -55,7 +58,10 @@ std::stop_token StopRequests::finish_token() {
 using bole::Error;
 
 const bole::OptionSpec& vtkBoleStage::Internals::spec(const char* name) const {
-  if (!type) throw bole::bad_input(wanted_type.empty() ? "no stage type is set" : "this build has no stage '" + wanted_type + "'", "a stage that `bole stages` lists");
+  if (!type)
+    throw bole::bad_input(
+        wanted_type.empty() ? "no stage type is set" : "this build has no stage '" + wanted_type + "'",
+        "a stage that `bole stages` lists");
   return type->options->at(name ? name : "");
 }
 
@@ -124,7 +130,9 @@ bole::Run vtkBoleStage::Internals::make_run(vtkBoleStage* self) {
   return run;
 }
 
-bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::PortData& inputs) const { return result && result_time_ >= const_cast<vtkBoleStage*>(self)->GetMTime() && inputs == result_inputs_; }
+bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::PortData& inputs) const {
+  return result && result_time_ >= const_cast<vtkBoleStage*>(self)->GetMTime() && inputs == result_inputs_;
+}
 
 bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::PortData& inputs) {
   if (is_current(self, inputs)) return true;
@@ -158,21 +166,24 @@ void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t 
     const bool drawn_as_points = declared.kind == bole::DataKind::cloud || declared.kind == bole::DataKind::frames;
     if (vertices && drawn_as_points) bole::add_vertices(vtkPolyData::SafeDownCast(object));
     if (declared.kind == bole::DataKind::frames)
-      if (const auto source = frames(declared.name); frame < source->size()) object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), source->frame_time_s(frame));
+      if (const auto source = frames(declared.name); frame < source->size())
+        object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), source->frame_time_s(frame));
   }
   bole::attach(object, it->second);
 }
 
 std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const std::string& port) {
   const auto data = result->outputs.at(port)->get();
-  if (const auto* source = std::get_if<std::shared_ptr<const bole::FrameSource>>(&data); source && *source) return *source;
+  if (const auto* source = std::get_if<std::shared_ptr<const bole::FrameSource>>(&data); source && *source)
+    return *source;
   throw bole::failure("output '" + port + "' holds no frames");
 }
 
 void vtkBoleStage::Internals::tell_times(const bole::Port& port, vtkInformation* info) {
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only) return;
+  if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only)
+    return;
   const auto source = frames(port.name);
   if (source->size() == 0) return;
   std::vector<double> times(source->size());
@@ -182,7 +193,8 @@ void vtkBoleStage::Internals::tell_times(const bole::Port& port, vtkInformation*
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
 }
 
-// VTK wants to know the extent of an image before it is made. Ours shows only once the stage has run: until then it is empty.
+// VTK wants to know the extent of an image before it is made. Ours shows only once the stage has run: until then it is
+// empty.
 void vtkBoleStage::Internals::tell_extent(vtkDataObject* object, vtkInformation* info) {
   int extent[6]{0, -1, 0, -1, 0, -1};
   if (auto* image = vtkImageData::SafeDownCast(object); image && result) image->GetExtent(extent);
@@ -191,7 +203,9 @@ void vtkBoleStage::Internals::tell_extent(vtkDataObject* object, vtkInformation*
 
 std::size_t vtkBoleStage::Internals::frame_wanted(int port, vtkInformation* info) {
   const auto& declared = type->outputs[static_cast<std::size_t>(port)];
-  if (declared.kind != bole::DataKind::frames || control.core_only || !info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())) return 0;
+  if (declared.kind != bole::DataKind::frames || control.core_only ||
+      !info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+    return 0;
   const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
   const auto source = frames(declared.name);
   // The last frame that starts at or before the time asked for.

@@ -65,7 +65,8 @@ class vtkBoleStage::Internals {
 
   // The core object behind an input; null when a stage before had nothing to give and the input is optional.
   std::shared_ptr<bole::LazyData> input(int port, vtkDataObject* object);
-  // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an error.
+  // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an
+  // error.
   bool update(vtkBoleStage* self, const bole::PortData& inputs);
   // Puts an output into its VTK object.
   void fill(int port, vtkDataObject* object, std::size_t frame, bool core_only);

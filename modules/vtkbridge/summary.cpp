@@ -43,21 +43,27 @@ ordered_json stage_json(const StageOutcome& stage) {
   j["options"] = ordered_json::object();
   for (const auto& option : stage.record.options)
     if (!option.is_default) j["options"][option.name] = option.value;
-  if (stage.state == StageState::done || stage.state == StageState::from_cache) j.update(report_to_json(stage.record.report));
+  if (stage.state == StageState::done || stage.state == StageState::from_cache)
+    j.update(report_to_json(stage.record.report));
   return j;
 }
 
 std::string axes_of(const RunOutcome& outcome) {
   std::string axes = "unknown";
   for (const auto& stage : outcome.stages)
-    if (const auto it = stage.record.report.facts.find("axes"); it != stage.record.report.facts.end()) axes = it->second;
+    if (const auto it = stage.record.report.facts.find("axes"); it != stage.record.report.facts.end())
+      axes = it->second;
   return axes;
 }
 
 }  // namespace
 
-std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds, const std::filesystem::path& output_dir) {
-  ordered_json j{{"bole", BOLE_VERSION}, {"versions", {{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}}}, {"finished_at", now_utc()}, {"exit_code", outcome.exit_code}};
+std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds,
+                         const std::filesystem::path& output_dir) {
+  ordered_json j{{"bole", BOLE_VERSION},
+                 {"versions", {{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}}},
+                 {"finished_at", now_utc()},
+                 {"exit_code", outcome.exit_code}};
   if (!outcome.error.empty()) j["error"] = outcome.error;
   j["axes"] = axes_of(outcome);
   j["seconds"] = seconds;
@@ -66,7 +72,8 @@ std::string summary_json(const PipelineDocument& document, const RunOutcome& out
   std::set<std::string> files;
   for (const auto& stage : outcome.stages) {
     j["stages"].push_back(stage_json(stage));
-    for (const auto& file : stage.files) files.insert(std::filesystem::path(file).lexically_relative(output_dir).generic_string());
+    for (const auto& file : stage.files)
+      files.insert(std::filesystem::path(file).lexically_relative(output_dir).generic_string());
   }
   if (!output_dir.empty()) files.insert("summary.json");
   j["files"] = files;

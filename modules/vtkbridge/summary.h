@@ -9,6 +9,7 @@
 namespace bole {
 
 // `axes` at the top is the last that a stage told of. File names are relative to `output_dir`.
-std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds, const std::filesystem::path& output_dir);
+std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds,
+                         const std::filesystem::path& output_dir);
 
 }  // namespace bole

@@ -22,9 +22,12 @@ vtkSmartPointer<vtkStringArray> text_array(const std::vector<std::string>& texts
   return array;
 }
 
-vtkSmartPointer<vtkAbstractArray> column_to_vtk(const Table::NamedColumn& column, const std::shared_ptr<const Table>& owner) {
-  if (const auto* v = std::get_if<std::vector<double>>(&column.values)) return shared_array<vtkDoubleArray>(v->data(), v->size(), 1, owner, column.name);
-  if (const auto* v = std::get_if<std::vector<std::int64_t>>(&column.values)) return shared_array<vtkLongLongArray>(v->data(), v->size(), 1, owner, column.name);
+vtkSmartPointer<vtkAbstractArray> column_to_vtk(const Table::NamedColumn& column,
+                                                const std::shared_ptr<const Table>& owner) {
+  if (const auto* v = std::get_if<std::vector<double>>(&column.values))
+    return shared_array<vtkDoubleArray>(v->data(), v->size(), 1, owner, column.name);
+  if (const auto* v = std::get_if<std::vector<std::int64_t>>(&column.values))
+    return shared_array<vtkLongLongArray>(v->data(), v->size(), 1, owner, column.name);
   auto array = text_array(std::get<std::vector<std::string>>(column.values));
   array->SetName(column.name.c_str());
   return array;
@@ -38,7 +41,9 @@ Table::Values numbers_from_vtk(vtkDataArray* array, int component) {
     return values;
   }
   std::vector<std::int64_t> values(rows);
-  for (std::size_t i = 0; i < rows; ++i) values[i] = array->GetVariantValue(static_cast<vtkIdType>(i) * array->GetNumberOfComponents() + component).ToTypeInt64();
+  for (std::size_t i = 0; i < rows; ++i)
+    values[i] =
+        array->GetVariantValue(static_cast<vtkIdType>(i) * array->GetNumberOfComponents() + component).ToTypeInt64();
   return values;
 }
 
@@ -46,11 +51,13 @@ void add_column(Table& table, vtkAbstractArray* array, int number) {
   const std::string name = array->GetName() ? array->GetName() : "column_" + std::to_string(number);
   if (auto* numbers = vtkDataArray::SafeDownCast(array)) {
     const int components = numbers->GetNumberOfComponents();
-    for (int c = 0; c < components; ++c) table.set(components == 1 ? name : name + "_" + std::to_string(c), numbers_from_vtk(numbers, c));
+    for (int c = 0; c < components; ++c)
+      table.set(components == 1 ? name : name + "_" + std::to_string(c), numbers_from_vtk(numbers, c));
     return;
   }
   std::vector<std::string> texts(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = array->GetVariantValue(static_cast<vtkIdType>(i) * array->GetNumberOfComponents()).ToString();
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    texts[i] = array->GetVariantValue(static_cast<vtkIdType>(i) * array->GetNumberOfComponents()).ToString();
   table.set(name, std::move(texts));
 }
 
@@ -64,7 +71,8 @@ void to_vtk(const std::shared_ptr<const Table>& table, vtkTable* out) {
 
 std::shared_ptr<const Table> table_from_vtk(vtkTable* vtk_table) {
   auto table = std::make_shared<Table>();
-  for (int c = 0; c < static_cast<int>(vtk_table->GetNumberOfColumns()); ++c) add_column(*table, vtk_table->GetColumn(c), c);
+  for (int c = 0; c < static_cast<int>(vtk_table->GetNumberOfColumns()); ++c)
+    add_column(*table, vtk_table->GetColumn(c), c);
   for (int a = 0; a < vtk_table->GetFieldData()->GetNumberOfArrays(); ++a)
     if (const char* name = vtk_table->GetFieldData()->GetAbstractArray(a)->GetName())
       if (auto fact = get_text(vtk_table, name)) table->facts[name] = *fact;

@@ -41,29 +41,37 @@ class vtkBolePipeline::Internals {
   }
 };
 
-vtkBolePipeline::vtkBolePipeline() : Inner(std::make_unique<Internals>()) { bole::register_all_stages(bole::StageRegistry::global()); }
+vtkBolePipeline::vtkBolePipeline() : Inner(std::make_unique<Internals>()) {
+  bole::register_all_stages(bole::StageRegistry::global());
+}
 vtkBolePipeline::~vtkBolePipeline() = default;
 
 bool vtkBolePipeline::LoadDocument(const char* path) {
   return this->Inner->guarded(this, [&] {
-    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(bole::PipelineDocument::load(path ? path : "", bole::StageRegistry::global()));
+    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(
+        bole::PipelineDocument::load(path ? path : "", bole::StageRegistry::global()));
     this->Modified();
   });
 }
 
 bool vtkBolePipeline::ParseDocument(const char* json) {
   return this->Inner->guarded(this, [&] {
-    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(bole::PipelineDocument::parse(json ? json : "", bole::StageRegistry::global()));
+    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(
+        bole::PipelineDocument::parse(json ? json : "", bole::StageRegistry::global()));
     this->Modified();
   });
 }
 
-std::string vtkBolePipeline::GetDocumentJSON() const { return this->Inner->executor ? this->Inner->executor->document().to_json() : std::string(); }
+std::string vtkBolePipeline::GetDocumentJSON() const {
+  return this->Inner->executor ? this->Inner->executor->document().to_json() : std::string();
+}
 
 std::string vtkBolePipeline::Validate() const {
   if (!this->Inner->executor) return "no pipeline is loaded";
   std::string text;
-  for (const auto& problem : bole::validate(this->Inner->executor->document())) text += (text.empty() ? "" : "\n") + (problem.stage.empty() ? std::string() : problem.stage + ": ") + problem.message;
+  for (const auto& problem : bole::validate(this->Inner->executor->document()))
+    text +=
+        (text.empty() ? "" : "\n") + (problem.stage.empty() ? std::string() : problem.stage + ": ") + problem.message;
   return text;
 }
 
@@ -74,9 +82,13 @@ bool vtkBolePipeline::SetOption(const char* stage_and_option, const char* value)
   });
 }
 
-bool vtkBolePipeline::SetOption(const char* stage_and_option, double value) { return this->SetOption(stage_and_option, bole::number_text(value).c_str()); }
+bool vtkBolePipeline::SetOption(const char* stage_and_option, double value) {
+  return this->SetOption(stage_and_option, bole::number_text(value).c_str());
+}
 
-void vtkBolePipeline::SetOutputDirectory(const char* folder) { this->Inner->settings.output_dir = folder ? folder : ""; }
+void vtkBolePipeline::SetOutputDirectory(const char* folder) {
+  this->Inner->settings.output_dir = folder ? folder : "";
+}
 
 void vtkBolePipeline::SetCacheDirectory(const char* folder) {
   this->Inner->settings.cache_dir.reset();
@@ -114,8 +126,14 @@ void vtkBolePipeline::Finish() {
 int vtkBolePipeline::GetExitCode() const { return this->Inner->outcome.exit_code; }
 std::string vtkBolePipeline::GetErrorText() const { return this->Inner->outcome.error; }
 std::string vtkBolePipeline::GetSummaryJSON() const { return this->Inner->outcome.summary_json; }
-int vtkBolePipeline::GetNumberOfStages() const { return this->Inner->executor ? static_cast<int>(this->Inner->executor->document().stages().size()) : 0; }
-std::string vtkBolePipeline::GetStageId(int index) const { return index >= 0 && index < this->GetNumberOfStages() ? this->Inner->executor->document().stages()[static_cast<std::size_t>(index)].id : std::string(); }
+int vtkBolePipeline::GetNumberOfStages() const {
+  return this->Inner->executor ? static_cast<int>(this->Inner->executor->document().stages().size()) : 0;
+}
+std::string vtkBolePipeline::GetStageId(int index) const {
+  return index >= 0 && index < this->GetNumberOfStages()
+             ? this->Inner->executor->document().stages()[static_cast<std::size_t>(index)].id
+             : std::string();
+}
 
 vtkBoleStage* vtkBolePipeline::GetStage(const char* id) {
   auto* stage = this->Inner->executor ? this->Inner->executor->stage(id ? id : "") : nullptr;
@@ -129,5 +147,7 @@ std::string vtkBolePipeline::GetProgressText() const { return this->Inner->text;
 
 void vtkBolePipeline::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Stages: " << this->GetNumberOfStages() << "\n" << indent << "ExitCode: " << this->GetExitCode() << "\n" << indent << "Error: " << this->GetErrorText() << "\n";
+  os << indent << "Stages: " << this->GetNumberOfStages() << "\n"
+     << indent << "ExitCode: " << this->GetExitCode() << "\n"
+     << indent << "Error: " << this->GetErrorText() << "\n";
 }

@@ -7,8 +7,8 @@
 //   if not pipeline.Run(): print(pipeline.GetErrorText())
 //   stems = pipeline.GetStage("stems").GetOutputDataObject(0)   # a vtkTable
 //
-// ProgressEvent is invoked while it runs: GetCurrentStage(), GetProgress() and GetProgressText() tell where it is. A second
-// Run() after SetOption() runs the stage concerned and those after it.
+// ProgressEvent is invoked while it runs: GetCurrentStage(), GetProgress() and GetProgressText() tell where it is. A
+// second Run() after SetOption() runs the stage concerned and those after it.
 #ifndef vtkBolePipeline_h
 #define vtkBolePipeline_h
 
@@ -26,8 +26,8 @@ class VTKBOLEBRIDGE_EXPORT vtkBolePipeline : public vtkObject {
   vtkTypeMacro(vtkBolePipeline, vtkObject)
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  // A document from a file, or from JSON text (relative paths in it are then taken from the working directory). False with
-  // an error when it cannot be used.
+  // A document from a file, or from JSON text (relative paths in it are then taken from the working directory). False
+  // with an error when it cannot be used.
   bool LoadDocument(const char* path);
   bool ParseDocument(const char* json);
   std::string GetDocumentJSON() const;
@@ -38,7 +38,8 @@ class VTKBOLEBRIDGE_EXPORT vtkBolePipeline : public vtkObject {
   bool SetOption(const char* stage_and_option, const char* value);
   bool SetOption(const char* stage_and_option, double value);
 
-  // Where sinks and summary.json go. Results are cached in its folder `cache` unless another is named or caching is off.
+  // Where sinks and summary.json go. Results are cached in its folder `cache` unless another is named or caching is
+  // off.
   void SetOutputDirectory(const char* folder);
   void SetCacheDirectory(const char* folder);
   void SetUseCache(bool use);

@@ -49,14 +49,16 @@ std::string vtkBoleStage::GetStageType() const { return this->Inner->wanted_type
 std::string vtkBoleStage::GetTitle() const { return this->Inner->type ? this->Inner->type->title : std::string(); }
 
 bool vtkBoleStage::SetOption(const char* name, const char* value) {
-  return this->Inner->accepted(this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).parsed(value ? value : "")); });
+  return this->Inner->accepted(
+      this, [&] { this->Inner->change_option(this, name, this->Inner->spec(name).parsed(value ? value : "")); });
 }
 
 bool vtkBoleStage::SetOption(const char* name, double value) {
   return this->Inner->accepted(this, [&] {
     const auto& spec = this->Inner->spec(name);
     // A slider of a host program gives whole numbers as doubles.
-    const bool whole = !std::holds_alternative<double>(spec.default_value) && value == static_cast<double>(static_cast<int>(value));
+    const bool whole =
+        !std::holds_alternative<double>(spec.default_value) && value == static_cast<double>(static_cast<int>(value));
     if (whole)
       this->SetOption(name, static_cast<int>(value));
     else
@@ -80,13 +82,20 @@ void vtkBoleStage::ResetOption(const char* name) {
 
 std::string vtkBoleStage::GetOption(const char* name) {
   std::string text;
-  this->Inner->accepted(this, [&] { text = bole::option_text(this->Inner->spec(name).get(this->Inner->options->raw())); });
+  this->Inner->accepted(this,
+                        [&] { text = bole::option_text(this->Inner->spec(name).get(this->Inner->options->raw())); });
   return text;
 }
 
-int vtkBoleStage::GetNumberOfOptions() const { return this->Inner->type ? static_cast<int>(this->Inner->type->options->specs.size()) : 0; }
+int vtkBoleStage::GetNumberOfOptions() const {
+  return this->Inner->type ? static_cast<int>(this->Inner->type->options->specs.size()) : 0;
+}
 
-std::string vtkBoleStage::GetOptionName(int index) const { return index >= 0 && index < this->GetNumberOfOptions() ? this->Inner->type->options->specs[static_cast<std::size_t>(index)].name : std::string(); }
+std::string vtkBoleStage::GetOptionName(int index) const {
+  return index >= 0 && index < this->GetNumberOfOptions()
+             ? this->Inner->type->options->specs[static_cast<std::size_t>(index)].name
+             : std::string();
+}
 
 std::string vtkBoleStage::GetOptionHelp(const char* name) {
   std::string text;
@@ -107,28 +116,42 @@ bool vtkBoleStage::IsOptionDefault(const char* name) {
 }
 
 void vtkBoleStage::SetOptions(const bole::OptionSet& options) {
-  for (const auto& spec : options.table().specs) this->Inner->change_option(this, spec.name.c_str(), options.get(spec.name));
+  for (const auto& spec : options.table().specs)
+    this->Inner->change_option(this, spec.name.c_str(), options.get(spec.name));
 }
 
-const bole::OptionSet* vtkBoleStage::GetOptions() const { return this->Inner->options ? &*this->Inner->options : nullptr; }
+const bole::OptionSet* vtkBoleStage::GetOptions() const {
+  return this->Inner->options ? &*this->Inner->options : nullptr;
+}
 const bole::StageType* vtkBoleStage::GetType() const { return this->Inner->type; }
 
 // ---- ports
 
-int vtkBoleStage::FindInputPort(const char* name) const { return this->Inner->type ? bole::port_index(this->Inner->type->inputs, name) : -1; }
-int vtkBoleStage::FindOutputPort(const char* name) const { return this->Inner->type ? bole::port_index(this->Inner->type->outputs, name) : -1; }
+int vtkBoleStage::FindInputPort(const char* name) const {
+  return this->Inner->type ? bole::port_index(this->Inner->type->inputs, name) : -1;
+}
+int vtkBoleStage::FindOutputPort(const char* name) const {
+  return this->Inner->type ? bole::port_index(this->Inner->type->outputs, name) : -1;
+}
 
-std::string vtkBoleStage::GetInputPortName(int port) const { return this->Inner->type ? bole::port_name(this->Inner->type->inputs, port) : std::string(); }
-std::string vtkBoleStage::GetOutputPortName(int port) const { return this->Inner->type ? bole::port_name(this->Inner->type->outputs, port) : std::string(); }
+std::string vtkBoleStage::GetInputPortName(int port) const {
+  return this->Inner->type ? bole::port_name(this->Inner->type->inputs, port) : std::string();
+}
+std::string vtkBoleStage::GetOutputPortName(int port) const {
+  return this->Inner->type ? bole::port_name(this->Inner->type->outputs, port) : std::string();
+}
 
 bool vtkBoleStage::ConnectInput(const char* port, vtkBoleStage* producer, const char* producer_port) {
   return this->Inner->accepted(this, [&] {
     const int input = this->FindInputPort(port);
-    if (input < 0) throw bole::bad_input(std::string("there is no input '") + (port ? port : "") + "'", "one of: " + (this->Inner->type ? bole::port_list(this->Inner->type->inputs) : ""));
+    if (input < 0)
+      throw bole::bad_input(std::string("there is no input '") + (port ? port : "") + "'",
+                            "one of: " + (this->Inner->type ? bole::port_list(this->Inner->type->inputs) : ""));
     if (!producer) return this->SetInputConnection(input, nullptr);
     const int output = producer->FindOutputPort(producer_port);
     if (output < 0)
-      throw bole::bad_input(producer->GetStageType() + " has no output '" + (producer_port ? producer_port : "") + "'", "one of: " + (producer->GetType() ? bole::port_list(producer->GetType()->outputs) : ""));
+      throw bole::bad_input(producer->GetStageType() + " has no output '" + (producer_port ? producer_port : "") + "'",
+                            "one of: " + (producer->GetType() ? bole::port_list(producer->GetType()->outputs) : ""));
     this->SetInputConnection(input, producer->GetOutputPort(output));
   });
 }
@@ -141,7 +164,8 @@ int vtkBoleStage::FillInputPortInformation(int port, vtkInformation* info) {
 }
 
 int vtkBoleStage::FillOutputPortInformation(int port, vtkInformation* info) {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), bole::vtk_class_name(this->Inner->type->outputs[static_cast<std::size_t>(port)].kind));
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+            bole::vtk_class_name(this->Inner->type->outputs[static_cast<std::size_t>(port)].kind));
   return 1;
 }
 
@@ -154,7 +178,9 @@ void vtkBoleStage::SetOutputDirectory(const char* folder) {
   if (this->Inner->type && this->Inner->type->writes_files) this->Modified();
 }
 
-void vtkBoleStage::SetCacheDirectory(const char* folder) { this->Inner->control.cache = folder && *folder ? std::make_shared<bole::ResultCache>(folder) : nullptr; }
+void vtkBoleStage::SetCacheDirectory(const char* folder) {
+  this->Inner->control.cache = folder && *folder ? std::make_shared<bole::ResultCache>(folder) : nullptr;
+}
 
 void vtkBoleStage::SetGenerateVertices(bool generate) {
   if (this->Inner->vertices == generate) return;
@@ -164,7 +190,8 @@ void vtkBoleStage::SetGenerateVertices(bool generate) {
 bool vtkBoleStage::GetGenerateVertices() const { return this->Inner->vertices; }
 
 void vtkBoleStage::SetControl(bole::StageControl control) {
-  const bool moved = control.output_dir != this->Inner->control.output_dir && this->Inner->type && this->Inner->type->writes_files;
+  const bool moved =
+      control.output_dir != this->Inner->control.output_dir && this->Inner->type && this->Inner->type->writes_files;
   this->Inner->control = std::move(control);
   if (moved) this->Modified();
 }
@@ -198,14 +225,17 @@ std::vector<std::string> vtkBoleStage::GetOutputFiles() const {
   return paths;
 }
 
-bool vtkBoleStage::OutputFilesPresent() const { return !this->Inner->result || bole::all_there(this->Inner->result->files); }
+bool vtkBoleStage::OutputFilesPresent() const {
+  return !this->Inner->result || bole::all_there(this->Inner->result->files);
+}
 
 bool vtkBoleStage::FillOutputs() {
   return this->Inner->guarded(this, [&] {
     this->Inner->control.core_only = false;
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port) {
       this->Inner->fill(port, this->GetOutputDataObject(port), 0, false);
-      this->Inner->tell_times(this->Inner->type->outputs[static_cast<std::size_t>(port)], this->GetOutputInformation(port));
+      this->Inner->tell_times(this->Inner->type->outputs[static_cast<std::size_t>(port)],
+                              this->GetOutputInformation(port));
     }
   });
 }
@@ -219,13 +249,15 @@ void vtkBoleStage::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "StageType: " << this->Inner->wanted_type << (this->Inner->type ? "\n" : " (not in this build)\n");
   if (!this->Inner->type) return;
-  for (const auto& spec : this->Inner->type->options->specs) os << indent << "Option " << spec.name << ": " << bole::option_text(this->Inner->options->get(spec.name)) << "\n";
+  for (const auto& spec : this->Inner->type->options->specs)
+    os << indent << "Option " << spec.name << ": " << bole::option_text(this->Inner->options->get(spec.name)) << "\n";
   if (!this->Inner->error_text.empty()) os << indent << "Error: " << this->Inner->error_text << "\n";
 }
 
 // ---- VTK's requests
 
-int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                 vtkInformationVector* outputs) {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION())) return this->RequestInformation(inputs, outputs);
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT())) this->RequestUpdateExtent(inputs);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA())) return this->RequestData(inputs, outputs);
@@ -234,17 +266,23 @@ int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector**
 
 bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInformationVector* outputs) {
   if (!this->Inner->type) {
-    this->Inner->fail(this, bole::bad_input(this->Inner->wanted_type.empty() ? "no stage type is set" : "this build has no stage '" + this->Inner->wanted_type + "'", "a stage that `bole stages` lists"));
+    this->Inner->fail(this, bole::bad_input(this->Inner->wanted_type.empty()
+                                                ? "no stage type is set"
+                                                : "this build has no stage '" + this->Inner->wanted_type + "'",
+                                            "a stage that `bole stages` lists"));
     return false;
   }
   const auto& ports = this->Inner->type->outputs;
-  // Times of frames are known once the scan is open. A source can be run now; after other stages they come with the data.
-  const bool has_frames = std::ranges::any_of(ports, [](const bole::Port& p) { return p.kind == bole::DataKind::frames; });
+  // Times of frames are known once the scan is open. A source can be run now; after other stages they come with the
+  // data.
+  const bool has_frames =
+      std::ranges::any_of(ports, [](const bole::Port& p) { return p.kind == bole::DataKind::frames; });
   if (has_frames && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
   for (std::size_t p = 0; p < ports.size(); ++p) {
     vtkInformation* info = outputs->GetInformationObject(static_cast<int>(p));
     this->Inner->tell_times(ports[p], info);
-    if (ports[p].kind == bole::DataKind::raster) this->Inner->tell_extent(this->GetOutputDataObject(static_cast<int>(p)), info);
+    if (ports[p].kind == bole::DataKind::raster)
+      this->Inner->tell_extent(this->GetOutputDataObject(static_cast<int>(p)), info);
   }
   return true;
 }
@@ -253,7 +291,8 @@ void vtkBoleStage::RequestUpdateExtent(vtkInformationVector** inputs) {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   // A stage takes all frames of a scan, whichever of them somebody looks at.
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-    for (int c = 0; c < inputs[port]->GetNumberOfInformationObjects(); ++c) inputs[port]->GetInformationObject(c)->Remove(Pipeline::UPDATE_TIME_STEP());
+    for (int c = 0; c < inputs[port]->GetNumberOfInformationObjects(); ++c)
+      inputs[port]->GetInformationObject(c)->Remove(Pipeline::UPDATE_TIME_STEP());
 }
 
 bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs) {
@@ -263,11 +302,13 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
     bole::PortData data;
     for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
       if (inputs[port]->GetNumberOfInformationObjects() > 0)
-        if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0))) data[this->GetInputPortName(port)] = std::move(core);
+        if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0)))
+          data[this->GetInputPortName(port)] = std::move(core);
     if (!this->Inner->update(this, data)) return;
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
       vtkInformation* info = outputs->GetInformationObject(port);
-      this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->frame_wanted(port, info), this->Inner->control.core_only);
+      this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->frame_wanted(port, info),
+                        this->Inner->control.core_only);
     }
   });
   if (done && this->Inner->exit_code == 0) return true;

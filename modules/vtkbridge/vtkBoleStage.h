@@ -1,10 +1,10 @@
 // A stage of Bole as a VTK algorithm. SetStageType() names the stage; ports and options follow from its declaration.
 //
-// Inputs may come from other stages (the core object rides along, nothing is converted) or from any VTK filter. Options are
-// set by name; the modification time changes only when a value does. Errors go to ErrorEvent observers (or the output
-// window), leave empty outputs, and can be read by GetErrorText() and GetExitCode(). SetAbortExecute(1) cancels, from any
-// thread; Finish() asks for the best result so far. With a cache folder, results are kept on disk by the content of all
-// that they depend on. A stage whose output is the frames of a scan offers them as VTK time steps.
+// Inputs may come from other stages (the core object rides along, nothing is converted) or from any VTK filter. Options
+// are set by name; the modification time changes only when a value does. Errors go to ErrorEvent observers (or the
+// output window), leave empty outputs, and can be read by GetErrorText() and GetExitCode(). SetAbortExecute(1) cancels,
+// from any thread; Finish() asks for the best result so far. With a cache folder, results are kept on disk by the
+// content of all that they depend on. A stage whose output is the frames of a scan offers them as VTK time steps.
 #ifndef vtkBoleStage_h
 #define vtkBoleStage_h
 
@@ -33,7 +33,8 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   std::string GetStageType() const;
   std::string GetTitle() const;
 
-  // Options by name. False, with an error that says what is needed, when there is no such option or the value does not fit.
+  // Options by name. False, with an error that says what is needed, when there is no such option or the value does not
+  // fit.
   bool SetOption(const char* name, const char* value);
   bool SetOption(const char* name, double value);
   bool SetOption(const char* name, int value);

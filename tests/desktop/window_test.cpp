@@ -31,7 +31,8 @@ void write_cloud(const std::string& path) {
     for (int layer = 0; layer < 160; ++layer)
       for (int k = 0; k < 40; ++k) {
         const double angle = 2 * M_PI * (k + 0.37 * layer) / 40;
-        out << 1.5 + 3 * (tree % 3) + 0.1 * std::cos(angle) << ' ' << 1.5 + 3 * (tree / 3) + 0.1 * std::sin(angle) << ' ' << 0.03 * layer << '\n';
+        out << 1.5 + 3 * (tree % 3) + 0.1 * std::cos(angle) << ' ' << 1.5 + 3 * (tree / 3) + 0.1 * std::sin(angle)
+            << ' ' << 0.03 * layer << '\n';
       }
 }
 

@@ -35,15 +35,20 @@ void write_clouds(const std::filesystem::path& folder) {
   cloud.set_column(arrays::intensity, std::vector<float>{1, 2});
   write_ply(folder / "ply" / "binary", cloud);
   write_text_file(folder / "ply" / "ascii",
-                  "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int f\nproperty uchar red\nend_header\n1 2 3 2 7 8 255\n4 5 6 0 1\n");
-  const std::string header = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ";
+                  "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
+                  "z\nproperty list uchar int f\nproperty uchar red\nend_header\n1 2 3 2 7 8 255\n4 5 6 0 1\n");
+  const std::string header =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT "
+      "1\nPOINTS 2\nDATA ";
   write_text_file(folder / "pcd" / "ascii", header + "ascii\n1 2 3 4.2e6\n4 5 nan 0\n");
   write_text_file(folder / "pcd" / "binary", header + "binary\n" + std::string(32, '@'));
-  write_text_file(folder / "pcd" / "compressed", header + "binary_compressed\n" + std::string("\x06\0\0\0\x20\0\0\0\0@\xE0\x14\0\0", 14));
+  write_text_file(folder / "pcd" / "compressed",
+                  header + "binary_compressed\n" + std::string("\x06\0\0\0\x20\0\0\0\0@\xE0\x14\0\0", 14));
   write_xyz_cloud(folder / "text" / "xyz", cloud);
   write_text_file(folder / "text" / "csv", "\"x\";y;z;treeID\n1,5;2;3;7\n");
   write_text_file(folder / "text" / "pts", "2\n1 2 3 -100 1 2 3\n4 5 6 7 8 9 10\n");
-  write_text_file(folder / "text" / "ptx", "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n1 2 3 0.5\n0 0 0 0.5\n");
+  write_text_file(folder / "text" / "ptx",
+                  "1\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n1 2 3 0.5\n0 0 0 0.5\n");
 }
 
 void write_tables(const std::filesystem::path& folder) {

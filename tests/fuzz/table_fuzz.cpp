@@ -1,5 +1,5 @@
-// Tables and trajectories from memory: whatever the bytes are, the readers give their data or an Error; what was read as a
-// table can be written and read again.
+// Tables and trajectories from memory: whatever the bytes are, the readers give their data or an Error; what was read
+// as a table can be written and read again.
 #include <cstdlib>
 
 #include "base/error.h"

@@ -5,7 +5,9 @@
 #include "sensor/core/velodyne_decoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::array decoders{bole::VelodyneDecoder(bole::load_sensor_model("vlp16")), bole::VelodyneDecoder(bole::load_sensor_model("vlp32c")), bole::VelodyneDecoder(bole::load_sensor_model("hdl64e_s2"))};
+  static const std::array decoders{bole::VelodyneDecoder(bole::load_sensor_model("vlp16")),
+                                   bole::VelodyneDecoder(bole::load_sensor_model("vlp32c")),
+                                   bole::VelodyneDecoder(bole::load_sensor_model("hdl64e_s2"))};
   const auto packet = bole::parse_velodyne_packet({data, size});
   if (!packet) return 0;
   for (const auto& decoder : decoders) {

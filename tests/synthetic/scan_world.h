@@ -49,13 +49,15 @@ struct World {
   static double hit(const Cylinder& c, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
     const Eigen::Vector3d o = from - c.base;
     const Eigen::Vector3d across = direction - direction.dot(c.axis) * c.axis, offset = o - o.dot(c.axis) * c.axis;
-    const double a = across.squaredNorm(), b = across.dot(offset), q = offset.squaredNorm() - c.radius * c.radius, d = b * b - a * q;
+    const double a = across.squaredNorm(), b = across.dot(offset), q = offset.squaredNorm() - c.radius * c.radius,
+                 d = b * b - a * q;
     if (d < 0 || a < 1e-12) return -1;
     const double t = (-b - std::sqrt(d)) / a, h = (o + t * direction).dot(c.axis);
     return h >= 0 && h <= c.length ? t : -1;
   }
   static double hit(const Box& box, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
-    const Eigen::Array3d a = (box.low - from).array() / direction.array(), b = (box.high - from).array() / direction.array();
+    const Eigen::Array3d a = (box.low - from).array() / direction.array(),
+                         b = (box.high - from).array() / direction.array();
     const double near = a.min(b).maxCoeff(), far = a.max(b).minCoeff();
     return near <= far ? near : -1;
   }
@@ -70,15 +72,18 @@ struct SpinningSensor {
 
   static SpinningSensor even(int lines, double lowest_deg, double highest_deg, int columns) {
     SpinningSensor s;
-    for (int i = 0; i < lines; ++i) s.elevations_rad.push_back((lowest_deg + (highest_deg - lowest_deg) * i / std::max(1, lines - 1)) * std::numbers::pi / 180);
+    for (int i = 0; i < lines; ++i)
+      s.elevations_rad.push_back((lowest_deg + (highest_deg - lowest_deg) * i / std::max(1, lines - 1)) *
+                                 std::numbers::pi / 180);
     s.columns = columns;
     return s;
   }
   // The uneven lines of the VLP-32C: close together about the horizon, wide below.
   static SpinningSensor vlp32c(int columns = 1800) {
     SpinningSensor s;
-    for (const double deg : {-25.0,  -15.639, -11.31, -8.843, -7.254, -6.148, -5.333, -4.667, -4.0,  -3.667, -3.333, -3.0,  -2.667, -2.333, -2.0,   -1.667,
-                             -1.333, -1.0,    -0.667, -0.333, 0.0,    0.333,  0.667,  1.0,    1.333, 1.667,  2.333,  3.333, 4.667,  7.0,    10.333, 15.0})
+    for (const double deg : {-25.0, -15.639, -11.31, -8.843, -7.254, -6.148, -5.333, -4.667, -4.0,   -3.667, -3.333,
+                             -3.0,  -2.667,  -2.333, -2.0,   -1.667, -1.333, -1.0,   -0.667, -0.333, 0.0,    0.333,
+                             0.667, 1.0,     1.333,  1.667,  2.333,  3.333,  4.667,  7.0,    10.333, 15.0})
       s.elevations_rad.push_back(deg * std::numbers::pi / 180);
     s.columns = columns;
     return s;
@@ -90,13 +95,19 @@ class SyntheticScan : public FrameSource {
  public:
   using Motion = std::function<Pose(double time_s)>;
   SyntheticScan(World world, SpinningSensor sensor, Motion T_world_sensor, std::size_t frames, unsigned seed = 1)
-      : world_(std::move(world)), sensor_(std::move(sensor)), motion_(std::move(T_world_sensor)), frames_(frames), seed_(seed) {}
+      : world_(std::move(world)),
+        sensor_(std::move(sensor)),
+        motion_(std::move(T_world_sensor)),
+        frames_(frames),
+        seed_(seed) {}
 
   std::function<void(std::size_t index, ScanFrame& frame)> spoil;  // applied to each frame that is read
   std::vector<double> start_times_s;                               // of each frame; empty: one after the other
 
   std::size_t size() const override { return frames_; }
-  double frame_time_s(std::size_t index) const override { return start_times_s.empty() ? static_cast<double>(index) * sensor_.period_s : start_times_s[index]; }
+  double frame_time_s(std::size_t index) const override {
+    return start_times_s.empty() ? static_cast<double>(index) * sensor_.period_s : start_times_s[index];
+  }
   int rings() const override { return static_cast<int>(sensor_.elevations_rad.size()); }
   std::vector<double> ring_elevations_rad() const override { return sensor_.elevations_rad; }
   std::string sensor_model() const override { return "synthetic"; }
@@ -122,7 +133,8 @@ class SyntheticScan : public FrameSource {
       const Pose T = motion_(frame.start_time_s + offset_s);
       for (std::size_t r = 0; r < sensor_.elevations_rad.size(); ++r) {
         const double e = sensor_.elevations_rad[r];
-        const Eigen::Vector3d direction(-std::cos(e) * std::cos(azimuth), -std::cos(e) * std::sin(azimuth), std::sin(e));
+        const Eigen::Vector3d direction(-std::cos(e) * std::cos(azimuth), -std::cos(e) * std::sin(azimuth),
+                                        std::sin(e));
         double range = world_.range(T.translation(), T.linear() * direction);
         if (!(range <= sensor_.range_max_m)) continue;
         if (sensor_.range_noise_m > 0) range += noise(random);
@@ -151,12 +163,16 @@ inline World trunks(double half_size_m, double spacing_m, unsigned seed = 7) {
   const Eigen::Vector3d up = Eigen::Vector3d(-0.05, 0.03, 1).normalized();
   world.planes.push_back({up, 0});
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> jitter(-0.35 * spacing_m, 0.35 * spacing_m), radius(0.06, 0.16), lean(-0.06, 0.06);
+  std::uniform_real_distribution<double> jitter(-0.35 * spacing_m, 0.35 * spacing_m), radius(0.06, 0.16),
+      lean(-0.06, 0.06);
   const auto ground = [&](double x, double y) { return -(up.x() * x + up.y() * y) / up.z(); };
   for (double x = -half_size_m; x <= half_size_m; x += spacing_m)
     for (double y = -half_size_m; y <= half_size_m; y += spacing_m) {
       const double tx = x + jitter(random), ty = y + jitter(random);
-      world.cylinders.push_back({{tx, ty, ground(tx, ty) - 0.2}, Eigen::Vector3d(lean(random), lean(random), 1).normalized(), radius(random), 9});
+      world.cylinders.push_back({{tx, ty, ground(tx, ty) - 0.2},
+                                 Eigen::Vector3d(lean(random), lean(random), 1).normalized(),
+                                 radius(random),
+                                 9});
     }
   for (int i = 0; i < 6; ++i) {
     const double bx = jitter(random) * half_size_m / spacing_m * 2, by = jitter(random) * half_size_m / spacing_m * 2;
@@ -171,12 +187,16 @@ inline Pose walk_on_circle(double time_s, double radius_m, double speed_m_s, dou
   const double pi = std::numbers::pi;
   const double walked_s = std::max(0.0, time_s - still_s);
   const double moving = std::min(1.0, walked_s / 0.7), eased = moving * moving * (3 - 2 * moving);
-  const double way_m = walked_s < 0.7 ? speed_m_s * 0.7 * (std::pow(moving, 3) - 0.5 * std::pow(moving, 4)) : speed_m_s * (walked_s - 0.35);
+  const double way_m = walked_s < 0.7 ? speed_m_s * 0.7 * (std::pow(moving, 3) - 0.5 * std::pow(moving, 4))
+                                      : speed_m_s * (walked_s - 0.35);
   const double a = way_m / radius_m, g = gait * eased;
   const double step = 2 * pi * 1.9 * walked_s, stride = pi * 1.9 * walked_s;
   Pose T = Pose::Identity();
-  T.translation() = Eigen::Vector3d(radius_m * std::cos(a) + 0.02 * g * std::sin(stride) * std::cos(a), radius_m * std::sin(a) + 0.02 * g * std::sin(stride) * std::sin(a), 1.7 + 0.025 * g * std::sin(step));
-  T.linear() = rotation_from_rpy(0.025 * g * std::sin(stride + 0.4), 0.02 * g * std::sin(step + 1.1), a + pi / 2 + 0.05 * g * std::sin(stride + 2));
+  T.translation() = Eigen::Vector3d(radius_m * std::cos(a) + 0.02 * g * std::sin(stride) * std::cos(a),
+                                    radius_m * std::sin(a) + 0.02 * g * std::sin(stride) * std::sin(a),
+                                    1.7 + 0.025 * g * std::sin(step));
+  T.linear() = rotation_from_rpy(0.025 * g * std::sin(stride + 0.4), 0.02 * g * std::sin(step + 1.1),
+                                 a + pi / 2 + 0.05 * g * std::sin(stride + 2));
   return T;
 }
 

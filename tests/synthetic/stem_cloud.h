@@ -1,4 +1,5 @@
-// Points of a forest plot's stems as a walking sensor sees them, with exact truth: rays, range noise, passes with drift, taper, lean, clutter.
+// Points of a forest plot's stems as a walking sensor sees them, with exact truth: rays, range noise, passes with
+// drift, taper, lean, clutter.
 #pragma once
 
 #include <Eigen/Dense>
@@ -50,13 +51,15 @@ struct StemCloud {
 };
 
 // The nearest hit of a ray with a stem; distance along the ray.
-inline std::optional<double> hit(const TrueStem& stem, double ground_z, const Eigen::Vector3d& from, const Eigen::Vector3d& d) {
+inline std::optional<double> hit(const TrueStem& stem, double ground_z, const Eigen::Vector3d& from,
+                                 const Eigen::Vector3d& d) {
   const Eigen::Vector3d base(stem.base.x(), stem.base.y(), ground_z), a = stem.direction(), w = from - base;
   // A few rounds of a cylinder with the radius of the last hit settle taper and ellipse.
   double radius = stem.radius_at(1.3), t = -1;
   const Eigen::Vector3d d_across = d - d.dot(a) * a, w_across = w - w.dot(a) * a;
   for (int i = 0; i < 6; ++i) {
-    const double A = d_across.squaredNorm(), B = w_across.dot(d_across), C = w_across.squaredNorm() - radius * radius, q = B * B - A * C;
+    const double A = d_across.squaredNorm(), B = w_across.dot(d_across), C = w_across.squaredNorm() - radius * radius,
+                 q = B * B - A * C;
     if (q < 0 || A < 1e-9) return std::nullopt;
     t = (-B - std::sqrt(q)) / A;
     if (t <= 0) return std::nullopt;
@@ -72,9 +75,12 @@ inline std::optional<double> hit(const TrueStem& stem, double ground_z, const Ei
 
 class StemCloudMaker {
  public:
-  StemCloudMaker(std::vector<TrueStem> stems, const StemCloudOptions& o) : o_(o), random_(o.seed) { out_.stems = std::move(stems); }
+  StemCloudMaker(std::vector<TrueStem> stems, const StemCloudOptions& o) : o_(o), random_(o.seed) {
+    out_.stems = std::move(stems);
+  }
 
-  // Passes are straight lines beside the stems' middle, at different bearings; the stand is assumed to be some 10 m wide at most.
+  // Passes are straight lines beside the stems' middle, at different bearings; the stand is assumed to be some 10 m
+  // wide at most.
   StemCloud make() {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     for (const auto& s : out_.stems) middle += s.base / static_cast<double>(out_.stems.size());
@@ -82,7 +88,8 @@ class StemCloudMaker {
       const double bearing = 2 * std::numbers::pi * pass / o_.passes + 0.3;
       const Eigen::Vector2d side(std::cos(bearing), std::sin(bearing)), forward(-side.y(), side.x());
       const Eigen::Vector2d drift(normal(o_.drift), normal(o_.drift));
-      for (double s = -3; s <= 3; s += o_.pass_step) scan(middle + 4.0 * side + s * forward, drift, 100.0 * pass + s + 3);
+      for (double s = -3; s <= 3; s += o_.pass_step)
+        scan(middle + 4.0 * side + s * forward, drift, 100.0 * pass + s + 3);
     }
     shrubs();
     return finish();
@@ -109,7 +116,8 @@ class StemCloudMaker {
         if (!any) continue;
         double range = nearest + normal(o_.range_noise);
         if (uniform(0, 1) < o_.outlier_share) range += uniform(-0.3, 0.3);
-        const Eigen::Vector3d recorded = (d + Eigen::Vector3d(normal(o_.angle_noise), normal(o_.angle_noise), normal(o_.angle_noise))).normalized();
+        const Eigen::Vector3d recorded =
+            (d + Eigen::Vector3d(normal(o_.angle_noise), normal(o_.angle_noise), normal(o_.angle_noise))).normalized();
         const Eigen::Vector3d moved(drift.x(), drift.y(), 0);
         add(sensor + range * recorded + moved, sensor + moved, time);
       }
@@ -128,7 +136,8 @@ class StemCloudMaker {
 
   void add(const Eigen::Vector3d& p, const Eigen::Vector3d& sensor, double time) {
     positions_.push_back(p.cast<float>()), height_.push_back(static_cast<float>(p.z() - ground(p.head<2>())));
-    sensor_x_.push_back(static_cast<float>(sensor.x())), sensor_y_.push_back(static_cast<float>(sensor.y())), sensor_z_.push_back(static_cast<float>(sensor.z()));
+    sensor_x_.push_back(static_cast<float>(sensor.x())), sensor_y_.push_back(static_cast<float>(sensor.y())),
+        sensor_z_.push_back(static_cast<float>(sensor.z()));
     range_.push_back(static_cast<float>((p - sensor).norm())), time_.push_back(time);
   }
 
@@ -138,14 +147,17 @@ class StemCloudMaker {
     out_.points.axes = Axes::plot;
     out_.points.set_column(arrays::height_above_ground, std::move(height_));
     if (o_.rays) {
-      out_.points.set_column(arrays::sensor_x, std::move(sensor_x_)), out_.points.set_column(arrays::sensor_y, std::move(sensor_y_));
-      out_.points.set_column(arrays::sensor_z, std::move(sensor_z_)), out_.points.set_column(arrays::range, std::move(range_));
+      out_.points.set_column(arrays::sensor_x, std::move(sensor_x_)),
+          out_.points.set_column(arrays::sensor_y, std::move(sensor_y_));
+      out_.points.set_column(arrays::sensor_z, std::move(sensor_z_)),
+          out_.points.set_column(arrays::range, std::move(range_));
     }
     if (o_.time) out_.points.set_column(arrays::time, std::move(time_));
     out_.dem.cell_m = 0.25, out_.dem.nx = out_.dem.ny = 120, out_.dem.origin = origin.head<2>().array() - 15.0;
     out_.dem.values.resize(120 * 120);
     for (int iy = 0; iy < 120; ++iy)
-      for (int ix = 0; ix < 120; ++ix) out_.dem.at(ix, iy) = static_cast<float>(ground(Eigen::Vector2d(-15 + (ix + 0.5) * 0.25, 0)));
+      for (int ix = 0; ix < 120; ++ix)
+        out_.dem.at(ix, iy) = static_cast<float>(ground(Eigen::Vector2d(-15 + (ix + 0.5) * 0.25, 0)));
     return std::move(out_);
   }
 
@@ -157,7 +169,9 @@ class StemCloudMaker {
   std::vector<double> time_;
 };
 
-inline StemCloud make_stem_cloud(std::vector<TrueStem> stems, const StemCloudOptions& options = {}) { return StemCloudMaker(std::move(stems), options).make(); }
+inline StemCloud make_stem_cloud(std::vector<TrueStem> stems, const StemCloudOptions& options = {}) {
+  return StemCloudMaker(std::move(stems), options).make();
+}
 
 // `n` stems on a jittered grid some 2 m apart, diameters between `thin` and `thick`, slight leans.
 inline std::vector<TrueStem> random_stand(int n, double thin, double thick, unsigned seed) {
@@ -167,7 +181,8 @@ inline std::vector<TrueStem> random_stand(int n, double thin, double thick, unsi
   const int side = static_cast<int>(std::ceil(std::sqrt(n)));
   for (int i = 0; i < n; ++i) {
     TrueStem s;
-    s.base = {2.0 * (i % side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5), 2.0 * (i / side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5)};
+    s.base = {2.0 * (i % side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5),
+              2.0 * (i / side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5)};
     s.dbh = thin + (thick - thin) * u(random);
     s.taper = 0.005 + 0.01 * u(random), s.slope = {0.1 * (u(random) - 0.5), 0.1 * (u(random) - 0.5)};
     stems.push_back(s);

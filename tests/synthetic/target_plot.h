@@ -32,7 +32,8 @@ struct TargetPlot {
 
 class TargetPlotMaker {
  public:
-  explicit TargetPlotMaker(const TargetPlotRecipe& recipe) : r_(recipe), random_(recipe.seed), slope_(std::tan(recipe.slope_deg * std::numbers::pi / 180)) {}
+  explicit TargetPlotMaker(const TargetPlotRecipe& recipe)
+      : r_(recipe), random_(recipe.seed), slope_(std::tan(recipe.slope_deg * std::numbers::pi / 180)) {}
 
   static constexpr double half_m = 18;
 
@@ -82,12 +83,16 @@ class TargetPlotMaker {
     double x = 0, y = 0;
     do x = uniform(-half_m, half_m), y = uniform(-half_m, half_m);
     while (std::hypot(x, y) < 1.5 || std::hypot(x, y - r_.north_distance_m) < 1.5);
-    const double lean = std::numbers::pi / 180 * r_.lean_sd_deg, lx = lean * gauss(), ly = lean * gauss(), radius = uniform(0.07, 0.2);
+    const double lean = std::numbers::pi / 180 * r_.lean_sd_deg, lx = lean * gauss(), ly = lean * gauss(),
+                 radius = uniform(0.07, 0.2);
     for (int i = 0; i < 3000; ++i) {
       const double h = uniform(0, 9), a = uniform(0, 2 * std::numbers::pi), taper = radius * (1 - h / 25);
-      add({x + lx * h + taper * std::cos(a), y + ly * h + taper * std::sin(a), height(x, y) + h}, uniform(5, 80), any_pose());
+      add({x + lx * h + taper * std::cos(a), y + ly * h + taper * std::sin(a), height(x, y) + h}, uniform(5, 80),
+          any_pose());
     }
-    for (int i = 0; i < 3000; ++i) add({x + lx * 8 + 1.2 * gauss(), y + ly * 8 + 1.2 * gauss(), height(x, y) + uniform(7, 12)}, uniform(1, 30), any_pose());
+    for (int i = 0; i < 3000; ++i)
+      add({x + lx * 8 + 1.2 * gauss(), y + ly * 8 + 1.2 * gauss(), height(x, y) + uniform(7, 12)}, uniform(1, 30),
+          any_pose());
   }
 
   // A cylinder 0.2 m wide and 0.3 m high, seen from within 15 m; only the side towards the sensor returns.
@@ -98,15 +103,21 @@ class TargetPlotMaker {
       const double towards = std::atan2(to_sensor.y(), to_sensor.x());
       for (int i = 0; i < 12; ++i) {
         const double a = towards + std::asin(uniform(-1, 1));
-        add({at.x() + 0.1 * std::cos(a), at.y() + 0.1 * std::sin(a), height(at.x(), at.y()) + uniform(1.2, 1.5)}, uniform(180, 255), pose);
+        add({at.x() + 0.1 * std::cos(a), at.y() + 0.1 * std::sin(a), height(at.x(), at.y()) + uniform(1.2, 1.5)},
+            uniform(180, 255), pose);
       }
     }
   }
 
   void clutter() {
-    for (int i = 0; i < 3000; ++i) add({8.0 + uniform(-0.6, 0.6), -7.0, height(8, -7) + uniform(1, 2)}, uniform(150, 250), any_pose());  // a sign, too large
-    for (int i = 0; i < 400; ++i) add({-6.0 + uniform(-0.2, 0.2), 5.0, height(-6, 5) + uniform(1, 1.5)}, uniform(110, 250), walk_[60]);  // a jacket, seen from one place
-    for (int i = 0; i < 30; ++i) add({uniform(-half_m, half_m), uniform(-half_m, half_m), uniform(0, 5)}, 140, any_pose());              // glints
+    for (int i = 0; i < 3000; ++i)
+      add({8.0 + uniform(-0.6, 0.6), -7.0, height(8, -7) + uniform(1, 2)}, uniform(150, 250),
+          any_pose());  // a sign, too large
+    for (int i = 0; i < 400; ++i)
+      add({-6.0 + uniform(-0.2, 0.2), 5.0, height(-6, 5) + uniform(1, 1.5)}, uniform(110, 250),
+          walk_[60]);  // a jacket, seen from one place
+    for (int i = 0; i < 30; ++i)
+      add({uniform(-half_m, half_m), uniform(-half_m, half_m), uniform(0, 5)}, 140, any_pose());  // glints
   }
 
   TargetPlot moved(const Pose& T_map_plot) {
@@ -121,8 +132,11 @@ class TargetPlotMaker {
     out.cloud = PointCloud(std::move(positions));
     out.cloud.axes = Axes::map;
     if (r_.intensity) out.cloud.set_column(arrays::intensity, intensity_);
-    if (r_.sensor_positions) out.cloud.set_column(arrays::sensor_x, std::move(sx)), out.cloud.set_column(arrays::sensor_y, std::move(sy)), out.cloud.set_column(arrays::sensor_z, std::move(sz));
-    for (std::size_t i = 0; i < walk_.size(); ++i) out.trajectory.poses.push_back({static_cast<double>(i), T_map_plot * walk_[i]});
+    if (r_.sensor_positions)
+      out.cloud.set_column(arrays::sensor_x, std::move(sx)), out.cloud.set_column(arrays::sensor_y, std::move(sy)),
+          out.cloud.set_column(arrays::sensor_z, std::move(sz));
+    for (std::size_t i = 0; i < walk_.size(); ++i)
+      out.trajectory.poses.push_back({static_cast<double>(i), T_map_plot * walk_[i]});
     return out;
   }
 

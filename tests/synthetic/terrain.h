@@ -1,4 +1,5 @@
-// A synthetic forest floor with known truth: slope, undulation, rocks, a fallen stem, shrubs, grass, stems, crowns, noise and low outliers.
+// A synthetic forest floor with known truth: slope, undulation, rocks, a fallen stem, shrubs, grass, stems, crowns,
+// noise and low outliers.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +35,8 @@ class Terrain {
 
   double height(double x, double y) const {
     const double a = r_.aspect_deg * std::numbers::pi / 180, rise = std::tan(r_.slope_deg * std::numbers::pi / 180);
-    return rise * (std::cos(a) * x + std::sin(a) * y) + r_.undulation_m * (std::sin(2 * std::numbers::pi * x / 9.0) * std::cos(2 * std::numbers::pi * y / 13.0));
+    return rise * (std::cos(a) * x + std::sin(a) * y) +
+           r_.undulation_m * (std::sin(2 * std::numbers::pi * x / 9.0) * std::cos(2 * std::numbers::pi * y / 13.0));
   }
 
   // Points in random order; `labels` (when given) gets 2 for ground, 7 for low outliers, 1 for the rest.
@@ -90,14 +92,17 @@ class Terrain {
     for (const auto& s : shrubs_)
       if (std::hypot(x - s.x, y - s.y) < s.radius) return add(x, y, g + uniform(0.15, s.top), 1);
     for (const auto& s : rocks_)
-      if (const double d = std::hypot(x - s.x, y - s.y); d < s.radius) return add(x, y, height(s.x, s.y) + std::sqrt(s.radius * s.radius - d * d) + r_.noise_m * gauss(), 1);
+      if (const double d = std::hypot(x - s.x, y - s.y); d < s.radius)
+        return add(x, y, height(s.x, s.y) + std::sqrt(s.radius * s.radius - d * d) + r_.noise_m * gauss(), 1);
     for (const auto& l : logs_) {
       const double along = (x - l.x) * l.dx + (y - l.y) * l.dy, across = (x - l.x) * l.dy - (y - l.y) * l.dx;
       constexpr double radius = 0.15;
-      if (std::abs(along) < 3 && std::abs(across) < radius) return add(x, y, g + radius + std::sqrt(radius * radius - across * across) + r_.noise_m * gauss(), 1);
+      if (std::abs(along) < 3 && std::abs(across) < radius)
+        return add(x, y, g + radius + std::sqrt(radius * radius - across * across) + r_.noise_m * gauss(), 1);
     }
     const bool grass = uniform(0, 1) < r_.grass_share;
-    add(x, y, g + r_.noise_m * gauss() + (grass ? std::exponential_distribution<double>(1 / r_.grass_m)(random_) : 0.0), grass ? 1 : 2);
+    add(x, y, g + r_.noise_m * gauss() + (grass ? std::exponential_distribution<double>(1 / r_.grass_m)(random_) : 0.0),
+        grass ? 1 : 2);
   }
 
   void add_stem(const Ball& s) {

@@ -1,4 +1,5 @@
-// The commands of `bole`. Each adds its sub-command to the program; its callback throws bole::Error or sets the exit code.
+// The commands of `bole`. Each adds its sub-command to the program; its callback throws bole::Error or sets the exit
+// code.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -24,17 +24,22 @@ void print_summary(const Table& summary, bool json) {
   if (json) {
     nlohmann::ordered_json list = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < summary.rows(); ++i)
-      list[summary.text("measure", i)] = {{"value", std::isfinite(values[i]) ? nlohmann::ordered_json(values[i]) : nlohmann::ordered_json(nullptr)}, {"unit", summary.text("unit", i)}, {"published", summary.text("published", i)}};
+      list[summary.text("measure", i)] = {
+          {"value", std::isfinite(values[i]) ? nlohmann::ordered_json(values[i]) : nlohmann::ordered_json(nullptr)},
+          {"unit", summary.text("unit", i)},
+          {"published", summary.text("published", i)}};
     fmt::print("{}\n", list.dump(2));
     return;
   }
   for (std::size_t i = 0; i < summary.rows(); ++i) {
     const auto published = summary.text("published", i);
-    fmt::print("{:<36} {:>12.4f} {:<6}{}\n", summary.text("measure", i), values[i], summary.text("unit", i), published.empty() ? "" : " published " + published);
+    fmt::print("{:<36} {:>12.4f} {:<6}{}\n", summary.text("measure", i), values[i], summary.text("unit", i),
+               published.empty() ? "" : " published " + published);
   }
 }
 
-std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& name, const std::string& help, std::function<void(const Arguments&)> compare) {
+std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& name, const std::string& help,
+                                          std::function<void(const Arguments&)> compare) {
   auto args = std::make_shared<Arguments>();
   auto* command = parent.add_subcommand(name, help);
   command->add_option("estimate", args->estimate, "What was measured")->required();
@@ -54,10 +59,16 @@ void add_evaluate(Program& program) {
   auto* command = program.app.add_subcommand("evaluate", "Hold a table or trajectory against a reference");
   command->require_subcommand(1);
   add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
-    print_summary(evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>()).summary, args.json);
+    print_summary(
+        evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>())
+            .summary,
+        args.json);
   });
   add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw)", [](const Arguments& args) {
-    print_summary(evaluate_trajectory(read_tum(args.estimate), read_tum(args.reference), args.options.as<EvaluationOptions>()).summary, args.json);
+    print_summary(
+        evaluate_trajectory(read_tum(args.estimate), read_tum(args.reference), args.options.as<EvaluationOptions>())
+            .summary,
+        args.json);
   });
 }
 

@@ -27,7 +27,12 @@ void add_report(ordered_json& json, const Report& report) {
 ordered_json describe_recording(const std::filesystem::path& path) {
   Report report;
   const auto source = open_frame_source(path, {}, {}, report);
-  ordered_json json{{"file", path.string()}, {"kind", "recording"}, {"description", source->description()}, {"sensor", source->sensor_model()}, {"rings", source->rings()}, {"frames", source->size()}};
+  ordered_json json{{"file", path.string()},
+                    {"kind", "recording"},
+                    {"description", source->description()},
+                    {"sensor", source->sensor_model()},
+                    {"rings", source->rings()},
+                    {"frames", source->size()}};
   if (source->size() > 0) {
     ScanFrame frame;
     source->read(source->size() / 2, frame);
@@ -42,7 +47,8 @@ ordered_json describe_recording(const std::filesystem::path& path) {
 ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto reading = read_cloud(path);
   const auto& cloud = reading.cloud;
-  ordered_json json{{"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
+  ordered_json json{
+      {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
     for (const auto& p : cloud.positions()) low = low.cwiseMin(p), high = high.cwiseMax(p);
@@ -53,7 +59,8 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   ordered_json columns = ordered_json::object();
   for (const auto& [name, column] : cloud.columns()) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < cloud.size(); ++i) low = std::min(low, column_value(*column, i)), high = std::max(high, column_value(*column, i));
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      low = std::min(low, column_value(*column, i)), high = std::max(high, column_value(*column, i));
     columns[name] = {{"type", array_type_name(column_type(*column))}, {"min", low}, {"max", high}};
   }
   json["arrays"] = columns;
@@ -82,12 +89,14 @@ void add_info(Program& program) {
   };
   auto args = std::make_shared<Arguments>();
   auto* command = program.app.add_subcommand("info", "Say what a recording or a point cloud holds");
-  command->add_option("files", args->files, "Recordings (pcap, frame folders) or clouds (LAS, LAZ, PLY, PCD, text)")->required();
+  command->add_option("files", args->files, "Recordings (pcap, frame folders) or clouds (LAS, LAZ, PLY, PCD, text)")
+      ->required();
   command->add_flag("--json", args->json, "Print JSON");
   command->callback([args] {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
-      if (!std::filesystem::exists(file)) throw bad_input("there is no file or folder '" + file + "'", "a recording or a point cloud");
+      if (!std::filesystem::exists(file))
+        throw bad_input("there is no file or folder '" + file + "'", "a recording or a point cloud");
       all.push_back(is_recording(file) ? describe_recording(file) : describe_cloud(file));
       if (!args->json) print_text(all.back()), fmt::print("\n");
     }

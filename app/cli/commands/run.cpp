@@ -25,16 +25,19 @@ void print_stage(const StageOutcome& outcome) {
   switch (outcome.state) {
     case StageState::done:
     case StageState::from_cache:
-      fmt::print("{:<16} {:>8.1f} s {:>6.0f} MiB{}  {}\n", record.id, report.seconds, report.peak_mib, record.from_cache ? " (cached)" : "", report.message);
+      fmt::print("{:<16} {:>8.1f} s {:>6.0f} MiB{}  {}\n", record.id, report.seconds, report.peak_mib,
+                 record.from_cache ? " (cached)" : "", report.message);
       break;
     default:
-      fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ", outcome.error);
+      fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ",
+                 outcome.error);
   }
   for (const auto& w : report.warnings) fmt::print("{:<16}   note: {}\n", "", w);
 }
 
 // One measure of an evaluation, or nothing where it was not taken.
-std::string measure(const Report& report, const char* label, std::initializer_list<const char*> names, int decimals, const char* unit) {
+std::string measure(const Report& report, const char* label, std::initializer_list<const char*> names, int decimals,
+                    const char* unit) {
   std::string values;
   for (const char* name : names) {
     const auto it = report.metrics.find(name);
@@ -47,7 +50,9 @@ std::string measure(const Report& report, const char* label, std::initializer_li
 // Whether the walk was read from a file in place of being computed: its error then tells nothing about SLAM.
 bool takes_given_poses(const StageOutcome& outcome) {
   const auto& options = outcome.record.options;
-  return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) { return o.name == "trajectory" && !o.value.empty(); });
+  return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) {
+           return o.name == "trajectory" && !o.value.empty();
+         });
 }
 
 // What a person wants to know first when a reference was connected.
@@ -58,7 +63,9 @@ void print_evaluation(const StageOutcome& outcome, bool poses_given) {
     return it == report.counts.end() ? std::int64_t{0} : it->second;
   };
   std::string lines;
-  if (report.counts.contains("matched")) lines += fmt::format("  {:<28} {} / {} / {}\n", "stems found/missed/false", count("matched"), count("missed"), count("false"));
+  if (report.counts.contains("matched"))
+    lines += fmt::format("  {:<28} {} / {} / {}\n", "stems found/missed/false", count("matched"), count("missed"),
+                         count("false"));
   lines += measure(report, "DBH bias, RMSE", {"dbh_bias", "dbh_rmse"}, 2, "cm");
   lines += measure(report, "position RMSE x, y", {"position_rmse_x", "position_rmse_y"}, 3, "m");
   lines += measure(report, "trajectory RMSE (ATE)", {"ate_rmse"}, 3, poses_given ? "m (given poses)" : "m");
@@ -76,7 +83,9 @@ void run_document(Program& program, const Arguments& args) {
   settings.use_cache = !args.no_cache;
   settings.finish = interrupts.finish();
   settings.cancel = interrupts.cancel();
-  settings.progress = [&line](const std::string& stage, double fraction, std::string_view what) { line.update(stage, fraction, what); };
+  settings.progress = [&line](const std::string& stage, double fraction, std::string_view what) {
+    line.update(stage, fraction, what);
+  };
   const auto outcome = run_pipeline(document, settings);
   line.clear();
   for (const auto& stage : outcome.stages) print_stage(stage);
@@ -94,9 +103,11 @@ void add_run(Program& program) {
   auto args = std::make_shared<Arguments>();
   auto* command = program.app.add_subcommand("run", "Run a pipeline document");
   command->add_option("pipeline", args->pipeline, "Pipeline document (JSON)")->required();
-  command->add_option("--set", args->sets, "Set an option: STAGE.OPTION=VALUE (bole stages TYPE lists them)")->type_name("ASSIGNMENT");
+  command->add_option("--set", args->sets, "Set an option: STAGE.OPTION=VALUE (bole stages TYPE lists them)")
+      ->type_name("ASSIGNMENT");
   command->add_option("--out", args->out, "Folder for results")->type_name("DIR")->required();
-  command->add_option("--cache", args->cache, "Folder of stored stage results (default: cache in the results' folder)")->type_name("DIR");
+  command->add_option("--cache", args->cache, "Folder of stored stage results (default: cache in the results' folder)")
+      ->type_name("DIR");
   command->add_flag("--no-cache", args->no_cache, "Run every stage, store nothing");
   command->callback([args, &program] { run_document(program, *args); });
 }

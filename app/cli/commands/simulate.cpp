@@ -14,7 +14,8 @@ void add_simulate(Program& program) {
     std::string out;
   };
   auto args = std::make_shared<Arguments>();
-  auto* command = program.app.add_subcommand("simulate", "Simulate the scan of a forest plot: raw sensor data and the truth beside it");
+  auto* command = program.app.add_subcommand(
+      "simulate", "Simulate the scan of a forest plot: raw sensor data and the truth beside it");
   command->add_option("--out", args->out, "Folder for the recording and the truth")->type_name("DIR")->required();
   add_option_flags(*command, args->options);
   command->callback([args] {

@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 std::map<std::string, std::string> pages(const StageRegistry& registry) {
-  std::map<std::string, std::string> by_file{{"README.md", stages_index_markdown(registry)}, {"arrays.md", arrays_markdown()}};
+  std::map<std::string, std::string> by_file{{"README.md", stages_index_markdown(registry)},
+                                             {"arrays.md", arrays_markdown()}};
   for (const auto* type : registry.all()) by_file[type->name + ".md"] = stage_markdown(*type);
   return by_file;
 }
@@ -29,7 +30,8 @@ std::string read_text(const fs::path& path) {
 void write_pages(const fs::path& folder, const std::map<std::string, std::string>& by_file) {
   fs::create_directories(folder);
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".md" && !by_file.contains(entry.path().filename().string())) fs::remove(entry.path());
+    if (entry.path().extension() == ".md" && !by_file.contains(entry.path().filename().string()))
+      fs::remove(entry.path());
   for (const auto& [name, text] : by_file) std::ofstream(folder / name) << text;
 }
 
@@ -61,7 +63,8 @@ void add_stages(Program& program) {
   forms->add_flag("--schema", args->schema, "JSON schema of pipeline documents");
   forms->require_option(0, 1);
   command->add_option("--out", args->out, "With --markdown: write the pages into this folder")->type_name("DIR");
-  command->add_option("--check", args->check, "With --markdown: fail when a page in this folder is not current")->type_name("DIR");
+  command->add_option("--check", args->check, "With --markdown: fail when a page in this folder is not current")
+      ->type_name("DIR");
   command->callback([args, &program] {
     const auto& registry = StageRegistry::global();
     if (args->json) return fmt::print("{}", stages_json(registry));
@@ -70,7 +73,8 @@ void add_stages(Program& program) {
     if (args->markdown && !args->out.empty()) return write_pages(args->out, pages(registry));
     if (args->markdown && !args->check.empty()) {
       for (const auto& page : stale_pages(args->check, pages(registry))) {
-        fmt::print(stderr, "{} is not what the program prints. Run ./do docs\n", (fs::path(args->check) / page).string());
+        fmt::print(stderr, "{} is not what the program prints. Run ./do docs\n",
+                   (fs::path(args->check) / page).string());
         program.exit_code = 1;
       }
       return;

@@ -44,7 +44,8 @@ void RunBehavior::start(const QString& output_dir) {
     settings.output_dir = output_dir.toStdString();
     settings.cancel = cancel_token;
     settings.progress = [this](const std::string& stage, double fraction, std::string_view what) {
-      Q_EMIT progressed(QString::fromStdString(stage), fraction, QString::fromUtf8(what.data(), static_cast<int>(what.size())));
+      Q_EMIT progressed(QString::fromStdString(stage), fraction,
+                        QString::fromUtf8(what.data(), static_cast<int>(what.size())));
     };
     auto outcome = executor_->run(settings);
     auto results = collect(*executor_, outcome);

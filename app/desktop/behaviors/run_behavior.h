@@ -33,7 +33,6 @@ class RunBehavior : public QObject {
   void finished(const RunOutcome& outcome, const Results& results);
 
  private:
-
   Session& session_;
   std::unique_ptr<PipelineExecutor> executor_;
   std::jthread thread_;

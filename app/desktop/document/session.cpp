@@ -8,7 +8,12 @@ namespace bole::desktop {
 class EditOption : public QUndoCommand {
  public:
   EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after)
-      : QUndoCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))), session_(session), stage_(std::move(stage)), option_(std::move(option)), before_(std::move(before)), after_(std::move(after)) {}
+      : QUndoCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
+        session_(session),
+        stage_(std::move(stage)),
+        option_(std::move(option)),
+        before_(std::move(before)),
+        after_(std::move(after)) {}
 
   void undo() override { session_.apply(stage_, option_, before_); }
   void redo() override { session_.apply(stage_, option_, after_); }
@@ -22,7 +27,8 @@ class EditOption : public QUndoCommand {
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const QString& path) {
-  auto document = std::make_unique<PipelineDocument>(PipelineDocument::load(path.toStdString(), StageRegistry::global()));
+  auto document =
+      std::make_unique<PipelineDocument>(PipelineDocument::load(path.toStdString(), StageRegistry::global()));
   document_ = std::move(document);
   path_ = path;
   undo_.clear();
@@ -33,7 +39,8 @@ void Session::save(const QString& path) {
   QSaveFile file(path);
   const QByteArray text = QByteArray::fromStdString(document_->to_json());
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-    throw failure("cannot write '" + path.toStdString() + "': " + file.errorString().toStdString(), "a folder that can be written to");
+    throw failure("cannot write '" + path.toStdString() + "': " + file.errorString().toStdString(),
+                  "a folder that can be written to");
   path_ = path;
   undo_.setClean();
 }

@@ -30,7 +30,7 @@ class Session : public QObject {
   QUndoStack& undo_stack() { return undo_; }
 
  Q_SIGNALS:
-  void document_replaced();                             // another document, or one step of undo or redo
+  void document_replaced();  // another document, or one step of undo or redo
   void option_changed(const QString& stage, const QString& option);
 
  private:

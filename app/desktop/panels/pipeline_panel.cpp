@@ -8,22 +8,32 @@ namespace {
 
 QString state_text(StageState state) {
   switch (state) {
-    case StageState::idle: return {};
-    case StageState::running: return QObject::tr("running");
-    case StageState::done: return QObject::tr("done");
-    case StageState::warning: return QObject::tr("look");
-    case StageState::failed: return QObject::tr("failed");
+    case StageState::idle:
+      return {};
+    case StageState::running:
+      return QObject::tr("running");
+    case StageState::done:
+      return QObject::tr("done");
+    case StageState::warning:
+      return QObject::tr("look");
+    case StageState::failed:
+      return QObject::tr("failed");
   }
   return {};
 }
 
 QStyle::StandardPixmap state_icon(StageState state) {
   switch (state) {
-    case StageState::running: return QStyle::SP_BrowserReload;
-    case StageState::done: return QStyle::SP_DialogApplyButton;
-    case StageState::warning: return QStyle::SP_MessageBoxWarning;
-    case StageState::failed: return QStyle::SP_MessageBoxCritical;
-    case StageState::idle: break;
+    case StageState::running:
+      return QStyle::SP_BrowserReload;
+    case StageState::done:
+      return QStyle::SP_DialogApplyButton;
+    case StageState::warning:
+      return QStyle::SP_MessageBoxWarning;
+    case StageState::failed:
+      return QStyle::SP_MessageBoxCritical;
+    case StageState::idle:
+      break;
   }
   return QStyle::SP_FileIcon;
 }

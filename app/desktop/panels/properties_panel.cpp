@@ -36,7 +36,13 @@ int decimals_for(const OptionSpec& spec) {
 
 }  // namespace
 
-PropertiesPanel::PropertiesPanel(Session& session, QWidget* parent) : QWidget(parent), session_(session), title_(new QLabel), search_(new QLineEdit), advanced_(new QCheckBox(tr("Advanced"))), layout_(new QVBoxLayout(this)) {
+PropertiesPanel::PropertiesPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      title_(new QLabel),
+      search_(new QLineEdit),
+      advanced_(new QCheckBox(tr("Advanced"))),
+      layout_(new QVBoxLayout(this)) {
   title_->setWordWrap(true);
   search_->setPlaceholderText(tr("Search options"));
   search_->setClearButtonEnabled(true);
@@ -65,7 +71,8 @@ void PropertiesPanel::rebuild() {
   const auto& stages = session_.document().stages();
   const auto it = std::ranges::find(stages, stage_.toStdString(), &StageNode::id);
   if (it == stages.end()) return;
-  title_->setText("<b>" + QString::fromStdString(it->type->title) + "</b><br>" + QString::fromStdString(it->type->help).toHtmlEscaped());
+  title_->setText("<b>" + QString::fromStdString(it->type->title) + "</b><br>" +
+                  QString::fromStdString(it->type->help).toHtmlEscaped());
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
@@ -74,7 +81,8 @@ void PropertiesPanel::rebuild() {
   const QString wanted = search_->text();
   for (const auto& spec : it->type->options->specs) {
     const QString label = label_text(spec);
-    const bool found = !wanted.isEmpty() && (label.contains(wanted, Qt::CaseInsensitive) || QString::fromStdString(spec.help).contains(wanted, Qt::CaseInsensitive));
+    const bool found = !wanted.isEmpty() && (label.contains(wanted, Qt::CaseInsensitive) ||
+                                             QString::fromStdString(spec.help).contains(wanted, Qt::CaseInsensitive));
     if (wanted.isEmpty() ? (spec.tier != Tier::basic && !advanced_->isChecked()) : !found) continue;
     auto* editor = editor_for(*it, spec);
     editor->setToolTip(QString::fromStdString(spec.help));
@@ -110,7 +118,8 @@ QWidget* PropertiesPanel::editor_for(const StageNode& node, const OptionSpec& sp
     box->setValue(static_cast<int>(*number));
     box->setSuffix(suffix(spec));
     box->setKeyboardTracking(false);
-    connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, name = spec.name](int v) { commit(name, static_cast<std::int64_t>(v)); });
+    connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this,
+            [this, name = spec.name](int v) { commit(name, static_cast<std::int64_t>(v)); });
     return box;
   }
   if (const auto* number = std::get_if<double>(&value)) {
@@ -121,7 +130,8 @@ QWidget* PropertiesPanel::editor_for(const StageNode& node, const OptionSpec& sp
     box->setValue(*number);
     box->setSuffix(suffix(spec));
     box->setKeyboardTracking(false);
-    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this, name = spec.name](double v) { commit(name, v); });
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+            [this, name = spec.name](double v) { commit(name, v); });
     return box;
   }
   const auto text = QString::fromStdString(std::get<std::string>(value));
@@ -129,11 +139,13 @@ QWidget* PropertiesPanel::editor_for(const StageNode& node, const OptionSpec& sp
     auto* box = new QComboBox;
     for (const auto& c : spec.choices) box->addItem(QString::fromStdString(c));
     box->setCurrentText(text);
-    connect(box, &QComboBox::currentTextChanged, this, [this, name = spec.name](const QString& v) { commit(name, v.toStdString()); });
+    connect(box, &QComboBox::currentTextChanged, this,
+            [this, name = spec.name](const QString& v) { commit(name, v.toStdString()); });
     return box;
   }
   auto* line = new QLineEdit(text);
-  connect(line, &QLineEdit::editingFinished, this, [this, line, name = spec.name] { commit(name, line->text().toStdString()); });
+  connect(line, &QLineEdit::editingFinished, this,
+          [this, line, name = spec.name] { commit(name, line->text().toStdString()); });
   if (spec.text_kind != TextKind::input_path) return line;
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);

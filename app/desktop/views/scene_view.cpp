@@ -30,7 +30,8 @@ SceneView::SceneView(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   interactor()->SetInteractorStyle(style);
 }
 
-void SceneView::show_survey(std::shared_ptr<const PointCloud> points, std::shared_ptr<const Table> stems, std::shared_ptr<const Table> sections, std::shared_ptr<const Trajectory> walk) {
+void SceneView::show_survey(std::shared_ptr<const PointCloud> points, std::shared_ptr<const Table> stems,
+                            std::shared_ptr<const Table> sections, std::shared_ptr<const Trajectory> walk) {
   points_ = std::move(points), stems_ = std::move(stems), sections_ = std::move(sections), walk_ = std::move(walk);
   rebuild();
   reset_camera();

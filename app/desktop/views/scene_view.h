@@ -17,7 +17,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   explicit SceneView(QWidget* parent);
 
   // Any of them may be null.
-  void show_survey(std::shared_ptr<const PointCloud> points, std::shared_ptr<const Table> stems, std::shared_ptr<const Table> sections, std::shared_ptr<const Trajectory> walk);
+  void show_survey(std::shared_ptr<const PointCloud> points, std::shared_ptr<const Table> stems,
+                   std::shared_ptr<const Table> sections, std::shared_ptr<const Trajectory> walk);
   void color_by(PointColor color);
   void reset_camera();
 

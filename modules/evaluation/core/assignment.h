@@ -13,8 +13,9 @@ struct Pairing {
   double cost = 0;
 };
 
-// As many pairs as possible, and among those sets the one of least total cost, of the pairs offered (Kuhn 1955, in the O(n^3) form with
-// potentials, for each connected group by itself). Each left and right index is used at most once; the result is sorted by left.
+// As many pairs as possible, and among those sets the one of least total cost, of the pairs offered (Kuhn 1955, in the
+// O(n^3) form with potentials, for each connected group by itself). Each left and right index is used at most once; the
+// result is sorted by left.
 std::vector<Pairing> assign_pairs(const std::vector<Pairing>& offered);
 
 }  // namespace bole

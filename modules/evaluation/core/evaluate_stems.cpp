@@ -14,7 +14,8 @@
 namespace bole {
 
 void SummaryRows::add(const std::string& measure, double value, const std::string& unit) {
-  measure_.push_back(measure), value_.push_back(value), unit_.push_back(unit), published_.push_back(published_figure(plot_, measure));
+  measure_.push_back(measure), value_.push_back(value), unit_.push_back(unit),
+      published_.push_back(published_figure(plot_, measure));
 }
 
 Table SummaryRows::table() const {
@@ -36,8 +37,11 @@ struct Tree {
 
 std::vector<Tree> trees_of(const Table& t) {
   const auto x = t.numbers("x_m"), y = t.numbers("y_m"), dbh = t.numbers("dbh_cm");
-  const auto optional = [&](const char* name) { return t.has(name) ? t.numbers(name) : std::vector<double>(t.rows(), nan); };
-  const auto low = optional("dbh_lo_cm"), high = optional("dbh_hi_cm"), height = optional("height_m"), seen = optional("height_seen");
+  const auto optional = [&](const char* name) {
+    return t.has(name) ? t.numbers(name) : std::vector<double>(t.rows(), nan);
+  };
+  const auto low = optional("dbh_lo_cm"), high = optional("dbh_hi_cm"), height = optional("height_m"),
+             seen = optional("height_seen");
   std::vector<std::int64_t> id;
   if (t.has("tree_id"))
     id = t.integers("tree_id");
@@ -45,7 +49,8 @@ std::vector<Tree> trees_of(const Table& t) {
     for (std::size_t i = 0; i < t.rows(); ++i) id.push_back(static_cast<std::int64_t>(i) + 1);
   std::vector<Tree> out;
   for (std::size_t i = 0; i < t.rows(); ++i) {
-    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) throw bad_input(fmt::format("row {} of a stem table has no position", i + 1), "x_m and y_m in every row");
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
+      throw bad_input(fmt::format("row {} of a stem table has no position", i + 1), "x_m and y_m in every row");
     out.push_back({id[i], {x[i], y[i]}, dbh[i], low[i], high[i], height[i], !(seen[i] == 0)});
   }
   return out;
@@ -53,15 +58,18 @@ std::vector<Tree> trees_of(const Table& t) {
 
 bool inside(const Eigen::Vector2d& p, const EvaluationOptions& o) {
   const Eigen::Vector2d d = p - Eigen::Vector2d(o.plot_x_m, o.plot_y_m);
-  if (o.plot_shape == "rectangle") return std::abs(d.x()) <= o.plot_width_m / 2 && std::abs(d.y()) <= o.plot_height_m / 2;
+  if (o.plot_shape == "rectangle")
+    return std::abs(d.x()) <= o.plot_width_m / 2 && std::abs(d.y()) <= o.plot_height_m / 2;
   return o.plot_shape == "none" || d.norm() <= o.plot_radius_m;
 }
 
-std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
+std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
+                           const EvaluationOptions& o) {
   std::vector<Pairing> offered;
   for (std::size_t e = 0; e < estimate.size(); ++e)
     for (std::size_t r = 0; r < reference.size(); ++r) {
-      const double distance = (estimate[e].at - reference[r].at).norm(), dbh = std::abs(estimate[e].dbh - reference[r].dbh) / 100;
+      const double distance = (estimate[e].at - reference[r].at).norm(),
+                   dbh = std::abs(estimate[e].dbh - reference[r].dbh) / 100;
       if (distance > o.match_distance_m || (o.dbh_gate_m > 0 && dbh > o.dbh_gate_m)) continue;
       // Where two stems stand within the gate of two trees, diameters help to tell them apart.
       offered.push_back({e, r, distance * distance + (std::isfinite(dbh) ? dbh * dbh : 0)});
@@ -69,7 +77,8 @@ std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<
   return assign_pairs(offered);
 }
 
-// Moves the estimate by the best shift, with or without rotation, over matched pairs; twice, since the matches change with it.
+// Moves the estimate by the best shift, with or without rotation, over matched pairs; twice, since the matches change
+// with it.
 void align(std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
   for (int round = 0; round < 2 && o.align_stems != "none"; ++round) {
     const auto pairs = match(estimate, reference, o);
@@ -102,12 +111,16 @@ Table match_table(const std::vector<Row>& rows) {
     const auto* e = r.estimate;
     const auto* f = r.reference;
     kind.push_back(r.kind), id.push_back(e ? e->id : 0), ref_id.push_back(f ? f->id : 0);
-    c["x_m"].push_back(e ? e->at.x() : nan), c["y_m"].push_back(e ? e->at.y() : nan), c["ref_x_m"].push_back(f ? f->at.x() : nan), c["ref_y_m"].push_back(f ? f->at.y() : nan);
-    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan), c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : nan);
-    c["dbh_cm"].push_back(e ? e->dbh : nan), c["ref_dbh_cm"].push_back(f ? f->dbh : nan), c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
+    c["x_m"].push_back(e ? e->at.x() : nan), c["y_m"].push_back(e ? e->at.y() : nan),
+        c["ref_x_m"].push_back(f ? f->at.x() : nan), c["ref_y_m"].push_back(f ? f->at.y() : nan);
+    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan),
+        c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : nan);
+    c["dbh_cm"].push_back(e ? e->dbh : nan), c["ref_dbh_cm"].push_back(f ? f->dbh : nan),
+        c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
   }
   t.set("kind", kind), t.set("tree_id", id), t.set("ref_id", ref_id);
-  for (const char* name : {"x_m", "y_m", "ref_x_m", "ref_y_m", "dx_m", "dy_m", "dbh_cm", "ref_dbh_cm", "dbh_error_cm"}) t.set(name, c[name]);
+  for (const char* name : {"x_m", "y_m", "ref_x_m", "ref_y_m", "dx_m", "dy_m", "dbh_cm", "ref_dbh_cm", "dbh_error_cm"})
+    t.set(name, c[name]);
   return t;
 }
 
@@ -116,7 +129,8 @@ double share_percent(double part, double whole) { return whole > 0 ? 100 * part 
 void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
   const auto n = static_cast<double>(matched.size());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero(), square = mean;
-  for (const auto& r : matched) mean += r.estimate->at - r.reference->at, square += (r.estimate->at - r.reference->at).cwiseAbs2();
+  for (const auto& r : matched)
+    mean += r.estimate->at - r.reference->at, square += (r.estimate->at - r.reference->at).cwiseAbs2();
   mean /= n, square /= n;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   for (const auto& r : matched) {
@@ -125,7 +139,8 @@ void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
   }
   const double largest = n > 0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1] : nan;
   out.add("position_mean_x", mean.x(), "m"), out.add("position_mean_y", mean.y(), "m");
-  out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m"), out.add("position_sigma_y", std::sqrt(covariance(1, 1)), "m"), out.add("position_cov_xy", covariance(0, 1), "m2");
+  out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m"),
+      out.add("position_sigma_y", std::sqrt(covariance(1, 1)), "m"), out.add("position_cov_xy", covariance(0, 1), "m2");
   out.add("position_sigma_max", std::sqrt(largest), "m");
   out.add("position_rmse_x", std::sqrt(square.x()), "m"), out.add("position_rmse_y", std::sqrt(square.y()), "m");
 }
@@ -135,14 +150,16 @@ struct DbhErrors {
   void add(const Tree& e, const Tree& r) {
     const double error = e.dbh - r.dbh;
     if (!std::isfinite(error)) return;
-    n += 1, sum += error, squares += error * error, relative += error / r.dbh, relative_squares += error * error / (r.dbh * r.dbh);
+    n += 1, sum += error, squares += error * error, relative += error / r.dbh,
+        relative_squares += error * error / (r.dbh * r.dbh);
     if (std::isfinite(e.low) && std::isfinite(e.high)) with_interval += 1, covered += r.dbh >= e.low && r.dbh <= e.high;
   }
 };
 
 void add_dbh_measures(const DbhErrors& d, SummaryRows& out) {
   out.add("dbh_bias", d.sum / d.n, "cm"), out.add("dbh_relative_bias", 100 * d.relative / d.n, "%");
-  out.add("dbh_rmse", std::sqrt(d.squares / d.n), "cm"), out.add("dbh_relative_rmse", 100 * std::sqrt(d.relative_squares / d.n), "%");
+  out.add("dbh_rmse", std::sqrt(d.squares / d.n), "cm"),
+      out.add("dbh_relative_rmse", 100 * std::sqrt(d.relative_squares / d.n), "%");
   if (d.with_interval > 0) out.add("dbh_interval_coverage", share_percent(d.covered, d.with_interval), "%");
 }
 
@@ -153,7 +170,8 @@ void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
     if (std::isfinite(e) && r.estimate->height_seen) n += 1, sum += e, squares += e * e;
   }
   if (n == 0) return;
-  out.add("height_trees", n, ""), out.add("height_bias", sum / n, "m"), out.add("height_rmse", std::sqrt(squares / n), "m");
+  out.add("height_trees", n, ""), out.add("height_bias", sum / n, "m"),
+      out.add("height_rmse", std::sqrt(squares / n), "m");
 }
 
 // Matched, missed and diameter errors of the trees that share a class or ring; the key is its number.
@@ -165,7 +183,9 @@ struct Part {
 void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, SummaryRows& out) {
   std::map<int, Part> classes, rings;
   const double width_cm = 100 * o.class_width_m;
-  const auto ring_of = [&](const Tree& t) { return static_cast<int>((t.at - Eigen::Vector2d(o.plot_x_m, o.plot_y_m)).norm() / o.distance_step_m); };
+  const auto ring_of = [&](const Tree& t) {
+    return static_cast<int>((t.at - Eigen::Vector2d(o.plot_x_m, o.plot_y_m)).norm() / o.distance_step_m);
+  };
   for (const auto& r : rows) {
     const auto& by = r.reference ? *r.reference : *r.estimate;
     for (auto* part : {&classes[static_cast<int>(std::floor(by.dbh / width_cm))], &rings[ring_of(by)]}) {
@@ -174,20 +194,27 @@ void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, Summary
     }
   }
   const auto tell = [&](const std::string& name, const Part& p) {
-    out.add(name + "_trees", p.all, ""), out.add(name + "_completeness", share_percent(p.matched, p.all), "%"), out.add(name + "_correctness", share_percent(p.matched, p.found), "%");
-    out.add(name + "_bias", p.dbh.sum / p.dbh.n, "cm"), out.add(name + "_rmse", std::sqrt(p.dbh.squares / p.dbh.n), "cm");
+    out.add(name + "_trees", p.all, ""), out.add(name + "_completeness", share_percent(p.matched, p.all), "%"),
+        out.add(name + "_correctness", share_percent(p.matched, p.found), "%");
+    out.add(name + "_bias", p.dbh.sum / p.dbh.n, "cm"),
+        out.add(name + "_rmse", std::sqrt(p.dbh.squares / p.dbh.n), "cm");
   };
   for (const auto& [k, p] : classes) tell(fmt::format("dbh_{:g}_to_{:g}_cm", k * width_cm, (k + 1) * width_cm), p);
-  for (const auto& [k, p] : rings) tell(fmt::format("distance_{:g}_to_{:g}_m", k * o.distance_step_m, (k + 1) * o.distance_step_m), p);
+  for (const auto& [k, p] : rings)
+    tell(fmt::format("distance_{:g}_to_{:g}_m", k * o.distance_step_m, (k + 1) * o.distance_step_m), p);
 }
 
-std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
+std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
+                          const EvaluationOptions& o) {
   const auto counts = [&](const Tree& t) { return inside(t.at, o) && t.dbh >= 100 * o.min_dbh_m; };
-  std::vector<const Tree*> partner_of_estimate(estimate.size(), nullptr), partner_of_reference(reference.size(), nullptr);
-  for (const auto& p : match(estimate, reference, o)) partner_of_estimate[p.left] = &reference[p.right], partner_of_reference[p.right] = &estimate[p.left];
+  std::vector<const Tree*> partner_of_estimate(estimate.size(), nullptr),
+      partner_of_reference(reference.size(), nullptr);
+  for (const auto& p : match(estimate, reference, o))
+    partner_of_estimate[p.left] = &reference[p.right], partner_of_reference[p.right] = &estimate[p.left];
   std::vector<Row> rows;
   for (std::size_t r = 0; r < reference.size(); ++r)
-    if (counts(reference[r])) rows.push_back({partner_of_reference[r] ? "matched" : "missed", partner_of_reference[r], &reference[r]});
+    if (counts(reference[r]))
+      rows.push_back({partner_of_reference[r] ? "matched" : "missed", partner_of_reference[r], &reference[r]});
   for (std::size_t e = 0; e < estimate.size(); ++e)
     if (!partner_of_estimate[e] && counts(estimate[e])) rows.push_back({"false", &estimate[e], nullptr});
   std::ranges::stable_sort(rows, {}, [](const Row& r) { return r.kind == "matched" ? 0 : r.kind == "missed" ? 1 : 2; });
@@ -196,7 +223,8 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
 
 }  // namespace
 
-StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table, const EvaluationOptions& options) {
+StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
+                              const EvaluationOptions& options) {
   auto estimate = trees_of(estimate_table);
   const auto reference = trees_of(reference_table);
   align(estimate, reference, options);
@@ -206,13 +234,15 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
 
   StemEvaluation out;
   out.matched = matched.size();
-  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind)), out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
+  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind)),
+  out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
   out.matches = match_table(rows);
   SummaryRows summary(options.published_plot);
   const auto n = static_cast<double>(out.matched);
   summary.add("reference_trees", n + static_cast<double>(out.missed), ""), summary.add("matched", n, "");
   summary.add("missed", static_cast<double>(out.missed), ""), summary.add("false", static_cast<double>(out.extra), "");
-  summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%"), summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
+  summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%"),
+      summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
   if (!matched.empty()) {
     add_position_measures(matched, summary);
     DbhErrors dbh;
@@ -222,7 +252,8 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   }
   add_parts(rows, options, summary);
   out.summary = summary.table();
-  if (const auto axes = estimate_table.facts.find("axes"); axes != estimate_table.facts.end()) out.matches.facts["axes"] = axes->second;
+  if (const auto axes = estimate_table.facts.find("axes"); axes != estimate_table.facts.end())
+    out.matches.facts["axes"] = axes->second;
   return out;
 }
 

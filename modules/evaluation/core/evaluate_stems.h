@@ -9,17 +9,20 @@
 namespace bole {
 
 struct StemEvaluation {
-  Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm, ref_dbh_cm, dbh_error_cm
+  Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm,
+                  // ref_dbh_cm, dbh_error_cm
   Table summary;  // measure, value, unit, published
   std::size_t matched = 0, missed = 0, extra = 0;
 };
 
-// Both tables need tree_id, x_m, y_m, dbh_cm; dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one matching within the distance and
-// diameter gates. Reference trees count that lie inside the plot and reach min_dbh; a stem is false when it matches no tree at all (counted
-// or not), lies inside the plot and reaches min_dbh. Throws Error{bad_input} when a column is absent.
+// Both tables need tree_id, x_m, y_m, dbh_cm; dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one
+// matching within the distance and diameter gates. Reference trees count that lie inside the plot and reach min_dbh; a
+// stem is false when it matches no tree at all (counted or not), lies inside the plot and reaches min_dbh. Throws
+// Error{bad_input} when a column is absent.
 //
-// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square root of the largest eigenvalue of
-// Sigma, RMSE per axis. DBH errors: BIAS and RMSE in cm; relBIAS and relRMSE are the mean and the root mean square of error / reference in %.
+// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
+// root of the largest eigenvalue of Sigma, RMSE per axis. DBH errors: BIAS and RMSE in cm; relBIAS and relRMSE are the
+// mean and the root mean square of error / reference in %.
 StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, const EvaluationOptions& options);
 
 // The columns of `summary`, for whoever adds measures.

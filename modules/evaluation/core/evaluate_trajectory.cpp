@@ -32,14 +32,18 @@ std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& re
     if (after == reference.poses.begin()) continue;
     const auto& a = *(after - 1);
     if (after->time_s - a.time_s > most_gap) continue;
-    pairs.push_back({e.time_s, e.T_target_sensor, interpolate(a.T_target_sensor, after->T_target_sensor, (e.time_s - a.time_s) / (after->time_s - a.time_s))});
+    pairs.push_back(
+        {e.time_s, e.T_target_sensor,
+         interpolate(a.T_target_sensor, after->T_target_sensor, (e.time_s - a.time_s) / (after->time_s - a.time_s))});
   }
   return pairs;
 }
 
 Pose best_motion(const std::vector<PosePair>& pairs) {
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(pairs.size())), to = from;
-  for (std::size_t i = 0; i < pairs.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = pairs[i].estimate.translation(), to.col(static_cast<Eigen::Index>(i)) = pairs[i].reference.translation();
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    from.col(static_cast<Eigen::Index>(i)) = pairs[i].estimate.translation(),
+    to.col(static_cast<Eigen::Index>(i)) = pairs[i].reference.translation();
   return Pose(Eigen::umeyama(from, to, false));
 }
 
@@ -64,7 +68,9 @@ Spread spread_of(std::vector<double> v) {
 void add_spread(const std::string& name, const std::vector<double>& values, const std::string& unit, SummaryRows& out) {
   if (values.empty()) return;
   const auto s = spread_of(values);
-  out.add(name + "_rmse", s.rmse, unit), out.add(name + "_mean", s.mean, unit), out.add(name + "_median", s.median, unit), out.add(name + "_sd", s.sd, unit), out.add(name + "_max", s.largest, unit);
+  out.add(name + "_rmse", s.rmse, unit), out.add(name + "_mean", s.mean, unit),
+      out.add(name + "_median", s.median, unit), out.add(name + "_sd", s.sd, unit),
+      out.add(name + "_max", s.largest, unit);
 }
 
 void add_relative_errors(const std::vector<PosePair>& pairs, double step, SummaryRows& out) {
@@ -73,7 +79,8 @@ void add_relative_errors(const std::vector<PosePair>& pairs, double step, Summar
     while (j < pairs.size() && pairs[j].time < pairs[i].time + step - 1e-9) ++j;
     if (j == pairs.size()) break;
     if (pairs[j].time - pairs[i].time > 1.5 * step) continue;  // a gap
-    const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() * (pairs[i].estimate.inverse() * pairs[j].estimate);
+    const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
+                       (pairs[i].estimate.inverse() * pairs[j].estimate);
     translation.push_back(error.translation().norm()), rotation.push_back(angle_of(error) * to_deg);
   }
   add_spread("rpe_translation", translation, "m", out), add_spread("rpe_rotation", rotation, "deg", out);
@@ -84,32 +91,43 @@ Table error_table(const std::vector<PosePair>& pairs) {
   for (const auto& p : pairs) {
     const Eigen::Vector3d at = p.reference.translation(), d = p.estimate.translation() - at;
     time.push_back(p.time), x.push_back(at.x()), y.push_back(at.y()), z.push_back(at.z());
-    e.push_back(d.norm()), ex.push_back(d.x()), ey.push_back(d.y()), ez.push_back(d.z()), er.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+    e.push_back(d.norm()), ex.push_back(d.x()), ey.push_back(d.y()), ez.push_back(d.z()),
+        er.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
   }
   Table t;
-  t.set("time_s", time), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z), t.set("error_m", e), t.set("error_x_m", ex), t.set("error_y_m", ey), t.set("error_z_m", ez), t.set("rotation_error_deg", er);
+  t.set("time_s", time), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z), t.set("error_m", e), t.set("error_x_m", ex),
+      t.set("error_y_m", ey), t.set("error_z_m", ez), t.set("rotation_error_deg", er);
   return t;
 }
 
 }  // namespace
 
-TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Trajectory& reference, const EvaluationOptions& options) {
+TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Trajectory& reference,
+                                         const EvaluationOptions& options) {
   auto pairs = associate(estimate, reference, options.most_time_gap_s);
   if (pairs.size() < 3) {
-    const auto span = [](const Trajectory& t) { return t.empty() ? std::string("empty") : fmt::format("{:.3f} to {:.3f} s", t.poses.front().time_s, t.poses.back().time_s); };
-    throw bad_input(fmt::format("{} of {} poses have a reference at their time (estimate {}, reference {})", pairs.size(), estimate.poses.size(), span(estimate), span(reference)), "at least 3",
-                    "Check that both trajectories use the same clock, or raise most_time_gap");
+    const auto span = [](const Trajectory& t) {
+      return t.empty() ? std::string("empty")
+                       : fmt::format("{:.3f} to {:.3f} s", t.poses.front().time_s, t.poses.back().time_s);
+    };
+    throw bad_input(fmt::format("{} of {} poses have a reference at their time (estimate {}, reference {})",
+                                pairs.size(), estimate.poses.size(), span(estimate), span(reference)),
+                    "at least 3", "Check that both trajectories use the same clock, or raise most_time_gap");
   }
   TrajectoryEvaluation out;
   out.poses = pairs.size();
   double length = 0;
-  for (std::size_t i = 1; i < pairs.size(); ++i) length += (pairs[i].reference.translation() - pairs[i - 1].reference.translation()).norm();
-  const Pose end_error = (pairs.front().reference.inverse() * pairs.back().reference).inverse() * (pairs.front().estimate.inverse() * pairs.back().estimate);
+  for (std::size_t i = 1; i < pairs.size(); ++i)
+    length += (pairs[i].reference.translation() - pairs[i - 1].reference.translation()).norm();
+  const Pose end_error = (pairs.front().reference.inverse() * pairs.back().reference).inverse() *
+                         (pairs.front().estimate.inverse() * pairs.back().estimate);
   if (options.align_trajectory == "se3") out.T_reference_estimate = best_motion(pairs);
   for (auto& p : pairs) p.estimate = out.T_reference_estimate * p.estimate;
 
   std::vector<double> position, rotation;
-  for (const auto& p : pairs) position.push_back((p.estimate.translation() - p.reference.translation()).norm()), rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+  for (const auto& p : pairs)
+    position.push_back((p.estimate.translation() - p.reference.translation()).norm()),
+        rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
   SummaryRows summary(options.published_plot);
   summary.add("poses", static_cast<double>(pairs.size()), ""), summary.add("length", length, "m");
   add_spread("ate", position, "m", summary), add_spread("rotation_error", rotation, "deg", summary);

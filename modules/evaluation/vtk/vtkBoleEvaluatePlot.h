@@ -1,4 +1,5 @@
-// Compares stems and trajectory with reference data. The stage `evaluation.plot` as a VTK algorithm: options, ports and method are those of the stage.
+// Compares stems and trajectory with reference data. The stage `evaluation.plot` as a VTK algorithm: options, ports and
+// method are those of the stage.
 #ifndef vtkBoleEvaluatePlot_h
 #define vtkBoleEvaluatePlot_h
 

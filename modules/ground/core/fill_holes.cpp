@@ -10,11 +10,12 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// The nearest known cell of each cell (to within a fraction of a cell): distances are handed on in two sweeps over the grid,
-// as in Danielsson's sequential distance transform.
+// The nearest known cell of each cell (to within a fraction of a cell): distances are handed on in two sweeps over the
+// grid, as in Danielsson's sequential distance transform.
 class NearestKnown {
  public:
-  NearestKnown(const GridShape& shape, const std::vector<float>& height) : shape_(shape), nearest_(shape.cells(), none) {
+  NearestKnown(const GridShape& shape, const std::vector<float>& height)
+      : shape_(shape), nearest_(shape.cells(), none) {
     for (std::size_t c = 0; c < shape.cells(); ++c)
       if (!std::isnan(height[c])) nearest_[c] = static_cast<std::uint32_t>(c);
     for (int iy = 0; iy < shape.ny; ++iy) sweep_row(iy, -1);
@@ -23,12 +24,16 @@ class NearestKnown {
 
   std::uint32_t of(std::size_t cell) const { return nearest_[cell]; }
 
-  double distance_m(std::size_t cell) const { return nearest_[cell] == none ? std::numeric_limits<double>::infinity() : shape_.cell_m * std::sqrt(squared(cell, nearest_[cell])); }
+  double distance_m(std::size_t cell) const {
+    return nearest_[cell] == none ? std::numeric_limits<double>::infinity()
+                                  : shape_.cell_m * std::sqrt(squared(cell, nearest_[cell]));
+  }
 
  private:
   double squared(std::size_t a, std::size_t b) const {
     const auto nx = static_cast<std::size_t>(shape_.nx);
-    const double dx = static_cast<double>(a % nx) - static_cast<double>(b % nx), dy = static_cast<double>(a / nx) - static_cast<double>(b / nx);
+    const double dx = static_cast<double>(a % nx) - static_cast<double>(b % nx),
+                 dy = static_cast<double>(a / nx) - static_cast<double>(b / nx);
     return dx * dx + dy * dy;
   }
 
@@ -36,7 +41,8 @@ class NearestKnown {
     if (!shape_.contains(jx, jy)) return;
     const auto cell = shape_.index(ix, iy);
     const auto candidate = nearest_[shape_.index(jx, jy)];
-    if (candidate != none && (nearest_[cell] == none || squared(cell, candidate) < squared(cell, nearest_[cell]))) nearest_[cell] = candidate;
+    if (candidate != none && (nearest_[cell] == none || squared(cell, candidate) < squared(cell, nearest_[cell])))
+      nearest_[cell] = candidate;
   }
 
   // Takes from the row at iy + step, then from both sides along the row.
@@ -63,7 +69,8 @@ std::vector<float> interpolated(const GridShape& shape, const std::vector<float>
   for (int iy = 0; iy < shape.ny; ++iy)
     for (int ix = 0; ix < shape.nx; ++ix) {
       const float z = height[shape.index(ix, iy)];
-      if (!std::isnan(z) && beside_hole(shape, height, ix, iy)) rim.emplace_back(shape.centre(ix, iy).x(), shape.centre(ix, iy).y(), static_cast<double>(z));
+      if (!std::isnan(z) && beside_hole(shape, height, ix, iy))
+        rim.emplace_back(shape.centre(ix, iy).x(), shape.centre(ix, iy).y(), static_cast<double>(z));
     }
   std::vector<float> out(shape.cells(), std::numeric_limits<float>::quiet_NaN());
   rasterise(rim, delaunay(rim), shape, out);
@@ -72,7 +79,8 @@ std::vector<float> interpolated(const GridShape& shape, const std::vector<float>
 
 }  // namespace
 
-std::vector<char> fill_holes(const GridShape& shape, const std::vector<float>& prior, double most_distance_m, std::vector<float>& height) {
+std::vector<char> fill_holes(const GridShape& shape, const std::vector<float>& prior, double most_distance_m,
+                             std::vector<float>& height) {
   const NearestKnown nearest(shape, height);
   const auto inside = interpolated(shape, height);
   std::vector<char> filled(shape.cells(), 0);

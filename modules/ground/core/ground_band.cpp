@@ -25,7 +25,10 @@ double lowest_strong_peak(std::span<const BandPoint> points, double half_band_m)
   constexpr std::array<double, 5> kernel{1, 2, 3, 2, 1};
   std::array<double, bins + 4> counts{};
   const double width = 2 * half_band_m / bins;
-  for (const auto& p : points) counts[static_cast<std::size_t>(std::clamp(static_cast<int>((static_cast<double>(p.height) + half_band_m) / width), 0, bins - 1)) + 2] += 1;
+  for (const auto& p : points)
+    counts[static_cast<std::size_t>(
+               std::clamp(static_cast<int>((static_cast<double>(p.height) + half_band_m) / width), 0, bins - 1)) +
+           2] += 1;
   std::array<double, bins> smooth{};
   for (std::size_t b = 0; b < bins; ++b)
     for (std::size_t k = 0; k < kernel.size(); ++k) smooth[b] += kernel[k] * counts[b + k];
@@ -40,7 +43,8 @@ double lowest_strong_peak(std::span<const BandPoint> points, double half_band_m)
 double scale_from_below(std::span<const BandPoint> points, const Eigen::Vector3d& plane, double most) {
   std::vector<double> below;
   for (const auto& p : points) {
-    const double r = static_cast<double>(p.height) - plane.dot(Eigen::Vector3d(1, static_cast<double>(p.dx), static_cast<double>(p.dy)));
+    const double r = static_cast<double>(p.height) -
+                     plane.dot(Eigen::Vector3d(1, static_cast<double>(p.dx), static_cast<double>(p.dy)));
     if (r <= 0 && r > -most) below.push_back(-r);
   }
   return below.empty() ? least_sigma_m : std::clamp(1.4826 * median(below), least_sigma_m, most / 3);

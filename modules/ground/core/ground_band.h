@@ -15,8 +15,8 @@ struct BandFit {
   double sigma = 0;   // scatter of the ground points, metres
 };
 
-// Robust plane through the lowest strong layer of the points (see fit_terrain). At least one point; with fewer than six the
-// median height. `half_band_m`: heights lie within +- this.
+// Robust plane through the lowest strong layer of the points (see fit_terrain). At least one point; with fewer than six
+// the median height. `half_band_m`: heights lie within +- this.
 BandFit fit_ground_band(std::span<const BandPoint> points, double half_band_m);
 
 }  // namespace bole::ground

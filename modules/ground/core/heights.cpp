@@ -19,9 +19,12 @@ std::vector<float> heights_above(const PointCloud& cloud, const Raster& dem, con
   return height;
 }
 
-std::vector<std::uint8_t> classify(const PointCloud& cloud, const std::vector<float>& height_above_ground, const GroundOptions& options) {
+std::vector<std::uint8_t> classify(const PointCloud& cloud, const std::vector<float>& height_above_ground,
+                                   const GroundOptions& options) {
   constexpr std::uint8_t unassigned = 1, ground = 2, low_noise = 7;
-  const std::vector<std::uint8_t>* before = options.keep_classes && cloud.has(arrays::classification) ? &cloud.values<std::uint8_t>(arrays::classification) : nullptr;
+  const std::vector<std::uint8_t>* before = options.keep_classes && cloud.has(arrays::classification)
+                                                ? &cloud.values<std::uint8_t>(arrays::classification)
+                                                : nullptr;
   std::vector<std::uint8_t> out(cloud.size());
   for (std::size_t i = 0; i < out.size(); ++i) {
     const auto h = static_cast<double>(height_above_ground[i]);

@@ -10,7 +10,8 @@ Eigen::Vector3d PlaneFit::solve(double prior_weight_m2) const {
   return normal.ldlt().solve(right_);
 }
 
-NeighbourPlane plane_through_neighbours(std::span<const Eigen::Vector3d> points, std::span<const std::uint32_t> neighbours, const Eigen::Vector3d& at) {
+NeighbourPlane plane_through_neighbours(std::span<const Eigen::Vector3d> points,
+                                        std::span<const std::uint32_t> neighbours, const Eigen::Vector3d& at) {
   NeighbourPlane out;
   if (neighbours.size() < 4) return out;
   PlaneFit fit;

@@ -14,9 +14,11 @@ struct NeighbourPlane {
 };
 
 // Plane through the neighbours of `at` (weights 1 / distance), evaluated at its x, y.
-NeighbourPlane plane_through_neighbours(std::span<const Eigen::Vector3d> points, std::span<const std::uint32_t> neighbours, const Eigen::Vector3d& at);
+NeighbourPlane plane_through_neighbours(std::span<const Eigen::Vector3d> points,
+                                        std::span<const std::uint32_t> neighbours, const Eigen::Vector3d& at);
 
-// z = a + b (x - x0) + c (y - y0) by weighted normal equations; slopes are drawn gently to zero where the points do not tell.
+// z = a + b (x - x0) + c (y - y0) by weighted normal equations; slopes are drawn gently to zero where the points do not
+// tell.
 class PlaneFit {
  public:
   PlaneFit() = default;

@@ -18,9 +18,11 @@ struct Group {
 
 class GroupFinder {
  public:
-  GroupFinder(const PointCloud& cloud, const PointGrid& grid, const LowPointLimits& limits, const Run& run) : cloud_(cloud), grid_(grid), limits_(limits), run_(run), group_of_(grid.shape().cells(), none) {
+  GroupFinder(const PointCloud& cloud, const PointGrid& grid, const LowPointLimits& limits, const Run& run)
+      : cloud_(cloud), grid_(grid), limits_(limits), run_(run), group_of_(grid.shape().cells(), none) {
     for (std::size_t c = 0; c < group_of_.size(); ++c)
-      if (!grid.points(c).empty()) group_of_[c] = static_cast<std::uint32_t>(cells_.size()), cells_.push_back(static_cast<std::uint32_t>(c));
+      if (!grid.points(c).empty())
+        group_of_[c] = static_cast<std::uint32_t>(cells_.size()), cells_.push_back(static_cast<std::uint32_t>(c));
     groups_.resize(cells_.size());
   }
 
@@ -53,7 +55,8 @@ class GroupFinder {
     Group group;
     while (begin + needed <= n && z(begin + needed - 1) - z(begin) > limits_.thickness_m) ++begin;
     if (begin + needed > n) return group;
-    for (group.end = begin; group.end < n && z(group.end) - z(begin) <= limits_.thickness_m; ++group.end) group.mean += cloud_.positions()[by_height[group.end]].cast<double>();
+    for (group.end = begin; group.end < n && z(group.end) - z(begin) <= limits_.thickness_m; ++group.end)
+      group.mean += cloud_.positions()[by_height[group.end]].cast<double>();
     group.mean /= static_cast<double>(group.end - begin);
     group.found = true;
     return group;
@@ -62,7 +65,8 @@ class GroupFinder {
   bool is_noise(std::size_t k) const {
     if (!groups_[k].found) return false;
     const auto& shape = grid_.shape();
-    const int ix = static_cast<int>(cells_[k] % static_cast<std::uint32_t>(shape.nx)), iy = static_cast<int>(cells_[k] / static_cast<std::uint32_t>(shape.nx));
+    const int ix = static_cast<int>(cells_[k] % static_cast<std::uint32_t>(shape.nx)),
+              iy = static_cast<int>(cells_[k] / static_cast<std::uint32_t>(shape.nx));
     int count = 0, higher = 0;
     for (int jy = iy - 2; jy <= iy + 2; ++jy)
       for (int jx = ix - 2; jx <= ix + 2; ++jx) {
@@ -95,6 +99,9 @@ class GroupFinder {
 
 }  // namespace
 
-std::vector<LowPoint> lowest_groups(const PointCloud& cloud, const PointGrid& grid, const LowPointLimits& limits, const Run& run) { return GroupFinder(cloud, grid, limits, run).find(); }
+std::vector<LowPoint> lowest_groups(const PointCloud& cloud, const PointGrid& grid, const LowPointLimits& limits,
+                                    const Run& run) {
+  return GroupFinder(cloud, grid, limits, run).find();
+}
 
 }  // namespace bole::ground

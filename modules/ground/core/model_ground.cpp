@@ -34,10 +34,14 @@ std::vector<float> surface_heights(const GroundSurface& surface, const GridShape
   return heights;
 }
 
-void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& fit, std::size_t points_in_grid, Report& report) {
-  const auto known = std::count_if(model.dem.values.begin(), model.dem.values.end(), [](float z) { return !std::isnan(z); });
+void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& fit, std::size_t points_in_grid,
+          Report& report) {
+  const auto known =
+      std::count_if(model.dem.values.begin(), model.dem.values.end(), [](float z) { return !std::isnan(z); });
   const auto filled = std::count(model.filled.values.begin(), model.filled.values.end(), 1.0F);
-  const auto count = [&](std::uint8_t c) { return std::count(model.classification.begin(), model.classification.end(), c); };
+  const auto count = [&](std::uint8_t c) {
+    return std::count(model.classification.begin(), model.classification.end(), c);
+  };
   const double cell_area = model.dem.cell_m * model.dem.cell_m;
   const double share = known > 0 ? 100.0 * static_cast<double>(filled) / static_cast<double>(known) : 0.0;
   report.counts["points"] = static_cast<std::int64_t>(cloud.size());
@@ -48,12 +52,21 @@ void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& f
   report.metrics["filled_share"] = {share, Unit::percent};
   report.metrics["ground_scatter"] = {100.0 * fit.mean_sigma_m, Unit::centimetre};
   report.metrics["dem_area"] = {static_cast<double>(known) * cell_area, Unit::square_metre};
-  report.message = fmt::format("Terrain model of {:.0f} m2 in cells of {} m, {:.1f} % of them filled; {} ground points scatter by {:.1f} cm.", static_cast<double>(known) * cell_area, number_text(model.dem.cell_m), share,
-                               count(2), 100 * fit.mean_sigma_m);
-  if (points_in_grid < cloud.size()) report.warn(fmt::format("{} points have coordinates that are not finite: they got no height", cloud.size() - points_in_grid));
-  const auto outside = std::count_if(model.height_above_ground.begin(), model.height_above_ground.end(), [](float h) { return std::isnan(h); }) - static_cast<std::ptrdiff_t>(cloud.size() - points_in_grid);
+  report.message = fmt::format(
+      "Terrain model of {:.0f} m2 in cells of {} m, {:.1f} % of them filled; {} ground points scatter by {:.1f} cm.",
+      static_cast<double>(known) * cell_area, number_text(model.dem.cell_m), share, count(2), 100 * fit.mean_sigma_m);
+  if (points_in_grid < cloud.size())
+    report.warn(fmt::format("{} points have coordinates that are not finite: they got no height",
+                            cloud.size() - points_in_grid));
+  const auto outside = std::count_if(model.height_above_ground.begin(), model.height_above_ground.end(),
+                                     [](float h) { return std::isnan(h); }) -
+                       static_cast<std::ptrdiff_t>(cloud.size() - points_in_grid);
   report.counts["points_without_height"] = outside;
-  if (share > 50) report.warn(fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell_m ({} m) is small for this density of points", share, number_text(model.dem.cell_m)));
+  if (share > 50)
+    report.warn(
+        fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell_m ({} m) is small "
+                    "for this density of points",
+                    share, number_text(model.dem.cell_m)));
 }
 
 // Height that all but one in a thousand points lie above: a stray point below does not count.
@@ -68,7 +81,8 @@ float lowest_height(const PointCloud& cloud) {
 }
 
 // A level plane for a cloud without ground. Every cell counts as filled: no ground was seen.
-GroundModel level_ground(const PointCloud& cloud, const GridShape& shape, const GroundOptions& options, const Run& run) {
+GroundModel level_ground(const PointCloud& cloud, const GridShape& shape, const GroundOptions& options,
+                         const Run& run) {
   GroundModel model{make_raster(cloud, shape, "elevation_m"), make_raster(cloud, shape, "filled"), {}, {}, {}};
   const double height = cloud.origin.z() + static_cast<double>(lowest_height(cloud));
   std::ranges::fill(model.dem.values, static_cast<float>(height));
@@ -90,13 +104,16 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
   if (options.method == "lowest") return level_ground(cloud, shape, options, run);
 
   run.report(0.35, "Finding ground");
-  const auto candidates = lowest_groups(cloud, grid, {options.roughness_m, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);
+  const auto candidates =
+      lowest_groups(cloud, grid, {options.roughness_m, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);
   const auto surface = tin_ground(candidates, shape, options, run);
 
   run.report(0.60, "Fitting the terrain");
   const auto prior = surface_heights(surface, shape);
   auto fit = fit_terrain(cloud, grid, prior, options, run);
-  if (fit.cells == 0) throw failure("no points lie within band_m (" + number_text(options.band_m) + " m) of the first ground surface", "some", "Raise band_m, or lower seed_m");
+  if (fit.cells == 0)
+    throw failure("no points lie within band_m (" + number_text(options.band_m) + " m) of the first ground surface",
+                  "some", "Raise band_m, or lower seed_m");
 
   run.report(0.80, "Filling holes");
   const auto filled = fill_holes(shape, prior, options.fill_distance_m, fit.height);

@@ -13,15 +13,15 @@
 namespace bole::ground {
 
 struct GroundModel {
-  Raster dem;                                // "elevation_m"; NaN further than fill_distance_m from any ground point
-  Raster filled;                             // "filled": 1 where the DEM was filled, 0 where it was measured, NaN where it is NaN
+  Raster dem;     // "elevation_m"; NaN further than fill_distance_m from any ground point
+  Raster filled;  // "filled": 1 where the DEM was filled, 0 where it was measured, NaN where it is NaN
   std::vector<float> height_above_ground;    // per point, metres; NaN off the DEM
   std::vector<std::uint8_t> classification;  // per point, ASPRS
   Report report;
 };
 
-// z of `cloud` points up. Throws Error{bad_input} for a cloud without finite points or of too great an extent, Error{failed}
-// when no ground is found.
+// z of `cloud` points up. Throws Error{bad_input} for a cloud without finite points or of too great an extent,
+// Error{failed} when no ground is found.
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run);
 
 }  // namespace bole::ground

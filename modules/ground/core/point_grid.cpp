@@ -35,27 +35,34 @@ Box bounding_box(const PointCloud::Positions& positions) {
 
 GridShape grid_over(const PointCloud& cloud, double cell_m) {
   const Box box = bounding_box(cloud.positions());
-  if (!(box.low.x() <= box.high.x())) throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points, none with finite coordinates", "at least one");
+  if (!(box.low.x() <= box.high.x()))
+    throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points, none with finite coordinates",
+                    "at least one");
   GridShape shape;
   shape.cell_m = cell_m;
   double cells[2];
   for (int k = 0; k < 2; ++k) {
-    const double low = std::floor((cloud.origin[k] + static_cast<double>(box.low[k])) / cell_m) * cell_m - cloud.origin[k];
+    const double low =
+        std::floor((cloud.origin[k] + static_cast<double>(box.low[k])) / cell_m) * cell_m - cloud.origin[k];
     shape.corner[k] = low;
     cells[k] = std::floor((static_cast<double>(box.high[k]) - low) / cell_m) + 1;
   }
   if (!(cells[0] * cells[1] <= static_cast<double>(most_cells))) {
     const Eigen::Vector2f extent = box.high - box.low;
-    throw bad_input(
-        "the cloud covers " + number_text(std::round(static_cast<double>(extent.x()))) + " by " + number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " + number_text(cell_m) + " m",
-        "at most 100 million cells", "Crop the cloud (one stray point far away is enough to widen it) or raise cell_m");
+    throw bad_input("the cloud covers " + number_text(std::round(static_cast<double>(extent.x()))) + " by " +
+                        number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " +
+                        number_text(cell_m) + " m",
+                    "at most 100 million cells",
+                    "Crop the cloud (one stray point far away is enough to widen it) or raise cell_m");
   }
   shape.nx = static_cast<int>(cells[0]), shape.ny = static_cast<int>(cells[1]);
   return shape;
 }
 
 PointGrid::PointGrid(const PointCloud& cloud, const GridShape& shape, const Run& run) : shape_(shape) {
-  if (cloud.size() >= no_cell) throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points", "fewer than 4 thousand million", "Crop or thin the cloud first");
+  if (cloud.size() >= no_cell)
+    throw bad_input("the cloud has " + std::to_string(cloud.size()) + " points", "fewer than 4 thousand million",
+                    "Crop or thin the cloud first");
   count_and_scatter(cloud, run);
   sort_cells(cloud, run);
 }
@@ -71,7 +78,8 @@ void PointGrid::count_and_scatter(const PointCloud& cloud, const Run& run) {
         cell_of[i] = no_cell;
         continue;
       }
-      const int ix = std::clamp(shape_.column(static_cast<double>(p.x())), 0, shape_.nx - 1), iy = std::clamp(shape_.row(static_cast<double>(p.y())), 0, shape_.ny - 1);
+      const int ix = std::clamp(shape_.column(static_cast<double>(p.x())), 0, shape_.nx - 1),
+                iy = std::clamp(shape_.row(static_cast<double>(p.y())), 0, shape_.ny - 1);
       cell_of[i] = static_cast<std::uint32_t>(shape_.index(ix, iy));
     }
   });
@@ -106,7 +114,9 @@ void PointGrid::sort_cells(const PointCloud& cloud, const Run& run) {
         const auto& p = positions[order_[k]];
         entries.push_back({p.z(), p.x(), p.y(), order_[k]});
       }
-      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.z != b.z ? a.z < b.z : std::tie(a.x, a.y, a.index) < std::tie(b.x, b.y, b.index); });
+      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.z != b.z ? a.z < b.z : std::tie(a.x, a.y, a.index) < std::tie(b.x, b.y, b.index);
+      });
       for (std::size_t k = 0; k < entries.size(); ++k) order_[start_[c] + k] = entries[k].index;
     }
   });

@@ -20,7 +20,9 @@ struct GridShape {
   std::size_t cells() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   int column(double x) const { return static_cast<int>((x - corner.x()) / cell_m); }
   int row(double y) const { return static_cast<int>((y - corner.y()) / cell_m); }
-  std::size_t index(int ix, int iy) const { return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix); }
+  std::size_t index(int ix, int iy) const {
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix);
+  }
   bool contains(int ix, int iy) const { return ix >= 0 && iy >= 0 && ix < nx && iy < ny; }
   Eigen::Vector2d centre(int ix, int iy) const { return corner + cell_m * Eigen::Vector2d(ix + 0.5, iy + 0.5); }
 };
@@ -29,14 +31,16 @@ struct GridShape {
 // coordinates. Throws Error{bad_input} when no point is finite or the grid would have more than 100 million cells.
 GridShape grid_over(const PointCloud& cloud, double cell_m);
 
-// For each cell the indices of its points, by ascending z (then x, y, index). Points with a coordinate that is not finite
-// are in no cell. Memory: 4 bytes per point and per cell, and another 4 bytes per point while it is built.
+// For each cell the indices of its points, by ascending z (then x, y, index). Points with a coordinate that is not
+// finite are in no cell. Memory: 4 bytes per point and per cell, and another 4 bytes per point while it is built.
 class PointGrid {
  public:
   PointGrid(const PointCloud& cloud, const GridShape& shape, const Run& run);
 
   const GridShape& shape() const { return shape_; }
-  std::span<const std::uint32_t> points(std::size_t cell) const { return {order_.data() + start_[cell], order_.data() + start_[cell + 1]}; }
+  std::span<const std::uint32_t> points(std::size_t cell) const {
+    return {order_.data() + start_[cell], order_.data() + start_[cell + 1]};
+  }
   std::size_t size() const { return order_.size(); }
 
  private:

@@ -16,15 +16,18 @@ Raster same_place(const Raster& dem, double cell_m, std::string quantity) {
   Raster out;
   out.origin = dem.origin, out.axes = dem.axes, out.crs_wkt = dem.crs_wkt;
   out.cell_m = cell_m, out.quantity = std::move(quantity);
-  out.nx = static_cast<int>(std::ceil(dem.nx * dem.cell_m / cell_m - 1e-9)), out.ny = static_cast<int>(std::ceil(dem.ny * dem.cell_m / cell_m - 1e-9));
+  out.nx = static_cast<int>(std::ceil(dem.nx * dem.cell_m / cell_m - 1e-9)),
+  out.ny = static_cast<int>(std::ceil(dem.ny * dem.cell_m / cell_m - 1e-9));
   out.values.assign(static_cast<std::size_t>(out.nx) * static_cast<std::size_t>(out.ny), missing);
   return out;
 }
 
-double value(const Raster& r, int ix, int iy) { return r.contains(ix, iy) ? static_cast<double>(r.at(ix, iy)) : std::nan(""); }
+double value(const Raster& r, int ix, int iy) {
+  return r.contains(ix, iy) ? static_cast<double>(r.at(ix, iy)) : std::nan("");
+}
 
-// Mean difference per cell along (dx, dy), of three parallel lines with weights 1 2 1; each by central, forward or backward
-// difference, whichever the holes allow. NaN when none.
+// Mean difference per cell along (dx, dy), of three parallel lines with weights 1 2 1; each by central, forward or
+// backward difference, whichever the holes allow. NaN when none.
 double gradient(const Raster& dem, int ix, int iy, int dx, int dy) {
   constexpr std::array<double, 3> weights{1, 2, 1};
   double sum = 0, weight = 0;
@@ -46,7 +49,9 @@ Raster slope_deg(const Raster& dem) {
   Raster out = same_place(dem, dem.cell_m, "slope_deg");
   for (int iy = 0; iy < dem.ny; ++iy)
     for (int ix = 0; ix < dem.nx; ++ix)
-      if (!std::isnan(dem.at(ix, iy))) out.at(ix, iy) = static_cast<float>(std::atan(std::hypot(gradient(dem, ix, iy, 1, 0), gradient(dem, ix, iy, 0, 1))) * 180.0 / std::numbers::pi);
+      if (!std::isnan(dem.at(ix, iy)))
+        out.at(ix, iy) = static_cast<float>(
+            std::atan(std::hypot(gradient(dem, ix, iy, 1, 0), gradient(dem, ix, iy, 0, 1))) * 180.0 / std::numbers::pi);
   return out;
 }
 

@@ -11,9 +11,9 @@ namespace bole::ground {
 // borders and beside holes by the differences there are. NaN where the DEM is NaN or has no neighbour in x or in y.
 Raster slope_deg(const Raster& dem);
 
-// Canopy height model (quantity "canopy_height_m"): the greatest value of the array height_above_ground in each cell, at
-// least 0; NaN where a cell has no point with a height. On the grid of `dem` when `cell_m` is its cell size, else on a grid
-// with the same corner and extent. Throws Error{bad_input} when the array is absent or cell_m is not positive.
+// Canopy height model (quantity "canopy_height_m"): the greatest value of the array height_above_ground in each cell,
+// at least 0; NaN where a cell has no point with a height. On the grid of `dem` when `cell_m` is its cell size, else on
+// a grid with the same corner and extent. Throws Error{bad_input} when the array is absent or cell_m is not positive.
 Raster canopy_height(const PointCloud& cloud, const Raster& dem, double cell_m);
 
 }  // namespace bole::ground

@@ -33,9 +33,18 @@ void for_each_near(const GridShape& shape, int ix, int iy, const F& f) {
 
 class SeedFinder {
  public:
-  SeedFinder(const std::vector<LowPoint>& candidates, const SeedLimits& limits) : candidates_(candidates), limits_(limits), keys_(candidates, limits.cell_m), by_height_(keys_.cells()), rank_(keys_.cells(), 0) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) by_height_[keys_.key(i)].push_back(static_cast<std::uint32_t>(i));
-    for (auto& cell : by_height_) std::stable_sort(cell.begin(), cell.end(), [&](std::uint32_t a, std::uint32_t b) { return candidates[a].position.z() < candidates[b].position.z(); });
+  SeedFinder(const std::vector<LowPoint>& candidates, const SeedLimits& limits)
+      : candidates_(candidates),
+        limits_(limits),
+        keys_(candidates, limits.cell_m),
+        by_height_(keys_.cells()),
+        rank_(keys_.cells(), 0) {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      by_height_[keys_.key(i)].push_back(static_cast<std::uint32_t>(i));
+    for (auto& cell : by_height_)
+      std::stable_sort(cell.begin(), cell.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return candidates[a].position.z() < candidates[b].position.z();
+      });
   }
 
   std::vector<std::uint32_t> find() {
@@ -46,7 +55,9 @@ class SeedFinder {
   }
 
  private:
-  std::uint32_t seed(std::size_t cell) const { return rank_[cell] < by_height_[cell].size() ? by_height_[cell][rank_[cell]] : none; }
+  std::uint32_t seed(std::size_t cell) const {
+    return rank_[cell] < by_height_[cell].size() ? by_height_[cell][rank_[cell]] : none;
+  }
 
   struct Neighbours {
     int count = 0, too_high = 0, too_low = 0;  // more steeply above / below the seed than the terrain can be
@@ -55,15 +66,16 @@ class SeedFinder {
   Neighbours look_around(std::size_t cell) const {
     Neighbours out;
     const auto& p = candidates_[seed(cell)].position;
-    for_each_near(keys_.shape(), static_cast<int>(cell % static_cast<std::size_t>(keys_.shape().nx)), static_cast<int>(cell / static_cast<std::size_t>(keys_.shape().nx)), [&](std::size_t other) {
-      const auto s = seed(other);
-      if (s == none) return;
-      const Eigen::Vector3d d = candidates_[s].position - p;
-      const double most = limits_.max_slope_tan * d.head<2>().norm() + limits_.roughness_m;
-      ++out.count;
-      out.too_high += d.z() > most ? 1 : 0;
-      out.too_low += d.z() < -most ? 1 : 0;
-    });
+    for_each_near(keys_.shape(), static_cast<int>(cell % static_cast<std::size_t>(keys_.shape().nx)),
+                  static_cast<int>(cell / static_cast<std::size_t>(keys_.shape().nx)), [&](std::size_t other) {
+                    const auto s = seed(other);
+                    if (s == none) return;
+                    const Eigen::Vector3d d = candidates_[s].position - p;
+                    const double most = limits_.max_slope_tan * d.head<2>().norm() + limits_.roughness_m;
+                    ++out.count;
+                    out.too_high += d.z() > most ? 1 : 0;
+                    out.too_low += d.z() < -most ? 1 : 0;
+                  });
     return out;
   }
 
@@ -102,9 +114,10 @@ class SeedFinder {
         const auto cell = open.back();
         open.pop_back();
         ++sizes.back();
-        for_each_near(shape, static_cast<int>(cell % static_cast<std::size_t>(shape.nx)), static_cast<int>(cell / static_cast<std::size_t>(shape.nx)), [&](std::size_t other) {
-          if (seeded[other] && island[other] == none) island[other] = number, open.push_back(other);
-        });
+        for_each_near(shape, static_cast<int>(cell % static_cast<std::size_t>(shape.nx)),
+                      static_cast<int>(cell / static_cast<std::size_t>(shape.nx)), [&](std::size_t other) {
+                        if (seeded[other] && island[other] == none) island[other] = number, open.push_back(other);
+                      });
       }
     }
     std::vector<std::uint32_t> out;
@@ -126,16 +139,23 @@ class SeedFinder {
 CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m) {
   shape_ = shape_over(points, cell_m, [](const LowPoint& p) -> Eigen::Vector2d { return p.position.head<2>(); });
   keys_.reserve(points.size());
-  for (const auto& p : points) keys_.push_back(static_cast<std::uint32_t>(shape_.index(shape_.column(p.position.x()), shape_.row(p.position.y()))));
+  for (const auto& p : points)
+    keys_.push_back(
+        static_cast<std::uint32_t>(shape_.index(shape_.column(p.position.x()), shape_.row(p.position.y()))));
 }
 
-std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits) { return SeedFinder(candidates, limits).find(); }
+std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits) {
+  return SeedFinder(candidates, limits).find();
+}
 
-std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m, const Run& run) {
+std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m,
+                                      const Run& run) {
   const CellKeys places(candidates, std::max(place_m, limits.cell_m / 8));
   const auto& shape = places.shape();
   std::vector<std::uint32_t> lowest(places.cells(), none), second(places.cells(), none);
-  const auto lower = [&](std::uint32_t i, std::uint32_t j) { return j == none || candidates[i].position.z() < candidates[j].position.z(); };
+  const auto lower = [&](std::uint32_t i, std::uint32_t j) {
+    return j == none || candidates[i].position.z() < candidates[j].position.z();
+  };
   for (std::uint32_t i = 0; i < candidates.size(); ++i) {
     auto &a = lowest[places.key(i)], &b = second[places.key(i)];
     if (lower(i, a))
@@ -170,7 +190,8 @@ std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3
   std::vector<Eigen::Vector3d> out;
   if (ground.empty()) return out;
   GridShape shape = shape_over(ground, cell_m, [](const Eigen::Vector3d& p) -> Eigen::Vector2d { return p.head<2>(); });
-  shape.corner.array() -= 1.5 * cell_m;  // room for a ring of cells, and no ground point on the line between two cells' centres
+  shape.corner.array() -=
+      1.5 * cell_m;  // room for a ring of cells, and no ground point on the line between two cells' centres
   shape.nx += 3, shape.ny += 3;
   std::vector<Eigen::Vector4d> sums(shape.cells(), Eigen::Vector4d::Zero());  // x, y, z, count
   for (const auto& p : ground) {

@@ -30,17 +30,19 @@ struct SeedLimits {
   double roughness_m = 0.1;
 };
 
-// Indices of the lowest candidate per cell, except those that lie below most neighbours more steeply than the terrain can
-// fall (low noise: the next lowest is tried), and those that rise more steeply than it can above two neighbours or more. Small islands
-// of seeds (far returns from crowns, strays) are left out.
+// Indices of the lowest candidate per cell, except those that lie below most neighbours more steeply than the terrain
+// can fall (low noise: the next lowest is tried), and those that rise more steeply than it can above two neighbours or
+// more. Small islands of seeds (far returns from crowns, strays) are left out.
 std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits);
 
-// 1 for each candidate that lies above two or more places within `limits.cell_m` more steeply than the terrain can rise: the
-// ground is seen beside it, so it is not ground (slope-based filter, Vosselman 2000). Of each place (an eighth of cell_m, at
-// least `place_m`) the second lowest candidate counts, so that a stray low one does no harm.
-std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m, const Run& run);
+// 1 for each candidate that lies above two or more places within `limits.cell_m` more steeply than the terrain can
+// rise: the ground is seen beside it, so it is not ground (slope-based filter, Vosselman 2000). Of each place (an
+// eighth of cell_m, at least `place_m`) the second lowest candidate counts, so that a stray low one does no harm.
+std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m,
+                                      const Run& run);
 
-// Virtual points at the centres of empty cells beside occupied ones, on the plane through the occupied cells around them.
+// Virtual points at the centres of empty cells beside occupied ones, on the plane through the occupied cells around
+// them.
 std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m);
 
 }  // namespace bole::ground

@@ -21,12 +21,15 @@ struct NearGround {
 
 class TerrainFitter {
  public:
-  TerrainFitter(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior, const GroundOptions& options) : cloud_(cloud), grid_(grid), shape_(grid.shape()), prior_(prior), options_(options) {}
+  TerrainFitter(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior,
+                const GroundOptions& options)
+      : cloud_(cloud), grid_(grid), shape_(grid.shape()), prior_(prior), options_(options) {}
 
   // Fits rows [first, last) of cells.
   void fit_rows(int first, int last, std::vector<float>& height, std::vector<float>& sigma) const {
     const int low = std::max(0, first - 1), high = std::min(shape_.ny, last + 1);
-    std::vector<std::vector<NearGround>> near(static_cast<std::size_t>(high - low) * static_cast<std::size_t>(shape_.nx));
+    std::vector<std::vector<NearGround>> near(static_cast<std::size_t>(high - low) *
+                                              static_cast<std::size_t>(shape_.nx));
     for (int iy = low; iy < high; ++iy)
       for (int ix = 0; ix < shape_.nx; ++ix) collect(ix, iy, near[local(ix, iy - low)]);
     std::vector<BandPoint> window;
@@ -45,7 +48,9 @@ class TerrainFitter {
   }
 
  private:
-  std::size_t local(int ix, int row) const { return static_cast<std::size_t>(row) * static_cast<std::size_t>(shape_.nx) + static_cast<std::size_t>(ix); }
+  std::size_t local(int ix, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(shape_.nx) + static_cast<std::size_t>(ix);
+  }
 
   // The gradient of the rough surface in a cell, zero where a neighbour is missing.
   Eigen::Vector2f gradient(int ix, int iy) const {
@@ -53,7 +58,8 @@ class TerrainFitter {
       const bool after = shape_.contains(ix + dx, iy + dy), before = shape_.contains(ix - dx, iy - dy);
       const float a = before ? prior_[shape_.index(ix - dx, iy - dy)] : prior_[shape_.index(ix, iy)];
       const float b = after ? prior_[shape_.index(ix + dx, iy + dy)] : prior_[shape_.index(ix, iy)];
-      const float g = (b - a) / static_cast<float>(shape_.cell_m * (static_cast<int>(after) + static_cast<int>(before)));
+      const float g =
+          (b - a) / static_cast<float>(shape_.cell_m * (static_cast<int>(after) + static_cast<int>(before)));
       return std::isfinite(g) ? g : 0.0F;
     };
     return {slope(1, 0), slope(0, 1)};
@@ -72,18 +78,21 @@ class TerrainFitter {
       if (std::abs(p.z() - surface) <= band) out.push_back({p.x(), p.y(), p.z()});
     }
     if (out.size() <= most_points_per_cell) return;
-    for (std::size_t k = 0; k < most_points_per_cell; ++k) out[k] = out[(2 * k + 1) * out.size() / (2 * most_points_per_cell)];
+    for (std::size_t k = 0; k < most_points_per_cell; ++k)
+      out[k] = out[(2 * k + 1) * out.size() / (2 * most_points_per_cell)];
     out.resize(most_points_per_cell);
   }
 
-  void gather(int ix, int iy, int low, int high, const std::vector<std::vector<NearGround>>& near, std::vector<BandPoint>& window) const {
+  void gather(int ix, int iy, int low, int high, const std::vector<std::vector<NearGround>>& near,
+              std::vector<BandPoint>& window) const {
     window.clear();
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
     const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band_m);
     for (int jy = std::max(low, iy - 1); jy <= std::min(high - 1, iy + 1); ++jy)
       for (int jx = std::max(0, ix - 1); jx <= std::min(shape_.nx - 1, ix + 1); ++jx)
         for (const auto& p : near[local(jx, jy - low)]) {
-          const float dx = p.x - centre.x(), dy = p.y - centre.y(), h = p.height - base - slope.x() * dx - slope.y() * dy;
+          const float dx = p.x - centre.x(), dy = p.y - centre.y(),
+                      h = p.height - base - slope.x() * dx - slope.y() * dy;
           if (std::abs(h) <= band) window.push_back({dx, dy, h});
         }
   }
@@ -105,7 +114,8 @@ class TerrainFitter {
 
 }  // namespace
 
-TerrainFit fit_terrain(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior, const GroundOptions& options, const Run& run) {
+TerrainFit fit_terrain(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior,
+                       const GroundOptions& options, const Run& run) {
   const auto& shape = grid.shape();
   TerrainFit out;
   out.height.assign(shape.cells(), std::numeric_limits<float>::quiet_NaN());

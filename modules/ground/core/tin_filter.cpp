@@ -14,9 +14,16 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class TinFilter {
  public:
-  TinFilter(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options, const Run& run)
-      : candidates_(candidates), shape_(shape), options_(options), run_(run), candidate_at_(shape.cells(), none), accepted_(candidates.size(), 0) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) candidate_at_[candidates[i].cell] = static_cast<std::uint32_t>(i);
+  TinFilter(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
+            const Run& run)
+      : candidates_(candidates),
+        shape_(shape),
+        options_(options),
+        run_(run),
+        candidate_at_(shape.cells(), none),
+        accepted_(candidates.size(), 0) {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      candidate_at_[candidates[i].cell] = static_cast<std::uint32_t>(i);
   }
 
   GroundSurface filter() {
@@ -31,8 +38,11 @@ class TinFilter {
     }
     triangulate();
     if (surface_.measured < 3 || surface_.triangles.empty())
-      throw failure("only " + std::to_string(surface_.measured) + " ground points were found among " + std::to_string(candidates_.size()) + " candidates", "at least three, not on one line",
-                    "Check that the cloud has ground points and its z axis points up, lower seed_m, or set method=lowest for a tree that was cut out without ground");
+      throw failure("only " + std::to_string(surface_.measured) + " ground points were found among " +
+                        std::to_string(candidates_.size()) + " candidates",
+                    "at least three, not on one line",
+                    "Check that the cloud has ground points and its z axis points up, lower seed_m, or set "
+                    "method=lowest for a tree that was cut out without ground");
     return std::move(surface_);
   }
 
@@ -42,7 +52,8 @@ class TinFilter {
     surface_ = {};
     vertex_of_.clear();
     for (std::size_t i = 0; i < candidates_.size(); ++i)
-      if (accepted_[i]) surface_.points.push_back(candidates_[i].position), vertex_of_.push_back(static_cast<std::uint32_t>(i));
+      if (accepted_[i])
+        surface_.points.push_back(candidates_[i].position), vertex_of_.push_back(static_cast<std::uint32_t>(i));
     surface_.measured = surface_.points.size();
     for (const auto& p : surrounding_points(surface_.points, options_.seed_m)) surface_.points.push_back(p);
     surface_.triangles = delaunay(surface_.points);
@@ -63,10 +74,13 @@ class TinFilter {
   // f(index) for each candidate inside or on the triangle in plan.
   template <class F>
   void for_each_inside(const Triangle& triangle, const F& f) const {
-    const Eigen::Vector3d &a = surface_.points[triangle[0]], &b = surface_.points[triangle[1]], &c = surface_.points[triangle[2]];
+    const Eigen::Vector3d &a = surface_.points[triangle[0]], &b = surface_.points[triangle[1]],
+                          &c = surface_.points[triangle[2]];
     const auto [x0, x1] = std::minmax({a.x(), b.x(), c.x()});
     const auto [y0, y1] = std::minmax({a.y(), b.y(), c.y()});
-    const auto left_of = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& at) { return (q.x() - p.x()) * (at.y() - p.y()) - (q.y() - p.y()) * (at.x() - p.x()) >= 0; };
+    const auto left_of = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& at) {
+      return (q.x() - p.x()) * (at.y() - p.y()) - (q.y() - p.y()) * (at.x() - p.x()) >= 0;
+    };
     for (int iy = std::max(0, shape_.row(y0)); iy <= std::min(shape_.ny - 1, shape_.row(y1)); ++iy)
       for (int ix = std::max(0, shape_.column(x0)); ix <= std::min(shape_.nx - 1, shape_.column(x1)); ++ix) {
         const auto i = candidate_at_[shape_.index(ix, iy)];
@@ -103,7 +117,8 @@ class TinFilter {
 bool TinFilter::close(const Eigen::Vector3d& p, const TrianglePlane& plane, double nearest_vertex_m) const {
   const double distance = std::abs(p.z() - plane.at(p.x(), p.y())) / std::sqrt(1 + plane.gradient.squaredNorm());
   if (distance <= options_.roughness_m) return true;
-  return distance <= options_.max_distance_m && distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
+  return distance <= options_.max_distance_m &&
+         distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
 }
 
 bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const TrianglePlane& plane) const {
@@ -114,15 +129,21 @@ bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const T
   if (close(p, plane, distance)) return true;
   const auto* opposite = triangle_opposite(nearest, p);
   if (!opposite) return false;
-  const TrianglePlane mirrored(surface_.points[(*opposite)[0]], surface_.points[(*opposite)[1]], surface_.points[(*opposite)[2]]);
-  if (mirrored.degenerate || mirrored.gradient.norm() > std::tan(options_.max_slope_deg * rad_per_deg) || !close(p, mirrored, distance)) return false;
-  // Upwards only over long triangles and from the plane of one as large as the step: objects are as steep as brows, but small.
-  return p.z() < plane.at(p.x(), p.y()) || (longest_edge(triangle) > 3 * distance && longest_edge(*opposite) > distance);
+  const TrianglePlane mirrored(surface_.points[(*opposite)[0]], surface_.points[(*opposite)[1]],
+                               surface_.points[(*opposite)[2]]);
+  if (mirrored.degenerate || mirrored.gradient.norm() > std::tan(options_.max_slope_deg * rad_per_deg) ||
+      !close(p, mirrored, distance))
+    return false;
+  // Upwards only over long triangles and from the plane of one as large as the step: objects are as steep as brows, but
+  // small.
+  return p.z() < plane.at(p.x(), p.y()) ||
+         (longest_edge(triangle) > 3 * distance && longest_edge(*opposite) > distance);
 }
 
 double TinFilter::longest_edge(const Triangle& t) const {
   double longest = 0;
-  for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, (surface_.points[t[k]] - surface_.points[t[(k + 1) % 3]]).head<2>().norm());
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max(longest, (surface_.points[t[k]] - surface_.points[t[(k + 1) % 3]]).head<2>().norm());
   return longest;
 }
 
@@ -132,8 +153,10 @@ const Triangle* TinFilter::triangle_opposite(std::uint32_t v, const Eigen::Vecto
   for (const auto t : triangles_at_.of(v)) {
     const auto& triangle = surface_.triangles[t];
     const auto k = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), v) - triangle.begin());
-    const Eigen::Vector2d first = surface_.points[triangle[(k + 1) % 3]].head<2>() - at, second = surface_.points[triangle[(k + 2) % 3]].head<2>() - at;
-    if (first.x() * away.y() - first.y() * away.x() >= 0 && away.x() * second.y() - away.y() * second.x() >= 0) return &triangle;
+    const Eigen::Vector2d first = surface_.points[triangle[(k + 1) % 3]].head<2>() - at,
+                          second = surface_.points[triangle[(k + 2) % 3]].head<2>() - at;
+    if (first.x() * away.y() - first.y() * away.x() >= 0 && away.x() * second.y() - away.y() * second.x() >= 0)
+      return &triangle;
   }
   return nullptr;
 }
@@ -154,7 +177,8 @@ std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
       const auto& p = candidates_[i].position;
       if (!fits(p, t, plane)) return;
       const auto height = static_cast<float>(p.z() - plane.at(p.x(), p.y()));
-      if (best[cell] == none || height < best_height[cell] || (height == best_height[cell] && i < best[cell])) best[cell] = i, best_height[cell] = height;
+      if (best[cell] == none || height < best_height[cell] || (height == best_height[cell] && i < best[cell]))
+        best[cell] = i, best_height[cell] = height;
     });
   }
   std::vector<std::uint32_t> out;
@@ -163,8 +187,8 @@ std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
   return out;
 }
 
-// Removes vertices that stand out of the plane through their neighbours by more than the ground may bend there; of adjacent
-// ones only that which stands out most, since one spike makes all its neighbours look wrong.
+// Removes vertices that stand out of the plane through their neighbours by more than the ground may bend there; of
+// adjacent ones only that which stands out most, since one spike makes all its neighbours look wrong.
 bool TinFilter::prune_once() {
   const auto around = neighbourhood(surface_.triangles, surface_.points.size());
   std::vector<double> excess(surface_.points.size(), 0.0);
@@ -178,7 +202,9 @@ bool TinFilter::prune_once() {
   bool removed = false;
   for (std::size_t v = 0; v < surface_.measured; ++v) {
     if (excess[v] <= 0) continue;
-    const bool greatest = std::all_of(around.of(v).begin(), around.of(v).end(), [&](std::uint32_t n) { return excess[n] < excess[v] || (excess[n] == excess[v] && v < n); });
+    const bool greatest = std::all_of(around.of(v).begin(), around.of(v).end(), [&](std::uint32_t n) {
+      return excess[n] < excess[v] || (excess[n] == excess[v] && v < n);
+    });
     if (greatest) accepted_[vertex_of_[v]] = 0, removed = true;
   }
   return removed;
@@ -186,6 +212,9 @@ bool TinFilter::prune_once() {
 
 }  // namespace
 
-GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options, const Run& run) { return TinFilter(candidates, shape, options, run).filter(); }
+GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
+                         const Run& run) {
+  return TinFilter(candidates, shape, options, run).filter();
+}
 
 }  // namespace bole::ground

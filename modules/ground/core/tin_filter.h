@@ -18,12 +18,14 @@ struct GroundSurface {
   std::size_t measured = 0;  // the first so many points are candidates
 };
 
-// Progressive TIN densification after Axelsson (2000): the lowest candidate of each `seed_m` cell starts the triangulation;
-// seeds that their neighbours contradict are dropped; then cell size is halved again and again, and candidates that lie
-// close to the triangle below them in distance and angle join it, or close to the triangle mirrored at the nearest vertex
-// (Axelsson's mirror point: that is how it grows over edges and the brows of slopes). After each level vertices that stand out of their neighbours
-// leave again: unlike the original, a wrong seed (canopy, deep noise) is not kept for good.
-// `shape` is the grid the candidates were found in. Throws Error{failed} when fewer than three seeds are left.
-GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options, const Run& run);
+// Progressive TIN densification after Axelsson (2000): the lowest candidate of each `seed_m` cell starts the
+// triangulation; seeds that their neighbours contradict are dropped; then cell size is halved again and again, and
+// candidates that lie close to the triangle below them in distance and angle join it, or close to the triangle mirrored
+// at the nearest vertex (Axelsson's mirror point: that is how it grows over edges and the brows of slopes). After each
+// level vertices that stand out of their neighbours leave again: unlike the original, a wrong seed (canopy, deep noise)
+// is not kept for good. `shape` is the grid the candidates were found in. Throws Error{failed} when fewer than three
+// seeds are left.
+GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
+                         const Run& run);
 
 }  // namespace bole::ground

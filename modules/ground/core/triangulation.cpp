@@ -19,7 +19,8 @@ using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data
 
 // Cells whose centre may lie within [low, high] along one axis.
 std::pair<int, int> cell_range(double low, double high, double corner, double cell_m, int n) {
-  const int first = static_cast<int>(std::ceil((low - corner) / cell_m - 0.5)), last = static_cast<int>(std::floor((high - corner) / cell_m - 0.5));
+  const int first = static_cast<int>(std::ceil((low - corner) / cell_m - 0.5)),
+            last = static_cast<int>(std::floor((high - corner) / cell_m - 0.5));
   return {std::max(first, 0), std::min(last, n - 1)};
 }
 
@@ -41,23 +42,27 @@ std::pair<double, double> row_extent(const std::array<const Eigen::Vector3d*, 3>
 std::vector<Triangle> delaunay(std::span<const Eigen::Vector3d> points) {
   std::vector<std::pair<Kernel::Point_2, std::uint32_t>> input;
   input.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) input.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<std::uint32_t>(i));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    input.emplace_back(Kernel::Point_2(points[i].x(), points[i].y()), static_cast<std::uint32_t>(i));
   const Delaunay triangulation(input.begin(), input.end());
   std::vector<Triangle> triangles;
   if (triangulation.dimension() < 2) return triangles;
   triangles.reserve(triangulation.number_of_faces());
-  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f)
+    triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   return triangles;
 }
 
-TrianglePlane::TrianglePlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) : corner(a), gradient(Eigen::Vector2d::Zero()) {
+TrianglePlane::TrianglePlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+    : corner(a), gradient(Eigen::Vector2d::Zero()) {
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   degenerate = !(std::abs(normal.z()) > 1e-12);
   if (!degenerate) gradient = -normal.head<2>() / normal.z();
 }
 
 Neighbourhood neighbourhood(std::span<const Triangle> triangles, std::size_t vertices) {
-  // Each inner edge is met twice, once per triangle and direction; on the hull one direction is missing, so both are noted.
+  // Each inner edge is met twice, once per triangle and direction; on the hull one direction is missing, so both are
+  // noted.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   edges.reserve(triangles.size() * 6);
   for (const auto& t : triangles)
@@ -88,7 +93,8 @@ Neighbourhood triangles_at_vertices(std::span<const Triangle> triangles, std::si
   return out;
 }
 
-void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape, std::vector<float>& values) {
+void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape,
+               std::vector<float>& values) {
   for (const auto& t : triangles) {
     const Eigen::Vector3d &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     const TrianglePlane plane(a, b, c);
@@ -98,7 +104,8 @@ void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle
     for (int iy = first_row; iy <= last_row; ++iy) {
       const auto [x0, x1] = row_extent({&a, &b, &c}, shape.centre(0, iy).y());
       const auto [first_column, last_column] = cell_range(x0, x1, shape.corner.x(), shape.cell_m, shape.nx);
-      for (int ix = first_column; ix <= last_column; ++ix) values[shape.index(ix, iy)] = static_cast<float>(plane.at(shape.centre(ix, iy).x(), shape.centre(ix, iy).y()));
+      for (int ix = first_column; ix <= last_column; ++ix)
+        values[shape.index(ix, iy)] = static_cast<float>(plane.at(shape.centre(ix, iy).x(), shape.centre(ix, iy).y()));
     }
   }
 }

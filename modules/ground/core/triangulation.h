@@ -21,16 +21,21 @@ std::vector<Triangle> delaunay(std::span<const Eigen::Vector3d> points);
 // z of the plane of a triangle at x, y.
 struct TrianglePlane {
   TrianglePlane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
-  double at(double x, double y) const { return corner.z() + gradient.x() * (x - corner.x()) + gradient.y() * (y - corner.y()); }
+  double at(double x, double y) const {
+    return corner.z() + gradient.x() * (x - corner.x()) + gradient.y() * (y - corner.y());
+  }
   Eigen::Vector3d corner;
   Eigen::Vector2d gradient;
   bool degenerate = false;  // no area: gradient is zero
 };
 
-// Neighbours of each vertex, as lists in one array: those of v are neighbours[start[v]] to neighbours[start[v + 1] - 1].
+// Neighbours of each vertex, as lists in one array: those of v are neighbours[start[v]] to neighbours[start[v + 1] -
+// 1].
 struct Neighbourhood {
   std::vector<std::uint32_t> start, neighbours;
-  std::span<const std::uint32_t> of(std::size_t v) const { return {neighbours.data() + start[v], neighbours.data() + start[v + 1]}; }
+  std::span<const std::uint32_t> of(std::size_t v) const {
+    return {neighbours.data() + start[v], neighbours.data() + start[v + 1]};
+  }
 };
 Neighbourhood neighbourhood(std::span<const Triangle> triangles, std::size_t vertices);
 
@@ -38,6 +43,7 @@ Neighbourhood neighbourhood(std::span<const Triangle> triangles, std::size_t ver
 Neighbourhood triangles_at_vertices(std::span<const Triangle> triangles, std::size_t vertices);
 
 // Linear interpolation at the cell centres of a grid; cells outside the triangulation keep what `values` holds.
-void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape, std::vector<float>& values);
+void rasterise(std::span<const Eigen::Vector3d> points, std::span<const Triangle> triangles, const GridShape& shape,
+               std::vector<float>& values);
 
 }  // namespace bole::ground

@@ -1,4 +1,5 @@
-// Ground points, terrain model and heights above ground. The stage `ground.model` as a VTK algorithm: options, ports and method are those of the stage.
+// Ground points, terrain model and heights above ground. The stage `ground.model` as a VTK algorithm: options, ports
+// and method are those of the stage.
 #ifndef vtkBoleGroundModel_h
 #define vtkBoleGroundModel_h
 

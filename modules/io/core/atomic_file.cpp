@@ -6,7 +6,8 @@
 
 namespace bole {
 
-AtomicFile::AtomicFile(const std::filesystem::path& path) : path_(path), temporary_(path.string() + "." + std::to_string(::getpid()) + ".part") {
+AtomicFile::AtomicFile(const std::filesystem::path& path)
+    : path_(path), temporary_(path.string() + "." + std::to_string(::getpid()) + ".part") {
   std::error_code code;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
   stream_.open(temporary_, std::ios::binary);

@@ -29,7 +29,8 @@ T load(const std::uint8_t* p, bool swap_bytes) {
 std::string letters(std::string_view name) {
   std::string out;
   for (const char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c))) out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return out.starts_with("scalar") && out.size() > 6 ? out.substr(6) : out;
 }
 
@@ -84,7 +85,9 @@ bool is_colour(std::string_view array) { return array == "red" || array == "gree
 
 ArrayType column_type_for(const std::string& array, SourceType source) {
   // Text and decimal colours are scaled when their largest value is known.
-  if (is_colour(array) && source != SourceType::uint8 && source != SourceType::uint16 && source != SourceType::packed_rgb) return ArrayType::float32;
+  if (is_colour(array) && source != SourceType::uint8 && source != SourceType::uint16 &&
+      source != SourceType::packed_rgb)
+    return ArrayType::float32;
   if (const auto* known = find_array(array)) return known->type;
   switch (source) {
     case SourceType::uint8:
@@ -111,7 +114,8 @@ T saturated(double value) {
     return static_cast<T>(value);
   } else {
     if (std::isnan(value)) return 0;
-    return static_cast<T>(std::clamp(std::nearbyint(value), static_cast<double>(std::numeric_limits<T>::min()), static_cast<double>(std::numeric_limits<T>::max())));
+    return static_cast<T>(std::clamp(std::nearbyint(value), static_cast<double>(std::numeric_limits<T>::min()),
+                                     static_cast<double>(std::numeric_limits<T>::max())));
   }
 }
 
@@ -174,7 +178,9 @@ std::string array_name(std::string_view file_name) {
     if (alias.file_name == plain) return std::string(alias.array);
   if (plain == "x" || plain == "y" || plain == "z") return plain;
   std::string out;
-  for (const char c : file_name) out += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(static_cast<unsigned char>(c))) : '_';
+  for (const char c : file_name)
+    out += std::isalnum(static_cast<unsigned char>(c)) ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
+                                                       : '_';
   return out;
 }
 
@@ -211,7 +217,8 @@ struct CloudBuilder::Parts {
   }
 };
 
-CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudReadOptions& options) : parts_(std::make_unique<Parts>()) {
+CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudReadOptions& options)
+    : parts_(std::make_unique<Parts>()) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
   std::array<bool, 3> found{};
   std::string list;
@@ -223,14 +230,21 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
       if (!found[axis]) parts_->xyz[axis] = f, found[axis] = true;
       continue;
     }
-    if (fields[f].name.empty() || fields[f].name.starts_with('_') || std::ranges::find(parts_->targets, name, &Parts::Target::name) != parts_->targets.end()) continue;
+    if (fields[f].name.empty() || fields[f].name.starts_with('_') ||
+        std::ranges::find(parts_->targets, name, &Parts::Target::name) != parts_->targets.end())
+      continue;
     if (fields[f].type == SourceType::packed_rgb) {
-      for (const char* colour : {"red", "green", "blue"}) parts_->targets.push_back({f, colour, SourceType::packed_rgb, std::vector<std::uint16_t>()});
+      for (const char* colour : {"red", "green", "blue"})
+        parts_->targets.push_back({f, colour, SourceType::packed_rgb, std::vector<std::uint16_t>()});
       continue;
     }
     parts_->targets.push_back({f, name, fields[f].type, make_column(column_type_for(name, fields[f].type), 0)});
   }
-  if (!found[0] || !found[1] || !found[2]) throw bad_input("the points have no " + std::string(!found[0] ? "x" : !found[1] ? "y" : "z"), "fields x, y and z", list.empty() ? "There are no fields" : "There are: " + list);
+  if (!found[0] || !found[1] || !found[2])
+    throw bad_input("the points have no " + std::string(!found[0]   ? "x"
+                                                        : !found[1] ? "y"
+                                                                    : "z"),
+                    "fields x, y and z", list.empty() ? "There are no fields" : "There are: " + list);
   parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
   parts_->axes = axes_from_name(options.axes);
@@ -267,7 +281,8 @@ void CloudBuilder::add(std::span<const double> row) {
     } else if (t.source == SourceType::uint8 && is_colour(t.name)) {
       value *= 257;
     }
-    std::visit([&](auto& v) { v.push_back(saturated<typename std::decay_t<decltype(v)>::value_type>(value)); }, t.column);
+    std::visit([&](auto& v) { v.push_back(saturated<typename std::decay_t<decltype(v)>::value_type>(value)); },
+               t.column);
   }
 }
 
@@ -282,7 +297,8 @@ CloudReading CloudBuilder::finish() {
     if (const auto* values = std::get_if<std::vector<float>>(&t.column); values != nullptr && is_colour(t.name))
       for (const float v : *values) brightest = std::max(brightest, v);
   for (auto& t : p.targets) {
-    if (auto* values = std::get_if<std::vector<float>>(&t.column); values != nullptr && is_colour(t.name)) t.column = full_depth(*values, brightest);
+    if (auto* values = std::get_if<std::vector<float>>(&t.column); values != nullptr && is_colour(t.name))
+      t.column = full_depth(*values, brightest);
     out.cloud.set_column(t.name, std::move(t.column));
   }
   out.report.counts["points"] = static_cast<std::int64_t>(out.cloud.size());

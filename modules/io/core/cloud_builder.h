@@ -21,8 +21,8 @@ struct SourceField {
   SourceType type = SourceType::text;
 };
 
-// What files call an array, in our words: "GpsTime", "scalar_Intensity", "diffuse_red" become time, intensity, red; x, y and
-// z stay. Names that are not known become lower case with underscores.
+// What files call an array, in our words: "GpsTime", "scalar_Intensity", "diffuse_red" become time, intensity, red; x,
+// y and z stay. Names that are not known become lower case with underscores.
 std::string array_name(std::string_view file_name);
 
 class CloudBuilder {

@@ -18,7 +18,8 @@ struct NamedUnit {
   const char* name;
   double metres;
 };
-constexpr std::array units{NamedUnit{"metre", 1}, NamedUnit{"centimetre", 0.01}, NamedUnit{"millimetre", 0.001}, NamedUnit{"foot", 0.3048}, NamedUnit{"us_survey_foot", 1200.0 / 3937.0}};
+constexpr std::array units{NamedUnit{"metre", 1}, NamedUnit{"centimetre", 0.01}, NamedUnit{"millimetre", 0.001},
+                           NamedUnit{"foot", 0.3048}, NamedUnit{"us_survey_foot", 1200.0 / 3937.0}};
 
 std::string lower(std::string text) {
   std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -26,15 +27,21 @@ std::string lower(std::string text) {
 }
 
 bool starts_with(Bytes file, std::string_view text) {
-  return file.size() >= text.size() && std::equal(text.begin(), text.end(), file.begin(), [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; });
+  return file.size() >= text.size() && std::equal(text.begin(), text.end(), file.begin(), [](char a, std::uint8_t b) {
+           return static_cast<std::uint8_t>(a) == b;
+         });
 }
 
 // Files that people drop in and that are something else.
 void refuse_others(Bytes file) {
   using namespace std::string_view_literals;
-  if (starts_with(file, "ASTM-E57")) throw bad_input("this is an E57 file", "PLY, PCD, LAS, LAZ or text", "Export it as LAS or PLY from the scanner's program or CloudCompare");
-  for (const auto magic : {"\xD4\xC3\xB2\xA1"sv, "\xA1\xB2\xC3\xD4"sv, "\x4D\x3C\xB2\xA1"sv, "\xA1\xB2\x3C\x4D"sv, "\x0A\x0D\x0D\x0A"sv})
-    if (starts_with(file, magic)) throw bad_input("this is a packet capture of a sensor", "a point cloud", "Read it as a scan: stage io.read_scan");
+  if (starts_with(file, "ASTM-E57"))
+    throw bad_input("this is an E57 file", "PLY, PCD, LAS, LAZ or text",
+                    "Export it as LAS or PLY from the scanner's program or CloudCompare");
+  for (const auto magic :
+       {"\xD4\xC3\xB2\xA1"sv, "\xA1\xB2\xC3\xD4"sv, "\x4D\x3C\xB2\xA1"sv, "\xA1\xB2\x3C\x4D"sv, "\x0A\x0D\x0D\x0A"sv})
+    if (starts_with(file, magic))
+      throw bad_input("this is a packet capture of a sensor", "a point cloud", "Read it as a scan: stage io.read_scan");
   for (const auto magic : {"PK\x03\x04"sv, "\x1F\x8B"sv, "7z\xBC\xAF"sv})
     if (starts_with(file, magic)) throw bad_input("this is a compressed archive", "a point cloud", "Unpack it first");
   if (starts_with(file, "\x89HDF")) throw bad_input("this is an HDF5 file", "PLY, PCD, LAS, LAZ or text");
@@ -47,7 +54,11 @@ bool looks_like_text(Bytes file) {
 
 // One KITTI frame: x, y, z, intensity as float32.
 CloudReading read_kitti_bin(Bytes file, const CloudReadOptions& options, const Run& run) {
-  CloudBuilder builder({{"x", SourceType::float32}, {"y", SourceType::float32}, {"z", SourceType::float32}, {"intensity", SourceType::float32}}, options);
+  CloudBuilder builder({{"x", SourceType::float32},
+                        {"y", SourceType::float32},
+                        {"z", SourceType::float32},
+                        {"intensity", SourceType::float32}},
+                       options);
   constexpr std::size_t record = 16;
   std::array<double, 4> row{};
   builder.reserve(file.size() / record);
@@ -95,7 +106,9 @@ CloudReading dispatch(Bytes file, const std::filesystem::path& name, const Cloud
   if (file.empty()) throw bad_input("the file is empty", "a point cloud");
   if (looks_like_text(file) && extension != ".bin") return read_text_cloud(file, extension, options, run);
   if (extension == ".bin" && file.size() >= 16) return read_kitti_bin(file, options, run);
-  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" + extension + "')", "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
+  throw bad_input("this is no point cloud file that is known (" + std::to_string(file.size()) + " bytes, extension '" +
+                      extension + "')",
+                  "PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or a KITTI .bin frame");
 }
 
 }  // namespace
@@ -103,26 +116,54 @@ CloudReading dispatch(Bytes file, const std::filesystem::path& name, const Cloud
 const OptionTable& option_table(const CloudReadOptions*) {
   using S = CloudReadOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"unit", &S::unit, TextKind::choice, {"metre", "centimetre", "millimetre", "foot", "us_survey_foot"}, Tier::basic, "Unit of the coordinates in the file."},
-      Option<S, std::string>{"up", &S::up, TextKind::choice, {"z", "y", "x"}, Tier::basic, "Axis of the file that points up: z as usual, y in most files of phones and cameras."},
+      Option<S, std::string>{"unit",
+                             &S::unit,
+                             TextKind::choice,
+                             {"metre", "centimetre", "millimetre", "foot", "us_survey_foot"},
+                             Tier::basic,
+                             "Unit of the coordinates in the file."},
+      Option<S, std::string>{"up",
+                             &S::up,
+                             TextKind::choice,
+                             {"z", "y", "x"},
+                             Tier::basic,
+                             "Axis of the file that points up: z as usual, y in most files of phones and cameras."},
       Option<S, std::string>{"axes",
                              &S::axes,
                              TextKind::choice,
                              {"unknown", "sensor", "map", "plot", "global"},
                              Tier::advanced,
-                             "What the coordinates are: global for projected coordinates, plot for x east and y north from the plot centre."},
-      Option<S, std::string>{
-          "columns", &S::columns, TextKind::plain, {}, Tier::advanced, "Columns of a text file in order, for instance \"x y z intensity\", with _ for one to skip; empty: from the header line, or as usual."},
-      Option<S, std::string>{"delimiter", &S::delimiter, TextKind::choice, {"auto", "blank", "comma", "semicolon", "tab"}, Tier::advanced, "What stands between the columns of a text file."},
-      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced, "Leave out LAS points that are flagged as withheld."},
-      Option<S, int>{"skip_lines", &S::skip_lines, Unit::none, {0, 1000000}, Tier::advanced, "Lines of a text file to pass over before anything else."},
+                             "What the coordinates are: global for projected coordinates, plot for x east and y north "
+                             "from the plot centre."},
+      Option<S, std::string>{"columns",
+                             &S::columns,
+                             TextKind::plain,
+                             {},
+                             Tier::advanced,
+                             "Columns of a text file in order, for instance \"x y z intensity\", with _ for one to "
+                             "skip; empty: from the header line, or as usual."},
+      Option<S, std::string>{"delimiter",
+                             &S::delimiter,
+                             TextKind::choice,
+                             {"auto", "blank", "comma", "semicolon", "tab"},
+                             Tier::advanced,
+                             "What stands between the columns of a text file."},
+      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced,
+                      "Leave out LAS points that are flagged as withheld."},
+      Option<S, int>{"skip_lines",
+                     &S::skip_lines,
+                     Unit::none,
+                     {0, 1000000},
+                     Tier::advanced,
+                     "Lines of a text file to pass over before anything else."},
   });
   return table;
 }
 
 double metres_per_unit(const std::string& unit) {
   const auto it = std::ranges::find(units, unit, [](const NamedUnit& u) { return std::string(u.name); });
-  if (it == units.end()) throw bad_input("unit '" + unit + "'", "metre, centimetre, millimetre, foot or us_survey_foot");
+  if (it == units.end())
+    throw bad_input("unit '" + unit + "'", "metre, centimetre, millimetre, foot or us_survey_foot");
   return it->metres;
 }
 
@@ -134,7 +175,8 @@ Eigen::Matrix3d rotation_to_z_up(const std::string& up) {
   return rotation;
 }
 
-CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options, const Run& run) {
+CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options,
+                        const Run& run) {
   try {
     return dispatch(file, name, options, run);
   } catch (const Error& e) {
@@ -145,10 +187,13 @@ CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const Clo
 CloudReading read_cloud(const std::filesystem::path& path, const CloudReadOptions& options, const Run& run) {
   if (path.empty()) throw bad_input("no cloud is named", "a PLY, PCD, LAS, LAZ or text file", "Set the option file");
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw bad_input("'" + path.string() + "' is a folder", "a point cloud file", "A folder of frames is read as a scan: stage io.read_scan");
+  if (std::filesystem::is_directory(path, ignored))
+    throw bad_input("'" + path.string() + "' is a folder", "a point cloud file",
+                    "A folder of frames is read as a scan: stage io.read_scan");
   const MappedFile file(path);
   CloudReading out = read_cloud(file.bytes(), path, options, run);
-  out.report.message = path.filename().string() + ": " + std::to_string(out.cloud.size()) + " points (" + out.report.facts["format"] + ")";
+  out.report.message = path.filename().string() + ": " + std::to_string(out.cloud.size()) + " points (" +
+                       out.report.facts["format"] + ")";
   return out;
 }
 

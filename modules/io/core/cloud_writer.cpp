@@ -42,7 +42,8 @@ void append(std::string& out, T value) {
 }
 
 std::vector<PlyColumn> ply_columns(const PointCloud& cloud) {
-  const bool bytes = std::ranges::all_of(cloud.columns(), [](const auto& c) { return !is_colour(c.first) || fits_byte(*c.second); });
+  const bool bytes =
+      std::ranges::all_of(cloud.columns(), [](const auto& c) { return !is_colour(c.first) || fits_byte(*c.second); });
   std::vector<PlyColumn> columns;
   for (const auto& [name, column] : cloud.columns()) columns.push_back({name, column.get(), is_colour(name) && bytes});
   return columns;
@@ -62,14 +63,16 @@ void write_points(std::ofstream& file, const PointCloud& cloud, const Run& run, 
   }
 }
 
-void write_text(const std::filesystem::path& path, const PointCloud& cloud, char delimiter, int decimals, const Run& run) {
+void write_text(const std::filesystem::path& path, const PointCloud& cloud, char delimiter, int decimals,
+                const Run& run) {
   AtomicFile file(path);
   std::string header = fmt::format("x{0}y{0}z", delimiter);
   for (const auto& [name, column] : cloud.columns()) header += delimiter + name;
   file.stream() << header << '\n';
   write_points(file.stream(), cloud, run, [&](std::string& out, std::size_t i) {
     const Eigen::Vector3d p = cloud.position(i);
-    fmt::format_to(std::back_inserter(out), "{1:.{4}f}{0}{2:.{4}f}{0}{3:.{4}f}", delimiter, p.x(), p.y(), p.z(), decimals);
+    fmt::format_to(std::back_inserter(out), "{1:.{4}f}{0}{2:.{4}f}{0}{3:.{4}f}", delimiter, p.x(), p.y(), p.z(),
+                   decimals);
     for (const auto& [name, column] : cloud.columns())
       std::visit(
           [&](const auto& values) {
@@ -116,8 +119,12 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
   file.commit();
 }
 
-void write_csv_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals, const Run& run) { write_text(path, cloud, ',', decimals, run); }
-void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals, const Run& run) { write_text(path, cloud, ' ', decimals, run); }
+void write_csv_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals, const Run& run) {
+  write_text(path, cloud, ',', decimals, run);
+}
+void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals, const Run& run) {
+  write_text(path, cloud, ' ', decimals, run);
+}
 
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) {
   const auto extension = path.extension();

@@ -19,7 +19,8 @@ enum TiffType : std::uint16_t { tiff_ascii = 2, tiff_short = 3, tiff_long = 4, t
 class OnePixelTiff {
  public:
   OnePixelTiff() {
-    for (const auto& [id, value] : {std::pair{256, 1}, {257, 1}, {258, 8}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 1}, {279, 1}}) {
+    for (const auto& [id, value] :
+         {std::pair{256, 1}, {257, 1}, {258, 8}, {259, 1}, {262, 1}, {273, 8}, {277, 1}, {278, 1}, {279, 1}}) {
       Tag tag{static_cast<std::uint16_t>(id), tiff_short, 1, std::vector<std::uint8_t>(4)};
       store(tag.data.data(), static_cast<std::uint16_t>(value));
       tags_.push_back(std::move(tag));
@@ -32,7 +33,11 @@ class OnePixelTiff {
 
   void add(std::uint16_t id, TiffType type, Bytes data, std::size_t element) {
     const std::size_t count = data.size() / element;
-    if (count > 0) tags_.push_back({id, type, static_cast<std::uint32_t>(count), {data.begin(), data.begin() + static_cast<std::ptrdiff_t>(count * element)}});
+    if (count > 0)
+      tags_.push_back({id,
+                       type,
+                       static_cast<std::uint32_t>(count),
+                       {data.begin(), data.begin() + static_cast<std::ptrdiff_t>(count * element)}});
   }
 
   std::vector<std::uint8_t> bytes() const {
@@ -72,7 +77,8 @@ void quiet(CPLErr, CPLErrorNum, const char*) {}
 
 std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii) {
   constexpr std::size_t most_bytes = 65535;
-  if (directory.size() < 8 || directory.size() > most_bytes || doubles.size() > most_bytes || ascii.size() > most_bytes) return {};
+  if (directory.size() < 8 || directory.size() > most_bytes || doubles.size() > most_bytes || ascii.size() > most_bytes)
+    return {};
   GDALRegister_GTiff();
   OnePixelTiff tiff;
   tiff.add(34735, tiff_short, directory, 2);
@@ -85,7 +91,8 @@ std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii) {
   std::string wkt;
   CPLPushErrorHandler(quiet);
   const char* const drivers[] = {"GTiff", nullptr};
-  if (auto* set = static_cast<GDALDataset*>(GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr))) {
+  if (auto* set = static_cast<GDALDataset*>(
+          GDALOpenEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr))) {
     if (const char* text = set->GetProjectionRef()) wkt = text;
     GDALClose(set);
   }
@@ -104,7 +111,8 @@ std::string unit_warning(const std::string& wkt) {
   CPLPopErrorHandler();
   if (degrees) return "the coordinates are longitude and latitude, not metres: project the cloud first";
   if (std::abs(metres - 1) < 1e-9) return {};
-  return fmt::format("the coordinates are in {} ({} m), not in metres", name == nullptr ? "a unit without a name" : name, metres);
+  return fmt::format("the coordinates are in {} ({} m), not in metres",
+                     name == nullptr ? "a unit without a name" : name, metres);
 }
 
 int epsg_of_wkt(const std::string& wkt) {

@@ -11,8 +11,8 @@ namespace bole::las {
 // count too; empty when they name none.
 std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii);
 
-// What a program that takes coordinates for metres must be told of a WKT: that they are feet or degrees. Empty when they are
-// metres or GDAL does not know the system.
+// What a program that takes coordinates for metres must be told of a WKT: that they are feet or degrees. Empty when
+// they are metres or GDAL does not know the system.
 std::string unit_warning(const std::string& wkt);
 
 // The EPSG code of a WKT, 0 when it has none.

@@ -28,7 +28,8 @@ std::vector<T> companion(fs::path path, const char* extension, std::size_t point
   if (!fs::exists(path, ignored)) return {};
   const MappedFile file(path);
   if (file.bytes().size() != points * sizeof(T))
-    throw bad_input("'" + path.filename().string() + "' has " + std::to_string(file.bytes().size()) + " bytes", std::to_string(points * sizeof(T)) + ", " + std::to_string(sizeof(T)) + " per point of the frame");
+    throw bad_input("'" + path.filename().string() + "' has " + std::to_string(file.bytes().size()) + " bytes",
+                    std::to_string(points * sizeof(T)) + ", " + std::to_string(sizeof(T)) + " per point of the frame");
   std::vector<T> values(points);
   std::memcpy(values.data(), file.bytes().data(), file.bytes().size());
   return values;
@@ -38,7 +39,9 @@ void load_bin(const fs::path& path, ScanFrame& frame) {
   const MappedFile file(path);
   const auto bytes = file.bytes();
   constexpr std::size_t point_bytes = 4 * sizeof(float);
-  if (bytes.size() % point_bytes != 0) throw bad_input(std::to_string(bytes.size()) + " bytes, which is no whole number of points", "16 bytes per point: x, y, z, intensity as float32");
+  if (bytes.size() % point_bytes != 0)
+    throw bad_input(std::to_string(bytes.size()) + " bytes, which is no whole number of points",
+                    "16 bytes per point: x, y, z, intensity as float32");
   const std::size_t points = bytes.size() / point_bytes;
   frame.positions.resize(points), frame.intensity.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
@@ -75,9 +78,11 @@ bool parse_time(const std::string& line, double& seconds) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0;
   double second = 0;
   if (std::sscanf(line.c_str(), "%d-%d-%d %d:%d:%lf", &year, &month, &day, &hour, &minute, &second) == 6) {
-    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)), std::chrono::day(static_cast<unsigned>(day))};
+    const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                           std::chrono::day(static_cast<unsigned>(day))};
     if (!date.ok()) return false;
-    seconds = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count()) * 86400.0 + hour * 3600.0 + minute * 60.0 + second;
+    seconds = static_cast<double>(std::chrono::sys_days(date).time_since_epoch().count()) * 86400.0 + hour * 3600.0 +
+              minute * 60.0 + second;
     return true;
   }
   const auto [end, code] = std::from_chars(line.data(), line.data() + line.size(), seconds);
@@ -92,7 +97,10 @@ std::vector<double> read_times(const fs::path& path) {
     line.erase(0, line.find_first_not_of(" \t+"));
     double seconds = 0;
     if (line.empty() || line[0] == '#') continue;
-    if (!parse_time(line, seconds)) throw bad_input("'" + path.string() + "' line " + std::to_string(times.size() + 1) + " is '" + line.substr(0, 40) + "'", "a time in seconds, or a date and time");
+    if (!parse_time(line, seconds))
+      throw bad_input(
+          "'" + path.string() + "' line " + std::to_string(times.size() + 1) + " is '" + line.substr(0, 40) + "'",
+          "a time in seconds, or a date and time");
     times.push_back(seconds);
   }
   return times;
@@ -107,7 +115,8 @@ bool FrameFolderSource::holds_frames(const fs::path& folder) {
   return false;
 }
 
-FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOptions& options, const Run& run) : folder_(folder), options_(options) {
+FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOptions& options, const Run& run)
+    : folder_(folder), options_(options) {
   find_files();
   run.check_cancel();
   find_times();
@@ -121,22 +130,28 @@ FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOp
 void FrameFolderSource::find_files() {
   for (const auto& entry : fs::directory_iterator(folder_))
     if (is_frame(entry.path())) files_.push_back(entry.path());
-  if (files_.empty()) throw bad_input("the folder '" + folder_.string() + "' holds no frames", "files .bin (KITTI) or .pcd, one per frame");
+  if (files_.empty())
+    throw bad_input("the folder '" + folder_.string() + "' holds no frames",
+                    "files .bin (KITTI) or .pcd, one per frame");
   std::ranges::sort(files_);
   const auto extension = files_.front().extension();
   const auto others = std::erase_if(files_, [&](const fs::path& p) { return p.extension() != extension; });
-  if (others > 0) report_.warn(std::to_string(others) + " files left out: frames are read from *" + extension.string() + " only");
+  if (others > 0)
+    report_.warn(std::to_string(others) + " files left out: frames are read from *" + extension.string() + " only");
 }
 
 void FrameFolderSource::find_times() {
   period_s_ = options_.frame_period;
   std::vector<double> times;
-  for (const auto& place : {folder_ / "times.txt", folder_ / "timestamps.txt", folder_.parent_path() / "times.txt", folder_.parent_path() / "timestamps.txt"}) {
+  for (const auto& place : {folder_ / "times.txt", folder_ / "timestamps.txt", folder_.parent_path() / "times.txt",
+                            folder_.parent_path() / "timestamps.txt"}) {
     std::error_code ignored;
     if (!fs::exists(place, ignored)) continue;
     times = read_times(place);
-    if (times.size() == files_.size() && std::ranges::adjacent_find(times, std::greater_equal<>()) == times.end()) break;
-    report_.warn("'" + place.filename().string() + "' is not used: it has " + std::to_string(times.size()) + " times for " + std::to_string(files_.size()) + " frames, or they do not increase");
+    if (times.size() == files_.size() && std::ranges::adjacent_find(times, std::greater_equal<>()) == times.end())
+      break;
+    report_.warn("'" + place.filename().string() + "' is not used: it has " + std::to_string(times.size()) +
+                 " times for " + std::to_string(files_.size()) + " frames, or they do not increase");
     times.clear();
   }
   std::error_code ignored;
@@ -160,7 +175,8 @@ void FrameFolderSource::find_sensor() {
   std::string name = options_.sensor;
   if (std::ifstream file(folder_ / "sensor.json"); name == "auto" && file) {
     const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string()) throw bad_input("'" + (folder_ / "sensor.json").string() + "' cannot be used", R"({"sensor": "os1_64"})");
+    if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
+      throw bad_input("'" + (folder_ / "sensor.json").string() + "' cannot be used", R"({"sensor": "os1_64"})");
     name = json["sensor"].get<std::string>();
   }
   if (name != "auto") model_ = load_sensor_model(name);
@@ -187,9 +203,12 @@ void FrameFolderSource::learn_rings() {
   }
   const auto rings = rings_from_order(frame.positions);
   ring_order_ = !rings.empty();
-  elevations_rad_ = ring_order_ ? mean_elevations_rad(frame.positions, rings) : even_elevations_rad(frame.positions, options_.rings);
+  elevations_rad_ =
+      ring_order_ ? mean_elevations_rad(frame.positions, rings) : even_elevations_rad(frame.positions, options_.rings);
   report_.facts["rings"] = ring_order_ ? "from the order of the points" : "from elevations";
-  if (!ring_order_) report_.warn("the frames have no rings: " + std::to_string(options_.rings) + " evenly spaced ones are assumed. Name the sensor with the option sensor");
+  if (!ring_order_)
+    report_.warn("the frames have no rings: " + std::to_string(options_.rings) +
+                 " evenly spaced ones are assumed. Name the sensor with the option sensor");
 }
 
 void FrameFolderSource::load(std::size_t index, ScanFrame& frame) const {
@@ -209,7 +228,9 @@ void FrameFolderSource::keep_valid(ScanFrame& frame) const {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < frame.positions.size(); ++i) {
     const float range = frame.positions[i].norm();
-    if (!(range >= static_cast<float>(options_.min_range) && range <= static_cast<float>(options_.max_range)) || range == 0) continue;
+    if (!(range >= static_cast<float>(options_.min_range) && range <= static_cast<float>(options_.max_range)) ||
+        range == 0)
+      continue;
     frame.positions[kept] = frame.positions[i];
     frame.intensity[kept] = intensity_factor_ * frame.intensity[i];
     if (!frame.time_offset_s.empty()) frame.time_offset_s[kept] = frame.time_offset_s[i];
@@ -222,7 +243,9 @@ void FrameFolderSource::keep_valid(ScanFrame& frame) const {
 }
 
 void FrameFolderSource::read(std::size_t index, ScanFrame& frame) const {
-  if (index >= files_.size()) throw bad_input("frame " + std::to_string(index) + " of '" + folder_.string() + "'", "0 to " + std::to_string(files_.size() - 1));
+  if (index >= files_.size())
+    throw bad_input("frame " + std::to_string(index) + " of '" + folder_.string() + "'",
+                    "0 to " + std::to_string(files_.size() - 1));
   try {
     load(index, frame);
   } catch (const Error& e) {
@@ -236,7 +259,8 @@ void FrameFolderSource::read(std::size_t index, ScanFrame& frame) const {
 }
 
 std::string FrameFolderSource::description() const {
-  return folder_.filename().string() + ": " + std::to_string(files_.size()) + (files_.size() == 1 ? " frame, " : " frames, ") + (model_ ? model_->name : std::to_string(rings()) + " rings");
+  return folder_.filename().string() + ": " + std::to_string(files_.size()) +
+         (files_.size() == 1 ? " frame, " : " frames, ") + (model_ ? model_->name : std::to_string(rings()) + " rings");
 }
 
 }  // namespace bole

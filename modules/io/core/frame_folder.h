@@ -9,17 +9,16 @@
 
 namespace bole {
 
-// 000000.bin: x, y, z, intensity as little-endian float32 per point, sensor axes. 000000.pcd: fields x y z, and when there
-// are any of them intensity, ring (channel), time (t, timestamp).
-// Intensities of .bin files that go from 0 to 1, as KITTI's do, become 0 to 255 as those of packets.
-// Beside the frames (in the folder or, as KITTI has it, one above):
+// 000000.bin: x, y, z, intensity as little-endian float32 per point, sensor axes. 000000.pcd: fields x y z, and when
+// there are any of them intensity, ring (channel), time (t, timestamp). Intensities of .bin files that go from 0 to 1,
+// as KITTI's do, become 0 to 255 as those of packets. Beside the frames (in the folder or, as KITTI has it, one above):
 //   times.txt       one line per frame, seconds; timestamps.txt: KITTI's dates. Neither: frames follow at frame_period.
-//   000000.time     float32 per point of 000000.bin: seconds after the frame's line in times.txt, which then is its start.
-//   000000.ring     uint16 per point: ring, 0 lowest.
-//   sensor.json     {"sensor": "os1_64"}: a name of resources/sensors.
+//   000000.time     float32 per point of 000000.bin: seconds after the frame's line in times.txt, which then is its
+//   start. 000000.ring     uint16 per point: ring, 0 lowest. sensor.json     {"sensor": "os1_64"}: a name of
+//   resources/sensors.
 // Without .time files the frame's time is when the sensor faced forward, in the middle of a clockwise turn that starts
-// behind, and every point's time follows from its azimuth. Without rings they follow from the order of the points (KITTI)
-// or from their elevations.
+// behind, and every point's time follows from its azimuth. Without rings they follow from the order of the points
+// (KITTI) or from their elevations.
 class FrameFolderSource : public FrameSource {
  public:
   // Throws Error{bad_input} when the folder holds no frames or the first one cannot be read.

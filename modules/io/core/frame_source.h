@@ -24,11 +24,13 @@ struct FrameSourceOptions {
 };
 const OptionTable& option_table(const FrameSourceOptions*);
 
-// A pcap file of Velodyne packets, a folder of KITTI .bin frames or a folder of .pcd frames; what it is, is seen from its
-// content. `report` gets counts (packets, frames, lost and damaged ones) and warnings. Throws Error{bad_input} when
+// A pcap file of Velodyne packets, a folder of KITTI .bin frames or a folder of .pcd frames; what it is, is seen from
+// its content. `report` gets counts (packets, frames, lost and damaged ones) and warnings. Throws Error{bad_input} when
 // nothing can be read from it.
-std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run, Report& report);
-std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path, const FrameSourceOptions& options = {}, const Run& run = {});
+std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
+                                                     const FrameSourceOptions& options, const Run& run, Report& report);
+std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
+                                                     const FrameSourceOptions& options = {}, const Run& run = {});
 
 // Opens again what FrameSource::locator() names. Throws Error{bad_input} when it is gone or the text is no locator.
 std::shared_ptr<const FrameSource> reopen_frame_source(const std::string& locator, const Run& run = {});

@@ -19,11 +19,13 @@ void require(bool ok, const gdal::Errors& errors, const std::filesystem::path& p
 }
 
 void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, const std::filesystem::path& path) {
-  double transform[6] = {raster.origin.x(), raster.cell_m, 0, raster.origin.y() + raster.ny * raster.cell_m, 0, -raster.cell_m};
+  double transform[6] = {raster.origin.x(), raster.cell_m, 0, raster.origin.y() + raster.ny * raster.cell_m, 0,
+                         -raster.cell_m};
   require(set.SetGeoTransform(transform) == CE_None, errors, path, "placing the raster");
   if (!raster.crs_wkt.empty()) {
     OGRSpatialReference crs;
-    if (crs.importFromWkt(raster.crs_wkt.c_str()) != OGRERR_NONE) throw bad_input("the raster's coordinate reference system is not WKT that PROJ knows", "WKT 1 or 2");
+    if (crs.importFromWkt(raster.crs_wkt.c_str()) != OGRERR_NONE)
+      throw bad_input("the raster's coordinate reference system is not WKT that PROJ knows", "WKT 1 or 2");
     require(set.SetSpatialRef(&crs) == CE_None, errors, path, "setting the coordinate reference system");
   }
   GDALRasterBand& band = *set.GetRasterBand(1);
@@ -32,21 +34,26 @@ void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, co
   // Rows run north in memory and south in the file.
   std::vector<float> row(static_cast<std::size_t>(raster.nx));
   for (int iy = 0; iy < raster.ny; ++iy) {
-    std::copy_n(raster.values.begin() + static_cast<std::ptrdiff_t>(raster.ny - 1 - iy) * raster.nx, raster.nx, row.begin());
-    require(band.RasterIO(GF_Write, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) == CE_None, errors, path, "writing a row");
+    std::copy_n(raster.values.begin() + static_cast<std::ptrdiff_t>(raster.ny - 1 - iy) * raster.nx, raster.nx,
+                row.begin());
+    require(band.RasterIO(GF_Write, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) == CE_None,
+            errors, path, "writing a row");
   }
 }
 
 }  // namespace
 
 void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
-  if (raster.nx <= 0 || raster.ny <= 0 || raster.values.size() != static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny))
-    throw bad_input(fmt::format("a raster of {} x {} cells with {} values", raster.nx, raster.ny, raster.values.size()), "one value per cell and at least one cell");
+  if (raster.nx <= 0 || raster.ny <= 0 ||
+      raster.values.size() != static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny))
+    throw bad_input(fmt::format("a raster of {} x {} cells with {} values", raster.nx, raster.ny, raster.values.size()),
+                    "one value per cell and at least one cell");
   GDALDriver& driver = gdal::driver("GTiff");
   const gdal::Errors errors;
   gdal::write_atomically(path, [&](const std::string& temporary) {
     const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", nullptr};
-    gdal::Dataset set(driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));
+    gdal::Dataset set(
+        driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));
     require(set != nullptr, errors, path, "creating the file");
     fill(*set, raster, errors, path);
     // Closing writes what is left; only then an error of a full disk shows.
@@ -60,12 +67,16 @@ Raster read_geotiff(const std::filesystem::path& path) {
   gdal::driver("GTiff");
   const gdal::Errors errors;
   const char* const drivers[] = {"GTiff", nullptr};
-  const gdal::Dataset set(static_cast<GDALDataset*>(GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr)));
-  if (set == nullptr || set->GetRasterCount() < 1) throw bad_input(fmt::format("'{}' cannot be read: {}", path.string(), errors.last()), "a GeoTIFF with a band");
+  const gdal::Dataset set(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr)));
+  if (set == nullptr || set->GetRasterCount() < 1)
+    throw bad_input(fmt::format("'{}' cannot be read: {}", path.string(), errors.last()), "a GeoTIFF with a band");
   double t[6];
-  if (set->GetGeoTransform(t) != CE_None) throw bad_input(fmt::format("'{}' has no place in space", path.string()), "a georeferenced GeoTIFF");
+  if (set->GetGeoTransform(t) != CE_None)
+    throw bad_input(fmt::format("'{}' has no place in space", path.string()), "a georeferenced GeoTIFF");
   if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
-    throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]), "square cells, north up");
+    throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]),
+                    "square cells, north up");
   Raster raster;
   raster.nx = set->GetRasterXSize(), raster.ny = set->GetRasterYSize();
   raster.cell_m = t[1];

@@ -33,9 +33,12 @@ std::string Errors::last() const {
   return text.empty() ? "no reason given" : text;
 }
 
-void write_atomically(const std::filesystem::path& path, const std::function<void(const std::string& temporary)>& write) {
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::string& temporary)>& write) {
   // The extension stays: some drivers look at it.
-  const std::string temporary = (path.parent_path() / (path.stem().string() + ".partial-" + std::to_string(::getpid()) + path.extension().string())).string();
+  const std::string temporary = (path.parent_path() / (path.stem().string() + ".partial-" + std::to_string(::getpid()) +
+                                                       path.extension().string()))
+                                    .string();
   std::error_code ignored;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
   std::filesystem::remove(temporary, ignored);

@@ -21,14 +21,19 @@ void require(bool ok, const gdal::Errors& errors, const VectorLayer& layer, cons
 void check(const VectorLayer& layer) {
   if (layer.geometry == GeometryKind::none) return;
   if (layer.shapes.size() != layer.attributes.rows() && !layer.attributes.columns().empty())
-    throw bad_input(fmt::format("layer '{}' has {} shapes and {} rows of attributes", layer.name, layer.shapes.size(), layer.attributes.rows()), "as many of both");
+    throw bad_input(fmt::format("layer '{}' has {} shapes and {} rows of attributes", layer.name, layer.shapes.size(),
+                                layer.attributes.rows()),
+                    "as many of both");
   const std::size_t least = layer.geometry == GeometryKind::point ? 1 : layer.geometry == GeometryKind::line ? 2 : 3;
   for (std::size_t i = 0; i < layer.shapes.size(); ++i) {
     const auto& shape = layer.shapes[i];
     if (shape.size() < least || (layer.geometry == GeometryKind::point && shape.size() != 1))
-      throw bad_input(fmt::format("shape {} of layer '{}' has {} vertices", i, layer.name, shape.size()), fmt::format("{}{}", layer.geometry == GeometryKind::point ? "" : "at least ", least));
+      throw bad_input(fmt::format("shape {} of layer '{}' has {} vertices", i, layer.name, shape.size()),
+                      fmt::format("{}{}", layer.geometry == GeometryKind::point ? "" : "at least ", least));
     for (const auto& v : shape)
-      if (!v.allFinite()) throw bad_input(fmt::format("shape {} of layer '{}' has a coordinate that is not finite", i, layer.name), "finite coordinates");
+      if (!v.allFinite())
+        throw bad_input(fmt::format("shape {} of layer '{}' has a coordinate that is not finite", i, layer.name),
+                        "finite coordinates");
   }
 }
 
@@ -73,7 +78,9 @@ std::unique_ptr<OGRGeometry> make_geometry(GeometryKind kind, const std::vector<
 }
 
 // GeoPackage has a primary key of its own name, and names there do not tell upper from lower case.
-std::string field_name(const std::string& column) { return EQUAL(column.c_str(), "fid") || EQUAL(column.c_str(), "geom") ? column + "_" : column; }
+std::string field_name(const std::string& column) {
+  return EQUAL(column.c_str(), "fid") || EQUAL(column.c_str(), "geom") ? column + "_" : column;
+}
 
 void define_fields(OGRLayer& out, const VectorLayer& layer, const gdal::Errors& errors) {
   constexpr OGRFieldType types[] = {OFTReal, OFTInteger64, OFTString};
@@ -105,16 +112,20 @@ void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& e
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const bool has_crs = !layer.crs_wkt.empty();
-  if (has_crs && crs.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE) throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name), "WKT 1 or 2");
+  if (has_crs && crs.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE)
+    throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
+                    "WKT 1 or 2");
   OGRLayer* out = set.CreateLayer(layer.name.c_str(), has_crs ? &crs : nullptr, geometry_type(layer.geometry), nullptr);
   require(out != nullptr, errors, layer, "creating it");
   define_fields(*out, layer, errors);
   const std::size_t features = layer.geometry == GeometryKind::none ? layer.attributes.rows() : layer.shapes.size();
   const bool transaction = set.StartTransaction() == OGRERR_NONE;  // where there is one, it makes many rows cheap
   for (std::size_t i = 0; i < features; ++i) {
-    const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(OGRFeature::CreateFeature(out->GetLayerDefn()), OGRFeature::DestroyFeature);
+    const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(OGRFeature::CreateFeature(out->GetLayerDefn()),
+                                                                     OGRFeature::DestroyFeature);
     set_fields(*feature, layer, i);
-    if (layer.geometry != GeometryKind::none) feature->SetGeometryDirectly(make_geometry(layer.geometry, layer.shapes[i]).release());
+    if (layer.geometry != GeometryKind::none)
+      feature->SetGeometryDirectly(make_geometry(layer.geometry, layer.shapes[i]).release());
     require(out->CreateFeature(feature.get()) == OGRERR_NONE, errors, layer, "writing a row");
   }
   if (transaction) require(set.CommitTransaction() == OGRERR_NONE, errors, layer, "committing its rows");
@@ -126,28 +137,35 @@ void write_vector(const std::filesystem::path& path, const char* driver_name, co
   const gdal::Errors errors;
   gdal::write_atomically(path, [&](const std::string& temporary) {
     gdal::Dataset set(driver.Create(temporary.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    if (set == nullptr) throw failure(fmt::format("'{}' cannot be written: {}", path.string(), errors.last()), "a folder that exists and may be written to");
+    if (set == nullptr)
+      throw failure(fmt::format("'{}' cannot be written: {}", path.string(), errors.last()),
+                    "a folder that exists and may be written to");
     for (const auto& layer : layers) add_layer(*set, layer, errors);
     CPLErrorReset();
     set.reset();
-    if (CPLGetLastErrorType() >= CE_Failure) throw failure(fmt::format("'{}' could not be written to its end: {}", path.string(), errors.last()));
+    if (CPLGetLastErrorType() >= CE_Failure)
+      throw failure(fmt::format("'{}' could not be written to its end: {}", path.string(), errors.last()));
   });
 }
 
 }  // namespace
 
-VectorLayer point_layer(std::string name, const Table& table, const std::string& crs_wkt, const Eigen::Vector3d& origin) {
+VectorLayer point_layer(std::string name, const Table& table, const std::string& crs_wkt,
+                        const Eigen::Vector3d& origin) {
   VectorLayer layer;
   layer.name = std::move(name);
   layer.attributes = table;
   layer.crs_wkt = crs_wkt;
   const std::vector<double> x = table.numbers("x_m"), y = table.numbers("y_m");
   const std::vector<double> z = table.has("z_m") ? table.numbers("z_m") : std::vector<double>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) layer.shapes.push_back({origin + Eigen::Vector3d(x[i], y[i], std::isnan(z[i]) ? 0 : z[i])});
+  for (std::size_t i = 0; i < x.size(); ++i)
+    layer.shapes.push_back({origin + Eigen::Vector3d(x[i], y[i], std::isnan(z[i]) ? 0 : z[i])});
   return layer;
 }
 
-void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers) { write_vector(path, "GPKG", layers); }
+void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers) {
+  write_vector(path, "GPKG", layers);
+}
 
 void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) {
   check(layer);
@@ -157,11 +175,16 @@ void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) 
     from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER), to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     const gdal::Errors errors;
     if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE)
-      throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name), "WKT 1 or 2");
-    const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
+      throw bad_input(
+          fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
+          "WKT 1 or 2");
+    const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(
+        OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
     require(transformation != nullptr, errors, layer, "finding a way to longitude and latitude");
     for (auto& shape : out.shapes)
-      for (auto& v : shape) require(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer, "transforming a coordinate to longitude and latitude");
+      for (auto& v : shape)
+        require(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,
+                "transforming a coordinate to longitude and latitude");
     out.crs_wkt.clear();
   }
   write_vector(path, "GeoJSON", {out});

@@ -42,13 +42,17 @@ void IntegerBox::add(const IntegerBox& other) {
 }
 
 ColumnBuilder::ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions)
-    : layout_(point_layout(point_format)), stride_(static_cast<std::size_t>(record_length)), dimensions_(std::move(dimensions)) {
-  for (const auto& dimension : dimensions_) extra_.push_back(make_column(sensor_axis(dimension) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
+    : layout_(point_layout(point_format)),
+      stride_(static_cast<std::size_t>(record_length)),
+      dimensions_(std::move(dimensions)) {
+  for (const auto& dimension : dimensions_)
+    extra_.push_back(make_column(sensor_axis(dimension) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
 }
 
 void ColumnBuilder::resize(std::size_t count) {
   const auto all = [count](auto&... columns) { (columns.resize(count), ...); };
-  all(positions_, intensity_, scan_angle_, return_number_, number_of_returns_, classification_, user_data_, flags_, point_source_id_);
+  all(positions_, intensity_, scan_angle_, return_number_, number_of_returns_, classification_, user_data_, flags_,
+      point_source_id_);
   if (layout_.time >= 0) time_.resize(count);
   if (layout_.colour >= 0) all(red_, green_, blue_);
   if (layout_.near_infrared >= 0) near_infrared_.resize(count);
@@ -61,7 +65,8 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
   const auto each = [&](auto& column, auto&& value) {
     auto* out = column.data() + first;
     const std::uint8_t* at = records;
-    for (std::size_t i = 0; i < count; ++i, at += stride_) out[i] = static_cast<std::decay_t<decltype(*out)>>(value(at));
+    for (std::size_t i = 0; i < count; ++i, at += stride_)
+      out[i] = static_cast<std::decay_t<decltype(*out)>>(value(at));
   };
   IntegerBox box;
   const std::uint8_t* at = records;
@@ -69,7 +74,8 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     std::int32_t v[3];
     std::memcpy(v, at, sizeof v);
     std::memcpy(positions_[first + i].data(), v, sizeof v);
-    for (std::size_t k = 0; k < 3; ++k) box.min[k] = std::min(box.min[k], v[k]), box.max[k] = std::max(box.max[k], v[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      box.min[k] = std::min(box.min[k], v[k]), box.max[k] = std::max(box.max[k], v[k]);
   }
   each(intensity_, [](const std::uint8_t* p) { return load<std::uint16_t>(p + field::intensity); });
   if (layout_.extended) {
@@ -78,7 +84,8 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     each(flags_, [](const std::uint8_t* p) { return p[fe::flags]; });
     each(classification_, [](const std::uint8_t* p) { return p[fe::classification]; });
     each(user_data_, [](const std::uint8_t* p) { return p[fe::user_data]; });
-    each(scan_angle_, [](const std::uint8_t* p) { return scan_angle_step_deg * load<std::int16_t>(p + fe::scan_angle); });
+    each(scan_angle_,
+         [](const std::uint8_t* p) { return scan_angle_step_deg * load<std::int16_t>(p + fe::scan_angle); });
     each(point_source_id_, [](const std::uint8_t* p) { return load<std::uint16_t>(p + fe::point_source_id); });
   } else {
     each(return_number_, [](const std::uint8_t* p) { return p[field::returns] & 7; });
@@ -90,17 +97,24 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     each(scan_angle_, [](const std::uint8_t* p) { return load<std::int8_t>(p + fl::scan_angle); });
     each(point_source_id_, [](const std::uint8_t* p) { return load<std::uint16_t>(p + fl::point_source_id); });
   }
-  if (layout_.time >= 0) each(time_, [at_time = layout_.time](const std::uint8_t* p) { return load<double>(p + at_time); });
+  if (layout_.time >= 0)
+    each(time_, [at_time = layout_.time](const std::uint8_t* p) { return load<double>(p + at_time); });
   if (layout_.colour >= 0) {
-    const auto colour = [&](int channel) { return [place = layout_.colour + 2 * channel](const std::uint8_t* p) { return load<std::uint16_t>(p + place); }; };
+    const auto colour = [&](int channel) {
+      return [place = layout_.colour + 2 * channel](const std::uint8_t* p) { return load<std::uint16_t>(p + place); };
+    };
     each(red_, colour(0)), each(green_, colour(1)), each(blue_, colour(2));
   }
-  if (layout_.near_infrared >= 0) each(near_infrared_, [place = layout_.near_infrared](const std::uint8_t* p) { return load<std::uint16_t>(p + place); });
-  for (std::size_t d = 0; d < dimensions_.size(); ++d) decode_extra(dimensions_[d], records, stride_, count, extra_[d], first);
+  if (layout_.near_infrared >= 0)
+    each(near_infrared_,
+         [place = layout_.near_infrared](const std::uint8_t* p) { return load<std::uint16_t>(p + place); });
+  for (std::size_t d = 0; d < dimensions_.size(); ++d)
+    decode_extra(dimensions_[d], records, stride_, count, extra_[d], first);
   return box;
 }
 
-PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact) {
+PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset,
+                                 bool* exact) {
   PointCloud cloud;
   cloud.scale = scale.cwiseAbs();
   cloud.origin = offset;
@@ -113,15 +127,20 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
       cloud.origin[axis] = offset[axis] + middle[k] * scale[axis];
       // A float32 has 24 bits: up to 2^23 steps from the origin the nearest step is the right one.
       constexpr std::int64_t most_steps = std::int64_t{1} << 23;
-      if (std::int64_t{box.max[k]} - middle[k] > most_steps || std::int64_t{middle[k]} - box.min[k] > most_steps) *exact = false;
+      if (std::int64_t{box.max[k]} - middle[k] > most_steps || std::int64_t{middle[k]} - box.min[k] > most_steps)
+        *exact = false;
     }
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions_.size(), 1 << 16), [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        std::int32_t v[3];
-        std::memcpy(v, positions_[i].data(), sizeof v);
-        for (std::size_t k = 0; k < 3; ++k) positions_[i][static_cast<Eigen::Index>(k)] = static_cast<float>(static_cast<double>(std::int64_t{v[k]} - middle[k]) * scale[static_cast<Eigen::Index>(k)]);
-      }
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions_.size(), 1 << 16),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                          std::int32_t v[3];
+                          std::memcpy(v, positions_[i].data(), sizeof v);
+                          for (std::size_t k = 0; k < 3; ++k)
+                            positions_[i][static_cast<Eigen::Index>(k)] =
+                                static_cast<float>(static_cast<double>(std::int64_t{v[k]} - middle[k]) *
+                                                   scale[static_cast<Eigen::Index>(k)]);
+                        }
+                      });
   }
   cloud.set_positions(std::move(positions_));
   set_unless_zero(cloud, arrays::intensity, intensity_);
@@ -132,8 +151,11 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
   set_unless_zero(cloud, arrays::scan_angle, scan_angle_);
   set_unless_zero(cloud, arrays::user_data, user_data_);
   set_unless_zero(cloud, arrays::point_source_id, point_source_id_);
-  if (std::ranges::any_of(red_, [](auto v) { return v != 0; }) || std::ranges::any_of(green_, [](auto v) { return v != 0; }) || std::ranges::any_of(blue_, [](auto v) { return v != 0; })) {
-    cloud.set_column(arrays::red, std::move(red_)), cloud.set_column(arrays::green, std::move(green_)), cloud.set_column(arrays::blue, std::move(blue_));
+  if (std::ranges::any_of(red_, [](auto v) { return v != 0; }) ||
+      std::ranges::any_of(green_, [](auto v) { return v != 0; }) ||
+      std::ranges::any_of(blue_, [](auto v) { return v != 0; })) {
+    cloud.set_column(arrays::red, std::move(red_)), cloud.set_column(arrays::green, std::move(green_)),
+        cloud.set_column(arrays::blue, std::move(blue_));
   }
   set_unless_zero(cloud, arrays::near_infrared, near_infrared_);
   finish_flags(cloud);
@@ -147,7 +169,8 @@ void ColumnBuilder::finish_flags(PointCloud& cloud) {
   for (const auto& flag : flag_columns) {
     if ((set >> flag.shift & flag.mask) == 0) continue;
     std::vector<std::uint8_t> values(flags_.size());
-    std::ranges::transform(flags_, values.begin(), [&](unsigned flags) { return static_cast<std::uint8_t>(flags >> flag.shift & flag.mask); });
+    std::ranges::transform(flags_, values.begin(),
+                           [&](unsigned flags) { return static_cast<std::uint8_t>(flags >> flag.shift & flag.mask); });
     cloud.set_column(flag.name, std::move(values));
   }
   flags_ = {};
@@ -163,7 +186,8 @@ void ColumnBuilder::finish_extra(PointCloud& cloud) {
     }
     const auto& global = std::get<std::vector<double>>(extra_[d]);
     std::vector<float> local(global.size());
-    std::ranges::transform(global, local.begin(), [from = cloud.origin[axis]](double v) { return static_cast<float>(v - from); });
+    std::ranges::transform(global, local.begin(),
+                           [from = cloud.origin[axis]](double v) { return static_cast<float>(v - from); });
     cloud.set_column(dimensions_[d].name, std::move(local));
     extra_[d] = Column{};
   }

@@ -13,8 +13,10 @@ namespace bole::las {
 
 // Integer bounding box of coordinates; empty until something was added.
 struct IntegerBox {
-  std::array<std::int32_t, 3> min{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
-  std::array<std::int32_t, 3> max{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
+  std::array<std::int32_t, 3> min{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(),
+                                  std::numeric_limits<std::int32_t>::max()};
+  std::array<std::int32_t, 3> max{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min(),
+                                  std::numeric_limits<std::int32_t>::min()};
   bool empty() const { return min[0] > max[0]; }
   void add(const IntegerBox& other);
 };
@@ -31,8 +33,8 @@ class ColumnBuilder {
   // filled from different threads.
   IntegerBox decode(const std::uint8_t* records, std::size_t count, std::size_t first);
 
-  // The cloud, its origin near the middle of `box` on the grid of the coordinates. Columns that hold nothing but zeros are left
-  // out. `*exact` says whether float32 offsets give every coordinate back.
+  // The cloud, its origin near the middle of `box` on the grid of the coordinates. Columns that hold nothing but zeros
+  // are left out. `*exact` says whether float32 offsets give every coordinate back.
   PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact);
 
  private:

@@ -95,10 +95,14 @@ std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, st
     const bool scalar = type >= 1 && type <= 10;
     // Types 11 to 30 are pairs and triples of the scalar types, 0 is a run of `options` bytes.
     const std::size_t elements = type == 0 ? options : type <= 30 ? (type - 1) / 10 + 1 : 0;
-    const std::size_t size = type == 0 ? elements : elements * (type <= 30 ? extra_type_size(static_cast<ExtraType>((type - 1) % 10 + 1)) : 0);
+    const std::size_t size =
+        type == 0 ? elements
+                  : elements * (type <= 30 ? extra_type_size(static_cast<ExtraType>((type - 1) % 10 + 1)) : 0);
     at += size;
     if (type > 30 || at > static_cast<std::size_t>(info.record_length)) {
-      warnings.push_back(fmt::format("extra bytes '{}' (type {}) do not lie within the point record; they and those behind them are left out", dimension.name, type));
+      warnings.push_back(fmt::format(
+          "extra bytes '{}' (type {}) do not lie within the point record; they and those behind them are left out",
+          dimension.name, type));
       break;
     }
     if (!scalar) {
@@ -117,7 +121,8 @@ std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, st
   return out;
 }
 
-void decode_extra(const ExtraDimension& dimension, const std::uint8_t* records, std::size_t stride, std::size_t count, Column& column, std::size_t first) {
+void decode_extra(const ExtraDimension& dimension, const std::uint8_t* records, std::size_t stride, std::size_t count,
+                  Column& column, std::size_t first) {
   std::visit(
       [&](auto& values) {
         using To = typename std::decay_t<decltype(values)>::value_type;

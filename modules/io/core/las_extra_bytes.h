@@ -28,12 +28,13 @@ inline constexpr std::size_t extra_descriptor_size = 192;
 
 std::size_t extra_type_size(ExtraType type);
 
-// The scalar dimensions that the file describes, with a warning for each that cannot become a column (arrays, raw bytes,
-// fields beyond the record, names that occur twice).
+// The scalar dimensions that the file describes, with a warning for each that cannot become a column (arrays, raw
+// bytes, fields beyond the record, names that occur twice).
 std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, std::vector<std::string>& warnings);
 
 // Values of `count` records of `stride` bytes into column[first, first + count).
-void decode_extra(const ExtraDimension& dimension, const std::uint8_t* records, std::size_t stride, std::size_t count, Column& column, std::size_t first);
+void decode_extra(const ExtraDimension& dimension, const std::uint8_t* records, std::size_t stride, std::size_t count,
+                  Column& column, std::size_t first);
 
 // The 192 bytes of the descriptor.
 void store_descriptor(const ExtraDimension& dimension, std::uint8_t* at);

@@ -8,8 +8,8 @@
 
 namespace bole::las {
 
-// Byte offsets within a point record; -1 where the format has no such field. Formats 6 and up ("extended") hold four-bit
-// return numbers, eight-bit classes and scan angles of 0.006 degrees.
+// Byte offsets within a point record; -1 where the format has no such field. Formats 6 and up ("extended") hold
+// four-bit return numbers, eight-bit classes and scan angles of 0.006 degrees.
 struct PointLayout {
   int size = 0;
   bool extended = false;
@@ -44,8 +44,13 @@ struct FlagColumn {
   unsigned shift, mask;
 };
 // Places in the flag byte of formats 6 to 10.
-inline constexpr std::array<FlagColumn, 7> flag_columns{
-    {{"synthetic", 0, 1}, {"key_point", 1, 1}, {"withheld", 2, 1}, {"overlap", 3, 1}, {"scanner_channel", 4, 3}, {"scan_direction", 6, 1}, {"edge_of_flight_line", 7, 1}}};
+inline constexpr std::array<FlagColumn, 7> flag_columns{{{"synthetic", 0, 1},
+                                                         {"key_point", 1, 1},
+                                                         {"withheld", 2, 1},
+                                                         {"overlap", 3, 1},
+                                                         {"scanner_channel", 4, 3},
+                                                         {"scan_direction", 6, 1},
+                                                         {"edge_of_flight_line", 7, 1}}};
 
 inline bool is_flag_column(std::string_view name) {
   return std::ranges::any_of(flag_columns, [&](const FlagColumn& flag) { return flag.name == name; });

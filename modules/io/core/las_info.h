@@ -50,8 +50,8 @@ LasInfo las_info(const std::filesystem::path& path);
 
 namespace las {
 
-// The same of a file in memory. `with_crs`: GeoTIFF keys are turned into WKT and the unit is looked at, which needs PROJ's
-// database.
+// The same of a file in memory. `with_crs`: GeoTIFF keys are turned into WKT and the unit is looked at, which needs
+// PROJ's database.
 LasInfo parse_info(Bytes file, bool with_crs = true);
 
 // The first record of that kind, or nullptr.

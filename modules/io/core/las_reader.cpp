@@ -15,8 +15,10 @@ namespace bole {
 const OptionTable& option_table(const LasReadOptions*) {
   using S = LasReadOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced, "Leave out points that the file marks as withheld."},
-      Option<S, bool>{"extra_bytes", &S::extra_bytes, Tier::advanced, "Read the extra bytes of LAS points into columns of their names."},
+      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced,
+                      "Leave out points that the file marks as withheld."},
+      Option<S, bool>{"extra_bytes", &S::extra_bytes, Tier::advanced,
+                      "Read the extra bytes of LAS points into columns of their names."},
   });
   return table;
 }
@@ -42,9 +44,11 @@ Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, 
   for (std::uint64_t begin = 0; begin < points; begin += batch) {
     const std::uint64_t end = std::min(points, begin + batch);
     tbb::enumerable_thread_specific<IntegerBox> boxes;
-    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, block), [&](const tbb::blocked_range<std::uint64_t>& range) {
-      for (std::uint64_t i = range.begin(); i < range.end() && !run.cancelled(); i += block) boxes.local().add(builder.decode(records + i * stride, std::min(block, range.end() - i), i));
-    });
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, block),
+                      [&](const tbb::blocked_range<std::uint64_t>& range) {
+                        for (std::uint64_t i = range.begin(); i < range.end() && !run.cancelled(); i += block)
+                          boxes.local().add(builder.decode(records + i * stride, std::min(block, range.end() - i), i));
+                      });
     run.check_cancel();
     for (const auto& box : boxes) read.box.add(box);
     run.report(static_cast<double>(end) / static_cast<double>(points), "reading points");
@@ -53,7 +57,8 @@ Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, 
   return read;
 }
 
-Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, std::vector<std::string>& warnings) {
+Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run,
+                     std::vector<std::string>& warnings) {
   Read read;
   read.points = laz::read_points(file, info, builder, read.box, run, warnings);
   return read;
@@ -67,23 +72,35 @@ std::vector<std::uint32_t> not_withheld(const PointCloud& cloud) {
   return kept;
 }
 
-PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, bool with_crs, std::vector<std::string>& warnings) {
+PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, bool with_crs,
+                    std::vector<std::string>& warnings) {
   const LasInfo info = las::parse_info(file, with_crs);
   warnings = info.warnings;
   std::vector<std::string> repeated;
-  ColumnBuilder builder(info.point_format, info.record_length, options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
-  const Read read = info.compressed ? read_compressed(file, info, builder, run, warnings) : read_uncompressed(file, info, builder, run);
-  if (read.points == 0 && info.points > 0) throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points), "a whole file", "Copy or download the file again");
-  if (read.points < info.points) warnings.push_back(fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
+  ColumnBuilder builder(
+      info.point_format, info.record_length,
+      options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
+  const Read read = info.compressed ? read_compressed(file, info, builder, run, warnings)
+                                    : read_uncompressed(file, info, builder, run);
+  if (read.points == 0 && info.points > 0)
+    throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points),
+                    "a whole file", "Copy or download the file again");
+  if (read.points < info.points)
+    warnings.push_back(
+        fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
   bool exact = true;
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact);
-  if (!exact) warnings.push_back(fmt::format("the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there", info.scale.minCoeff()));
+  if (!exact)
+    warnings.push_back(fmt::format(
+        "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",
+        info.scale.minCoeff()));
   cloud.crs_wkt = info.crs_wkt;
   cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
   if (cloud.has("withheld")) {
     const std::vector<std::uint32_t> kept = not_withheld(cloud);
     const std::size_t withheld = cloud.size() - kept.size();
-    warnings.push_back(fmt::format("{} of {} points are marked as withheld; they are {}", withheld, cloud.size(), options.drop_withheld ? "left out" : "read like the others"));
+    warnings.push_back(fmt::format("{} of {} points are marked as withheld; they are {}", withheld, cloud.size(),
+                                   options.drop_withheld ? "left out" : "read like the others"));
     if (options.drop_withheld) {
       cloud = cloud.subset(kept);
       cloud.remove_column("withheld");

@@ -11,8 +11,18 @@ namespace bole::las {
 
 namespace {
 
-constexpr std::array<const ArrayInfo*, 12> field_arrays{&arrays::intensity,       &arrays::time, &arrays::classification, &arrays::return_number, &arrays::number_of_returns, &arrays::scan_angle, &arrays::user_data,
-                                                        &arrays::point_source_id, &arrays::red,  &arrays::green,          &arrays::blue,          &arrays::near_infrared};
+constexpr std::array<const ArrayInfo*, 12> field_arrays{&arrays::intensity,
+                                                        &arrays::time,
+                                                        &arrays::classification,
+                                                        &arrays::return_number,
+                                                        &arrays::number_of_returns,
+                                                        &arrays::scan_angle,
+                                                        &arrays::user_data,
+                                                        &arrays::point_source_id,
+                                                        &arrays::red,
+                                                        &arrays::green,
+                                                        &arrays::blue,
+                                                        &arrays::near_infrared};
 
 // Whether a point record of the layout has a field for the column.
 bool has_field(std::string_view name, const PointLayout& layout) {
@@ -23,11 +33,14 @@ bool has_field(std::string_view name, const PointLayout& layout) {
 }
 
 ExtraType extra_type(const Column& column) {
-  constexpr std::array<ExtraType, 5> types{ExtraType::u8, ExtraType::u16, ExtraType::i32, ExtraType::f32, ExtraType::f64};
+  constexpr std::array<ExtraType, 5> types{ExtraType::u8, ExtraType::u16, ExtraType::i32, ExtraType::f32,
+                                           ExtraType::f64};
   return types[column.index()];
 }
 
-int sensor_axis(std::string_view name) { return name == arrays::sensor_x.name ? 0 : name == arrays::sensor_y.name ? 1 : name == arrays::sensor_z.name ? 2 : -1; }
+int sensor_axis(std::string_view name) {
+  return name == arrays::sensor_x.name ? 0 : name == arrays::sensor_y.name ? 1 : name == arrays::sensor_z.name ? 2 : -1;
+}
 
 double whole_offset(double origin, double scale) {
   // Whole kilometres print and compare best; whole metres are nearly as good.
@@ -51,7 +64,8 @@ Grid choose_grid(const PointCloud& cloud, double scale_m) {
   return grid;
 }
 
-RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes) : cloud_(cloud), grid_(grid), legacy_(legacy) {
+RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes)
+    : cloud_(cloud), grid_(grid), legacy_(legacy) {
   const bool colour = cloud.has(arrays::red) || cloud.has(arrays::green) || cloud.has(arrays::blue);
   const bool infrared = cloud.has(arrays::near_infrared);
   format_ = legacy ? (colour ? 3 : 1) : infrared ? 8 : colour ? 7 : 6;
@@ -66,7 +80,8 @@ RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool leg
     const auto* known = find_array(name);
     if (known != nullptr) dimension.description = std::string(unit_symbol(known->unit));
     dimension.offset = record_length_;
-    if (name.size() > 32 || record_length_ + extra_type_size(dimension.type) > 65535 || (dimensions_.size() + 1) * extra_descriptor_size > 65535) {
+    if (name.size() > 32 || record_length_ + extra_type_size(dimension.type) > 65535 ||
+        (dimensions_.size() + 1) * extra_descriptor_size > 65535) {
       ++held_["array " + name];
       continue;
     }
@@ -85,7 +100,8 @@ double RecordEncoder::held(std::string_view name, double value, double low, doub
 }
 
 template <class T>
-void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count, std::uint8_t* records, double per_unit, double low, double high) {
+void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count,
+                                 std::uint8_t* records, double per_unit, double low, double high) {
   const auto it = cloud_.columns().find(name);
   if (it == cloud_.columns().end()) return;
   if (low >= high) low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
@@ -98,7 +114,8 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
           if constexpr (std::is_same_v<From, T>)
             store(at, values[first + i]);
           else {
-            const double value = held(name, static_cast<double>(values[first + i]) * per_unit, low, high), whole = std::round(value);
+            const double value = held(name, static_cast<double>(values[first + i]) * per_unit, low, high),
+                         whole = std::round(value);
             if (whole != value) ++fractions;
             store(at, static_cast<T>(whole));
           }
@@ -121,14 +138,16 @@ void RecordEncoder::encode(std::size_t first, std::size_t count, std::uint8_t* r
     encode_field<std::uint16_t>("point_source_id", fl::point_source_id, first, count, records);
   } else {
     encode_field<std::uint8_t>("classification", fe::classification, first, count, records);
-    encode_field<std::int16_t>("scan_angle", fe::scan_angle, first, count, records, 1 / scan_angle_step_deg, -32768, 32767);
+    encode_field<std::int16_t>("scan_angle", fe::scan_angle, first, count, records, 1 / scan_angle_step_deg, -32768,
+                               32767);
     encode_field<std::uint8_t>("user_data", fe::user_data, first, count, records);
     encode_field<std::uint16_t>("point_source_id", fe::point_source_id, first, count, records);
   }
   encode_flags(first, count, records);
   if (const auto* info = &arrays::time; cloud_.has(*info)) {
     const Column& column = cloud_.column(info->name);
-    for (std::size_t i = 0; i < count; ++i) store(records + i * record_length_ + static_cast<std::size_t>(layout_.time), column_value(column, first + i));
+    for (std::size_t i = 0; i < count; ++i)
+      store(records + i * record_length_ + static_cast<std::size_t>(layout_.time), column_value(column, first + i));
   }
   if (layout_.colour >= 0) {
     const auto place = static_cast<std::size_t>(layout_.colour);
@@ -136,13 +155,15 @@ void RecordEncoder::encode(std::size_t first, std::size_t count, std::uint8_t* r
     encode_field<std::uint16_t>("green", place + 2, first, count, records);
     encode_field<std::uint16_t>("blue", place + 4, first, count, records);
   }
-  if (layout_.near_infrared >= 0) encode_field<std::uint16_t>("near_infrared", static_cast<std::size_t>(layout_.near_infrared), first, count, records);
+  if (layout_.near_infrared >= 0)
+    encode_field<std::uint16_t>("near_infrared", static_cast<std::size_t>(layout_.near_infrared), first, count,
+                                records);
   encode_extra(first, count, records);
 }
 
 void RecordEncoder::encode_positions(std::size_t first, std::size_t count, std::uint8_t* records) const {
-  // The origin's own place on the grid is a whole number of steps for a cloud that came from a file; each offset is rounded by itself
-  // then, so that the large origin cannot push it to a neighbouring step.
+  // The origin's own place on the grid is a whole number of steps for a cloud that came from a file; each offset is
+  // rounded by itself then, so that the large origin cannot push it to a neighbouring step.
   std::array<double, 3> origin_steps{};
   std::array<bool, 3> on_grid{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -157,8 +178,11 @@ void RecordEncoder::encode_positions(std::size_t first, std::size_t count, std::
       const double steps = static_cast<double>(cloud_.positions()[first + i][axis]) / grid_.scale[axis];
       const double whole = on_grid[k] ? std::round(steps) + origin_steps[k] : std::round(steps + origin_steps[k]);
       if (!(std::abs(whole) <= 2147483647.0))
-        throw bad_input(fmt::format("point {} has the coordinate {} on axis {}", first + i, cloud_.position(first + i)[axis], "xyz"[k]),
-                        fmt::format("finite coordinates within {:.0f} m of {}", 2147483647.0 * grid_.scale[axis], grid_.offset[axis]), "Remove the point, or write with a coarser scale");
+        throw bad_input(fmt::format("point {} has the coordinate {} on axis {}", first + i,
+                                    cloud_.position(first + i)[axis], "xyz"[k]),
+                        fmt::format("finite coordinates within {:.0f} m of {}", 2147483647.0 * grid_.scale[axis],
+                                    grid_.offset[axis]),
+                        "Remove the point, or write with a coarser scale");
       store(records + i * record_length_ + 4 * k, static_cast<std::int32_t>(whole));
     }
   }
@@ -170,8 +194,10 @@ void RecordEncoder::encode_returns(std::size_t first, std::size_t count, std::ui
   const Column* number = column(arrays::return_number);
   const Column* of = column(arrays::number_of_returns);
   for (std::size_t i = 0; i < count; ++i) {
-    const double r = number != nullptr ? column_value(*number, first + i) : 1, n = of != nullptr ? column_value(*of, first + i) : 1;
-    const auto r_bits = static_cast<unsigned>(held("return_number", r, 0, most)), n_bits = static_cast<unsigned>(held("number_of_returns", n, 0, most));
+    const double r = number != nullptr ? column_value(*number, first + i) : 1,
+                 n = of != nullptr ? column_value(*of, first + i) : 1;
+    const auto r_bits = static_cast<unsigned>(held("return_number", r, 0, most)),
+               n_bits = static_cast<unsigned>(held("number_of_returns", n, 0, most));
     records[i * record_length_ + field::returns] = static_cast<std::uint8_t>(r_bits | n_bits << shift);
   }
 }
@@ -228,7 +254,9 @@ std::vector<std::string> RecordEncoder::warnings() const {
     else
       out.push_back(fmt::format("{} values of {} do not fit the LAS field and are held at its ends", count, name));
   }
-  for (const auto& [name, count] : rounded_) out.push_back(fmt::format("{} values of {} are rounded to whole numbers, as the LAS field holds them", count, name));
+  for (const auto& [name, count] : rounded_)
+    out.push_back(
+        fmt::format("{} values of {} are rounded to whole numbers, as the LAS field holds them", count, name));
   return out;
 }
 

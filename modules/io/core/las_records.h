@@ -30,11 +30,13 @@ class RecordEncoder {
   const Grid& grid() const { return grid_; }
   const std::vector<ExtraDimension>& dimensions() const { return dimensions_; }
 
-  // Records of the points [first, first + count) into zeroed memory. Throws Error{bad_input} for coordinates that are not finite or
-  // off the grid's reach.
+  // Records of the points [first, first + count) into zeroed memory. Throws Error{bad_input} for coordinates that are
+  // not finite or off the grid's reach.
   void encode(std::size_t first, std::size_t count, std::uint8_t* records);
 
-  unsigned return_number(const std::uint8_t* record) const { return record[field::returns] & (layout_.extended ? 15U : 7U); }
+  unsigned return_number(const std::uint8_t* record) const {
+    return record[field::returns] & (layout_.extended ? 15U : 7U);
+  }
 
   // What did not fit its field, one line per column.
   std::vector<std::string> warnings() const;
@@ -46,7 +48,8 @@ class RecordEncoder {
   void encode_extra(std::size_t first, std::size_t count, std::uint8_t* records) const;
   double held(std::string_view name, double value, double low, double high);
   template <class T>
-  void encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count, std::uint8_t* records, double per_unit = 1, double low = 0, double high = 0);
+  void encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count, std::uint8_t* records,
+                    double per_unit = 1, double low = 0, double high = 0);
 
   const PointCloud& cloud_;
   Grid grid_;

@@ -15,9 +15,21 @@ namespace bole {
 const OptionTable& option_table(const LasWriteOptions*) {
   using S = LasWriteOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"version", &S::version, TextKind::choice, {"1.2", "1.4"}, Tier::advanced, "LAS version: 1.4 holds everything, 1.2 is for older programs."},
-      Option<S, double>{"scale_m", &S::scale_m, Unit::metre, {1e-6, 1.0}, Tier::expert, "Step that coordinates are rounded to when the cloud does not come from a file with a grid of its own."},
-      Option<S, bool>{"extra_bytes", &S::extra_bytes, Tier::advanced, "Write columns without a LAS field (tree_id, height_above_ground, ...) as extra bytes."},
+      Option<S, std::string>{"version",
+                             &S::version,
+                             TextKind::choice,
+                             {"1.2", "1.4"},
+                             Tier::advanced,
+                             "LAS version: 1.4 holds everything, 1.2 is for older programs."},
+      Option<S, double>{
+          "scale_m",
+          &S::scale_m,
+          Unit::metre,
+          {1e-6, 1.0},
+          Tier::expert,
+          "Step that coordinates are rounded to when the cloud does not come from a file with a grid of its own."},
+      Option<S, bool>{"extra_bytes", &S::extra_bytes, Tier::advanced,
+                      "Write columns without a LAS field (tree_id, height_above_ground, ...) as extra bytes."},
   });
   return table;
 }
@@ -28,8 +40,10 @@ using las::store;
 using las::store_text;
 
 struct Statistics {
-  std::array<std::int32_t, 3> min{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
-  std::array<std::int32_t, 3> max{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
+  std::array<std::int32_t, 3> min{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(),
+                                  std::numeric_limits<std::int32_t>::max()};
+  std::array<std::int32_t, 3> max{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min(),
+                                  std::numeric_limits<std::int32_t>::min()};
   std::array<std::uint64_t, 15> by_return{};
 
   void add(const las::RecordEncoder& encoder, const std::uint8_t* record) {
@@ -42,7 +56,8 @@ struct Statistics {
   }
 };
 
-void append_vlr(std::vector<std::uint8_t>& out, std::string_view user, int id, Bytes data, std::string_view description) {
+void append_vlr(std::vector<std::uint8_t>& out, std::string_view user, int id, Bytes data,
+                std::string_view description) {
   std::vector<std::uint8_t> head(54);
   store_text(&head[2], 16, user);
   store(&head[18], static_cast<std::uint16_t>(id));
@@ -56,7 +71,22 @@ std::vector<std::uint8_t> geokey_directory(int epsg) {
   const std::uint16_t geographic = 2, projected = 1;
   // Codes 4000 to 4999 are geographic systems, all others that occur in LAS files are projected ones.
   const bool degrees = epsg >= 4000 && epsg < 5000;
-  const std::uint16_t keys[] = {1, 1, 0, 3, 1024, 0, 1, degrees ? geographic : projected, 1025, 0, 1, 1, static_cast<std::uint16_t>(degrees ? 2048 : 3072), 0, 1, static_cast<std::uint16_t>(epsg)};
+  const std::uint16_t keys[] = {1,
+                                1,
+                                0,
+                                3,
+                                1024,
+                                0,
+                                1,
+                                degrees ? geographic : projected,
+                                1025,
+                                0,
+                                1,
+                                1,
+                                static_cast<std::uint16_t>(degrees ? 2048 : 3072),
+                                0,
+                                1,
+                                static_cast<std::uint16_t>(epsg)};
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(keys);
   return {bytes, bytes + sizeof keys};
 }
@@ -70,28 +100,34 @@ struct Vlrs {
   }
 };
 
-Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool legacy, std::vector<std::string>& warnings) {
+Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool legacy,
+               std::vector<std::string>& warnings) {
   Vlrs vlrs;
   if (!cloud.crs_wkt.empty()) {
     const int epsg = legacy ? las::epsg_of_wkt(cloud.crs_wkt) : 0;
     if (!legacy && cloud.crs_wkt.size() < 65535) {
       // The text ends with a zero byte.
-      vlrs.add("LASF_Projection", 2112, {reinterpret_cast<const std::uint8_t*>(cloud.crs_wkt.c_str()), cloud.crs_wkt.size() + 1}, "OGC WKT coordinate system");
+      vlrs.add("LASF_Projection", 2112,
+               {reinterpret_cast<const std::uint8_t*>(cloud.crs_wkt.c_str()), cloud.crs_wkt.size() + 1},
+               "OGC WKT coordinate system");
     } else if (epsg > 0 && epsg < 32767) {
       vlrs.add("LASF_Projection", 34735, geokey_directory(epsg), "GeoTIFF keys");
     } else {
-      warnings.emplace_back("the coordinate reference system has no EPSG code that LAS 1.2 could carry; it is left out");
+      warnings.emplace_back(
+          "the coordinate reference system has no EPSG code that LAS 1.2 could carry; it is left out");
     }
   }
   if (!encoder.dimensions().empty()) {
     std::vector<std::uint8_t> descriptors(encoder.dimensions().size() * las::extra_descriptor_size);
-    for (std::size_t i = 0; i < encoder.dimensions().size(); ++i) las::store_descriptor(encoder.dimensions()[i], &descriptors[i * las::extra_descriptor_size]);
+    for (std::size_t i = 0; i < encoder.dimensions().size(); ++i)
+      las::store_descriptor(encoder.dimensions()[i], &descriptors[i * las::extra_descriptor_size]);
     vlrs.add("LASF_Spec", 4, descriptors, "extra bytes");
   }
   return vlrs;
 }
 
-std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const Vlrs& vlrs, const Statistics& statistics, std::uint64_t points, bool wkt) {
+std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const Vlrs& vlrs, const Statistics& statistics,
+                                      std::uint64_t points, bool wkt) {
   const bool legacy = !las::point_layout(encoder.point_format()).extended;
   std::vector<std::uint8_t> h(legacy ? 227 : 375);
   std::memcpy(h.data(), "LASF", 4);
@@ -119,19 +155,24 @@ std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const V
     const double scale = encoder.grid().scale[axis], offset = encoder.grid().offset[axis];
     store(&h[131 + 8 * k], scale), store(&h[155 + 8 * k], offset);
     if (points == 0) continue;
-    store(&h[179 + 16 * k], statistics.max[k] * scale + offset), store(&h[187 + 16 * k], statistics.min[k] * scale + offset);
+    store(&h[179 + 16 * k], statistics.max[k] * scale + offset),
+        store(&h[187 + 16 * k], statistics.min[k] * scale + offset);
   }
   return h;
 }
 
-void write_bytes(AtomicFile& file, Bytes bytes) { file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size())); }
+void write_bytes(AtomicFile& file, Bytes bytes) {
+  file.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
 
 }  // namespace
 
-void write_las(const std::filesystem::path& path, const PointCloud& cloud, const LasWriteOptions& options, const Run& run, Report* report) {
+void write_las(const std::filesystem::path& path, const PointCloud& cloud, const LasWriteOptions& options,
+               const Run& run, Report* report) {
   const bool legacy = options.version == "1.2";
   if (!legacy && options.version != "1.4") throw bad_input("LAS version '" + options.version + "'", "1.2 or 1.4");
-  if (legacy && cloud.size() > std::numeric_limits<std::uint32_t>::max()) throw bad_input(fmt::format("{} points", cloud.size()), "at most 4294967295 for LAS 1.2", "Write LAS 1.4");
+  if (legacy && cloud.size() > std::numeric_limits<std::uint32_t>::max())
+    throw bad_input(fmt::format("{} points", cloud.size()), "at most 4294967295 for LAS 1.2", "Write LAS 1.4");
   std::vector<std::string> warnings;
   las::RecordEncoder encoder(cloud, las::choose_grid(cloud, options.scale_m), legacy, options.extra_bytes);
   const Vlrs vlrs = make_vlrs(cloud, encoder, legacy, warnings);

@@ -11,8 +11,8 @@
 
 namespace bole::laz {
 
-// Frequencies of the symbols 0 .. symbols - 1, refreshed ever more rarely as they settle. Unprepared until first used, so
-// that the many models of a chunk that never occur cost nothing.
+// Frequencies of the symbols 0 .. symbols - 1, refreshed ever more rarely as they settle. Unprepared until first used,
+// so that the many models of a chunk that never occur cost nothing.
 class SymbolModel {
  public:
   explicit SymbolModel(unsigned symbols = 2) : symbols_(symbols) {}
@@ -38,7 +38,8 @@ class BitModel {
   friend class ArithmeticDecoder;
   static constexpr unsigned length_shift = 13, most_count = 1U << length_shift;
   void update();
-  unsigned zero_count_ = 1, total_count_ = 2, zero_probability_ = 1U << (length_shift - 1), update_cycle_ = 4, until_update_ = 4;
+  unsigned zero_count_ = 1, total_count_ = 2, zero_probability_ = 1U << (length_shift - 1), update_cycle_ = 4,
+           until_update_ = 4;
 };
 
 class ArithmeticDecoder {

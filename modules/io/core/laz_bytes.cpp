@@ -17,7 +17,8 @@ class BytesV2 final : public PointwiseItem {
   explicit BytesV2(std::size_t size) : last_(size), differences_(size, SymbolModel(256)) {}
   void first(const std::uint8_t* item) override { last_.assign(item, item + last_.size()); }
   void next(ArithmeticDecoder& in, std::uint8_t* item) override {
-    for (std::size_t i = 0; i < last_.size(); ++i) item[i] = last_[i] = static_cast<std::uint8_t>(last_[i] + in.symbol(differences_[i]));
+    for (std::size_t i = 0; i < last_.size(); ++i)
+      item[i] = last_[i] = static_cast<std::uint8_t>(last_[i] + in.symbol(differences_[i]));
   }
 
  private:
@@ -30,7 +31,8 @@ class BytesV1 final : public PointwiseItem {
   explicit BytesV1(std::size_t size) : last_(size), values_(8, static_cast<unsigned>(size)) {}
   void first(const std::uint8_t* item) override { last_.assign(item, item + last_.size()); }
   void next(ArithmeticDecoder& in, std::uint8_t* item) override {
-    for (std::size_t i = 0; i < last_.size(); ++i) item[i] = last_[i] = static_cast<std::uint8_t>(values_.decode(in, last_[i], static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < last_.size(); ++i)
+      item[i] = last_[i] = static_cast<std::uint8_t>(values_.decode(in, last_[i], static_cast<unsigned>(i)));
   }
 
  private:
@@ -39,11 +41,14 @@ class BytesV1 final : public PointwiseItem {
 };
 
 Error unknown(const Item& item) {
-  return bad_input(fmt::format("the LAZ record lists an item of type {}, {} bytes, version {}", static_cast<int>(item.type), item.size, item.version), "items as LASzip 1 to 3 writes them");
+  return bad_input(fmt::format("the LAZ record lists an item of type {}, {} bytes, version {}",
+                               static_cast<int>(item.type), item.size, item.version),
+                   "items as LASzip 1 to 3 writes them");
 }
 
 void require(const Item& item, int size, int least_version, int most_version) {
-  if ((size >= 0 && item.size != size) || item.size <= 0 || item.version < least_version || item.version > most_version) throw unknown(item);
+  if ((size >= 0 && item.size != size) || item.size <= 0 || item.version < least_version || item.version > most_version)
+    throw unknown(item);
 }
 
 }  // namespace

@@ -18,31 +18,40 @@ Packing parse_packing(Bytes record, int record_length) {
   if (record.size() < head) throw bad_input(fmt::format("a LAZ record of {} bytes", record.size()), need);
   Packing packing;
   const unsigned compressor = load<std::uint16_t>(record.data()), coder = load<std::uint16_t>(record.data() + 2);
-  if (compressor < 1 || compressor > 3 || coder != 0) throw bad_input(fmt::format("LAZ compressor {} with coder {}", compressor, coder), "compressor 1, 2 or 3 with coder 0");
+  if (compressor < 1 || compressor > 3 || coder != 0)
+    throw bad_input(fmt::format("LAZ compressor {} with coder {}", compressor, coder),
+                    "compressor 1, 2 or 3 with coder 0");
   packing.compressor = static_cast<Compressor>(compressor);
   packing.chunk_size = load<std::uint32_t>(record.data() + 12);
   if (packing.chunk_size == 0) packing.chunk_size = variable_chunks;
   const std::size_t count = load<std::uint16_t>(record.data() + 32);
-  if (record.size() < head + count * item_size) throw bad_input(fmt::format("a LAZ record of {} bytes that lists {} items", record.size(), count), need);
+  if (record.size() < head + count * item_size)
+    throw bad_input(fmt::format("a LAZ record of {} bytes that lists {} items", record.size(), count), need);
   int sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint8_t* at = record.data() + head + i * item_size;
-    packing.items.push_back({static_cast<ItemType>(load<std::uint16_t>(at)), load<std::uint16_t>(at + 2), load<std::uint16_t>(at + 4)});
+    packing.items.push_back(
+        {static_cast<ItemType>(load<std::uint16_t>(at)), load<std::uint16_t>(at + 2), load<std::uint16_t>(at + 4)});
     sum += packing.items.back().size;
   }
-  if (sum != record_length) throw bad_input(fmt::format("the LAZ record lists items of {} bytes, point records have {}", sum, record_length), "the same number");
+  if (sum != record_length)
+    throw bad_input(fmt::format("the LAZ record lists items of {} bytes, point records have {}", sum, record_length),
+                    "the same number");
   return packing;
 }
 
-std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t data_offset, std::uint64_t points, const Packing& packing, int record_length) {
+std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t data_offset, std::uint64_t points,
+                                                   const Packing& packing, int record_length) {
   if (packing.compressor == Compressor::pointwise || file.size() < data_offset + 8) return std::nullopt;
   const std::uint64_t first = data_offset + 8;
   auto at = load<std::uint64_t>(file.data() + data_offset);
   // A writer that could not seek back leaves -1 here and puts the place at the end of the file.
   if (at == ~std::uint64_t{0}) at = load<std::uint64_t>(file.data() + file.size() - 8);
-  if (at < first || at > file.size() || file.size() - at < 8 || load<std::uint32_t>(file.data() + at) != 0) return std::nullopt;
+  if (at < first || at > file.size() || file.size() - at < 8 || load<std::uint32_t>(file.data() + at) != 0)
+    return std::nullopt;
   const std::uint64_t count = load<std::uint32_t>(file.data() + at + 4);
-  if (count > (at - first) / static_cast<std::uint64_t>(record_length)) return std::nullopt;  // every chunk begins with a whole record
+  if (count > (at - first) / static_cast<std::uint64_t>(record_length))
+    return std::nullopt;  // every chunk begins with a whole record
 
   ArithmeticDecoder in;
   in.start(file.subspan(at + 8));
@@ -69,10 +78,15 @@ std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t dat
   return chunks;
 }
 
-ChunkDecoder::ChunkDecoder(const Packing& packing, int record_length) : layered_(packing.compressor == Compressor::layered_chunked), record_length_(static_cast<std::size_t>(record_length)), items_(packing.items) {
+ChunkDecoder::ChunkDecoder(const Packing& packing, int record_length)
+    : layered_(packing.compressor == Compressor::layered_chunked),
+      record_length_(static_cast<std::size_t>(record_length)),
+      items_(packing.items) {
   // Fail before any chunk is started when an item is not known.
-  for (const Item& item : items_) layered_ ? static_cast<void>(make_layered_item(item)) : static_cast<void>(make_pointwise_item(item));
-  if (layered_ && (items_.empty() || items_.front().type != ItemType::point14)) throw bad_input("a layered LAZ file whose records do not begin with a point", "item POINT14 first");
+  for (const Item& item : items_)
+    layered_ ? static_cast<void>(make_layered_item(item)) : static_cast<void>(make_pointwise_item(item));
+  if (layered_ && (items_.empty() || items_.front().type != ItemType::point14))
+    throw bad_input("a layered LAZ file whose records do not begin with a point", "item POINT14 first");
 }
 
 std::uint64_t ChunkDecoder::start(Bytes bytes, std::uint64_t points) {
@@ -81,7 +95,8 @@ std::uint64_t ChunkDecoder::start(Bytes bytes, std::uint64_t points) {
   if (bytes.size() < record_length_ || points == 0) return 0;
   // Fresh decoders: no chunk knows anything of another.
   pointwise_.clear(), layers_.clear();
-  for (const Item& item : items_) layered_ ? layers_.push_back(make_layered_item(item)) : pointwise_.push_back(make_pointwise_item(item));
+  for (const Item& item : items_)
+    layered_ ? layers_.push_back(make_layered_item(item)) : pointwise_.push_back(make_pointwise_item(item));
   if (layered_) return start_layers(record_length_, points);
   const std::uint8_t* at = bytes.data();
   for (std::size_t i = 0; i < items_.size(); ++i) {

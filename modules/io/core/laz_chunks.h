@@ -30,7 +30,8 @@ struct Chunk {
 
 // The chunk table: nothing when the file has none or it cannot be right (then chunks must be read one after another).
 // `data_offset`: where the points begin; `points`: how many there are.
-std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t data_offset, std::uint64_t points, const Packing& packing, int record_length);
+std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t data_offset, std::uint64_t points,
+                                                   const Packing& packing, int record_length);
 
 // Decodes the points of a chunk in order, as the records that an uncompressed file would have.
 class ChunkDecoder {
@@ -41,7 +42,8 @@ class ChunkDecoder {
   // `points`, or what a layered chunk says of itself when that is less. 0: not even the first point is there.
   std::uint64_t start(Bytes bytes, std::uint64_t points);
 
-  // Writes up to `count` further records and returns how many are sound; fewer than asked for when the data ended early.
+  // Writes up to `count` further records and returns how many are sound; fewer than asked for when the data ended
+  // early.
   std::size_t decode(std::uint8_t* records, std::size_t count);
 
   // Bytes of the chunk, once all its points have been decoded.

@@ -18,7 +18,8 @@ int high(std::uint16_t v) { return v >> 8; }
 // Bits of `changed`: low and high byte of red, green, blue; bit 6: not grey.
 Rgb ColourDecoder::next(ArithmeticDecoder& in, const Rgb& last) {
   const unsigned changed = in.symbol(changed_);
-  // The byte of index `which`: its former value, or the prediction (former value plus `drift`, held to a byte) corrected.
+  // The byte of index `which`: its former value, or the prediction (former value plus `drift`, held to a byte)
+  // corrected.
   const auto byte = [&](unsigned which, int former, int drift) {
     if ((changed >> which & 1U) == 0) return former;
     const int prediction = std::clamp(former + drift, 0, 255);

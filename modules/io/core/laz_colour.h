@@ -16,7 +16,8 @@ class ColourDecoder {
 
  private:
   SymbolModel changed_{128};
-  std::array<SymbolModel, 6> corrections_{SymbolModel(256), SymbolModel(256), SymbolModel(256), SymbolModel(256), SymbolModel(256), SymbolModel(256)};
+  std::array<SymbolModel, 6> corrections_{SymbolModel(256), SymbolModel(256), SymbolModel(256),
+                                          SymbolModel(256), SymbolModel(256), SymbolModel(256)};
 };
 
 }  // namespace bole::laz

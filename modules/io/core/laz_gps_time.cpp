@@ -14,8 +14,8 @@ constexpr unsigned multiples_end = most_multiple - least_multiple + 1;  // symbo
 }  // namespace
 
 std::int64_t GpsTimeDecoder::next(ArithmeticDecoder& in) {
-  // A switch to another sequence is followed by that sequence's own code. Behind the end of the data symbols are 0, which
-  // is no switch, so this ends for any input.
+  // A switch to another sequence is followed by that sequence's own code. Behind the end of the data symbols are 0,
+  // which is no switch, so this ends for any input.
   while ((differences_[last_] == 0 ? after_no_difference(in) : after_difference(in)) == Step::again) {
   }
   return times_[last_];
@@ -24,7 +24,8 @@ std::int64_t GpsTimeDecoder::next(ArithmeticDecoder& in) {
 void GpsTimeDecoder::new_sequence(ArithmeticDecoder& in) {
   const auto high = difference_.decode(in, static_cast<std::int32_t>(times_[last_] >> 32), 8);
   newest_ = (newest_ + 1) & 3;
-  times_[newest_] = static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | in.bits(32));
+  times_[newest_] =
+      static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | in.bits(32));
   last_ = newest_;
   differences_[last_] = 0;
   extremes_[last_] = 0;
@@ -74,7 +75,12 @@ GpsTimeDecoder::Step GpsTimeDecoder::after_difference(ArithmeticDecoder& in) {
     return Step::done;
   }
   const int multiple = code <= most_multiple ? static_cast<int>(code) : most_multiple - static_cast<int>(code);
-  const unsigned context = code == 0 ? 7 : multiple == most_multiple ? 4 : multiple == least_multiple ? 6 : multiple < 0 ? 5 : multiple < 10 ? 2 : 3;
+  const unsigned context = code == 0                    ? 7
+                           : multiple == most_multiple  ? 4
+                           : multiple == least_multiple ? 6
+                           : multiple < 0               ? 5
+                           : multiple < 10              ? 2
+                                                        : 3;
   const std::int32_t difference = difference_.decode(in, wrapping_multiply(multiple, unit), context);
   if (context == 7 || context == 4 || context == 6) note_extreme(difference);
   add(difference);
@@ -117,7 +123,8 @@ class GpsTime11V1 final : public PointwiseItem {
   void add(std::int32_t difference) { time_ += static_cast<std::uint64_t>(std::int64_t{difference}); }
   void add_multiple(ArithmeticDecoder& in, int code) {
     const unsigned context = code == 0 ? 2 : code == 1 ? 1 : code < 10 ? 3 : code < 50 ? 4 : 5;
-    const std::int32_t difference = difference_.decode(in, code == 0 ? unit_ / 4 : wrapping_multiply(code, unit_), context);
+    const std::int32_t difference =
+        difference_.decode(in, code == 0 ? unit_ / 4 : wrapping_multiply(code, unit_), context);
     if (code == 1) unit_ = difference, extremes_ = 0;
     if ((code == 0 || code == static_cast<int>(multiples) - 3) && ++extremes_ > 3) unit_ = difference, extremes_ = 0;
     add(difference);

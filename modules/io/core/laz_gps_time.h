@@ -12,7 +12,10 @@ namespace bole::laz {
 class GpsTimeDecoder {
  public:
   // Pointwise times may be coded as unchanged; in layered ones a flag of the point says so beforehand.
-  explicit GpsTimeDecoder(bool may_be_unchanged, std::int64_t first = 0) : extra_(may_be_unchanged ? 1 : 0), no_difference_(5 + extra_), multiple_(515 + extra_) { times_[0] = first; }
+  explicit GpsTimeDecoder(bool may_be_unchanged, std::int64_t first = 0)
+      : extra_(may_be_unchanged ? 1 : 0), no_difference_(5 + extra_), multiple_(515 + extra_) {
+    times_[0] = first;
+  }
 
   // The bit pattern of the next time.
   std::int64_t next(ArithmeticDecoder& in);
@@ -22,7 +25,10 @@ class GpsTimeDecoder {
   Step after_no_difference(ArithmeticDecoder& in);
   Step after_difference(ArithmeticDecoder& in);
   void new_sequence(ArithmeticDecoder& in);
-  void add(std::int32_t difference) { times_[last_] = static_cast<std::int64_t>(static_cast<std::uint64_t>(times_[last_]) + static_cast<std::uint64_t>(std::int64_t{difference})); }
+  void add(std::int32_t difference) {
+    times_[last_] = static_cast<std::int64_t>(static_cast<std::uint64_t>(times_[last_]) +
+                                              static_cast<std::uint64_t>(std::int64_t{difference}));
+  }
   void note_extreme(std::int32_t difference);
 
   unsigned extra_;

@@ -1,4 +1,5 @@
-// Integers as LAZ codes them: the difference from a prediction, its magnitude as a symbol, the rest as symbol and raw bits.
+// Integers as LAZ codes them: the difference from a prediction, its magnitude as a symbol, the rest as symbol and raw
+// bits.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace bole::laz {
 class IntegerDecoder {
  public:
   // Values of `bits` bits (8, 16 or 32), magnitudes modelled apart for each of `contexts`.
-  explicit IntegerDecoder(unsigned bits, unsigned contexts = 1) : bits_(bits), magnitudes_(contexts, SymbolModel(bits + 1)) {
+  explicit IntegerDecoder(unsigned bits, unsigned contexts = 1)
+      : bits_(bits), magnitudes_(contexts, SymbolModel(bits + 1)) {
     for (unsigned k = 1; k < correctors_.size(); ++k) correctors_[k] = SymbolModel(1U << std::min(k, modelled_bits));
   }
 
@@ -49,8 +51,8 @@ inline std::int32_t IntegerDecoder::decode(ArithmeticDecoder& in, std::int32_t p
   return static_cast<std::int32_t>(bits_ == 32 ? value : value & ((1U << bits_) - 1));
 }
 
-// The running median of the last few values: of five sorted values, in turn the largest or the smallest gives way to the
-// new one.
+// The running median of the last few values: of five sorted values, in turn the largest or the smallest gives way to
+// the new one.
 class RunningMedian {
  public:
   std::int32_t get() const { return sorted_[2]; }
@@ -58,7 +60,8 @@ class RunningMedian {
     if (drop_largest_) {
       drop_largest_ = v < sorted_[2];
       int i = 4;
-      for (; i > 0 && v < sorted_[static_cast<std::size_t>(i - 1)]; --i) sorted_[static_cast<std::size_t>(i)] = sorted_[static_cast<std::size_t>(i - 1)];
+      for (; i > 0 && v < sorted_[static_cast<std::size_t>(i - 1)]; --i)
+        sorted_[static_cast<std::size_t>(i)] = sorted_[static_cast<std::size_t>(i - 1)];
       sorted_[static_cast<std::size_t>(i)] = v;
     } else {
       drop_largest_ = v <= sorted_[2];
@@ -74,7 +77,11 @@ class RunningMedian {
 };
 
 // Modulo 2^32 where int would overflow on hostile data.
-inline std::int32_t wrapping_add(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b)); }
-inline std::int32_t wrapping_multiply(std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b)); }
+inline std::int32_t wrapping_add(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+inline std::int32_t wrapping_multiply(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));
+}
 
 }  // namespace bole::laz

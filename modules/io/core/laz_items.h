@@ -1,5 +1,5 @@
-// The parts of a point record, each with a decoder of its own. Pointwise items share one arithmetic decoder; layered items
-// (LAS 1.4 formats) have one per field, and up to four sets of models, one per scanner channel.
+// The parts of a point record, each with a decoder of its own. Pointwise items share one arithmetic decoder; layered
+// items (LAS 1.4 formats) have one per field, and up to four sets of models, one per scanner channel.
 #pragma once
 
 #include <array>
@@ -12,7 +12,18 @@
 namespace bole::laz {
 
 // Numbers as in the LAZ record of the file.
-enum class ItemType { bytes = 0, point10 = 6, gps_time11 = 7, rgb12 = 8, wave_packet13 = 9, point14 = 10, rgb14 = 11, rgb_nir14 = 12, wave_packet14 = 13, bytes14 = 14 };
+enum class ItemType {
+  bytes = 0,
+  point10 = 6,
+  gps_time11 = 7,
+  rgb12 = 8,
+  wave_packet13 = 9,
+  point14 = 10,
+  rgb14 = 11,
+  rgb_nir14 = 12,
+  wave_packet14 = 13,
+  bytes14 = 14
+};
 
 struct Item {
   ItemType type = ItemType::point10;

@@ -13,8 +13,8 @@ namespace bole::laz {
 namespace {
 
 // The last value and the models of each scanner channel. Version 3 of the algorithm has a quirk that its writers share:
-// the first value after a change to a channel seen before is predicted from, and stored as, the last value of the channel
-// that was left, while the models are those of the channel entered. Version 4 has it not.
+// the first value after a change to a channel seen before is predicted from, and stored as, the last value of the
+// channel that was left, while the models are those of the channel entered. Version 4 has it not.
 template <class Value, class Models>
 class PerChannel {
  public:
@@ -70,7 +70,8 @@ struct NearInfraredModels {
 
 class Rgb14 final : public LayeredItem {
  public:
-  Rgb14(int version, bool with_near_infrared) : with_near_infrared_(with_near_infrared), colours_(version, {}), infrared_(version, {}) {}
+  Rgb14(int version, bool with_near_infrared)
+      : with_near_infrared_(with_near_infrared), colours_(version, {}), infrared_(version, {}) {}
 
   std::size_t layers() const override { return with_near_infrared_ ? 2 : 1; }
 
@@ -129,7 +130,8 @@ class WavePacket14 final : public LayeredItem {
 
 class Bytes14 final : public LayeredItem {
  public:
-  Bytes14(int version, std::size_t size) : layers_(size), values_(version, std::vector<SymbolModel>(size, SymbolModel(256))) {}
+  Bytes14(int version, std::size_t size)
+      : layers_(size), values_(version, std::vector<SymbolModel>(size, SymbolModel(256))) {}
   std::size_t layers() const override { return layers_.size(); }
 
   void first(const std::uint8_t* item, std::span<const Bytes> bytes, unsigned& channel) override {
@@ -158,8 +160,12 @@ class Bytes14 final : public LayeredItem {
 
 }  // namespace
 
-std::unique_ptr<LayeredItem> make_rgb14(int version, bool with_near_infrared) { return std::make_unique<Rgb14>(version, with_near_infrared); }
+std::unique_ptr<LayeredItem> make_rgb14(int version, bool with_near_infrared) {
+  return std::make_unique<Rgb14>(version, with_near_infrared);
+}
 std::unique_ptr<LayeredItem> make_wave_packet14(int version) { return std::make_unique<WavePacket14>(version); }
-std::unique_ptr<LayeredItem> make_bytes14(int version, std::size_t size) { return std::make_unique<Bytes14>(version, size); }
+std::unique_ptr<LayeredItem> make_bytes14(int version, std::size_t size) {
+  return std::make_unique<Bytes14>(version, size);
+}
 
 }  // namespace bole::laz

@@ -30,8 +30,13 @@ class Point10 : public PointwiseItem {
   void first(const std::uint8_t* item) override { std::memcpy(last_.data(), item, point_size); }
 
  protected:
-  void next_byte(ArithmeticDecoder& in, std::array<SymbolModel, 256>& models, std::size_t at) { last_[at] = static_cast<std::uint8_t>(in.symbol(models[last_[at]])); }
-  void next_source(ArithmeticDecoder& in) { store(&last_[lf::point_source_id], static_cast<std::uint16_t>(source_.decode(in, load<std::uint16_t>(&last_[lf::point_source_id])))); }
+  void next_byte(ArithmeticDecoder& in, std::array<SymbolModel, 256>& models, std::size_t at) {
+    last_[at] = static_cast<std::uint8_t>(in.symbol(models[last_[at]]));
+  }
+  void next_source(ArithmeticDecoder& in) {
+    store(&last_[lf::point_source_id],
+          static_cast<std::uint16_t>(source_.decode(in, load<std::uint16_t>(&last_[lf::point_source_id]))));
+  }
   std::int32_t coordinate(std::size_t at) const { return load<std::int32_t>(&last_[at]); }
   void move(std::size_t at, std::int32_t by) { store(&last_[at], wrapping_add(coordinate(at), by)); }
 
@@ -45,7 +50,8 @@ class Point10V2 final : public Point10 {
  public:
   void first(const std::uint8_t* item) override {
     Point10::first(item);
-    store(&last_[f::intensity], std::uint16_t{0});  // intensities are predicted from those of like returns, which start at 0
+    store(&last_[f::intensity],
+          std::uint16_t{0});  // intensities are predicted from those of like returns, which start at 0
   }
 
   void next(ArithmeticDecoder& in, std::uint8_t* item) override {
@@ -54,10 +60,13 @@ class Point10V2 final : public Point10 {
     const unsigned r = last_[f::returns] & 7U, n = last_[f::returns] >> 3 & 7U;
     const unsigned kind = return_map[n][r], level = return_level(n, r);
     const bool single = n == 1;
-    if ((changed & 16) != 0) intensities_[kind] = static_cast<std::uint16_t>(intensity_.decode(in, intensities_[kind], std::min(kind, 3U)));
+    if ((changed & 16) != 0)
+      intensities_[kind] = static_cast<std::uint16_t>(intensity_.decode(in, intensities_[kind], std::min(kind, 3U)));
     store(&last_[f::intensity], intensities_[kind]);
     if ((changed & 8) != 0) next_byte(in, classes_, lf::classification);
-    if ((changed & 4) != 0) last_[lf::scan_angle] = static_cast<std::uint8_t>(last_[lf::scan_angle] + in.symbol(scan_angle_[last_[f::returns] >> 6 & 1U]));
+    if ((changed & 4) != 0)
+      last_[lf::scan_angle] =
+          static_cast<std::uint8_t>(last_[lf::scan_angle] + in.symbol(scan_angle_[last_[f::returns] >> 6 & 1U]));
     if ((changed & 2) != 0) next_byte(in, user_data_, lf::user_data);
     if ((changed & 1) != 0) next_source(in);
 
@@ -91,10 +100,13 @@ class Point10V1 final : public Point10 {
     store(&last_[f::z], z_.decode(in, coordinate(f::z), std::min(k, 19U)));
 
     const unsigned changed = in.symbol(changed_);
-    if ((changed & 32) != 0) store(&last_[f::intensity], static_cast<std::uint16_t>(intensity_.decode(in, load<std::uint16_t>(&last_[f::intensity]))));
+    if ((changed & 32) != 0)
+      store(&last_[f::intensity],
+            static_cast<std::uint16_t>(intensity_.decode(in, load<std::uint16_t>(&last_[f::intensity]))));
     if ((changed & 16) != 0) next_byte(in, returns_, f::returns);
     if ((changed & 8) != 0) next_byte(in, classes_, lf::classification);
-    if ((changed & 4) != 0) last_[lf::scan_angle] = static_cast<std::uint8_t>(scan_angle_.decode(in, last_[lf::scan_angle], k < 3 ? 1 : 0));
+    if ((changed & 4) != 0)
+      last_[lf::scan_angle] = static_cast<std::uint8_t>(scan_angle_.decode(in, last_[lf::scan_angle], k < 3 ? 1 : 0));
     if ((changed & 2) != 0) next_byte(in, user_data_, lf::user_data);
     if ((changed & 1) != 0) next_source(in);
 
@@ -104,7 +116,9 @@ class Point10V1 final : public Point10 {
   }
 
  private:
-  static std::int32_t median(const std::array<std::int32_t, 3>& v) { return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2])); }
+  static std::int32_t median(const std::array<std::int32_t, 3>& v) {
+    return std::max(std::min(v[0], v[1]), std::min(std::max(v[0], v[1]), v[2]));
+  }
 
   std::array<std::int32_t, 3> dx_{}, dy_{};
   std::size_t turn_ = 0;

@@ -19,7 +19,18 @@ namespace fe = las::field::extended;
 
 constexpr std::size_t time_at = 22;
 
-enum LayerOf : std::size_t { returns_xy, z, classification, flags, intensity, scan_angle, user_data, point_source, gps_time, layer_count };
+enum LayerOf : std::size_t {
+  returns_xy,
+  z,
+  classification,
+  flags,
+  intensity,
+  scan_angle,
+  user_data,
+  point_source,
+  gps_time,
+  layer_count
+};
 
 struct Point14State {
   std::int32_t x = 0, y = 0, z = 0;
@@ -103,8 +114,8 @@ class Point14 final : public LayeredItem {
     ArithmeticDecoder& in = layers_[returns_xy].in;
     const Point14State& before = channels_[current_]->last;
     const unsigned changed = in.symbol(channels_[current_]->changed[before.place() + (before.time_changed ? 4U : 0U)]);
-    // Version 3 tells the items behind it of a channel only where it changes, and calls it 0 everywhere else: its writers do the
-    // same, so that this has become the format.
+    // Version 3 tells the items behind it of a channel only where it changes, and calls it 0 everywhere else: its
+    // writers do the same, so that this has become the format.
     channel = publishes_always_ ? current_ : 0;
     if ((changed & 64) != 0) {
       const unsigned other = (current_ + in.symbol(channels_[current_]->channel_step) + 1) % channels;
@@ -167,15 +178,21 @@ class Point14 final : public LayeredItem {
   void read_attributes(Channel& c, bool angle_changes, bool source_changes, bool time_changes) {
     Point14State& p = c.last;
     const unsigned place = p.place();
-    if (layers_[classification].changes) p.classification = static_cast<std::uint8_t>(layers_[classification].in.symbol(c.classes[(p.classification & 31U) * 2 + (place == 3 ? 1U : 0U)]));
+    if (layers_[classification].changes)
+      p.classification = static_cast<std::uint8_t>(
+          layers_[classification].in.symbol(c.classes[(p.classification & 31U) * 2 + (place == 3 ? 1U : 0U)]));
     if (layers_[flags].changes) p.flags = layers_[flags].in.symbol(c.flag_sets[p.flags]);
     if (layers_[intensity].changes) {
       std::uint16_t& strength = c.intensities[place * 2 + (time_changes ? 1U : 0U)];
       p.intensity = strength = static_cast<std::uint16_t>(c.strength.decode(layers_[intensity].in, strength, place));
     }
-    if (angle_changes && layers_[scan_angle].changes) p.scan_angle = static_cast<std::int16_t>(c.angle.decode(layers_[scan_angle].in, p.scan_angle, time_changes ? 1 : 0));
-    if (layers_[user_data].changes) p.user_data = static_cast<std::uint8_t>(layers_[user_data].in.symbol(c.user_bytes[p.user_data / 4U]));
-    if (source_changes && layers_[point_source].changes) p.source = static_cast<std::uint16_t>(c.source.decode(layers_[point_source].in, p.source));
+    if (angle_changes && layers_[scan_angle].changes)
+      p.scan_angle =
+          static_cast<std::int16_t>(c.angle.decode(layers_[scan_angle].in, p.scan_angle, time_changes ? 1 : 0));
+    if (layers_[user_data].changes)
+      p.user_data = static_cast<std::uint8_t>(layers_[user_data].in.symbol(c.user_bytes[p.user_data / 4U]));
+    if (source_changes && layers_[point_source].changes)
+      p.source = static_cast<std::uint16_t>(c.source.decode(layers_[point_source].in, p.source));
   }
 
   bool publishes_always_;

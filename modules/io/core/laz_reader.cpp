@@ -20,14 +20,16 @@ constexpr std::size_t block_points = 1 << 12;
 
 class PointReader {
  public:
-  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing) : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
+  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing)
+      : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
 
   std::uint64_t read(std::vector<std::string>& warnings) {
     if (const auto table = read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
       builder_.resize(0);
       read_chunks(*table);
     } else {
-      if (packing_.compressor != Compressor::pointwise) warnings.emplace_back("the file has no usable chunk table; its chunks are read one after another");
+      if (packing_.compressor != Compressor::pointwise)
+        warnings.emplace_back("the file has no usable chunk table; its chunks are read one after another");
       read_in_order();
     }
     builder_.resize(done_);
@@ -39,14 +41,15 @@ class PointReader {
  private:
   // Each thread's own tools.
   struct Worker {
-    explicit Worker(const Packing& packing, int record_length) : decoder(packing, record_length), records(block_points * static_cast<std::size_t>(record_length)) {}
+    explicit Worker(const Packing& packing, int record_length)
+        : decoder(packing, record_length), records(block_points * static_cast<std::size_t>(record_length)) {}
     ChunkDecoder decoder;
     std::vector<std::uint8_t> records;
     IntegerBox box;
   };
 
-  // Points that many in so few bytes are promised by mistake or malice: such chunks are decoded step by step, so that memory is
-  // taken only for points that are there.
+  // Points that many in so few bytes are promised by mistake or malice: such chunks are decoded step by step, so that
+  // memory is taken only for points that are there.
   static bool plausible(const Chunk& chunk) {
     constexpr std::uint64_t most_points_per_byte = 64, most_points = 1 << 20;
     return chunk.points <= most_points && chunk.points / most_points_per_byte <= chunk.end - chunk.begin;
@@ -60,7 +63,8 @@ class PointReader {
         ++i;
       } else {
         std::size_t end = i;
-        for (std::uint64_t sum = 0; end < table.size() && plausible(table[end]) && sum < batch_points; ++end) sum += table[end].points;
+        for (std::uint64_t sum = 0; end < table.size() && plausible(table[end]) && sum < batch_points; ++end)
+          sum += table[end].points;
         read_batch({table.data() + i, end - i});
         i = end;
       }
@@ -81,7 +85,8 @@ class PointReader {
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
       Worker& worker = workers_.local();
       worker.box = {};
-      sound[i] = decode(worker, file_.subspan(chunks[i].begin, chunks[i].end - chunks[i].begin), chunks[i].points, first[i], false);
+      sound[i] = decode(worker, file_.subspan(chunks[i].begin, chunks[i].end - chunks[i].begin), chunks[i].points,
+                        first[i], false);
       boxes[i] = worker.box;
     });
     run_.check_cancel();
@@ -92,7 +97,8 @@ class PointReader {
     }
   }
 
-  // Decodes a chunk to the places from `first` on, making room as it goes when `grow`; returns the number of sound points.
+  // Decodes a chunk to the places from `first` on, making room as it goes when `grow`; returns the number of sound
+  // points.
   std::uint64_t decode(Worker& worker, Bytes bytes, std::uint64_t points, std::uint64_t first, bool grow) {
     const std::uint64_t there = worker.decoder.start(bytes, points);
     std::uint64_t done = 0;
@@ -143,7 +149,8 @@ class PointReader {
   void report() { report_at(done_); }
   void report_at(std::uint64_t points) {
     run_.check_cancel();
-    run_.report(static_cast<double>(points) / static_cast<double>(std::max<std::uint64_t>(1, info_.points)), "reading compressed points");
+    run_.report(static_cast<double>(points) / static_cast<double>(std::max<std::uint64_t>(1, info_.points)),
+                "reading compressed points");
   }
 
   Bytes file_;
@@ -159,9 +166,11 @@ class PointReader {
 
 }  // namespace
 
-std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
+std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run,
+                          std::vector<std::string>& warnings) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
-  if (vlr == nullptr) throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
+  if (vlr == nullptr)
+    throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
   if (info.points == 0) return 0;
   // EVLRs lie behind the chunk table: what is before them is all that chunks may use.
   PointReader reader(file, info, builder, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));

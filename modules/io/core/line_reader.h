@@ -13,7 +13,9 @@ namespace bole {
 // Walks through the lines of a buffer; line ends are \n, \r\n or (old Macintosh) \r alone when there is no \n at all.
 class LineReader {
  public:
-  explicit LineReader(Bytes text) : text_(reinterpret_cast<const char*>(text.data()), text.size()), end_(text_.find('\n') == std::string_view::npos ? '\r' : '\n') {}
+  explicit LineReader(Bytes text)
+      : text_(reinterpret_cast<const char*>(text.data()), text.size()),
+        end_(text_.find('\n') == std::string_view::npos ? '\r' : '\n') {}
 
   bool next(std::string_view& line) {
     if (at_ >= text_.size()) return false;
@@ -56,7 +58,8 @@ inline std::vector<std::string_view> split_blanks(std::string_view line) {
 inline std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\v\f";
   const auto first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return first == std::string_view::npos ? std::string_view{}
+                                         : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
 // The whole word as a number, "+1" and "nan" included.

@@ -15,7 +15,9 @@ namespace bole {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno), "a file that exists and may be read");
+  if (file < 0)
+    throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
+                    "a file that exists and may be read");
   struct stat status {};
   const bool regular = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
   const auto size = regular ? static_cast<std::size_t>(status.st_size) : 0;
@@ -24,7 +26,8 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   ::close(file);
   if (!regular) throw bad_input("'" + path.string() + "' is not a file", "a file");
   if (size == 0) return;
-  if (start == MAP_FAILED) throw failure("'" + path.string() + "' cannot be mapped into memory: " + std::strerror(reason));
+  if (start == MAP_FAILED)
+    throw failure("'" + path.string() + "' cannot be mapped into memory: " + std::strerror(reason));
   ::madvise(start, size, MADV_SEQUENTIAL);
   bytes_ = {static_cast<const std::uint8_t*>(start), size};
 }

@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::size_t buffer_bytes = 1 << 18;
 
-std::uint16_t get16(std::span<const std::uint8_t> p, std::size_t i) { return static_cast<std::uint16_t>(p[i] << 8 | p[i + 1]); }
+std::uint16_t get16(std::span<const std::uint8_t> p, std::size_t i) {
+  return static_cast<std::uint16_t>(p[i] << 8 | p[i + 1]);
+}
 
 // What lies behind the link header: nothing when it is no IP packet.
 std::optional<Bytes> ip_packet(Bytes frame, int link_type) {
@@ -75,12 +77,15 @@ void PcapReader::Close::operator()(pcap* handle) const { pcap_close(handle); }
 
 PcapReader::PcapReader(const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno), "a pcap file that exists and may be read");
+  if (file == nullptr)
+    throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
+                    "a pcap file that exists and may be read");
   open(file, path.string());
 }
 
 PcapReader::PcapReader(Bytes capture, std::string name) {
-  std::FILE* file = capture.empty() ? nullptr : ::fmemopen(const_cast<std::uint8_t*>(capture.data()), capture.size(), "rb");
+  std::FILE* file =
+      capture.empty() ? nullptr : ::fmemopen(const_cast<std::uint8_t*>(capture.data()), capture.size(), "rb");
   if (file == nullptr) throw bad_input("'" + name + "' is empty", "a pcap or pcapng capture");
   open(file, name);
 }
@@ -94,11 +99,14 @@ void PcapReader::open(std::FILE* file, const std::string& name) {
     throw bad_input("'" + name + "' is not a capture: " + message.data(), "a pcap or pcapng file");
   }
   link_type_ = pcap_datalink(handle_.get());
-  constexpr std::array known{DLT_EN10MB, DLT_LINUX_SLL, DLT_LINUX_SLL2, DLT_NULL, DLT_LOOP, DLT_RAW, DLT_IPV4, DLT_IPV6};
+  constexpr std::array known{DLT_EN10MB, DLT_LINUX_SLL, DLT_LINUX_SLL2, DLT_NULL,
+                             DLT_LOOP,   DLT_RAW,       DLT_IPV4,       DLT_IPV6};
   for (const int type : known)
     if (type == link_type_) return;
   const char* description = pcap_datalink_val_to_description(link_type_);
-  throw bad_input("'" + name + "' was captured on a link of type " + (description != nullptr ? std::string(description) : std::to_string(link_type_)), "Ethernet, Linux cooked capture, loopback or raw IP");
+  throw bad_input("'" + name + "' was captured on a link of type " +
+                      (description != nullptr ? std::string(description) : std::to_string(link_type_)),
+                  "Ethernet, Linux cooked capture, loopback or raw IP");
 }
 
 bool PcapReader::next(Datagram& datagram) {

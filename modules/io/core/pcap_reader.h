@@ -28,8 +28,8 @@ class PcapReader {
   PcapReader(Bytes capture, std::string name);
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
-  // IPv6. Fragments and everything else is skipped and counted. False at the end, also when the file is cut off or damaged
-  // there: trouble() says so.
+  // IPv6. Fragments and everything else is skipped and counted. False at the end, also when the file is cut off or
+  // damaged there: trouble() says so.
   bool next(Datagram& datagram);
 
   // Goes on at a record whose offset next() has given.

@@ -49,7 +49,9 @@ struct Header {
 SourceType source_type(const Field& f) {
   const bool colour = f.source.name == "rgb" || f.source.name == "rgba";
   if (colour && f.bytes == 4) return SourceType::packed_rgb;
-  const auto wrong = bad_input("PCD field '" + f.source.name + "' has type " + std::string(1, f.type) + " of " + std::to_string(f.bytes) + " bytes", "F of 4 or 8, I or U of 1, 2, 4 or 8 bytes");
+  const auto wrong = bad_input("PCD field '" + f.source.name + "' has type " + std::string(1, f.type) + " of " +
+                                   std::to_string(f.bytes) + " bytes",
+                               "F of 4 or 8, I or U of 1, 2, 4 or 8 bytes");
   if (f.type == 'F') {
     if (f.bytes != 4 && f.bytes != 8) throw wrong;
     return f.bytes == 4 ? SourceType::float32 : SourceType::float64;
@@ -73,28 +75,36 @@ SourceType source_type(const Field& f) {
 template <class T>
 T whole_number(std::string_view word, std::string_view key) {
   T value{};
-  if (!parse_number(word, value)) throw bad_input("PCD header: " + std::string(key) + " has '" + std::string(word.substr(0, 40)) + "'", "a whole number");
+  if (!parse_number(word, value))
+    throw bad_input("PCD header: " + std::string(key) + " has '" + std::string(word.substr(0, 40)) + "'",
+                    "a whole number");
   return value;
 }
 
 void read_header_line(const std::vector<std::string_view>& words, Header& header) {
   const auto key = words[0];
   const auto check_count = [&] {
-    if (words.size() - 1 != header.fields.size()) throw bad_input("PCD header: " + std::string(key) + " has " + std::to_string(words.size() - 1) + " entries", std::to_string(header.fields.size()) + ", one per field");
+    if (words.size() - 1 != header.fields.size())
+      throw bad_input("PCD header: " + std::string(key) + " has " + std::to_string(words.size() - 1) + " entries",
+                      std::to_string(header.fields.size()) + ", one per field");
   };
   if (key == "FIELDS" || key == "COLUMNS") {
-    if (words.size() - 1 > most_fields) throw bad_input("PCD header: " + std::to_string(words.size() - 1) + " fields", "at most " + std::to_string(most_fields));
+    if (words.size() - 1 > most_fields)
+      throw bad_input("PCD header: " + std::to_string(words.size() - 1) + " fields",
+                      "at most " + std::to_string(most_fields));
     header.fields.assign(words.size() - 1, {});
     for (std::size_t i = 1; i < words.size(); ++i) header.fields[i - 1].source.name = words[i];
   } else if (key == "SIZE") {
     check_count();
-    for (std::size_t i = 1; i < words.size(); ++i) header.fields[i - 1].bytes = whole_number<std::uint8_t>(words[i], key);
+    for (std::size_t i = 1; i < words.size(); ++i)
+      header.fields[i - 1].bytes = whole_number<std::uint8_t>(words[i], key);
   } else if (key == "TYPE") {
     check_count();
     for (std::size_t i = 1; i < words.size(); ++i) header.fields[i - 1].type = words[i][0];
   } else if (key == "COUNT") {
     check_count();
-    for (std::size_t i = 1; i < words.size(); ++i) header.fields[i - 1].count = whole_number<std::uint16_t>(words[i], key);
+    for (std::size_t i = 1; i < words.size(); ++i)
+      header.fields[i - 1].count = whole_number<std::uint16_t>(words[i], key);
   } else if (words.size() > 1 && key == "WIDTH") {
     header.width = whole_number<std::uint64_t>(words[1], key);
   } else if (words.size() > 1 && key == "HEIGHT") {
@@ -111,13 +121,17 @@ Header read_header(Bytes file) {
   LineReader lines(file);
   std::string_view line;
   while (header.data.empty()) {
-    if (!lines.next(line)) throw bad_input("the PCD header has no line DATA after " + std::to_string(lines.number()) + " lines", "DATA ascii, binary or binary_compressed");
+    if (!lines.next(line))
+      throw bad_input("the PCD header has no line DATA after " + std::to_string(lines.number()) + " lines",
+                      "DATA ascii, binary or binary_compressed");
     const auto words = split_blanks(line);
     if (!words.empty() && !words[0].starts_with('#')) read_header_line(words, header);
   }
   header.data_offset = lines.position();
   for (auto& f : header.fields) f.source.type = source_type(f);
-  if (header.numbers() > most_values) throw bad_input("the PCD header names " + std::to_string(header.numbers()) + " values per point", "at most " + std::to_string(most_values));
+  if (header.numbers() > most_values)
+    throw bad_input("the PCD header names " + std::to_string(header.numbers()) + " values per point",
+                    "at most " + std::to_string(most_values));
   return header;
 }
 
@@ -140,14 +154,17 @@ void poll(const Run& run, std::size_t i, std::size_t all) {
 }
 
 void warn_missing(Report& report, std::uint64_t declared, std::size_t present) {
-  if (present < declared) report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " + std::to_string(present) + " are there and were read");
+  if (present < declared)
+    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
+                std::to_string(present) + " are there and were read");
 }
 
 // Colours written as decimal numbers are the bits of a float.
 double ascii_value(const SourceField& field, char type, std::string_view word) {
   double value = 0;
   if (!parse_number(word, value)) return std::nan("");
-  if (field.type == SourceType::packed_rgb && type == 'F') return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  if (field.type == SourceType::packed_rgb && type == 'F')
+    return std::bit_cast<std::uint32_t>(static_cast<float>(value));
   return value;
 }
 
@@ -175,7 +192,9 @@ CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions
   }
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
-  if (bad > 0) out.report.warn(std::to_string(bad) + " lines with fewer than " + std::to_string(fields.size()) + " values were left out");
+  if (bad > 0)
+    out.report.warn(std::to_string(bad) + " lines with fewer than " + std::to_string(fields.size()) +
+                    " values were left out");
   warn_missing(out.report, header.declared(), read);
   return out;
 }
@@ -205,16 +224,21 @@ CloudReading read_binary(Bytes data, const Header& header, const CloudReadOption
 CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
-  if (data.size() < 8) throw bad_input("the compressed PCD data has " + std::to_string(data.size()) + " bytes", "two sizes of 4 bytes and the data");
+  if (data.size() < 8)
+    throw bad_input("the compressed PCD data has " + std::to_string(data.size()) + " bytes",
+                    "two sizes of 4 bytes and the data");
   const auto packed = static_cast<std::size_t>(source_value(SourceType::uint32, data.data()));
   const auto unpacked = static_cast<std::size_t>(source_value(SourceType::uint32, data.data() + 4));
   const std::size_t record = header.record_bytes();
   const std::uint64_t declared = header.declared();
   if (packed > data.size() - 8)
-    throw bad_input("the file is cut off: compressed PCD data of " + std::to_string(packed) + " bytes, " + std::to_string(data.size() - 8) + " are there", "the whole file",
-                    "Nothing can be read from a part of compressed data");
+    throw bad_input("the file is cut off: compressed PCD data of " + std::to_string(packed) + " bytes, " +
+                        std::to_string(data.size() - 8) + " are there",
+                    "the whole file", "Nothing can be read from a part of compressed data");
   if (declared > unpacked / record || declared * record != unpacked)
-    throw bad_input("compressed PCD data of " + std::to_string(unpacked) + " bytes for " + std::to_string(declared) + " points", std::to_string(record) + " bytes per point");
+    throw bad_input(
+        "compressed PCD data of " + std::to_string(unpacked) + " bytes for " + std::to_string(declared) + " points",
+        std::to_string(record) + " bytes per point");
   const auto bytes = lzf_unpack(data.subspan(8, packed), unpacked);
   const auto points = static_cast<std::size_t>(declared);
   builder.reserve(points);
@@ -223,7 +247,8 @@ CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOp
     poll(run, i, points);
     std::size_t column = 0, flat = 0;
     for (const auto& f : header.fields) {
-      for (std::size_t k = 0; k < f.count; ++k, ++flat) row[flat] = source_value(f.source.type, bytes.data() + column + (i * f.count + k) * f.bytes);
+      for (std::size_t k = 0; k < f.count; ++k, ++flat)
+        row[flat] = source_value(f.source.type, bytes.data() + column + (i * f.count + k) * f.bytes);
       column += points * f.bytes * f.count;
     }
     builder.add(row);
@@ -236,11 +261,14 @@ CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOp
 bool looks_like_pcd(Bytes file) {
   const std::string_view head(reinterpret_cast<const char*>(file.data()), std::min<std::size_t>(file.size(), 2048));
   return head.starts_with("# .PCD") ||
-         ((head.starts_with("VERSION") || head.starts_with("FIELDS") || head.starts_with('#')) && head.find("\nFIELDS ") != std::string_view::npos && head.find("\nDATA ") != std::string_view::npos);
+         ((head.starts_with("VERSION") || head.starts_with("FIELDS") || head.starts_with('#')) &&
+          head.find("\nFIELDS ") != std::string_view::npos && head.find("\nDATA ") != std::string_view::npos);
 }
 
 std::vector<std::uint8_t> lzf_unpack(Bytes packed, std::size_t size) {
-  const auto wrong = [](const char* what) { return bad_input(std::string("the compressed PCD data is damaged: ") + what, "LZF data"); };
+  const auto wrong = [](const char* what) {
+    return bad_input(std::string("the compressed PCD data is damaged: ") + what, "LZF data");
+  };
   // Three bytes give 264 at most.
   if (size > packed.size() * 88 + 264) throw wrong("it claims to unpack to more than it can");
   std::vector<std::uint8_t> out;
@@ -251,7 +279,8 @@ std::vector<std::uint8_t> lzf_unpack(Bytes packed, std::size_t size) {
     if (control < 32) {
       const std::size_t run = control + 1;
       if (run > packed.size() - i || run > size - out.size()) throw wrong("a run goes beyond the end");
-      out.insert(out.end(), packed.begin() + static_cast<std::ptrdiff_t>(i), packed.begin() + static_cast<std::ptrdiff_t>(i + run));
+      out.insert(out.end(), packed.begin() + static_cast<std::ptrdiff_t>(i),
+                 packed.begin() + static_cast<std::ptrdiff_t>(i + run));
       i += run;
       continue;
     }

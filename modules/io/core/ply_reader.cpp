@@ -37,11 +37,16 @@ SourceType scalar_type(std::string_view name, std::size_t line) {
     SourceType type;
   };
   using enum SourceType;
-  constexpr std::array names{Named{"char", int8},     Named{"int8", int8},       Named{"uchar", uint8},    Named{"uint8", uint8},     Named{"short", int16}, Named{"int16", int16},
-                             Named{"ushort", uint16}, Named{"uint16", uint16},   Named{"int", int32},      Named{"int32", int32},     Named{"uint", uint32}, Named{"uint32", uint32},
-                             Named{"float", float32}, Named{"float32", float32}, Named{"double", float64}, Named{"float64", float64}, Named{"int64", int64}, Named{"uint64", uint64}};
+  constexpr std::array names{Named{"char", int8},       Named{"int8", int8},       Named{"uchar", uint8},
+                             Named{"uint8", uint8},     Named{"short", int16},     Named{"int16", int16},
+                             Named{"ushort", uint16},   Named{"uint16", uint16},   Named{"int", int32},
+                             Named{"int32", int32},     Named{"uint", uint32},     Named{"uint32", uint32},
+                             Named{"float", float32},   Named{"float32", float32}, Named{"double", float64},
+                             Named{"float64", float64}, Named{"int64", int64},     Named{"uint64", uint64}};
   const auto it = std::ranges::find(names, name, &Named::name);
-  if (it == names.end()) throw bad_input("PLY header line " + std::to_string(line) + ": type '" + std::string(name.substr(0, 40)) + "'", "char, uchar, short, ushort, int, uint, float or double");
+  if (it == names.end())
+    throw bad_input("PLY header line " + std::to_string(line) + ": type '" + std::string(name.substr(0, 40)) + "'",
+                    "char, uchar, short, ushort, int, uint, float or double");
   return it->type;
 }
 
@@ -49,13 +54,18 @@ Header read_header(Bytes file) {
   Header header;
   LineReader lines(file);
   std::string_view text;
-  const auto wrong = [&](const std::string& needed) { return bad_input("PLY header line " + std::to_string(lines.number()) + " is '" + std::string(text.substr(0, 60)) + "'", needed); };
+  const auto wrong = [&](const std::string& needed) {
+    return bad_input(
+        "PLY header line " + std::to_string(lines.number()) + " is '" + std::string(text.substr(0, 60)) + "'", needed);
+  };
   std::size_t properties = 0;
   while (lines.next(text)) {
     const auto words = split_blanks(text);
     if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") {
-      if (header.format.empty()) throw bad_input("the PLY header has no line format", "format ascii, binary_little_endian or binary_big_endian 1.0");
+      if (header.format.empty())
+        throw bad_input("the PLY header has no line format",
+                        "format ascii, binary_little_endian or binary_big_endian 1.0");
       header.data_offset = lines.position();
       return header;
     }
@@ -70,7 +80,8 @@ Header read_header(Bytes file) {
       auto& into = header.elements.back().properties;
       if (words[1] == "list") {
         if (words.size() < 5) throw wrong("property list COUNT_TYPE TYPE NAME");
-        into.push_back({{std::string(words[4]), scalar_type(words[3], lines.number())}, scalar_type(words[2], lines.number())});
+        into.push_back(
+            {{std::string(words[4]), scalar_type(words[3], lines.number())}, scalar_type(words[2], lines.number())});
       } else {
         into.push_back({{std::string(words[2]), scalar_type(words[1], lines.number())}, std::nullopt});
       }
@@ -78,7 +89,8 @@ Header read_header(Bytes file) {
       throw wrong("format, element, property, comment or end_header");
     }
   }
-  throw bad_input("the PLY header does not end after " + std::to_string(lines.number()) + " lines", "a line end_header");
+  throw bad_input("the PLY header does not end after " + std::to_string(lines.number()) + " lines",
+                  "a line end_header");
 }
 
 std::vector<SourceField> scalar_fields(const Element& vertex) {
@@ -95,7 +107,9 @@ void poll(const Run& run, std::size_t i, double fraction) {
 }
 
 void warn_missing(Report& report, std::uint64_t declared, std::uint64_t present) {
-  if (present < declared) report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " + std::to_string(present) + " are there and were read");
+  if (present < declared)
+    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
+                std::to_string(present) + " are there and were read");
 }
 
 // Walks through binary records; a record that does not end within the file stops it.
@@ -127,7 +141,8 @@ class BinaryWalker {
 
   // Passes over a whole element. False when it goes beyond the end.
   bool skip(const Element& element, const Run& run) {
-    const bool lists = std::ranges::any_of(element.properties, [](const Property& p) { return p.list_count.has_value(); });
+    const bool lists =
+        std::ranges::any_of(element.properties, [](const Property& p) { return p.list_count.has_value(); });
     if (!lists) {
       std::size_t record = 0;
       for (const auto& p : element.properties) record += source_type_bytes(p.field.type);
@@ -156,15 +171,19 @@ std::size_t smallest_record(const Element& element) {
   return bytes;
 }
 
-CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options, const Run& run) {
+CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,
+                         const Run& run) {
   const bool little = header.format == "binary_little_endian";
   BinaryWalker walker(data, little != (std::endian::native == std::endian::little));
   const auto& vertex = header.elements[vertex_index];
   const auto fields = scalar_fields(vertex);
   CloudBuilder builder(fields, options);
   for (std::size_t e = 0; e < vertex_index; ++e)
-    if (!walker.skip(header.elements[e], run)) throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points", "the whole file");
-  builder.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / smallest_record(vertex))));
+    if (!walker.skip(header.elements[e], run))
+      throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points",
+                      "the whole file");
+  builder.reserve(
+      static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / smallest_record(vertex))));
   std::vector<double> row(fields.size());
   std::uint64_t read = 0;
   while (read < vertex.count && walker.read(vertex, &row)) {
@@ -194,7 +213,8 @@ bool read_words(const std::vector<std::string_view>& words, const Element& eleme
   return true;
 }
 
-CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options, const Run& run) {
+CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,
+                        const Run& run) {
   const auto& vertex = header.elements[vertex_index];
   const auto fields = scalar_fields(vertex);
   CloudBuilder builder(fields, options);
@@ -208,7 +228,9 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   for (std::size_t e = 0; e < vertex_index; ++e)
     for (std::uint64_t i = 0; i < header.elements[e].count; ++i) {
       poll(run, i, 0);
-      if (!next_line()) throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points", "the whole file");
+      if (!next_line())
+        throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points",
+                        "the whole file");
     }
   std::vector<double> row(fields.size());
   std::vector<std::string_view> words;
@@ -224,14 +246,18 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   }
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
-  if (bad > 0) out.report.warn(std::to_string(bad) + " lines that do not hold the properties of a vertex were left out");
+  if (bad > 0)
+    out.report.warn(std::to_string(bad) + " lines that do not hold the properties of a vertex were left out");
   warn_missing(out.report, vertex.count, read);
   return out;
 }
 
 }  // namespace
 
-bool looks_like_ply(Bytes file) { return file.size() >= 4 && file[0] == 'p' && file[1] == 'l' && file[2] == 'y' && (file[3] == '\n' || file[3] == '\r' || file[3] == ' '); }
+bool looks_like_ply(Bytes file) {
+  return file.size() >= 4 && file[0] == 'p' && file[1] == 'l' && file[2] == 'y' &&
+         (file[3] == '\n' || file[3] == '\r' || file[3] == ' ');
+}
 
 CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& run) {
   const Header header = read_header(file);
@@ -248,7 +274,8 @@ CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& ru
     } else if (header.format == "binary_little_endian" || header.format == "binary_big_endian") {
       out = read_binary(data, header, index, options, run);
     } else {
-      throw bad_input("the PLY format is '" + header.format.substr(0, 40) + "'", "ascii, binary_little_endian or binary_big_endian");
+      throw bad_input("the PLY format is '" + header.format.substr(0, 40) + "'",
+                      "ascii, binary_little_endian or binary_big_endian");
     }
   }
   out.report.facts["format"] = "PLY " + header.format;

@@ -28,7 +28,9 @@ class PtxLines {
     values_.assign(words_.size(), 0);
     bool good = words_.size() >= fewest;
     for (std::size_t i = 0; i < words_.size(); ++i) good = parse_number(words_[i], values_[i]) && good;
-    if (!good) throw bad_input("PTX line " + std::to_string(lines_.number()) + " is '" + std::string(line_.substr(0, 60)) + "'", what);
+    if (!good)
+      throw bad_input("PTX line " + std::to_string(lines_.number()) + " is '" + std::string(line_.substr(0, 60)) + "'",
+                      what);
     return values_;
   }
   const std::vector<double>& next(std::size_t fewest, const char* what) {
@@ -47,7 +49,9 @@ class PtxLines {
 
 double cells_of(PtxLines& lines, double columns) {
   const double rows = lines.next(1, "the number of rows")[0];
-  if (!(columns >= 0 && rows >= 0 && columns * rows < 1e15)) throw bad_input("the PTX grid has " + std::to_string(columns) + " columns and " + std::to_string(rows) + " rows", "whole numbers");
+  if (!(columns >= 0 && rows >= 0 && columns * rows < 1e15))
+    throw bad_input("the PTX grid has " + std::to_string(columns) + " columns and " + std::to_string(rows) + " rows",
+                    "whole numbers");
   return columns * rows;
 }
 

@@ -7,7 +7,8 @@ namespace bole {
 
 bool looks_like_ptx(Bytes file, const std::string& extension);
 
-// Points in the common system; the cells without a return (0 0 0) are left out. Throws Error{bad_input} naming the line.
+// Points in the common system; the cells without a return (0 0 0) are left out. Throws Error{bad_input} naming the
+// line.
 CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& run);
 
 }  // namespace bole

@@ -21,7 +21,8 @@ constexpr std::size_t records_between_polls = 1 << 14;
 // Splits CSV into records; quoted cells may hold delimiters and line ends.
 class CsvRecords {
  public:
-  CsvRecords(std::string_view text, char delimiter, const std::string& name, std::size_t first_line) : text_(text), delimiter_(delimiter), name_(name), line_(first_line) {}
+  CsvRecords(std::string_view text, char delimiter, const std::string& name, std::size_t first_line)
+      : text_(text), delimiter_(delimiter), name_(name), line_(first_line) {}
 
   // False at the end. Empty lines are passed over.
   bool next(std::vector<std::string>& cells) {
@@ -30,7 +31,10 @@ class CsvRecords {
     record_line_ = line_;
     cells.clear();
     do {
-      if (cells.size() >= most_columns) throw bad_input("'" + name_ + "' line " + std::to_string(record_line_) + " has more than " + std::to_string(most_columns) + " cells", "a table");
+      if (cells.size() >= most_columns)
+        throw bad_input("'" + name_ + "' line " + std::to_string(record_line_) + " has more than " +
+                            std::to_string(most_columns) + " cells",
+                        "a table");
       cells.push_back(cell());
     } while (!ended_);
     return true;
@@ -75,7 +79,8 @@ class CsvRecords {
         return;
       }
     }
-    throw bad_input("'" + name_ + "' line " + std::to_string(record_line_) + " opens a quote that is never closed", "a closing \"");
+    throw bad_input("'" + name_ + "' line " + std::to_string(record_line_) + " opens a quote that is never closed",
+                    "a closing \"");
   }
 
   std::string_view text_;
@@ -152,7 +157,8 @@ std::pair<std::size_t, std::size_t> read_facts(Bytes file, Table& table) {
     if (!lines.next(line) || !trimmed(line).starts_with('#')) return {offset, number};
     const auto text = trimmed(trimmed(line).substr(1));
     const auto colon = text.find(':');
-    if (colon != std::string_view::npos) table.facts[std::string(trimmed(text.substr(0, colon)))] = trimmed(text.substr(colon + 1));
+    if (colon != std::string_view::npos)
+      table.facts[std::string(trimmed(text.substr(0, colon)))] = trimmed(text.substr(colon + 1));
   }
 }
 
@@ -174,7 +180,8 @@ void append_cell(std::string& out, const std::string& cell) {
 Table read_table(Bytes file, const std::string& name, const Run& run) {
   Table table;
   constexpr std::array<std::uint8_t, 3> byte_order_mark{0xEF, 0xBB, 0xBF};
-  if (file.size() >= 3 && std::equal(byte_order_mark.begin(), byte_order_mark.end(), file.begin())) file = file.subspan(3);
+  if (file.size() >= 3 && std::equal(byte_order_mark.begin(), byte_order_mark.end(), file.begin()))
+    file = file.subspan(3);
   const auto [offset, first_line] = read_facts(file, table);
   const std::string_view text(reinterpret_cast<const char*>(file.data()) + offset, file.size() - offset);
   if (text.find('\0') != std::string_view::npos) throw bad_input("'" + name + "' is not text", "a CSV table");
@@ -185,16 +192,21 @@ Table read_table(Bytes file, const std::string& name, const Run& run) {
   std::set<std::string> seen;
   for (const auto& n : names)
     if (!seen.insert(n).second || n.empty())
-      throw bad_input("'" + name + "' line " + std::to_string(records.line()) + (n.empty() ? " has a column without a name" : " names the column '" + n + "' twice"), "one name per column");
+      throw bad_input("'" + name + "' line " + std::to_string(records.line()) +
+                          (n.empty() ? " has a column without a name" : " names the column '" + n + "' twice"),
+                      "one name per column");
   std::vector<std::vector<std::string>> columns(names.size());
   std::size_t count = 0;
   while (records.next(cells)) {
     if (++count % records_between_polls == 0) run.check_cancel();
     if (cells.size() != names.size())
-      throw bad_input("'" + name + "' line " + std::to_string(records.line()) + " has " + std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells"), std::to_string(names.size()) + ", one per column");
+      throw bad_input("'" + name + "' line " + std::to_string(records.line()) + " has " + std::to_string(cells.size()) +
+                          (cells.size() == 1 ? " cell" : " cells"),
+                      std::to_string(names.size()) + ", one per column");
     for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(std::move(cells[i]));
   }
-  for (std::size_t i = 0; i < names.size(); ++i) table.set(names[i], typed(names[i], std::move(columns[i]), delimiter != ','));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table.set(names[i], typed(names[i], std::move(columns[i]), delimiter != ','));
   return table;
 }
 
@@ -227,6 +239,8 @@ std::string table_text(const Table& table, const Decimals& decimals) {
   return out;
 }
 
-void write_table(const std::filesystem::path& path, const Table& table, const Decimals& decimals) { write_text_file(path, table_text(table, decimals)); }
+void write_table(const std::filesystem::path& path, const Table& table, const Decimals& decimals) {
+  write_text_file(path, table_text(table, decimals));
+}
 
 }  // namespace bole

@@ -11,10 +11,10 @@
 
 namespace bole {
 
-// The first line names the columns. A column of whole numbers only becomes int64, one of numbers (empty cells: NaN) double,
-// anything else text. Lines "# name: value" before the header become facts. Semicolons or tabs between the cells are
-// recognised, with semicolons and tabs also decimal commas. Throws Error{bad_input} naming the line: cells missing or too
-// many, an unclosed quote, no header, a column twice.
+// The first line names the columns. A column of whole numbers only becomes int64, one of numbers (empty cells: NaN)
+// double, anything else text. Lines "# name: value" before the header become facts. Semicolons or tabs between the
+// cells are recognised, with semicolons and tabs also decimal commas. Throws Error{bad_input} naming the line: cells
+// missing or too many, an unclosed quote, no header, a column twice.
 Table read_table(const std::filesystem::path& path, const Run& run = {});
 Table read_table(Bytes file, const std::string& name, const Run& run = {});
 

@@ -57,7 +57,8 @@ Dialect dialect_of(std::string_view line, const std::string& wanted) {
   if (dialect.delimiter != ',') dialect.decimal_comma = has(',') && !has('.');
   if (dialect.delimiter == ',' && wanted == "auto" && !has('.')) {
     const auto words = split_blanks(line);
-    const bool inside = std::ranges::all_of(words, [](std::string_view w) { return std::ranges::count(w, ',') <= 1 && w.back() != ','; });
+    const bool inside = std::ranges::all_of(
+        words, [](std::string_view w) { return std::ranges::count(w, ',') <= 1 && w.back() != ','; });
     if (words.size() >= 3 && inside) dialect = {' ', true};
   }
   return dialect;
@@ -70,7 +71,9 @@ std::string_view without_comment_sign(std::string_view line) {
   return trimmed(line);
 }
 
-bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with("//") || line.starts_with('%'); }
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//") || line.starts_with('%');
+}
 
 bool names_xyz(const std::vector<std::string_view>& words) {
   bool x = false, y = false, z = false;
@@ -92,7 +95,9 @@ std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
   const std::size_t columns = first_row.size();
   std::vector<std::string> names{"x", "y", "z"};
   const auto whole_bytes = [&](std::size_t from) {
-    return std::all_of(first_row.begin() + static_cast<std::ptrdiff_t>(from), first_row.begin() + static_cast<std::ptrdiff_t>(from) + 3, [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); });
+    return std::all_of(first_row.begin() + static_cast<std::ptrdiff_t>(from),
+                       first_row.begin() + static_cast<std::ptrdiff_t>(from) + 3,
+                       [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); });
   };
   if (columns == 4) names.emplace_back("intensity");
   if (columns == 6 && whole_bytes(3)) names.insert(names.end(), {"red", "green", "blue"});
@@ -116,7 +121,8 @@ bool all_numbers(const std::vector<std::string_view>& words, const Dialect& dial
   for (std::size_t i = 0; i < words.size(); ++i)
     if (!number(words[i], dialect, row[i])) row[i] = std::nan("");
   double ignored = 0;
-  return words.size() >= 3 && std::all_of(words.begin(), words.begin() + 3, [&](std::string_view w) { return number(w, dialect, ignored); });
+  return words.size() >= 3 &&
+         std::all_of(words.begin(), words.begin() + 3, [&](std::string_view w) { return number(w, dialect, ignored); });
 }
 
 Layout find_layout(Bytes file, const CloudReadOptions& options) {
@@ -140,7 +146,9 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     }
     const auto dialect = dialect_of(line, options.delimiter);
     split(line, dialect, words);
-    if (words.size() > most_columns) throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns", "at most " + std::to_string(most_columns));
+    if (words.size() > most_columns)
+      throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns",
+                      "at most " + std::to_string(most_columns));
     if (!all_numbers(words, dialect, row)) {
       if (words.size() >= 3) header = line;
       continue;
@@ -154,7 +162,8 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
       split(header, dialect_of(header, options.delimiter), names);
       layout.fields = fields_of(names);
       if (!names_xyz(names))
-        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' names no x, y and z", "these names", "Say what the columns are with the option columns, for instance \"_ x y z\"");
+        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' names no x, y and z",
+                        "these names", "Say what the columns are with the option columns, for instance \"_ x y z\"");
       if (names.size() > row.size()) layout.fields.resize(row.size());
     } else {
       layout.fields = usual_fields(row);
@@ -162,17 +171,21 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     return layout;
   }
   if (file.empty()) throw bad_input("the file is empty", "points as text");
-  throw bad_input("none of the first " + std::to_string(lines.number()) + " lines holds three numbers", "lines with x, y and z", "If the points begin further down, say so with the option skip_lines");
+  throw bad_input("none of the first " + std::to_string(lines.number()) + " lines holds three numbers",
+                  "lines with x, y and z", "If the points begin further down, say so with the option skip_lines");
 }
 
 void check_columns(const Layout& layout, const CloudReadOptions& options, std::size_t present) {
   if (options.columns.empty() || layout.fields.size() <= present) return;
-  throw bad_input("the option columns names " + std::to_string(layout.fields.size()) + " columns, the file has " + std::to_string(present), "at most " + std::to_string(present));
+  throw bad_input("the option columns names " + std::to_string(layout.fields.size()) + " columns, the file has " +
+                      std::to_string(present),
+                  "at most " + std::to_string(present));
 }
 
 }  // namespace
 
-CloudReading read_text_cloud(Bytes file, const std::string& extension, const CloudReadOptions& options, const Run& run) {
+CloudReading read_text_cloud(Bytes file, const std::string& extension, const CloudReadOptions& options,
+                             const Run& run) {
   if (looks_like_ptx(file, extension)) return read_ptx(file, options, run);
   const Layout layout = find_layout(file, options);
   CloudBuilder builder(layout.fields, options);
@@ -184,7 +197,8 @@ CloudReading read_text_cloud(Bytes file, const std::string& extension, const Clo
   while (lines.next(line)) {
     if (lines.number() % lines_between_polls == 0) {
       run.check_cancel();
-      run.report(static_cast<double>(layout.data_offset + lines.position()) / static_cast<double>(file.size()), "reading lines");
+      run.report(static_cast<double>(layout.data_offset + lines.position()) / static_cast<double>(file.size()),
+                 "reading lines");
     }
     split(line, layout.dialect, words);
     if (words.empty() || is_comment(line) || (words.size() == 1 && words[0].empty())) continue;
@@ -205,14 +219,18 @@ CloudReading read_text_cloud(Bytes file, const std::string& extension, const Clo
     builder.add(row);
   }
   if (bad > good)
-    throw bad_input("line " + std::to_string(first_bad) + " and " + std::to_string(bad - 1) + " more do not hold " + std::to_string(row.size()) + " numbers, " + std::to_string(good) + " lines do", "a table of numbers",
-                    "Set the options delimiter and columns");
+    throw bad_input("line " + std::to_string(first_bad) + " and " + std::to_string(bad - 1) + " more do not hold " +
+                        std::to_string(row.size()) + " numbers, " + std::to_string(good) + " lines do",
+                    "a table of numbers", "Set the options delimiter and columns");
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
-  if (bad > 0) out.report.warn(std::to_string(bad) + " lines left out that do not hold " + std::to_string(row.size()) + " numbers; the first is line " + std::to_string(first_bad));
+  if (bad > 0)
+    out.report.warn(std::to_string(bad) + " lines left out that do not hold " + std::to_string(row.size()) +
+                    " numbers; the first is line " + std::to_string(first_bad));
   out.report.facts["format"] = "text";
   std::string columns;
-  for (const auto& f : layout.fields) columns += (columns.empty() ? "" : " ") + (f.name.empty() ? std::string("_") : array_name(f.name));
+  for (const auto& f : layout.fields)
+    columns += (columns.empty() ? "" : " ") + (f.name.empty() ? std::string("_") : array_name(f.name));
   out.report.facts["columns"] = columns;
   return out;
 }

@@ -10,12 +10,13 @@
 namespace bole {
 
 // Lines "time tx ty tz qx qy qz qw", # begins a comment. Quaternions are normalised. Throws Error{bad_input} naming the
-// line: not eight numbers, not finite, a quaternion whose length is not within 1 % of one (files round it), a time that does not increase.
+// line: not eight numbers, not finite, a quaternion whose length is not within 1 % of one (files round it), a time that
+// does not increase.
 Trajectory read_tum(const std::filesystem::path& path);
 Trajectory read_tum(Bytes file, const std::string& name);
 
-// Lines of twelve numbers, the upper rows of T_map_sensor. `times_s`: one per pose; empty: 0, 1, 2, ... Rotations must be
-// orthonormal to 1e-3 and are made so exactly. KITTI's ground truth is in camera axes: it is read as it is.
+// Lines of twelve numbers, the upper rows of T_map_sensor. `times_s`: one per pose; empty: 0, 1, 2, ... Rotations must
+// be orthonormal to 1e-3 and are made so exactly. KITTI's ground truth is in camera axes: it is read as it is.
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s = {});
 Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vector<double>& times_s = {});
 

@@ -26,7 +26,9 @@ std::string product_text(const VelodynePacket& packet) {
   return text;
 }
 
-std::string plural(std::int64_t count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
+std::string plural(std::int64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
 
 }  // namespace
 
@@ -45,15 +47,18 @@ class VelodynePcapSource::Indexer {
     const auto& decoder = *source_.decoder_;
     decoder.firings(packet, firings_);
     packet_end_s_ = std::max(packet_end_s_, packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s());
-    if (first || clock_.jumped()) packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
+    if (first || clock_.jumped())
+      packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
     // How long the rotor took past a sector that the sensor leaves out is known to a few percent only.
-    slack_s_ = 0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
+    slack_s_ =
+        0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
     for (std::size_t i = 0; i < firings_.size(); ++i) {
       const auto& firing = firings_[i];
       if (!firing.valid) continue;
       advance(firing);
       if (source_.frames_.empty() || starts_frame_) {
-        source_.frames_.push_back({{datagram.offset, i}, {}, packet_time_s_ + firing.time_offset_s, packet_time_s_, packet.time_us, 0});
+        source_.frames_.push_back(
+            {{datagram.offset, i}, {}, packet_time_s_ + firing.time_offset_s, packet_time_s_, packet.time_us, 0});
         starts_frame_ = false;
       }
       auto& frame = source_.frames_.back();
@@ -85,7 +90,8 @@ class VelodynePcapSource::Indexer {
       const double observed = relative - last_relative_;
       const double moved = observed + full_turn * std::nearbyint((expected - observed) / full_turn);
       starts_frame_ = starts_frame_ || last_relative_ + moved >= full_turn;
-      if (last_relative_ + moved < 0 && moved > -full_turn / 2) relative = 0;  // a packet from before the cut that came late
+      if (last_relative_ + moved < 0 && moved > -full_turn / 2)
+        relative = 0;  // a packet from before the cut that came late
     } else if (started_) {
       starts_frame_ = true;
     }
@@ -98,15 +104,22 @@ class VelodynePcapSource::Indexer {
   PacketClock clock_;
   std::vector<VelodyneFiring> firings_;
   std::optional<std::uint32_t> last_past_hour_us_;
-  double packet_time_s_ = 0, packet_end_s_ = 0, slack_s_ = 0, last_time_s_ = 0, last_relative_ = 0, rate_centideg_s_ = 0;
+  double packet_time_s_ = 0, packet_end_s_ = 0, slack_s_ = 0, last_time_s_ = 0, last_relative_ = 0,
+         rate_centideg_s_ = 0;
   bool started_ = false, starts_frame_ = false, break_ = false;
 };
 
-VelodynePcapSource::VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run) : path_(path), name_(path.filename().string()), options_(options), reader_(path) {
+VelodynePcapSource::VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options,
+                                       const Run& run)
+    : path_(path), name_(path.filename().string()), options_(options), reader_(path) {
   index(run);
 }
 
-VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run) : path_(name), name_(name), options_(options), reader_(capture, name) { index(run); }
+VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options,
+                                       const Run& run)
+    : path_(name), name_(name), options_(options), reader_(capture, name) {
+  index(run);
+}
 
 void VelodynePcapSource::index(const Run& run) {
   if (options_.sensor != "auto") decoder_.emplace(load_sensor_model(options_.sensor));
@@ -137,18 +150,27 @@ void VelodynePcapSource::index(const Run& run) {
     }
     if (!decoder_) {
       auto model = recognise_velodyne(*packet);
-      if (!model) throw bad_input("'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")", "VLP-16, VLP-32C, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
+      if (!model)
+        throw bad_input(
+            "'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")",
+            "VLP-16, VLP-32C, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
       decoder_.emplace(std::move(*model));
     }
-    if (data_packets++ == 0) report_.facts["return_mode"] = packet->is_dual() ? "dual" : packet->return_mode == 0x38 ? "last" : "strongest";
+    if (data_packets++ == 0)
+      report_.facts["return_mode"] = packet->is_dual() ? "dual" : packet->return_mode == 0x38 ? "last" : "strongest";
     indexer.add(datagram, *packet);
   }
   if (data_packets == 0) {
     const std::string port_text = options_.port != 0 ? " to UDP port " + std::to_string(options_.port) : "";
-    throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" + port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"), "datagrams of 1206 bytes",
-                    other_port > 0 ? "Data packets were seen on another port: set the option port to 0" : "Is this the recording of a Velodyne sensor?");
+    throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" +
+                        port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"),
+                    "datagrams of 1206 bytes",
+                    other_port > 0 ? "Data packets were seen on another port: set the option port to 0"
+                                   : "Is this the recording of a Velodyne sensor?");
   }
-  if (frames_.empty()) throw bad_input("'" + name_ + "' has " + plural(data_packets, "data packet") + " whose blocks are all damaged", "Velodyne data packets of a " + decoder_->model().name);
+  if (frames_.empty())
+    throw bad_input("'" + name_ + "' has " + plural(data_packets, "data packet") + " whose blocks are all damaged",
+                    "Velodyne data packets of a " + decoder_->model().name);
   drop_partial_ends();
   const double complete_turn = usual_turn_centideg() * complete_share;
   counts["frames"] = static_cast<std::int64_t>(frames_.size());
@@ -157,15 +179,25 @@ void VelodynePcapSource::index(const Run& run) {
   counts["other_packets"] = other + other_port + reader_.skipped();
   counts["lost_packets"] = indexer.lost;
   counts["packets_out_of_order"] = indexer.out_of_order;
-  counts["incomplete_frames"] = std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
+  counts["incomplete_frames"] =
+      std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
   report_.facts["sensor"] = decoder_->model().name;
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
-  if (!reader_.trouble().empty()) report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" + reader_.trouble() + "): everything before that is read");
-  if (reader_.fragments() > 0) report_.warn(plural(reader_.fragments(), "fragmented IP packet") + " skipped: capture again with a network MTU of at least 1248 bytes");
-  if (indexer.lost > 0) report_.warn("about " + plural(indexer.lost, "packet") + " lost of " + std::to_string(data_packets + indexer.lost));
+  if (!reader_.trouble().empty())
+    report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
+                 reader_.trouble() + "): everything before that is read");
+  if (reader_.fragments() > 0)
+    report_.warn(plural(reader_.fragments(), "fragmented IP packet") +
+                 " skipped: capture again with a network MTU of at least 1248 bytes");
+  if (indexer.lost > 0)
+    report_.warn("about " + plural(indexer.lost, "packet") + " lost of " + std::to_string(data_packets + indexer.lost));
   if (indexer.out_of_order > 0) report_.warn(plural(indexer.out_of_order, "packet") + " out of order");
-  if (indexer.clock_jumps > 0) report_.warn("the sensor's clock was set " + plural(indexer.clock_jumps, "time") + " during the recording; times go on without the jump");
-  if (other_port > 0) report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) + " left out: choose with the option port");
+  if (indexer.clock_jumps > 0)
+    report_.warn("the sensor's clock was set " + plural(indexer.clock_jumps, "time") +
+                 " during the recording; times go on without the jump");
+  if (other_port > 0)
+    report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
+                 " left out: choose with the option port");
   report_.message = description();
 }
 
@@ -185,7 +217,9 @@ void VelodynePcapSource::drop_partial_ends() {
   if (frames_.size() > 1 && frames_.front().turned_centideg < complete_turn) frames_.erase(frames_.begin());
 }
 
-std::string VelodynePcapSource::description() const { return name_ + ": " + plural(static_cast<std::int64_t>(frames_.size()), "frame") + ", " + decoder_->model().name; }
+std::string VelodynePcapSource::description() const {
+  return name_ + ": " + plural(static_cast<std::int64_t>(frames_.size()), "frame") + ", " + decoder_->model().name;
+}
 
 bool VelodynePcapSource::next_packet(Datagram& datagram, VelodynePacket& packet) const {
   while (reader_.next(datagram)) {
@@ -208,7 +242,9 @@ void VelodynePcapSource::append(const VelodyneReturn& r, double packet_offset_s,
 }
 
 void VelodynePcapSource::read(std::size_t index, ScanFrame& frame) const {
-  if (index >= frames_.size()) throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "'", "0 to " + std::to_string(frames_.size() - 1));
+  if (index >= frames_.size())
+    throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "'",
+                    "0 to " + std::to_string(frames_.size() - 1));
   const auto& entry = frames_[index];
   frame.clear();
   frame.start_time_s = entry.start_time_s;
@@ -217,15 +253,20 @@ void VelodynePcapSource::read(std::size_t index, ScanFrame& frame) const {
   VelodynePacket packet;
   double last_offset_s = 0;
   do {
-    if (!next_packet(datagram, packet)) throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "' can no longer be read", "the file as it was when it was opened");
-    const double packet_offset_s = entry.packet_time_s - entry.start_time_s + 1e-6 * static_cast<double>(past_hour_difference_us(entry.past_hour_us, packet.time_us));
+    if (!next_packet(datagram, packet))
+      throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "' can no longer be read",
+                      "the file as it was when it was opened");
+    const double packet_offset_s =
+        entry.packet_time_s - entry.start_time_s +
+        1e-6 * static_cast<double>(past_hour_difference_us(entry.past_hour_us, packet.time_us));
     decoder_->firings(packet, firings_);
     const std::size_t first = datagram.offset == entry.begin.offset ? entry.begin.firing : 0;
     const std::size_t last = datagram.offset == entry.end.offset ? entry.end.firing : firings_.size();
     returns_.clear();
     decoder_->decode(packet, firings_, first, last, returns_);
     for (const auto& r : returns_) append(r, packet_offset_s, frame);
-    if (last > 0 && last <= firings_.size()) last_offset_s = std::max(last_offset_s, packet_offset_s + firings_[last - 1].time_offset_s);
+    if (last > 0 && last <= firings_.size())
+      last_offset_s = std::max(last_offset_s, packet_offset_s + firings_[last - 1].time_offset_s);
   } while (datagram.offset < entry.end.offset);
   frame.end_time_s = frame.start_time_s + last_offset_s;
 }

@@ -1,4 +1,5 @@
-// A point cloud file (LAS, LAZ, PLY, PCD, XYZ). The stage `io.read_cloud` as a VTK algorithm: options, ports and method are those of the stage.
+// A point cloud file (LAS, LAZ, PLY, PCD, XYZ). The stage `io.read_cloud` as a VTK algorithm: options, ports and method
+// are those of the stage.
 #ifndef vtkBoleReadCloud_h
 #define vtkBoleReadCloud_h
 

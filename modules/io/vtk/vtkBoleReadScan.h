@@ -1,4 +1,5 @@
-// Frames of a raw scan (pcap, KITTI folder) as time steps. The stage `io.read_scan` as a VTK algorithm: options, ports and method are those of the stage.
+// Frames of a raw scan (pcap, KITTI folder) as time steps. The stage `io.read_scan` as a VTK algorithm: options, ports
+// and method are those of the stage.
 #ifndef vtkBoleReadScan_h
 #define vtkBoleReadScan_h
 

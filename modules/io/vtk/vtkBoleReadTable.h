@@ -1,4 +1,5 @@
-// A table from a CSV file. The stage `io.read_table` as a VTK algorithm: options, ports and method are those of the stage.
+// A table from a CSV file. The stage `io.read_table` as a VTK algorithm: options, ports and method are those of the
+// stage.
 #ifndef vtkBoleReadTable_h
 #define vtkBoleReadTable_h
 

@@ -1,4 +1,5 @@
-// A trajectory from a TUM or KITTI pose file. The stage `io.read_trajectory` as a VTK algorithm: options, ports and method are those of the stage.
+// A trajectory from a TUM or KITTI pose file. The stage `io.read_trajectory` as a VTK algorithm: options, ports and
+// method are those of the stage.
 #ifndef vtkBoleReadTrajectory_h
 #define vtkBoleReadTrajectory_h
 

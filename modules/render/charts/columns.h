@@ -10,7 +10,9 @@ namespace bole {
 
 // The numbers of a column, or NaN in every row when the table lacks it.
 inline std::vector<double> numbers_or_nan(const Table& table, std::string_view name) {
-  if (const auto* values = table.find(name); values == nullptr || std::holds_alternative<std::vector<std::string>>(*values)) return std::vector<double>(table.rows(), std::numeric_limits<double>::quiet_NaN());
+  if (const auto* values = table.find(name);
+      values == nullptr || std::holds_alternative<std::vector<std::string>>(*values))
+    return std::vector<double>(table.rows(), std::numeric_limits<double>::quiet_NaN());
   return table.numbers(name);
 }
 

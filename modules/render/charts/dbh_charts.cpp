@@ -22,7 +22,8 @@ Pairs matched_pairs(const Table& matches) {
   const auto kind = texts_or_empty(matches, "kind");
   const auto dbh = numbers_or_nan(matches, "dbh_cm"), ref = numbers_or_nan(matches, "ref_dbh_cm");
   for (std::size_t i = 0; i < matches.rows(); ++i)
-    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dbh[i]) && std::isfinite(ref[i])) pairs.estimate.push_back(dbh[i]), pairs.reference.push_back(ref[i]);
+    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dbh[i]) && std::isfinite(ref[i]))
+      pairs.estimate.push_back(dbh[i]), pairs.reference.push_back(ref[i]);
   return pairs;
 }
 
@@ -53,14 +54,18 @@ void draw_scatter(Canvas& canvas, const Pairs& pairs) {
   canvas.line(frame.map(range.lo, range.lo), frame.map(range.hi, range.hi), Stroke{ink::muted, 0.25, {1.4, 1.0}});
   TextStyle beside{7, ink::muted};
   beside.angle_rad = std::numbers::pi / 4;
-  canvas.text(frame.map(range.lo, range.lo) + Eigen::Vector2d(4.2, -3), "1:1", beside.aligned(HAlign::left, VAlign::baseline));
-  for (std::size_t i = 0; i < pairs.estimate.size(); ++i) canvas.circle(frame.map(pairs.reference[i], pairs.estimate[i]), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
+  canvas.text(frame.map(range.lo, range.lo) + Eigen::Vector2d(4.2, -3), "1:1",
+              beside.aligned(HAlign::left, VAlign::baseline));
+  for (std::size_t i = 0; i < pairs.estimate.size(); ++i)
+    canvas.circle(frame.map(pairs.reference[i], pairs.estimate[i]), 0.75, ink::primary.with_alpha(0.65),
+                  Stroke{ink::paper, 0.1});
   draw_axes(canvas, frame, axes);
   const auto s = error_statistics(pairs.estimate, pairs.reference);
-  draw_statistics(canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
-                  {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)", "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)",
-                   "R² = " + fixed(s.r_squared, 3)},
-                  HAlign::left);
+  draw_statistics(
+      canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
+      {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)",
+       "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)", "R² = " + fixed(s.r_squared, 3)},
+      HAlign::left);
 }
 
 struct ErrorClass {
@@ -87,7 +92,8 @@ void draw_box(Canvas& canvas, const Frame& frame, double x, const std::vector<do
   const double half = 0.26, q1 = quantile(errors, 0.25), q3 = quantile(errors, 0.75), reach = 1.5 * (q3 - q1);
   const Stroke outline{ink::primary, 0.25};
   if (errors.size() >= 4) {
-    const double lo = *std::lower_bound(errors.begin(), errors.end(), q1 - reach), hi = *(std::upper_bound(errors.begin(), errors.end(), q3 + reach) - 1);
+    const double lo = *std::lower_bound(errors.begin(), errors.end(), q1 - reach),
+                 hi = *(std::upper_bound(errors.begin(), errors.end(), q3 + reach) - 1);
     canvas.line(frame.map(x, lo), frame.map(x, q1), outline);
     canvas.line(frame.map(x, q3), frame.map(x, hi), outline);
     for (const double end : {lo, hi}) canvas.line(frame.map(x - half / 2, end), frame.map(x + half / 2, end), outline);
@@ -97,7 +103,8 @@ void draw_box(Canvas& canvas, const Frame& frame, double x, const std::vector<do
   const double median = quantile(errors, 0.5);
   canvas.line(frame.map(x - half, median), frame.map(x + half, median), Stroke{ink::primary, 0.55});
   std::vector<Eigen::Vector2d> dots;
-  for (std::size_t i = 0; i < errors.size(); ++i) dots.push_back(frame.map(x + 0.13 * (static_cast<double>(i * 7 % 5) - 2) / 2, errors[i]));
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    dots.push_back(frame.map(x + 0.13 * (static_cast<double>(i * 7 % 5) - 2) / 2, errors[i]));
   canvas.dots(dots, 0.8, ink::text.with_alpha(0.55));
 }
 
@@ -105,7 +112,9 @@ void draw_boxes(Canvas& canvas, const std::vector<ErrorClass>& classes, double c
   double most = 0.5;
   for (const auto& c : classes) most = std::max({most, std::abs(c.errors.front()), std::abs(c.errors.back())});
   const Interval y = nice_interval({-1.08 * most, 1.08 * most}, 6);
-  const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3}, {-0.5, static_cast<double>(classes.size()) - 0.5}, y};
+  const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3},
+                    {-0.5, static_cast<double>(classes.size()) - 0.5},
+                    y};
   AxesStyle axes{"Reference DBH class (cm)", "DBH error (cm)"};
   axes.x_axis = false;
   draw_grid(canvas, frame, axes);
@@ -115,8 +124,10 @@ void draw_boxes(Canvas& canvas, const std::vector<ErrorClass>& classes, double c
     draw_box(canvas, frame, x, classes[i].errors);
     const auto foot = frame.map(x, y.lo);
     canvas.line(foot, {foot.x(), foot.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({foot.x(), foot.y() + 2}, fixed(classes[i].lo_cm, 0) + "–" + fixed(classes[i].lo_cm + class_cm, 0), TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
-    canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(classes[i].errors.size()), TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::top));
+    canvas.text({foot.x(), foot.y() + 2}, fixed(classes[i].lo_cm, 0) + "–" + fixed(classes[i].lo_cm + class_cm, 0),
+                TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
+    canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(classes[i].errors.size()),
+                TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::top));
   }
   draw_axes(canvas, frame, axes);
 }
@@ -128,8 +139,11 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
   if (counts.empty()) counts[0] = 0;
   int most = 1;
   for (const auto& [k, n] : counts) most = std::max(most, n);
-  const double lo = static_cast<double>(counts.begin()->first) * class_cm, hi = static_cast<double>(counts.rbegin()->first + 1) * class_cm;
-  const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3}, {lo - 0.3 * class_cm, hi + 0.3 * class_cm}, {0, std::max(nice_interval({0, 1.05 * most}, 5).hi, 2.0)}};
+  const double lo = static_cast<double>(counts.begin()->first) * class_cm,
+               hi = static_cast<double>(counts.rbegin()->first + 1) * class_cm;
+  const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3},
+                    {lo - 0.3 * class_cm, hi + 0.3 * class_cm},
+                    {0, std::max(nice_interval({0, 1.05 * most}, 5).hi, 2.0)}};
   AxesStyle axes{"DBH (cm)", "Stems"};
   axes.x_axis = false;
   draw_grid(canvas, frame, axes);
@@ -137,7 +151,8 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
     const double x = static_cast<double>(k) * class_cm;
     const auto a = frame.map(x + 0.04 * class_cm, n), b = frame.map(x + 0.96 * class_cm, 0);
     canvas.rectangle({a.x(), a.y(), b.x(), b.y()}, mix(ink::paper, ink::primary, 0.75));
-    canvas.text({(a.x() + b.x()) / 2, a.y() - 0.9}, std::to_string(n), TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::baseline));
+    canvas.text({(a.x() + b.x()) / 2, a.y() - 0.9}, std::to_string(n),
+                TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::baseline));
   }
   const auto classes = static_cast<int>(std::lround((hi - lo) / class_cm));
   const int every = std::max(1, static_cast<int>(std::ceil(7.0 * classes / frame.box.width())));
@@ -152,7 +167,8 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
     const bool left = mean > (frame.x.lo + frame.x.hi) / 2;
     TextStyle style{7, ink::accent};
     style.halo_mm = 0.4;
-    canvas.text(frame.map(mean, frame.y.hi) + Eigen::Vector2d(left ? -1.2 : 1.2, 0.5), "mean " + fixed(mean, 1) + " cm", style.aligned(left ? HAlign::right : HAlign::left, VAlign::top));
+    canvas.text(frame.map(mean, frame.y.hi) + Eigen::Vector2d(left ? -1.2 : 1.2, 0.5), "mean " + fixed(mean, 1) + " cm",
+                style.aligned(left ? HAlign::right : HAlign::left, VAlign::top));
   }
   draw_axes(canvas, frame, axes);
 }
@@ -165,9 +181,12 @@ ErrorStatistics error_statistics(const std::vector<double>& estimate, const std:
   if (s.count == 0) return {0, std::nan(""), std::nan(""), std::nan(""), std::nan(""), std::nan("")};
   const double n = static_cast<double>(s.count);
   double mean_e = 0, mean_r = 0, squares = 0;
-  for (std::size_t i = 0; i < s.count; ++i) mean_e += estimate[i] / n, mean_r += reference[i] / n, squares += std::pow(estimate[i] - reference[i], 2);
+  for (std::size_t i = 0; i < s.count; ++i)
+    mean_e += estimate[i] / n, mean_r += reference[i] / n, squares += std::pow(estimate[i] - reference[i], 2);
   double ee = 0, rr = 0, er = 0;
-  for (std::size_t i = 0; i < s.count; ++i) ee += std::pow(estimate[i] - mean_e, 2), rr += std::pow(reference[i] - mean_r, 2), er += (estimate[i] - mean_e) * (reference[i] - mean_r);
+  for (std::size_t i = 0; i < s.count; ++i)
+    ee += std::pow(estimate[i] - mean_e, 2), rr += std::pow(reference[i] - mean_r, 2),
+        er += (estimate[i] - mean_e) * (reference[i] - mean_r);
   s.bias = mean_e - mean_r;
   s.rmse = std::sqrt(squares / n);
   s.bias_percent = 100 * s.bias / mean_r;
@@ -191,19 +210,28 @@ Figure dbh_scatter(const Table& matches, double width_mm) {
 Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
   Figure figure{"dbh_errors",
                 "Diameter error by class",
-                "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 times the distance between them, and every tree as a dot.",
+                "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 "
+                "times the distance between them, and every tree as a dot.",
                 width_mm,
                 0.72 * width_mm,
                 true,
                 {}};
-  figure.draw = [classes = error_classes(matched_pairs(matches), class_cm), class_cm](Canvas& canvas) { draw_boxes(canvas, classes, class_cm); };
+  figure.draw = [classes = error_classes(matched_pairs(matches), class_cm), class_cm](Canvas& canvas) {
+    draw_boxes(canvas, classes, class_cm);
+  };
   return figure;
 }
 
 Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double class_cm) {
   std::vector<double> finite;
   std::copy_if(dbh_cm.begin(), dbh_cm.end(), std::back_inserter(finite), [](double d) { return std::isfinite(d); });
-  Figure figure{"dbh_histogram", "Diameter distribution", "Stems per class of diameter at breast height (classes of " + fixed(class_cm, 0) + " cm).", width_mm, 0.66 * width_mm, true, {}};
+  Figure figure{"dbh_histogram",
+                "Diameter distribution",
+                "Stems per class of diameter at breast height (classes of " + fixed(class_cm, 0) + " cm).",
+                width_mm,
+                0.66 * width_mm,
+                true,
+                {}};
   figure.draw = [finite = std::move(finite), class_cm](Canvas& canvas) { draw_histogram(canvas, finite, class_cm); };
   return figure;
 }

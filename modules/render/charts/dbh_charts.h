@@ -9,7 +9,8 @@ namespace bole {
 // Estimated against reference diameter with the 1:1 line. `matches` as the evaluation gives it.
 Figure dbh_scatter(const Table& matches, double width_mm);
 
-// Errors per class of reference diameter: median, quartiles, whiskers to 1.5 times their distance, every error as a dot.
+// Errors per class of reference diameter: median, quartiles, whiskers to 1.5 times their distance, every error as a
+// dot.
 Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm = 4);
 
 // How many stems per diameter class. `dbh_cm` of the stems that count.

@@ -44,9 +44,13 @@ struct PlotArea {
   std::vector<Eigen::Vector2d> outline() const {
     std::vector<Eigen::Vector2d> points;
     if (shape == Shape::rectangle)
-      for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) points.emplace_back(centre.x() + sx * width_m / 2, centre.y() + sy * height_m / 2);
+      for (const auto& [sx, sy] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+        points.emplace_back(centre.x() + sx * width_m / 2, centre.y() + sy * height_m / 2);
     if (shape == Shape::circle)
-      for (int i = 0; i < 180; ++i) points.emplace_back(centre + width_m / 2 * Eigen::Vector2d(std::cos(i * std::numbers::pi / 90), std::sin(i * std::numbers::pi / 90)));
+      for (int i = 0; i < 180; ++i)
+        points.emplace_back(
+            centre +
+            width_m / 2 * Eigen::Vector2d(std::cos(i * std::numbers::pi / 90), std::sin(i * std::numbers::pi / 90)));
     return points;
   }
 };

@@ -17,7 +17,8 @@ std::vector<Eigen::Vector2d> matched_errors(const Table& matches) {
   const auto kind = texts_or_empty(matches, "kind");
   const auto dx = numbers_or_nan(matches, "dx_m"), dy = numbers_or_nan(matches, "dy_m");
   for (std::size_t i = 0; i < matches.rows(); ++i)
-    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dx[i]) && std::isfinite(dy[i])) errors.emplace_back(dx[i], dy[i]);
+    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dx[i]) && std::isfinite(dy[i]))
+      errors.emplace_back(dx[i], dy[i]);
   return errors;
 }
 
@@ -43,16 +44,21 @@ void draw_errors(Canvas& canvas, const std::vector<Eigen::Vector2d>& errors_m) {
     const double k = std::sqrt(5.991) * frame.mm_per_unit_x();  // 95 % of a chi-square law with 2 degrees of freedom
     const Eigen::Vector2d axis = eigen.eigenvectors().col(1);
     const Eigen::Vector2d half = eigen.eigenvalues().cwiseMax(0).cwiseSqrt() * k;
-    canvas.ellipse(frame.map(spread.mean.x(), spread.mean.y()), half.y(), half.x(), std::atan2(axis.y(), axis.x()), ink::accent.with_alpha(0.10), Stroke{ink::accent, 0.3});
-    for (const auto& e : cm) canvas.circle(frame.map(e.x(), e.y()), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
+    canvas.ellipse(frame.map(spread.mean.x(), spread.mean.y()), half.y(), half.x(), std::atan2(axis.y(), axis.x()),
+                   ink::accent.with_alpha(0.10), Stroke{ink::accent, 0.3});
+    for (const auto& e : cm)
+      canvas.circle(frame.map(e.x(), e.y()), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
     canvas.cross(frame.map(spread.mean.x(), spread.mean.y()), 1.2, Stroke{ink::accent, 0.45});
   }
   draw_axes(canvas, frame, axes);
   double sx = 0, sy = 0;
   for (const auto& e : cm) sx += e.x() * e.x(), sy += e.y() * e.y();
   const double n = std::max<double>(1, static_cast<double>(cm.size()));
-  const std::vector<std::string> lines{"n = " + std::to_string(cm.size()), "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
-                                       "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm", "σ max = " + fixed(spread.sigma_max, 1) + " cm"};
+  const std::vector<std::string> lines{
+      "n = " + std::to_string(cm.size()),
+      "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
+      "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm",
+      "σ max = " + fixed(spread.sigma_max, 1) + " cm"};
   double y = frame.box.y0 + 2.2;
   for (const auto& line : lines) {
     TextStyle style{7.5};
@@ -75,7 +81,9 @@ void take_errors(const Trajectory& trajectory, const Trajectory& reference, Walk
   for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
     const auto& pose = trajectory.poses[i];
     const bool covered = pose.time_s >= reference.poses.front().time_s && pose.time_s <= reference.poses.back().time_s;
-    walk.value[i] = covered ? 100 * (pose.T_target_sensor.translation() - reference.at(pose.time_s).translation()).norm() : std::nan("");
+    walk.value[i] = covered
+                        ? 100 * (pose.T_target_sensor.translation() - reference.at(pose.time_s).translation()).norm()
+                        : std::nan("");
   }
 }
 
@@ -85,7 +93,8 @@ constexpr double most_segments = 1500;  // each has its own colour, hence its ow
 void thin(Walk& walk, double step_m) {
   Walk kept;
   for (std::size_t i = 0; i < walk.at.size(); ++i)
-    if (kept.at.empty() || i + 1 == walk.at.size() || (walk.at[i] - kept.at.back()).norm() >= step_m) kept.at.push_back(walk.at[i]), kept.value.push_back(walk.value[i]);
+    if (kept.at.empty() || i + 1 == walk.at.size() || (walk.at[i] - kept.at.back()).norm() >= step_m)
+      kept.at.push_back(walk.at[i]), kept.value.push_back(walk.value[i]);
   walk.at = std::move(kept.at), walk.value = std::move(kept.value);
 }
 
@@ -114,7 +123,9 @@ Frame walk_frame(const Walk& walk, double width_mm) {
   const double pad = 0.05 * span + 0.2, w = width_mm - axis_space_left_mm - 20;
   const double mid_x = (lo.x() + hi.x()) / 2, mid_y = (lo.y() + hi.y()) / 2;
   const double half_x = span / 2 + pad, half_y = std::max((hi.y() - lo.y()) / 2 + pad, 0.35 * half_x);
-  return {{axis_space_left_mm, 2, axis_space_left_mm + w, 2 + w * half_y / half_x}, {mid_x - half_x, mid_x + half_x}, {mid_y - half_y, mid_y + half_y}};
+  return {{axis_space_left_mm, 2, axis_space_left_mm + w, 2 + w * half_y / half_x},
+          {mid_x - half_x, mid_x + half_x},
+          {mid_y - half_y, mid_y + half_y}};
 }
 
 void draw_walk(Canvas& canvas, const Walk& walk, const Frame& frame) {
@@ -127,14 +138,18 @@ void draw_walk(Canvas& canvas, const Walk& walk, const Frame& frame) {
     std::vector<Eigen::Vector2d> line;
     for (const auto& p : walk.reference) line.push_back(frame.map(p.x(), p.y()));
     canvas.polyline(line, Stroke{ink::muted, 0.9});
-    for (std::size_t i = 0; i + 1 < walk.at.size(); ++i) canvas.line(frame.map(walk.at[i].x(), walk.at[i].y()), frame.map(walk.at[i + 1].x(), walk.at[i + 1].y()), Stroke{map.at(walk.value[i] / walk.range.hi), 0.5});
+    for (std::size_t i = 0; i + 1 < walk.at.size(); ++i)
+      canvas.line(frame.map(walk.at[i].x(), walk.at[i].y()), frame.map(walk.at[i + 1].x(), walk.at[i + 1].y()),
+                  Stroke{map.at(walk.value[i] / walk.range.hi), 0.5});
     if (!walk.at.empty()) {
       draw_symbol(canvas, Symbol::triangle, frame.map(walk.at.front().x(), walk.at.front().y()), 2.6, ink::good);
       draw_symbol(canvas, Symbol::square, frame.map(walk.at.back().x(), walk.at.back().y()), 2.2, ink::accent);
     }
   }
   draw_axes(canvas, frame, axes);
-  draw_color_bar(canvas, {frame.box.x1 + 5, frame.box.y0 + 6, frame.box.x1 + 8, std::min(frame.box.y1, frame.box.y0 + 46)}, map, walk.range, walk.compared ? "Error (cm)" : "Time (s)");
+  draw_color_bar(canvas,
+                 {frame.box.x1 + 5, frame.box.y0 + 6, frame.box.x1 + 8, std::min(frame.box.y1, frame.box.y0 + 46)}, map,
+                 walk.range, walk.compared ? "Error (cm)" : "Time (s)");
   std::vector<LegendEntry> entries{{Symbol::triangle, ink::good, "start"}, {Symbol::square, ink::accent, "end"}};
   if (walk.compared) entries.push_back({Symbol::line, ink::muted, "reference"});
   const double y = frame.box.y1 + 16.5;
@@ -150,14 +165,18 @@ ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors) {
   const double n = static_cast<double>(errors.size());
   for (const auto& e : errors) spread.mean += e / n;
   for (const auto& e : errors) spread.covariance += (e - spread.mean) * (e - spread.mean).transpose() / n;
-  spread.sigma_max = std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread.covariance, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff()));
+  spread.sigma_max =
+      std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread.covariance, Eigen::EigenvaluesOnly)
+                                  .eigenvalues()
+                                  .maxCoeff()));
   return spread;
 }
 
 Figure position_errors(const Table& matches, double width_mm) {
   Figure figure{"position_errors",
                 "Position errors of stems",
-                "Estimated minus reference position of every matched stem; cross: mean, ellipse: 95 % of a normal law of the same covariance.",
+                "Estimated minus reference position of every matched stem; cross: mean, ellipse: 95 % of a normal law "
+                "of the same covariance.",
                 width_mm,
                 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
                 true,
@@ -171,7 +190,9 @@ Figure trajectory_plan(const Trajectory& trajectory, const Trajectory* reference
   const auto frame = walk_frame(walk, width_mm);
   Figure figure{"trajectory",
                 "Walk of the scanner",
-                walk.compared ? "Path of the scanner from above, coloured by its distance from the reference at equal times." : "Path of the scanner from above, coloured by time.",
+                walk.compared
+                    ? "Path of the scanner from above, coloured by its distance from the reference at equal times."
+                    : "Path of the scanner from above, coloured by time.",
                 width_mm,
                 frame.box.y1 + 20,
                 true,

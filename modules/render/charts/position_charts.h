@@ -7,7 +7,8 @@
 
 namespace bole {
 
-// Position errors (estimate minus reference) of matched stems with their mean and covariance ellipse (95 % of a normal law).
+// Position errors (estimate minus reference) of matched stems with their mean and covariance ellipse (95 % of a normal
+// law).
 Figure position_errors(const Table& matches, double width_mm);
 
 // Mean, covariance (divided by n, SPEC A11) and the square root of its largest eigenvalue.
@@ -18,8 +19,8 @@ struct ErrorSpread {
 };
 ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors);
 
-// The walk from above, coloured by time, or by its distance from a reference at equal times where one is given. Both must be
-// in the same axes.
+// The walk from above, coloured by time, or by its distance from a reference at equal times where one is given. Both
+// must be in the same axes.
 Figure trajectory_plan(const Trajectory& trajectory, const Trajectory* reference, double width_mm);
 
 }  // namespace bole

@@ -13,8 +13,9 @@ struct SliceSheetOptions {
   int most_points = 1200;  // drawn per tree
 };
 
-// One figure per page ("slices_01", ...), the trees with the least trustworthy diameter first. `slice`: points around breast
-// height, coloured by `pass` where there is more than one. Trees without points are shown too, with a note.
-std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, double width_mm, const SliceSheetOptions& options = {});
+// One figure per page ("slices_01", ...), the trees with the least trustworthy diameter first. `slice`: points around
+// breast height, coloured by `pass` where there is more than one. Trees without points are shown too, with a note.
+std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, double width_mm,
+                                 const SliceSheetOptions& options = {});
 
 }  // namespace bole

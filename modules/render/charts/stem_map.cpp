@@ -31,7 +31,8 @@ struct Content {
   bool compared = false, north_known = true;
 };
 
-constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11, furniture_mm = 12;
+constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11,
+                 furniture_mm = 12;
 constexpr double least_radius_mm = 0.45;  // a stem stays visible on a small map
 
 void take_stems(const Table& table, Content& content) {
@@ -39,16 +40,21 @@ void take_stems(const Table& table, Content& content) {
   const auto quality = texts_or_empty(table, "quality");
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
-    content.stems.push_back({{x[i], y[i]}, std::isfinite(dbh[i]) ? dbh[i] / 100 : 0.1, table.has("tree_id") ? table.text("tree_id", i, 0) : std::to_string(i + 1), quality_color(quality[i])});
+    content.stems.push_back({{x[i], y[i]},
+                             std::isfinite(dbh[i]) ? dbh[i] / 100 : 0.1,
+                             table.has("tree_id") ? table.text("tree_id", i, 0) : std::to_string(i + 1),
+                             quality_color(quality[i])});
   }
 }
 
 void take_matches(const Table& table, Content& content) {
   content.compared = true;
   const auto kind = texts_or_empty(table, "kind");
-  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m"), ref_x = numbers_or_nan(table, "ref_x_m"), ref_y = numbers_or_nan(table, "ref_y_m");
+  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m"),
+             ref_x = numbers_or_nan(table, "ref_x_m"), ref_y = numbers_or_nan(table, "ref_y_m");
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (kind[i] == "missed" && std::isfinite(ref_x[i]) && std::isfinite(ref_y[i])) content.missed.push_back({{ref_x[i], ref_y[i]}, table.has("ref_id") ? table.text("ref_id", i, 0) : ""});
+    if (kind[i] == "missed" && std::isfinite(ref_x[i]) && std::isfinite(ref_y[i]))
+      content.missed.push_back({{ref_x[i], ref_y[i]}, table.has("ref_id") ? table.text("ref_id", i, 0) : ""});
     if (kind[i] != "false") continue;
     for (auto& stem : content.stems)
       if ((stem.at - Eigen::Vector2d(x[i], y[i])).norm() < 1e-3) stem.is_false = true;
@@ -129,7 +135,9 @@ void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
   };
   for (const auto& t : content.targets) request(frame.map(t.at.x(), t.at.y()), 1.4, t.name, ink::primary);
   for (const auto& m : content.missed) request(frame.map(m.at.x(), m.at.y()), 1.1, m.name, ink::accent);
-  for (const auto& s : content.stems) request(frame.map(s.at.x(), s.at.y()), std::max(least_radius_mm, s.dbh_m / 2 * frame.mm_per_unit_x()), s.id, ink::text);
+  for (const auto& s : content.stems)
+    request(frame.map(s.at.x(), s.at.y()), std::max(least_radius_mm, s.dbh_m / 2 * frame.mm_per_unit_x()), s.id,
+            ink::text);
   const auto places = place_labels(requests, {}, frame.box.grown(-0.4));
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto c = places[i].box.centre();
@@ -142,9 +150,13 @@ void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
 }
 
 std::vector<LegendEntry> legend_of(const Content& content) {
-  std::vector<LegendEntry> entries{{Symbol::disc, ink::good, "stem, good fit"}, {Symbol::disc, ink::fair, "fair"}, {Symbol::disc, ink::poor, "poor"}};
-  if (std::none_of(content.stems.begin(), content.stems.end(), [](const Stem& s) { return s.color.r != ink::muted.r; })) entries = {{Symbol::disc, ink::muted, "stem"}};
-  if (content.compared) entries.push_back({Symbol::ring, ink::accent, "missed"}), entries.push_back({Symbol::cross, ink::accent, "false"});
+  std::vector<LegendEntry> entries{{Symbol::disc, ink::good, "stem, good fit"},
+                                   {Symbol::disc, ink::fair, "fair"},
+                                   {Symbol::disc, ink::poor, "poor"}};
+  if (std::none_of(content.stems.begin(), content.stems.end(), [](const Stem& s) { return s.color.r != ink::muted.r; }))
+    entries = {{Symbol::disc, ink::muted, "stem"}};
+  if (content.compared)
+    entries.push_back({Symbol::ring, ink::accent, "missed"}), entries.push_back({Symbol::cross, ink::accent, "false"});
   if (!content.targets.empty()) entries.push_back({Symbol::star, ink::primary, "target"});
   if (!content.path.empty()) entries.push_back({Symbol::line, ink::path, "walk"});
   if (!content.outline.empty()) entries.push_back({Symbol::dashed_line, ink::axis, "plot boundary"});
@@ -167,15 +179,18 @@ void draw(Canvas& canvas, const Content& content, const Frame& frame) {
     for (const auto& p : content.outline) line.push_back(frame.map(p.x(), p.y()));
     if (!line.empty()) canvas.polygon(line, {}, Stroke{ink::axis, 0.35, {1.6, 1.0}});
     for (const auto& s : content.stems) draw_stem(canvas, frame, s);
-    for (const auto& m : content.missed) canvas.circle(frame.map(m.at.x(), m.at.y()), 1.0, {}, Stroke{ink::accent, 0.35});
-    for (const auto& t : content.targets) draw_symbol(canvas, Symbol::star, frame.map(t.at.x(), t.at.y()), 2.8, ink::primary);
+    for (const auto& m : content.missed)
+      canvas.circle(frame.map(m.at.x(), m.at.y()), 1.0, {}, Stroke{ink::accent, 0.35});
+    for (const auto& t : content.targets)
+      draw_symbol(canvas, Symbol::star, frame.map(t.at.x(), t.at.y()), 2.8, ink::primary);
   }
   draw_labels(canvas, frame, content);
   draw_axes(canvas, frame, axes);
   const double y = frame.box.y1 + margin_below + 5.5;
   const double bar_mm = draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 40);
   if (content.north_known) draw_north_arrow(canvas, {frame.box.x0 + 1 + bar_mm + 12, y + 0.6}, 8);
-  draw_legend_row(canvas, {frame.box.x0 + 1 + bar_mm + 20, y - 5.2}, frame.box.x1 - frame.box.x0 - bar_mm - 20, legend_of(content), 7);
+  draw_legend_row(canvas, {frame.box.x0 + 1 + bar_mm + 20, y - 5.2}, frame.box.x1 - frame.box.x0 - bar_mm - 20,
+                  legend_of(content), 7);
 }
 
 }  // namespace
@@ -184,12 +199,17 @@ Figure stem_map(const StemMapData& data, double width_mm) {
   auto content = content_of(data);
   const auto frame = frame_of(content, width_mm);
   const auto all = content.stems.size();
-  std::erase_if(content.stems, [&](const Stem& s) { return s.at.x() < frame.x.lo || s.at.x() > frame.x.hi || s.at.y() < frame.y.lo || s.at.y() > frame.y.hi; });
+  std::erase_if(content.stems, [&](const Stem& s) {
+    return s.at.x() < frame.x.lo || s.at.x() > frame.x.hi || s.at.y() < frame.y.lo || s.at.y() > frame.y.hi;
+  });
   Figure figure;
   figure.name = "stem_map";
   figure.title = "Stem map";
-  figure.caption = "Stems at breast height, drawn to scale and coloured by the quality of their fit; the numbers are the tree ids.";
-  if (content.stems.size() < all) figure.caption += " " + std::to_string(all - content.stems.size()) + " stems further outside the plot are not shown.";
+  figure.caption =
+      "Stems at breast height, drawn to scale and coloured by the quality of their fit; the numbers are the tree ids.";
+  if (content.stems.size() < all)
+    figure.caption +=
+        " " + std::to_string(all - content.stems.size()) + " stems further outside the plot are not shown.";
   figure.width_mm = width_mm;
   figure.height_mm = frame.box.y1 + margin_below + furniture_mm;
   figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };

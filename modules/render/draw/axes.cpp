@@ -30,7 +30,8 @@ Ticks nice_ticks(const Interval& range, int about) {
   Ticks ticks;
   ticks.step = nice_step(range.length(), about);
   const int decimals = decimals_of(ticks.step);
-  for (double k = std::ceil(range.lo / ticks.step - 1e-6); k * ticks.step <= range.hi + 1e-6 * ticks.step && ticks.at.size() < 1000; ++k) {
+  for (double k = std::ceil(range.lo / ticks.step - 1e-6);
+       k * ticks.step <= range.hi + 1e-6 * ticks.step && ticks.at.size() < 1000; ++k) {
     ticks.at.push_back(k * ticks.step);
     ticks.text.push_back(fixed(k * ticks.step, decimals));
   }
@@ -53,8 +54,10 @@ std::string fixed(double value, int decimals) {
 
 void draw_grid(Canvas& canvas, const Frame& frame, const AxesStyle& style) {
   if (style.x_axis)
-    for (const double x : nice_ticks(frame.x, style.x_ticks).at) canvas.line(frame.map(x, frame.y.lo), frame.map(x, frame.y.hi), grid_stroke);
-  for (const double y : nice_ticks(frame.y, style.y_ticks).at) canvas.line(frame.map(frame.x.lo, y), frame.map(frame.x.hi, y), grid_stroke);
+    for (const double x : nice_ticks(frame.x, style.x_ticks).at)
+      canvas.line(frame.map(x, frame.y.lo), frame.map(x, frame.y.hi), grid_stroke);
+  for (const double y : nice_ticks(frame.y, style.y_ticks).at)
+    canvas.line(frame.map(frame.x.lo, y), frame.map(frame.x.hi, y), grid_stroke);
 }
 
 void draw_axes(Canvas& canvas, const Frame& frame, const AxesStyle& style) {

@@ -36,7 +36,9 @@ std::string fixed(double value, int decimals);
 struct Frame {
   Box box;
   Interval x, y;
-  Eigen::Vector2d map(double data_x, double data_y) const { return {box.x0 + (data_x - x.lo) / x.length() * box.width(), box.y1 - (data_y - y.lo) / y.length() * box.height()}; }
+  Eigen::Vector2d map(double data_x, double data_y) const {
+    return {box.x0 + (data_x - x.lo) / x.length() * box.width(), box.y1 - (data_y - y.lo) / y.length() * box.height()};
+  }
   double mm_per_unit_x() const { return box.width() / x.length(); }
 };
 

@@ -23,11 +23,13 @@ void set_stroke(cairo_t* cairo, const Stroke& stroke) {
 }  // namespace
 
 Color Image::pixel(int x, int y) const {
-  const auto* p = rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+  const auto* p =
+      rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
   return {p[0] / 255.0, p[1] / 255.0, p[2] / 255.0, p[3] / 255.0};
 }
 
-Canvas::Canvas(cairo_t* cairo, double width_mm, double height_mm) : cairo_(cairo), width_mm_(width_mm), height_mm_(height_mm) {
+Canvas::Canvas(cairo_t* cairo, double width_mm, double height_mm)
+    : cairo_(cairo), width_mm_(width_mm), height_mm_(height_mm) {
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_BUTT);
   // Glyphs laid out without regard to pixels: the same figure at any resolution.
@@ -82,7 +84,8 @@ void Canvas::rectangle(const Box& box, std::optional<Color> fill, std::optional<
   paint_path(fill, stroke);
 }
 
-void Canvas::circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill, std::optional<Stroke> stroke) {
+void Canvas::circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill,
+                    std::optional<Stroke> stroke) {
   cairo_new_sub_path(cairo_);
   cairo_arc(cairo_, centre.x(), centre.y(), radius_mm, 0, full_turn);
   cairo_close_path(cairo_);
@@ -101,19 +104,22 @@ void Canvas::ring(const Eigen::Vector2d& centre, double inner_mm, double outer_m
   paint_path(fill, {});
 }
 
-void Canvas::ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad, std::optional<Color> fill, std::optional<Stroke> stroke) {
+void Canvas::ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad,
+                     std::optional<Color> fill, std::optional<Stroke> stroke) {
   std::vector<Eigen::Vector2d> outline;
   constexpr int steps = 90;
   for (int i = 0; i < steps; ++i) {
     const double t = full_turn * i / steps;
     const double u = a_mm * std::cos(t), v = b_mm * std::sin(t);
-    outline.emplace_back(centre.x() + u * std::cos(angle_rad) - v * std::sin(angle_rad), centre.y() - u * std::sin(angle_rad) - v * std::cos(angle_rad));
+    outline.emplace_back(centre.x() + u * std::cos(angle_rad) - v * std::sin(angle_rad),
+                         centre.y() - u * std::sin(angle_rad) - v * std::cos(angle_rad));
   }
   polygon(outline, fill, std::move(stroke));
 }
 
 void Canvas::dots(std::span<const Eigen::Vector2d> centres, double diameter_mm, const Color& color) {
-  // A stroke of no length with round caps is a dot: far cheaper than a circle, and one path element in the vector files.
+  // A stroke of no length with round caps is a dot: far cheaper than a circle, and one path element in the vector
+  // files.
   cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);
   for (const auto& p : centres) {
     cairo_move_to(cairo_, p.x(), p.y());
@@ -159,7 +165,8 @@ void Canvas::image(const Image& picture, const Box& box) {
 }
 
 void Canvas::set_font(const TextStyle& style) const {
-  cairo_select_font_face(cairo_, "Liberation Sans", style.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL, style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_select_font_face(cairo_, "Liberation Sans", style.italic ? CAIRO_FONT_SLANT_ITALIC : CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo_, style.size_pt * mm_per_pt);
 }
 
@@ -180,10 +187,15 @@ void Canvas::text(const Eigen::Vector2d& at, std::string_view utf8, const TextSt
   cairo_text_extents(cairo_, copy.c_str(), &extents);
   cairo_font_extents_t font{};
   cairo_font_extents(cairo_, &font);
-  const double dx = style.h == HAlign::left ? 0 : style.h == HAlign::centre ? -extents.x_advance / 2 : -extents.x_advance;
+  const double dx = style.h == HAlign::left     ? 0
+                    : style.h == HAlign::centre ? -extents.x_advance / 2
+                                                : -extents.x_advance;
   // "middle" centres the capitals, which is what the eye takes for the height of a line.
   const double capital = 0.716 * style.size_pt * mm_per_pt;
-  const double dy = style.v == VAlign::top ? capital : style.v == VAlign::middle ? capital / 2 : style.v == VAlign::bottom ? -font.descent : 0;
+  const double dy = style.v == VAlign::top      ? capital
+                    : style.v == VAlign::middle ? capital / 2
+                    : style.v == VAlign::bottom ? -font.descent
+                                                : 0;
   cairo_save(cairo_);
   cairo_translate(cairo_, at.x(), at.y());
   cairo_rotate(cairo_, -style.angle_rad);

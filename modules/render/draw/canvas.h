@@ -1,5 +1,5 @@
-// A sheet of paper to draw on: millimetres from the top left corner, x right, y down. Whatever is drawn comes out alike as
-// pixels, SVG and PDF.
+// A sheet of paper to draw on: millimetres from the top left corner, x right, y down. Whatever is drawn comes out alike
+// as pixels, SVG and PDF.
 #pragma once
 
 #include <Eigen/Core>
@@ -72,11 +72,13 @@ class Canvas {
   void polyline(std::span<const Eigen::Vector2d> points, const Stroke& stroke);
   void polygon(std::span<const Eigen::Vector2d> points, std::optional<Color> fill, std::optional<Stroke> stroke = {});
   void rectangle(const Box& box, std::optional<Color> fill, std::optional<Stroke> stroke = {}, double radius_mm = 0);
-  void circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill, std::optional<Stroke> stroke = {});
+  void circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill,
+              std::optional<Stroke> stroke = {});
   // The area between two circles.
   void ring(const Eigen::Vector2d& centre, double inner_mm, double outer_mm, const Color& fill);
   // An ellipse with half axes a, b; a points `angle_rad` counter-clockwise from right.
-  void ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad, std::optional<Color> fill, std::optional<Stroke> stroke = {});
+  void ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad, std::optional<Color> fill,
+               std::optional<Stroke> stroke = {});
   // Many round dots of one colour.
   void dots(std::span<const Eigen::Vector2d> centres, double diameter_mm, const Color& color);
   void cross(const Eigen::Vector2d& centre, double half_mm, const Stroke& stroke);

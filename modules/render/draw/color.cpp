@@ -17,7 +17,9 @@ Color from_oklch(double lightness, double chroma, double hue_rad) {
     const double v = std::clamp(linear, 0.0, 1.0);
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
   };
-  return {encode(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s), encode(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s), encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+  return {encode(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+          encode(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+          encode(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
 std::vector<Color> colors(std::initializer_list<std::uint32_t> values) {
@@ -28,7 +30,9 @@ std::vector<Color> colors(std::initializer_list<std::uint32_t> values) {
 
 }  // namespace
 
-Color mix(const Color& a, const Color& b, double t) { return {std::lerp(a.r, b.r, t), std::lerp(a.g, b.g, t), std::lerp(a.b, b.b, t), std::lerp(a.a, b.a, t)}; }
+Color mix(const Color& a, const Color& b, double t) {
+  return {std::lerp(a.r, b.r, t), std::lerp(a.g, b.g, t), std::lerp(a.b, b.b, t), std::lerp(a.a, b.a, t)};
+}
 
 Color quality_color(std::string_view quality) {
   if (quality == "good") return ink::good;
@@ -45,12 +49,14 @@ Color ColorMap::at(double t) const {
 }
 
 const ColorMap& ColorMap::viridis() {
-  static const ColorMap map(colors({0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c, 0x22a884, 0x44bf70, 0x7ad151, 0xbddf26, 0xfde725}));
+  static const ColorMap map(colors(
+      {0x440154, 0x482475, 0x414487, 0x355f8d, 0x2a788e, 0x21918c, 0x22a884, 0x44bf70, 0x7ad151, 0xbddf26, 0xfde725}));
   return map;
 }
 
 const ColorMap& ColorMap::cividis() {
-  static const ColorMap map(colors({0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55, 0xfee838}));
+  static const ColorMap map(
+      colors({0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55, 0xfee838}));
   return map;
 }
 

@@ -13,7 +13,9 @@ struct Color {
   Color with_alpha(double alpha) const { return {r, g, b, alpha}; }
 };
 
-constexpr Color hex(std::uint32_t rgb, double alpha = 1) { return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, alpha}; }
+constexpr Color hex(std::uint32_t rgb, double alpha = 1) {
+  return {((rgb >> 16) & 255) / 255.0, ((rgb >> 8) & 255) / 255.0, (rgb & 255) / 255.0, alpha};
+}
 
 // From `a` (t = 0) to `b` (t = 1).
 Color mix(const Color& a, const Color& b, double t);

@@ -29,7 +29,8 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 }
 
 void check(cairo_status_t status, const Figure& figure) {
-  if (status != CAIRO_STATUS_SUCCESS) throw failure("figure '" + figure.name + "' could not be drawn: " + cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS)
+    throw failure("figure '" + figure.name + "' could not be drawn: " + cairo_status_to_string(status));
 }
 
 void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
@@ -44,18 +45,23 @@ void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
 }
 
 Surface raster(const Figure& figure, double dpi) {
-  const double w = std::round(figure.width_mm / mm_per_inch * dpi), h = std::round(figure.height_mm / mm_per_inch * dpi);
+  const double w = std::round(figure.width_mm / mm_per_inch * dpi),
+               h = std::round(figure.height_mm / mm_per_inch * dpi);
   if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
-    throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " + std::to_string(static_cast<long>(h)) + " pixels", "at most " + std::to_string(most_pixels) + " a side",
-                    "Lower its resolution or width");
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
+    throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " +
+                        std::to_string(static_cast<long>(h)) + " pixels",
+                    "at most " + std::to_string(most_pixels) + " a side", "Lower its resolution or width");
+  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(w), static_cast<int>(h)),
+                  cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);
   draw_on(surface.get(), figure, dpi / mm_per_inch);
   cairo_surface_flush(surface.get());
   return surface;
 }
 
-std::string big_endian(std::uint32_t v) { return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)}; }
+std::string big_endian(std::uint32_t v) {
+  return {static_cast<char>(v >> 24), static_cast<char>(v >> 16), static_cast<char>(v >> 8), static_cast<char>(v)};
+}
 
 // Cairo writes no resolution into a PNG: put a pHYs chunk (pixels per metre) behind the header.
 std::string with_resolution(std::string png, double dpi) {
@@ -82,7 +88,8 @@ std::string with_own_numbers(const std::string& svg) {
     if (at == std::string::npos) break;
     const auto end = std::min(svg.find_first_not_of(digits, begin), svg.size());
     out.append(svg, from, begin - from);
-    if (end > begin) out += numbers.try_emplace(svg.substr(begin, end - begin), std::to_string(numbers.size())).first->second;
+    if (end > begin)
+      out += numbers.try_emplace(svg.substr(begin, end - begin), std::to_string(numbers.size())).first->second;
     from = end;
   }
   return out.append(svg, from);
@@ -90,7 +97,8 @@ std::string with_own_numbers(const std::string& svg) {
 
 std::string surface_png(cairo_surface_t* surface, double dpi) {
   std::string bytes;
-  if (const auto status = cairo_surface_write_to_png_stream(surface, append, &bytes); status != CAIRO_STATUS_SUCCESS) throw failure(std::string("a PNG could not be written: ") + cairo_status_to_string(status));
+  if (const auto status = cairo_surface_write_to_png_stream(surface, append, &bytes); status != CAIRO_STATUS_SUCCESS)
+    throw failure(std::string("a PNG could not be written: ") + cairo_status_to_string(status));
   return with_resolution(std::move(bytes), dpi);
 }
 
@@ -105,7 +113,8 @@ Image figure_image(const Figure& figure, double dpi) {
   for (int y = 0; y < image.height; ++y) {
     const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
     for (int x = 0; x < image.width; ++x)
-      for (const int shift : {16, 8, 0, -1}) image.rgba.push_back(shift < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(row[x] >> shift));
+      for (const int shift : {16, 8, 0, -1})
+        image.rgba.push_back(shift < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(row[x] >> shift));
   }
   return image;
 }
@@ -114,13 +123,16 @@ std::string figure_png(const Figure& figure, double dpi) { return surface_png(ra
 
 std::string image_png(const Image& image, double dpi) {
   const double w = image.width * mm_per_inch / dpi, h = image.height * mm_per_inch / dpi;
-  return figure_png(Figure{"picture", {}, {}, w, h, false, [&](Canvas& canvas) { canvas.image(image, canvas.sheet()); }}, dpi);
+  return figure_png(
+      Figure{"picture", {}, {}, w, h, false, [&](Canvas& canvas) { canvas.image(image, canvas.sheet()); }}, dpi);
 }
 
 std::string figure_svg(const Figure& figure) {
   std::string bytes;
   {
-    Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, figure.width_mm * pt_per_mm, figure.height_mm * pt_per_mm), cairo_surface_destroy);
+    Surface surface(
+        cairo_svg_surface_create_for_stream(append, &bytes, figure.width_mm * pt_per_mm, figure.height_mm * pt_per_mm),
+        cairo_surface_destroy);
     cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PT);
     check(cairo_surface_status(surface.get()), figure);
     draw_on(surface.get(), figure, pt_per_mm);
@@ -133,7 +145,9 @@ std::string figure_svg(const Figure& figure) {
 std::string figure_pdf(const Figure& figure) {
   std::string bytes;
   {
-    Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, figure.width_mm * pt_per_mm, figure.height_mm * pt_per_mm), cairo_surface_destroy);
+    Surface surface(
+        cairo_pdf_surface_create_for_stream(append, &bytes, figure.width_mm * pt_per_mm, figure.height_mm * pt_per_mm),
+        cairo_surface_destroy);
     check(cairo_surface_status(surface.get()), figure);
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, figure.title.c_str());
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "Bole");
@@ -159,7 +173,8 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
   } catch (const std::filesystem::filesystem_error& e) {
     std::error_code ignored;
     std::filesystem::remove(partial, ignored);
-    throw failure("cannot write " + path.string() + " (" + e.code().message() + ")", "a folder that can be written to and free space");
+    throw failure("cannot write " + path.string() + " (" + e.code().message() + ")",
+                  "a folder that can be written to and free space");
   }
 }
 

@@ -16,7 +16,8 @@ Eigen::Vector2d turned(const Eigen::Vector2d& v, double angle_rad) {
 std::array<Eigen::Vector2d, 10> star(const Eigen::Vector2d& centre, double radius) {
   std::array<Eigen::Vector2d, 10> points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double angle = std::numbers::pi * (0.2 * static_cast<double>(i) - 0.5), r = i % 2 == 0 ? radius : 0.42 * radius;
+    const double angle = std::numbers::pi * (0.2 * static_cast<double>(i) - 0.5),
+                 r = i % 2 == 0 ? radius : 0.42 * radius;
     points[i] = centre + r * Eigen::Vector2d(std::cos(angle), std::sin(angle));
   }
   return points;
@@ -77,13 +78,16 @@ void draw_symbol(Canvas& canvas, Symbol symbol, const Eigen::Vector2d& centre, d
       canvas.line(centre - Eigen::Vector2d(1.4 * r, 0), centre + Eigen::Vector2d(1.4 * r, 0), Stroke{color, 0.4});
       break;
     case Symbol::dashed_line:
-      canvas.line(centre - Eigen::Vector2d(1.6 * r, 0), centre + Eigen::Vector2d(1.6 * r, 0), Stroke{color, 0.3, {0.9, 0.7}});
+      canvas.line(centre - Eigen::Vector2d(1.6 * r, 0), centre + Eigen::Vector2d(1.6 * r, 0),
+                  Stroke{color, 0.3, {0.9, 0.7}});
       break;
     case Symbol::square:
       canvas.rectangle({centre.x() - 0.9 * r, centre.y() - 0.9 * r, centre.x() + 0.9 * r, centre.y() + 0.9 * r}, color);
       break;
     case Symbol::triangle: {
-      const std::array<Eigen::Vector2d, 3> corners{Eigen::Vector2d(centre.x(), centre.y() - r), Eigen::Vector2d(centre.x() + r, centre.y() + 0.8 * r), Eigen::Vector2d(centre.x() - r, centre.y() + 0.8 * r)};
+      const std::array<Eigen::Vector2d, 3> corners{Eigen::Vector2d(centre.x(), centre.y() - r),
+                                                   Eigen::Vector2d(centre.x() + r, centre.y() + 0.8 * r),
+                                                   Eigen::Vector2d(centre.x() - r, centre.y() + 0.8 * r)};
       canvas.polygon(corners, color, Stroke{ink::paper, 0.2});
       break;
     }
@@ -93,7 +97,8 @@ void draw_symbol(Canvas& canvas, Symbol symbol, const Eigen::Vector2d& centre, d
   }
 }
 
-double draw_legend_row(Canvas& canvas, const Eigen::Vector2d& top_left, double width_mm, const std::vector<LegendEntry>& entries, double size_pt) {
+double draw_legend_row(Canvas& canvas, const Eigen::Vector2d& top_left, double width_mm,
+                       const std::vector<LegendEntry>& entries, double size_pt) {
   const TextStyle style{size_pt, ink::text};
   const double line_mm = 4.2;
   double x = top_left.x(), y = top_left.y() + line_mm / 2;
@@ -107,12 +112,14 @@ double draw_legend_row(Canvas& canvas, const Eigen::Vector2d& top_left, double w
   return entries.empty() ? 0 : y + line_mm / 2 - top_left.y();
 }
 
-Box draw_legend_box(Canvas& canvas, const Eigen::Vector2d& at, HAlign h, VAlign v, const std::vector<LegendEntry>& entries, double size_pt) {
+Box draw_legend_box(Canvas& canvas, const Eigen::Vector2d& at, HAlign h, VAlign v,
+                    const std::vector<LegendEntry>& entries, double size_pt) {
   const TextStyle style{size_pt, ink::text};
   const double line_mm = 3.9, pad = 1.2;
   double widest = 0;
   for (const auto& entry : entries) widest = std::max(widest, canvas.text_size(entry.text, style).x());
-  const double width = symbol_column_mm + widest + 2 * pad, height = line_mm * static_cast<double>(entries.size()) + 2 * pad;
+  const double width = symbol_column_mm + widest + 2 * pad,
+               height = line_mm * static_cast<double>(entries.size()) + 2 * pad;
   const double x0 = h == HAlign::left ? at.x() : h == HAlign::centre ? at.x() - width / 2 : at.x() - width;
   const double y0 = v == VAlign::top ? at.y() : v == VAlign::middle ? at.y() - height / 2 : at.y() - height;
   const Box box{x0, y0, x0 + width, y0 + height};
@@ -126,7 +133,8 @@ Box draw_legend_box(Canvas& canvas, const Eigen::Vector2d& at, HAlign h, VAlign 
   return box;
 }
 
-void draw_color_bar(Canvas& canvas, const Box& bar, const ColorMap& map, const Interval& range, const std::string& title, double size_pt) {
+void draw_color_bar(Canvas& canvas, const Box& bar, const ColorMap& map, const Interval& range,
+                    const std::string& title, double size_pt) {
   Image strip{1, 256, {}};
   for (int i = 0; i < strip.height; ++i) {
     const Color c = map.at(1 - (i + 0.5) / strip.height);

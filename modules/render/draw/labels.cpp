@@ -44,7 +44,11 @@ std::vector<Candidate> candidates_of(const LabelRequest& request) {
 class Placer {
  public:
   Placer(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds)
-      : requests_(requests), obstacles_(obstacles), bounds_(bounds), chosen_(requests.size()), placed_(requests.size(), false) {}
+      : requests_(requests),
+        obstacles_(obstacles),
+        bounds_(bounds),
+        chosen_(requests.size()),
+        placed_(requests.size(), false) {}
 
   std::vector<LabelPlace> run() {
     for (int round = 0; round < 3; ++round)
@@ -71,7 +75,8 @@ class Placer {
     near_.clear();
     const auto& self = requests_[i];
     for (std::size_t j = 0; j < requests_.size(); ++j) {
-      const double reach = 2 * 7.5 + self.radius_mm + requests_[j].radius_mm + self.size.norm() + requests_[j].size.norm();
+      const double reach =
+          2 * 7.5 + self.radius_mm + requests_[j].radius_mm + self.size.norm() + requests_[j].size.norm();
       if (j != i && (requests_[j].anchor - self.anchor).squaredNorm() < reach * reach) near_.push_back(j);
     }
   }
@@ -86,7 +91,8 @@ class Placer {
     for (const auto j : near_) {
       const auto& other = requests_[j];
       const double r = other.radius_mm + 0.5 * gap_mm;
-      cost += 12 * overlap_area(candidate.box, {other.anchor.x() - r, other.anchor.y() - r, other.anchor.x() + r, other.anchor.y() + r});
+      cost += 12 * overlap_area(candidate.box, {other.anchor.x() - r, other.anchor.y() - r, other.anchor.x() + r,
+                                                other.anchor.y() + r});
       if (placed_[j]) cost += 30 * overlap_area(candidate.box.grown(0.15), chosen_[j].box);
       if (cost >= best) return cost;
     }
@@ -103,6 +109,9 @@ class Placer {
 
 }  // namespace
 
-std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds) { return Placer(requests, obstacles, bounds).run(); }
+std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
+                                     const Box& bounds) {
+  return Placer(requests, obstacles, bounds).run();
+}
 
 }  // namespace bole

@@ -18,8 +18,10 @@ struct LabelPlace {
   bool leader = false;  // far enough from its point to want a line to it
 };
 
-// Places in the order of the requests. Positions around each point are tried at growing distance; a few rounds let labels that
-// were placed early give way. Where there is no free place the least covered one is taken. Deterministic; about n log n.
-std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles, const Box& bounds);
+// Places in the order of the requests. Positions around each point are tried at growing distance; a few rounds let
+// labels that were placed early give way. Where there is no free place the least covered one is taken. Deterministic;
+// about n log n.
+std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
+                                     const Box& bounds);
 
 }  // namespace bole

@@ -30,7 +30,8 @@ class OSMesaFactory : public vtkObjectFactory {
 
  private:
   OSMesaFactory() {
-    RegisterOverride("vtkRenderWindow", "vtkBoleOSMesaRenderWindow", "OSMesa in memory", 1, [] { return static_cast<vtkObject*>(vtkBoleOSMesaRenderWindow::New()); });
+    RegisterOverride("vtkRenderWindow", "vtkBoleOSMesaRenderWindow", "OSMesa in memory", 1,
+                     [] { return static_cast<vtkObject*>(vtkBoleOSMesaRenderWindow::New()); });
   }
 };
 
@@ -56,7 +57,8 @@ bool display_is_set() {
 }
 
 [[noreturn]] void refuse_osmesa() {
-  throw bad_input("this program is not linked with OSMesa", "libOSMesa before libOpenGL among its libraries", "Use the bole program, or run this one under xvfb-run with the backend glx");
+  throw bad_input("this program is not linked with OSMesa", "libOSMesa before libOpenGL among its libraries",
+                  "Use the bole program, or run this one under xvfb-run with the backend glx");
 }
 
 }  // namespace
@@ -73,7 +75,8 @@ bool osmesa_is_linked() {
   const void* draw = dlsym(RTLD_DEFAULT, "glDrawArrays");
   const void* create = dlsym(RTLD_DEFAULT, "OSMesaCreateContextAttribs");
   Dl_info of_draw{}, of_create{};
-  return draw != nullptr && create != nullptr && dladdr(draw, &of_draw) != 0 && dladdr(create, &of_create) != 0 && of_draw.dli_fbase == of_create.dli_fbase;
+  return draw != nullptr && create != nullptr && dladdr(draw, &of_draw) != 0 && dladdr(create, &of_create) != 0 &&
+         of_draw.dli_fbase == of_create.dli_fbase;
 }
 
 Backend use_backend(Backend backend) {
@@ -89,11 +92,14 @@ Backend use_backend(Backend backend) {
       use_window_system();
       break;
 #else
-      throw bad_input("VTK " + std::string(vtkVersion::GetVTKVersion()) + " has no EGL window", "VTK 9.4 or later", "Use the backend osmesa");
+      throw bad_input("VTK " + std::string(vtkVersion::GetVTKVersion()) + " has no EGL window", "VTK 9.4 or later",
+                      "Use the backend osmesa");
 #endif
     default:
       // VTK ends the whole program when the X server does not answer: say so before.
-      if (!display_is_set()) throw bad_input("the environment variable DISPLAY is not set", "an X display for the backend glx", "Run it under xvfb-run, or use the bole program, which draws without a display");
+      if (!display_is_set())
+        throw bad_input("the environment variable DISPLAY is not set", "an X display for the backend glx",
+                        "Run it under xvfb-run, or use the bole program, which draws without a display");
       use_window_system();
   }
   return backend;

@@ -16,8 +16,8 @@ enum class Backend {
 std::string_view backend_name(Backend backend);
 Backend backend_from_name(std::string_view name);  // "auto", "osmesa", "egl", "glx"; throws Error{bad_input}
 
-// Decides which window every later vtkRenderWindow::New() gives. Call it once, before the first. Returns what was chosen.
-// Throws Error{bad_input} with the remedy when the backend cannot work in this process.
+// Decides which window every later vtkRenderWindow::New() gives. Call it once, before the first. Returns what was
+// chosen. Throws Error{bad_input} with the remedy when the backend cannot work in this process.
 Backend use_backend(Backend backend);
 
 // Whether gl* calls of this process reach OSMesa: libOSMesa comes before libOpenGL among its libraries.

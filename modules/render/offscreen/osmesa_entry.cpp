@@ -1,6 +1,7 @@
-// The library bole_osmesa. An executable that lists it and libOSMesa first among its libraries has VTK's gl* calls bound to
-// OSMesa by the ordinary rules of dynamic linking. GLEW asks glXGetProcAddressARB for everything newer than OpenGL 1.1, so
-// that one function answers for OSMesa as long as an OSMesa context is current and stands aside otherwise.
+// The library bole_osmesa. An executable that lists it and libOSMesa first among its libraries has VTK's gl* calls
+// bound to OSMesa by the ordinary rules of dynamic linking. GLEW asks glXGetProcAddressARB for everything newer than
+// OpenGL 1.1, so that one function answers for OSMesa as long as an OSMesa context is current and stands aside
+// otherwise.
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 

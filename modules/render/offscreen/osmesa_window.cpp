@@ -15,7 +15,8 @@
 
 namespace {
 
-// OSMesa is looked up in the running process, so that this library does not force it upon programs that draw on a screen.
+// OSMesa is looked up in the running process, so that this library does not force it upon programs that draw on a
+// screen.
 template <class Function>
 Function osmesa(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
@@ -72,7 +73,19 @@ void vtkBoleOSMesaRenderWindow::CreateAWindow() {
     vtkErrorMacro("libOSMesa is not among the libraries of this program");
     return;
   }
-  constexpr int attributes[] = {OSMESA_FORMAT, OSMESA_RGBA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8, OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 2, 0};
+  constexpr int attributes[] = {OSMESA_FORMAT,
+                                OSMESA_RGBA,
+                                OSMESA_DEPTH_BITS,
+                                24,
+                                OSMESA_STENCIL_BITS,
+                                8,
+                                OSMESA_PROFILE,
+                                OSMESA_CORE_PROFILE,
+                                OSMESA_CONTEXT_MAJOR_VERSION,
+                                3,
+                                OSMESA_CONTEXT_MINOR_VERSION,
+                                2,
+                                0};
   context_ = create(attributes, nullptr);
   if (context_ == nullptr) {
     vtkErrorMacro("OSMesa gave no OpenGL 3.2 context");
@@ -103,13 +116,18 @@ void vtkBoleOSMesaRenderWindow::DestroyWindow() {
 void vtkBoleOSMesaRenderWindow::MakeCurrent() {
   using MakeContextCurrent = GLboolean (*)(OSMesaContext, void*, GLenum, GLsizei, GLsizei);
   if (context_ == nullptr || this->IsCurrent()) return;
-  if (!osmesa<MakeContextCurrent>("OSMesaMakeCurrent")(static_cast<OSMesaContext>(context_), pixels_.data(), GL_UNSIGNED_BYTE, buffer_side, buffer_side)) vtkErrorMacro("OSMesaMakeCurrent failed");
+  if (!osmesa<MakeContextCurrent>("OSMesaMakeCurrent")(static_cast<OSMesaContext>(context_), pixels_.data(),
+                                                       GL_UNSIGNED_BYTE, buffer_side, buffer_side))
+    vtkErrorMacro("OSMesaMakeCurrent failed");
 }
 
-bool vtkBoleOSMesaRenderWindow::IsCurrent() { return context_ != nullptr && osmesa<OSMesaContext (*)()>("OSMesaGetCurrentContext")() == static_cast<OSMesaContext>(context_); }
+bool vtkBoleOSMesaRenderWindow::IsCurrent() {
+  return context_ != nullptr &&
+         osmesa<OSMesaContext (*)()>("OSMesaGetCurrentContext")() == static_cast<OSMesaContext>(context_);
+}
 
-// GLEW loads the entry points first and looks for a GLX display afterwards. Without one it answers "no GLX display", by which
-// time all that VTK needs is in place; the base class would take that for a failure.
+// GLEW loads the entry points first and looks for a GLX display afterwards. Without one it answers "no GLX display", by
+// which time all that VTK needs is in place; the base class would take that for a failure.
 void vtkBoleOSMesaRenderWindow::OpenGLInitContext() {
   this->ContextCreationTime.Modified();
   if (this->Initialized) return;

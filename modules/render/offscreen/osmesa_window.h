@@ -1,5 +1,5 @@
-// A render window of VTK that draws through OSMesa into memory: what vtkOSOpenGLRenderWindow is in a VTK built for OSMesa,
-// for a VTK that was built for X (Debian's).
+// A render window of VTK that draws through OSMesa into memory: what vtkOSOpenGLRenderWindow is in a VTK built for
+// OSMesa, for a VTK that was built for X (Debian's).
 #pragma once
 
 #include <vtkOpenGLRenderWindow.h>
@@ -50,7 +50,8 @@ class vtkBoleOSMesaRenderWindow : public vtkOpenGLRenderWindow {
   void DestroyWindow() override;
 
  private:
-  // The picture itself is drawn into VTK's own framebuffer objects; OSMesa only wants some buffer to call the default one.
+  // The picture itself is drawn into VTK's own framebuffer objects; OSMesa only wants some buffer to call the default
+  // one.
   static constexpr int buffer_side = 32;
   std::array<unsigned char, 4 * buffer_side * buffer_side> pixels_{};
   void* context_ = nullptr;  // OSMesaContext

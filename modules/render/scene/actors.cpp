@@ -20,7 +20,8 @@ namespace bole {
 namespace {
 
 const Color ground_grey = hex(0xb9b1a4);
-constexpr double ground_below_m = 0.08, plants_above_m = 0.5;  // heights between which the grey of the ground gives way to the map
+constexpr double ground_below_m = 0.08,
+                 plants_above_m = 0.5;  // heights between which the grey of the ground gives way to the map
 
 constexpr int sides = 20;  // of a stem's cross-section
 
@@ -34,7 +35,9 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData* data, bool colored) {
   return actor;
 }
 
-void append_color(vtkUnsignedCharArray* colors, const Color& c) { colors->InsertNextTuple3(255 * c.r, 255 * c.g, 255 * c.b); }
+void append_color(vtkUnsignedCharArray* colors, const Color& c) {
+  colors->InsertNextTuple3(255 * c.r, 255 * c.g, 255 * c.b);
+}
 
 const float* float_values(const PointCloud& cloud, const ArrayInfo& info) {
   if (!cloud.has(info)) return nullptr;
@@ -75,7 +78,8 @@ class RingSurface {
       }
     for (std::size_t k = 0; k + 1 < axis.size(); ++k)
       for (int s = 0; s < sides; ++s) {
-        const vtkIdType a = first + static_cast<vtkIdType>(k) * sides + s, b = first + static_cast<vtkIdType>(k) * sides + (s + 1) % sides;
+        const vtkIdType a = first + static_cast<vtkIdType>(k) * sides + s,
+                        b = first + static_cast<vtkIdType>(k) * sides + (s + 1) % sides;
         const vtkIdType quad[4] = {a, b, b + sides, a + sides};
         cells_->InsertNextCell(4, quad);
       }
@@ -111,14 +115,17 @@ PointColoring coloring_for(const PointCloud& cloud, const std::vector<std::uint3
     if (const double v = point_value(cloud, by, column, indices[k]); std::isfinite(v)) sample.push_back(v);
   if (sample.empty()) return coloring;
   std::sort(sample.begin(), sample.end());
-  const auto at = [&](double q) { return sample[static_cast<std::size_t>(q * static_cast<double>(sample.size() - 1))]; };
+  const auto at = [&](double q) {
+    return sample[static_cast<std::size_t>(q * static_cast<double>(sample.size() - 1))];
+  };
   coloring.range = {at(0.02), at(by == PointColor::height ? 0.995 : 0.98)};
   if (by == PointColor::height && column != nullptr) coloring.range.lo = 0;
   if (!(coloring.range.length() > 1e-6)) coloring.range.hi = coloring.range.lo + 1;
   return coloring;
 }
 
-vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const PointColoring& coloring, const Eigen::Vector3d& origin, double size_px) {
+vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices,
+                                       const PointColoring& coloring, const Eigen::Vector3d& origin, double size_px) {
   const auto n = static_cast<vtkIdType>(indices.size());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToFloat();
@@ -129,7 +136,8 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
   auto* coordinates = static_cast<float*>(points->GetVoidPointer(0));
   auto* color = colors->GetPointer(0);
   const auto* column = value_column(cloud, coloring.by);
-  const std::vector<std::int32_t>* trees = coloring.by == PointColor::tree ? &cloud.values<std::int32_t>(arrays::tree_id) : nullptr;
+  const std::vector<std::int32_t>* trees =
+      coloring.by == PointColor::tree ? &cloud.values<std::int32_t>(arrays::tree_id) : nullptr;
   const bool above_ground = coloring.by == PointColor::height && column != nullptr;
   const auto& map = coloring.by == PointColor::intensity ? ColorMap::cividis() : ColorMap::viridis();
   for (const auto i : indices) {
@@ -141,7 +149,8 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
     } else if (coloring.by != PointColor::plain) {
       const double value = point_value(cloud, coloring.by, column, i);
       c = map.at((value - coloring.range.lo) / coloring.range.length());
-      if (above_ground) c = mix(ground_grey, c, std::clamp((value - ground_below_m) / (plants_above_m - ground_below_m), 0.0, 1.0));
+      if (above_ground)
+        c = mix(ground_grey, c, std::clamp((value - ground_below_m) / (plants_above_m - ground_below_m), 0.0, 1.0));
     }
     for (const double v : {c.r, c.g, c.b}) *color++ = static_cast<unsigned char>(255 * v + 0.5);
   }
@@ -159,7 +168,8 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
   return actor;
 }
 
-vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, bool color_by_quality) {
+vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin,
+                                      bool color_by_quality) {
   RingSurface surface;
   for (const auto& stem : stems) {
     auto axis = stem.axis;
@@ -172,10 +182,12 @@ vtkSmartPointer<vtkActor> stems_actor(const std::vector<StemShape>& stems, const
   return actor;
 }
 
-vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin, double half_height_m) {
+vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stems, const Eigen::Vector3d& origin,
+                                              double half_height_m) {
   RingSurface surface;
   for (const auto& stem : stems) {
-    const Eigen::Vector3d along = (stem.axis.back() - stem.axis.front()).normalized(), centre = stem.breast_height - origin;
+    const Eigen::Vector3d along = (stem.axis.back() - stem.axis.front()).normalized(),
+                          centre = stem.breast_height - origin;
     const double r = 1.1 * stem.breast_radius_m + 0.4 * half_height_m;
     surface.add({centre - half_height_m * along, centre + half_height_m * along}, {r, r}, hex(0xffe066));
   }
@@ -184,7 +196,8 @@ vtkSmartPointer<vtkActor> breast_height_actor(const std::vector<StemShape>& stem
   return actor;
 }
 
-vtkSmartPointer<vtkActor> path_actor(const Trajectory& trajectory, const Eigen::Vector3d& origin, double radius_m, const Color& color) {
+vtkSmartPointer<vtkActor> path_actor(const Trajectory& trajectory, const Eigen::Vector3d& origin, double radius_m,
+                                     const Color& color) {
   vtkNew<vtkPoints> points;
   Eigen::Vector3d last = Eigen::Vector3d::Constant(1e300);
   for (const auto& pose : trajectory.poses) {
@@ -210,11 +223,13 @@ vtkSmartPointer<vtkActor> path_actor(const Trajectory& trajectory, const Eigen::
   return actor;
 }
 
-vtkSmartPointer<vtkActor> grid_actor(const Interval& x, const Interval& y, double z, double step_m, const Eigen::Vector3d& origin, const Color& color) {
+vtkSmartPointer<vtkActor> grid_actor(const Interval& x, const Interval& y, double z, double step_m,
+                                     const Eigen::Vector3d& origin, const Color& color) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
   const auto add = [&](double x0, double y0, double x1, double y1) {
-    const vtkIdType ends[2] = {points->InsertNextPoint(x0 - origin.x(), y0 - origin.y(), z - origin.z()), points->InsertNextPoint(x1 - origin.x(), y1 - origin.y(), z - origin.z())};
+    const vtkIdType ends[2] = {points->InsertNextPoint(x0 - origin.x(), y0 - origin.y(), z - origin.z()),
+                               points->InsertNextPoint(x1 - origin.x(), y1 - origin.y(), z - origin.z())};
     cells->InsertNextCell(2, ends);
   };
   for (double v = std::ceil(x.lo / step_m) * step_m; v <= x.hi + 1e-6; v += step_m) add(v, y.lo, v, y.hi);

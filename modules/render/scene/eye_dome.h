@@ -13,10 +13,12 @@ struct EyeDomeOptions {
   double strength = 0.6;      // 0: none, 1: down to black
 };
 
-// Eye-dome lighting (C. Boucheny 2009): a pixel whose neighbours are nearer to the eye lies in a hollow and is darkened by the
-// mean of eight of them at two radii. Unlike vtkEDLShading the effect is bounded and measured in metres, so that a
-// sparse crown, where all pixels lie at different depths, keeps its colours. `depth_m`: distance from the eye, infinity
-// where nothing was drawn (which neither darkens nor is darkened). Changes `rgb`, three bytes per pixel, rows of `width`.
-void shade_eye_dome(std::span<std::uint8_t> rgb, const std::vector<float>& depth_m, int width, int height, const EyeDomeOptions& options);
+// Eye-dome lighting (C. Boucheny 2009): a pixel whose neighbours are nearer to the eye lies in a hollow and is darkened
+// by the mean of eight of them at two radii. Unlike vtkEDLShading the effect is bounded and measured in metres, so that
+// a sparse crown, where all pixels lie at different depths, keeps its colours. `depth_m`: distance from the eye,
+// infinity where nothing was drawn (which neither darkens nor is darkened). Changes `rgb`, three bytes per pixel, rows
+// of `width`.
+void shade_eye_dome(std::span<std::uint8_t> rgb, const std::vector<float>& depth_m, int width, int height,
+                    const EyeDomeOptions& options);
 
 }  // namespace bole

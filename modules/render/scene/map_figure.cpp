@@ -69,13 +69,16 @@ void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_
   if (!cloud.has(arrays::height_above_ground)) return;
   const auto& height = cloud.values<float>(arrays::height_above_ground);
   // Multiples of the golden ratio fall evenly: about `share` of them below `share`.
-  std::erase_if(indices, [&](std::uint32_t i) { return height[i] > crown_from_m && std::fmod(0.6180339887498949 * i, 1) >= share; });
+  std::erase_if(indices, [&](std::uint32_t i) {
+    return height[i] > crown_from_m && std::fmod(0.6180339887498949 * i, 1) >= share;
+  });
 }
 
 Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const Window& window) {
   std::vector<float> z;
   const std::size_t step = std::max<std::size_t>(1, indices.size() / 50000);
-  for (std::size_t k = 0; k < indices.size(); k += step) z.push_back(static_cast<float>(cloud.position(indices[k]).z()));
+  for (std::size_t k = 0; k < indices.size(); k += step)
+    z.push_back(static_cast<float>(cloud.position(indices[k]).z()));
   if (z.empty()) z = {0, 1};
   std::sort(z.begin(), z.end());
   const auto cut = z.size() / 3000;
@@ -90,13 +93,15 @@ std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View&
     for (const double y : {e.lo.y(), e.hi.y()}) points.emplace_back(Eigen::Vector3d(x, y, e.lo.z()) - origin);
   const std::size_t step = std::max<std::size_t>(1, view.indices.size() / 20000);
   for (std::size_t k = 0; k < view.indices.size(); k += step)
-    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z()) points.push_back(p - origin);
+    if (const auto p = cloud.position(view.indices[k]); p.z() >= e.lo.z() && p.z() <= e.hi.z())
+      points.push_back(p - origin);
   return points;
 }
 
 // Means of squares of pixels, rows turned to run from the top.
 Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
-  Image image{width, height, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  Image image{width, height,
+              std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   const auto* source = rgb->GetPointer(0);
   const std::size_t row = 3 * static_cast<std::size_t>(width) * supersampling;
   auto* target = image.rgba.data();
@@ -105,8 +110,11 @@ Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
       for (std::size_t c = 0; c < 3; ++c) {
         unsigned sum = 0;
         for (std::size_t sy = 0; sy < supersampling; ++sy)
-          for (std::size_t sx = 0; sx < supersampling; ++sx) sum += source[(static_cast<std::size_t>(height - 1 - y) * supersampling + sy) * row + 3 * (static_cast<std::size_t>(x) * supersampling + sx) + c];
-        *target++ = static_cast<std::uint8_t>((sum + supersampling * supersampling / 2) / (supersampling * supersampling));
+          for (std::size_t sx = 0; sx < supersampling; ++sx)
+            sum += source[(static_cast<std::size_t>(height - 1 - y) * supersampling + sy) * row +
+                          3 * (static_cast<std::size_t>(x) * supersampling + sx) + c];
+        *target++ =
+            static_cast<std::uint8_t>((sum + supersampling * supersampling / 2) / (supersampling * supersampling));
       }
       *target++ = 255;
     }
@@ -118,22 +126,30 @@ std::vector<float> depths_m(vtkRenderWindow* window, vtkCamera* camera) {
   vtkNew<vtkFloatArray> buffer;
   window->GetZbufferData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, buffer);
   const auto* z = buffer->GetPointer(0);
-  const auto n = static_cast<float>(camera->GetClippingRange()[0]), f = static_cast<float>(camera->GetClippingRange()[1]);
+  const auto n = static_cast<float>(camera->GetClippingRange()[0]),
+             f = static_cast<float>(camera->GetClippingRange()[1]);
   const bool parallel = camera->GetParallelProjection() != 0;
   std::vector<float> depth(static_cast<std::size_t>(buffer->GetNumberOfValues()));
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = z[i] >= 1 ? std::numeric_limits<float>::infinity() : parallel ? n + z[i] * (f - n) : n * f / (f - z[i] * (f - n));
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    depth[i] = z[i] >= 1  ? std::numeric_limits<float>::infinity()
+               : parallel ? n + z[i] * (f - n)
+                          : n * f / (f - z[i] * (f - n));
   return depth;
 }
 
-double grid_step(const Extent& extent) { return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8); }
+double grid_step(const Extent& extent) {
+  return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8);
+}
 
 Color ground_color(const MapOptions& options) { return options.dark ? hex(0x11181d) : ink::paper; }
 
-void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view, const Eigen::Vector3d& origin, double point_px) {
+void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& options, const View& view,
+                const Eigen::Vector3d& origin, double point_px) {
   renderer->AddActor(points_actor(*data.points, view.drawn, view.coloring, origin, point_px));
   const auto& e = view.extent;
   if (options.view == MapView::oblique) {
-    auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin, options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
+    auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin,
+                           options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
     grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
     renderer->AddActor(grid);
   }
@@ -143,18 +159,22 @@ void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& op
     renderer->AddActor(stems_actor(view.stems, origin, false));
     renderer->AddActor(breast_height_actor(view.stems, origin, std::max(0.04, span_m / 250)));
   }
-  if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1) renderer->AddActor(path_actor(*data.trajectory, origin, std::max(0.035, span_m / 700), options.dark ? hex(0x7fd3ff) : ink::primary));
+  if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1)
+    renderer->AddActor(path_actor(*data.trajectory, origin, std::max(0.035, span_m / 700),
+                                  options.dark ? hex(0x7fd3ff) : ink::primary));
 }
 
 // How large a point must be to cover the gap to its neighbour.
 double point_size_px(const View& view, double width_px) {
   const double span = std::max((view.extent.hi - view.extent.lo).head<2>().maxCoeff(), 1.0);
-  const double density = std::sqrt(static_cast<double>(std::max<std::size_t>(view.indices.size(), 1))) / span;  // per metre, as if on one plane
+  const double density = std::sqrt(static_cast<double>(std::max<std::size_t>(view.indices.size(), 1))) /
+                         span;  // per metre, as if on one plane
   return std::clamp(1.4 * width_px / span / density, 2.5, 10.0);
 }
 
 std::pair<Image, Projection> render(const MapData& data, const MapOptions& options, const View& view) {
-  const int width = std::max(1, static_cast<int>(std::lround(view.box.width() / mm_per_inch * options.dpi))), height = std::max(1, static_cast<int>(std::lround(view.box.height() / mm_per_inch * options.dpi)));
+  const int width = std::max(1, static_cast<int>(std::lround(view.box.width() / mm_per_inch * options.dpi))),
+            height = std::max(1, static_cast<int>(std::lround(view.box.height() / mm_per_inch * options.dpi)));
   const Eigen::Vector3d origin = view.extent.centre();
   vtkNew<vtkRenderer> renderer;
   const Color ground = ground_color(options);
@@ -166,7 +186,8 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   if (options.view == MapView::top)
     aim_from_above(camera, Eigen::Vector3d::Zero(), size, aspect);
   else
-    aim_obliquely(camera, Eigen::Vector3d::Zero(), size, aspect, outline_points(*data.points, view, origin), options.from_azimuth_deg, options.elevation_deg);
+    aim_obliquely(camera, Eigen::Vector3d::Zero(), size, aspect, outline_points(*data.points, view, origin),
+                  options.from_azimuth_deg, options.elevation_deg);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -179,7 +200,8 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   EyeDomeOptions shading;
   shading.radius_px = 1.2 * supersampling * options.dpi / 150;
   shading.strength = options.view == MapView::top ? 0.45 : 0.62;
-  shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())}, depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
+  shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())},
+                 depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
   return {shrunk(rgb, width, height), projection};
 }
 
@@ -200,17 +222,21 @@ void draw_grid_labels(Canvas& canvas, const Drawing& d) {
   const auto& e = d.view.extent;
   const double azimuth = d.options.from_azimuth_deg * std::numbers::pi / 180;
   // The edges of the grid that face the viewer.
-  const double front_y = std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(), front_x = std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();
+  const double front_y = std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(),
+               front_x = std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();
   TextStyle style{6.5, d.options.dark ? hex(0x9fb0ba) : ink::muted};
   const auto label = [&](const Eigen::Vector3d& at, const Eigen::Vector3d& inwards, double value) {
     const Eigen::Vector2d p = d.projection.map(at), out = (p - d.projection.map(inwards)).normalized();
     const Eigen::Vector2d q = p + 2.4 * out;
-    if (canvas.sheet().grown(-1.5).contains(q)) canvas.text(q, fixed(value, 0), style.aligned(HAlign::centre, VAlign::middle));
+    if (canvas.sheet().grown(-1.5).contains(q))
+      canvas.text(q, fixed(value, 0), style.aligned(HAlign::centre, VAlign::middle));
   };
   for (const double x : nice_ticks({e.lo.x(), e.hi.x()}, 8).at)
-    if (std::abs(std::remainder(x, d.view.grid_step_m)) < 1e-6) label({x, front_y, e.lo.z()}, {x, e.centre().y(), e.lo.z()}, x);
+    if (std::abs(std::remainder(x, d.view.grid_step_m)) < 1e-6)
+      label({x, front_y, e.lo.z()}, {x, e.centre().y(), e.lo.z()}, x);
   for (const double y : nice_ticks({e.lo.y(), e.hi.y()}, 8).at)
-    if (std::abs(std::remainder(y, d.view.grid_step_m)) < 1e-6) label({front_x, y, e.lo.z()}, {e.centre().x(), y, e.lo.z()}, y);
+    if (std::abs(std::remainder(y, d.view.grid_step_m)) < 1e-6)
+      label({front_x, y, e.lo.z()}, {e.centre().x(), y, e.lo.z()}, y);
 }
 
 // Seen from above the picture is a map with ordinary axes.
@@ -228,11 +254,15 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
   const auto& c = d.view.coloring;
   double y = 8;
   if (c.by == PointColor::height || c.by == PointColor::intensity) {
-    draw_color_bar(canvas, {x, y, x + 3, y + 36}, c.by == PointColor::height ? ColorMap::viridis() : ColorMap::cividis(), c.range, c.by == PointColor::height ? "Height (m)" : "Intensity");
+    draw_color_bar(canvas, {x, y, x + 3, y + 36},
+                   c.by == PointColor::height ? ColorMap::viridis() : ColorMap::cividis(), c.range,
+                   c.by == PointColor::height ? "Height (m)" : "Intensity");
     y += 44;
   }
   std::vector<LegendEntry> entries;
-  if (d.has_stems) entries.push_back({Symbol::square, hex(0xe4572e), "fitted"}), entries.push_back({Symbol::square, hex(0xffe066), "1.3 m"});
+  if (d.has_stems)
+    entries.push_back({Symbol::square, hex(0xe4572e), "fitted"}),
+        entries.push_back({Symbol::square, hex(0xffe066), "1.3 m"});
   if (d.has_walk) entries.push_back({Symbol::line, ink::primary, "walk"});
   for (const auto& entry : entries) {
     draw_symbol(canvas, entry.symbol, {x + 1.5, y}, 2.2, entry.color);
@@ -246,13 +276,18 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
   if (d.options.view == MapView::top)
     draw_scale_bar(canvas, {x - 1, canvas.height_mm() - 4}, north.norm(), 14);
   else
-    canvas.text({x - 1, canvas.height_mm() - 4}, "grid " + fixed(d.view.grid_step_m, d.view.grid_step_m < 1 ? 1 : 0) + " m", TextStyle{7});
+    canvas.text({x - 1, canvas.height_mm() - 4},
+                "grid " + fixed(d.view.grid_step_m, d.view.grid_step_m < 1 ? 1 : 0) + " m", TextStyle{7});
 }
 
 std::string caption_of(const Drawing& d) {
-  const char* by = d.view.coloring.by == PointColor::tree ? "tree" : d.view.coloring.by == PointColor::intensity ? "intensity" : "height above ground";
-  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") + ", points coloured by " + by +
-         (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") + (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+  const char* by = d.view.coloring.by == PointColor::tree        ? "tree"
+                   : d.view.coloring.by == PointColor::intensity ? "intensity"
+                                                                 : "height above ground";
+  return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") +
+         ", points coloured by " + by +
+         (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") +
+         (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
 }
 
 }  // namespace
@@ -263,7 +298,8 @@ MapPoints choose_map_points(const MapData& data, std::size_t budget, const Run& 
   const auto window = window_of(data);
   MapPoints chosen;
   chosen.all = thin_for_drawing(*data.points, window, budget, run);
-  if (chosen.all.empty()) throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
+  if (chosen.all.empty())
+    throw bad_input("no point of the map lies in the window that is drawn", "points around the plot or the stems");
   chosen.off_stems = chosen.all;
   run.check_cancel();
   drop_points_on_stems(*data.points, stems_within(data, window), bark_m, chosen.off_stems);
@@ -285,7 +321,9 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   const double picture_mm = width_mm - (options.furniture ? side_mm : 0);
   const Eigen::Vector3d size = view.extent.hi - view.extent.lo;
   const bool from_above = options.view == MapView::top;
-  const double left_mm = from_above && options.furniture ? axis_space_left_mm : 0, below_mm = from_above && options.furniture ? axis_space_below_mm : 0, edge_mm = options.furniture ? 2 : 0;
+  const double left_mm = from_above && options.furniture ? axis_space_left_mm : 0,
+               below_mm = from_above && options.furniture ? axis_space_below_mm : 0,
+               edge_mm = options.furniture ? 2 : 0;
   const double inner_mm = picture_mm - left_mm - edge_mm;
   const double inner_height_mm = from_above ? inner_mm * std::clamp(size.y() / size.x(), 0.3, 1.3) : 0.62 * picture_mm;
   view.box = {left_mm, edge_mm, left_mm + inner_mm, edge_mm + inner_height_mm};
@@ -298,9 +336,16 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   round_colors(drawing->picture, options.color_step);
   view.indices = {}, view.drawn = {}, view.stems = {};
 
-  const char* color = view.coloring.by == PointColor::tree ? "tree" : view.coloring.by == PointColor::intensity ? "intensity" : "height";
-  Figure figure{
-      std::string(options.view == MapView::top ? "map_top_" : "map_") + color, std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color, caption_of(*drawing), width_mm, height_mm, false, {}};
+  const char* color = view.coloring.by == PointColor::tree        ? "tree"
+                      : view.coloring.by == PointColor::intensity ? "intensity"
+                                                                  : "height";
+  Figure figure{std::string(options.view == MapView::top ? "map_top_" : "map_") + color,
+                std::string(options.view == MapView::top ? "Map from above by " : "Map by ") + color,
+                caption_of(*drawing),
+                width_mm,
+                height_mm,
+                false,
+                {}};
   figure.draw = [drawing](Canvas& canvas) {
     canvas.rectangle(canvas.sheet(), ground_color(drawing->options));
     canvas.image(drawing->picture, drawing->view.box);

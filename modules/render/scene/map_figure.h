@@ -11,7 +11,8 @@
 
 namespace bole {
 
-// The points that the maps of a survey draw: choosing them takes longer than drawing, so it is done once for several maps.
+// The points that the maps of a survey draw: choosing them takes longer than drawing, so it is done once for several
+// maps.
 struct MapPoints {
   std::vector<std::uint32_t> all;        // within the window that is drawn
   std::vector<std::uint32_t> off_stems;  // of these, the ones that do not lie on a fitted stem
@@ -22,8 +23,8 @@ struct MapData {
   const Table* stems = nullptr;
   const Table* sections = nullptr;
   const Trajectory* trajectory = nullptr;
-  PlotArea area;                      // what the view shows, with a margin; else the stems, else the middle of the cloud
-  bool north_known = true;            // y points north
+  PlotArea area;            // what the view shows, with a margin; else the stems, else the middle of the cloud
+  bool north_known = true;  // y points north
   const MapPoints* chosen = nullptr;  // from choose_map_points(); null: chosen anew for each map
 };
 

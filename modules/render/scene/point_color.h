@@ -8,7 +8,8 @@ namespace bole {
 
 enum class PointColor { height, intensity, tree, plain };
 
-// The values that points are coloured by, and the range that the map covers (from the 2nd percentile, or 0 for heights above ground, to the 98th, of heights the 99.5th).
+// The values that points are coloured by, and the range that the map covers (from the 2nd percentile, or 0 for heights
+// above ground, to the 98th, of heights the 99.5th).
 struct PointColoring {
   PointColor by = PointColor::height;
   Interval range;

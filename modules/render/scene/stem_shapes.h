@@ -19,10 +19,12 @@ struct StemShape {
   std::string quality;
 };
 
-// From the fitted sections where a tree has two or more that were used, else from DBH, lean and taper of the stem table.
+// From the fitted sections where a tree has two or more that were used, else from DBH, lean and taper of the stem
+// table.
 std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections);
 
 // Takes away the indices of points on or in a fitted stem, so that the stem itself is seen in their place.
-void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>& stems, double margin_m, std::vector<std::uint32_t>& indices);
+void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>& stems, double margin_m,
+                          std::vector<std::uint32_t>& indices);
 
 }  // namespace bole

@@ -14,7 +14,8 @@ Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Ve
   Box box{1e9, 1e9, -1e9, -1e9};
   for (const auto& p : points) {
     const Eigen::Vector4d v = matrix * p.homogeneous();
-    box = {std::min(box.x0, v.x() / v.w()), std::min(box.y0, v.y() / v.w()), std::max(box.x1, v.x() / v.w()), std::max(box.y1, v.y() / v.w())};
+    box = {std::min(box.x0, v.x() / v.w()), std::min(box.y0, v.y() / v.w()), std::max(box.x1, v.x() / v.w()),
+           std::max(box.y1, v.y() / v.w())};
   }
   return box;
 }
@@ -42,9 +43,11 @@ void aim_from_above(vtkCamera* camera, const Eigen::Vector3d& centre, const Eige
   camera->SetClippingRange(size.norm(), 20 * size.norm());
 }
 
-void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect, const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg) {
+void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect,
+                   const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg) {
   const double azimuth = azimuth_deg * std::numbers::pi / 180, elevation = elevation_deg * std::numbers::pi / 180;
-  const Eigen::Vector3d direction(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+  const Eigen::Vector3d direction(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
+                                  std::sin(elevation));
   const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);
   camera->SetViewUp(0, 0, 1);
   camera->SetViewAngle(24);

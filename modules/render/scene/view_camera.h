@@ -28,6 +28,7 @@ Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect);
 void aim_from_above(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect);
 
 // In perspective from a direction (clockwise from y, above the horizon), as near as all points of `outline` fit.
-void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect, const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg);
+void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect,
+                   const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg);
 
 }  // namespace bole

@@ -25,10 +25,17 @@ struct Group {
   std::vector<Display> rows;
 };
 
-// Names and order in which a person reads the measures. Measures that stand nowhere here come last under their own names.
+// Names and order in which a person reads the measures. Measures that stand nowhere here come last under their own
+// names.
 const std::vector<Group>& groups() {
   static const std::vector<Group> all{
-      {"Detection", {{"reference_trees", "Reference trees", 0}, {"matched", "Found", 0}, {"missed", "Missed", 0}, {"false", "False", 0}, {"completeness", "Completeness", 1}, {"correctness", "Correctness", 1}}},
+      {"Detection",
+       {{"reference_trees", "Reference trees", 0},
+        {"matched", "Found", 0},
+        {"missed", "Missed", 0},
+        {"false", "False", 0},
+        {"completeness", "Completeness", 1},
+        {"correctness", "Correctness", 1}}},
       {"Position",
        {{"position_mean_x", "Mean error in x", 3},
         {"position_mean_y", "Mean error in y", 3},
@@ -44,7 +51,10 @@ const std::vector<Group>& groups() {
         {"dbh_rmse", "DBH RMSE", 2},
         {"dbh_relative_rmse", "DBH RMSE, relative", 2},
         {"dbh_interval_coverage", "Intervals that hold the reference", 1}}},
-      {"Height", {{"height_trees", "Trees whose top was seen", 0}, {"height_bias", "Height bias", 2}, {"height_rmse", "Height RMSE", 2}}},
+      {"Height",
+       {{"height_trees", "Trees whose top was seen", 0},
+        {"height_bias", "Height bias", 2},
+        {"height_rmse", "Height RMSE", 2}}},
       {"Trajectory",
        {{"poses", "Poses compared", 0},
         {"length", "Length of the walk", 1},
@@ -59,10 +69,20 @@ const std::vector<Group>& groups() {
 }
 
 // Families of measures that fold away, as one row each: name_ending.
-constexpr std::array<Display, 4> spreads{
-    {{"ate", "Absolute trajectory error", 3}, {"rotation_error", "Rotation error", 3}, {"rpe_translation", "Relative pose error, translation", 3}, {"rpe_rotation", "Relative pose error, rotation", 3}}};
-constexpr std::array<Display, 5> spread_columns{{{"rmse", "RMSE", 3}, {"mean", "Mean", 3}, {"median", "Median", 3}, {"sd", "Standard deviation", 3}, {"max", "Largest", 3}}};
-constexpr std::array<Display, 5> class_columns{{{"trees", "Trees", 0}, {"completeness", "Completeness (%)", 1}, {"correctness", "Correctness (%)", 1}, {"bias", "DBH bias (cm)", 2}, {"rmse", "DBH RMSE (cm)", 2}}};
+constexpr std::array<Display, 4> spreads{{{"ate", "Absolute trajectory error", 3},
+                                          {"rotation_error", "Rotation error", 3},
+                                          {"rpe_translation", "Relative pose error, translation", 3},
+                                          {"rpe_rotation", "Relative pose error, rotation", 3}}};
+constexpr std::array<Display, 5> spread_columns{{{"rmse", "RMSE", 3},
+                                                 {"mean", "Mean", 3},
+                                                 {"median", "Median", 3},
+                                                 {"sd", "Standard deviation", 3},
+                                                 {"max", "Largest", 3}}};
+constexpr std::array<Display, 5> class_columns{{{"trees", "Trees", 0},
+                                                {"completeness", "Completeness (%)", 1},
+                                                {"correctness", "Correctness (%)", 1},
+                                                {"bias", "DBH bias (cm)", 2},
+                                                {"rmse", "DBH RMSE (cm)", 2}}};
 
 struct Measure {
   std::string name, unit, published;
@@ -73,7 +93,8 @@ struct Measure {
 class Section {
  public:
   Section(const Table& summary, bool poses_given) : poses_given_(poses_given) {
-    const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"), published = texts_or_empty(summary, "published");
+    const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"),
+               published = texts_or_empty(summary, "published");
     const auto value = numbers_or_nan(summary, "value");
     for (std::size_t i = 0; i < summary.rows(); ++i) measures_.push_back({name[i], unit[i], published[i], value[i]});
     for (std::size_t i = 0; i < measures_.size(); ++i) at_.try_emplace(measures_[i].name, i);
@@ -82,7 +103,8 @@ class Section {
   std::string html() {
     std::string main, folded;
     for (const auto& group : groups()) main += group_html(group);
-    folded += classes_html("dbh_", "By diameter class", "DBH (cm)") + classes_html("distance_", "By distance from the centre of the plot", "Distance (m)") + spreads_html();
+    folded += classes_html("dbh_", "By diameter class", "DBH (cm)") +
+              classes_html("distance_", "By distance from the centre of the plot", "Distance (m)") + spreads_html();
     return main + others_html() + folded;
   }
 
@@ -94,7 +116,8 @@ class Section {
 
   std::string value_text(const Measure& m, int decimals) const {
     const auto text = fixed(m.value, decimals);
-    const bool of_the_walk = m.name.starts_with("ate") || m.name.starts_with("rotation_error") || m.name.starts_with("rpe") || m.name == "end_error" || m.name == "drift";
+    const bool of_the_walk = m.name.starts_with("ate") || m.name.starts_with("rotation_error") ||
+                             m.name.starts_with("rpe") || m.name == "end_error" || m.name == "drift";
     return poses_given_ && of_the_walk && text == fixed(0, decimals) ? "given poses" : text;
   }
 
@@ -118,7 +141,9 @@ class Section {
     return table_of(group.title, rows);
   }
 
-  static std::string published_text(const Measure& m) { return m.published.starts_with('-') ? "\u2212" + m.published.substr(1) : m.published; }
+  static std::string published_text(const Measure& m) {
+    return m.published.starts_with('-') ? "\u2212" + m.published.substr(1) : m.published;
+  }
 
   // "dbh_20_to_24_cm_bias": one row for each class, in the order of the table.
   std::string classes_html(const std::string& prefix, const std::string& title, const std::string& heading) {
@@ -163,16 +188,22 @@ class Section {
     return folded("Spread of the errors of the walk", table);
   }
 
-  static std::string folded(const std::string& title, const HtmlTable& table) { return table.rows.empty() ? std::string() : "<details><summary>" + escaped(title) + "</summary>\n" + table.html() + "</details>\n"; }
+  static std::string folded(const std::string& title, const HtmlTable& table) {
+    return table.rows.empty() ? std::string()
+                              : "<details><summary>" + escaped(title) + "</summary>\n" + table.html() + "</details>\n";
+  }
 
   std::string others_html() {
     std::vector<std::vector<std::string>> rows;
     for (const auto& m : measures_) {
-      const bool folds_away = m.name.find("_to_") != std::string::npos || std::any_of(spreads.begin(), spreads.end(), [&](const Display& s) { return m.name.starts_with(s.measure); });
+      const bool folds_away =
+          m.name.find("_to_") != std::string::npos ||
+          std::any_of(spreads.begin(), spreads.end(), [&](const Display& s) { return m.name.starts_with(s.measure); });
       if (m.told || folds_away) continue;
       auto name = m.name;
       std::replace(name.begin(), name.end(), '_', ' ');
-      rows.push_back({name, value_text(m, m.value == std::round(m.value) ? 0 : 3), unit_text(m.unit), published_text(m)});
+      rows.push_back(
+          {name, value_text(m, m.value == std::round(m.value) ? 0 : 3), unit_text(m.unit), published_text(m)});
     }
     return table_of("Other measures", rows);
   }
@@ -184,6 +215,8 @@ class Section {
 
 }  // namespace
 
-std::string evaluation_html(const Table& summary, bool poses_given) { return summary.rows() == 0 ? std::string() : Section(summary, poses_given).html(); }
+std::string evaluation_html(const Table& summary, bool poses_given) {
+  return summary.rows() == 0 ? std::string() : Section(summary, poses_given).html();
+}
 
 }  // namespace bole

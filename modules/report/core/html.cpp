@@ -36,21 +36,27 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = bytes.size() - i < 3 ? bytes.size() - i : 3;
     std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
     for (std::size_t k = 0; k < 4; ++k) out += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
   }
   return out;
 }
 
-std::string data_uri(std::string_view media_type, std::string_view bytes) { return "data:" + std::string(media_type) + ";base64," + base64(bytes); }
+std::string data_uri(std::string_view media_type, std::string_view bytes) {
+  return "data:" + std::string(media_type) + ";base64," + base64(bytes);
+}
 
 std::string HtmlTable::html() const {
   std::string out = sortable ? "<table class=\"sortable\">\n<thead><tr>" : "<table>\n<thead><tr>";
-  for (const auto& c : columns) out += std::string("<th") + (c.number ? " class=\"n\"" : "") + ">" + escaped(c.title) + "</th>";
+  for (const auto& c : columns)
+    out += std::string("<th") + (c.number ? " class=\"n\"" : "") + ">" + escaped(c.title) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < columns.size(); ++i) out += std::string("<td") + (columns[i].number ? " class=\"n\"" : "") + ">" + (i < row.size() ? escaped(row[i]) : std::string()) + "</td>";
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      out += std::string("<td") + (columns[i].number ? " class=\"n\"" : "") + ">" +
+             (i < row.size() ? escaped(row[i]) : std::string()) + "</td>";
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n";

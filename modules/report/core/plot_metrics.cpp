@@ -39,13 +39,17 @@ void take_diameters(const std::vector<Counted>& stems, PlotMetrics& m) {
 }
 
 void take_dominant_height(std::vector<Counted> stems, PlotMetrics& m) {
-  m.dominant_stems = std::min(stems.size(), std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(dominant_per_ha * m.area_m2 / m2_per_ha))));
+  m.dominant_stems = std::min(
+      stems.size(),
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(dominant_per_ha * m.area_m2 / m2_per_ha))));
   std::stable_sort(stems.begin(), stems.end(), [](const Counted& a, const Counted& b) { return a.dbh_cm > b.dbh_cm; });
   stems.resize(m.dominant_stems);
   std::erase_if(stems, [](const Counted& s) { return !std::isfinite(s.height_m); });
   m.dominant_tops = stems.size();
   if (stems.empty() || 2 * m.dominant_tops < m.dominant_stems) return;
-  m.dominant_height_m = std::accumulate(stems.begin(), stems.end(), 0.0, [](double total, const Counted& s) { return total + s.height_m; }) / static_cast<double>(stems.size());
+  m.dominant_height_m = std::accumulate(stems.begin(), stems.end(), 0.0,
+                                        [](double total, const Counted& s) { return total + s.height_m; }) /
+                        static_cast<double>(stems.size());
 }
 
 void take_heights(const std::vector<Counted>& stems, PlotMetrics& m) {
@@ -91,7 +95,9 @@ bool rejected(const std::vector<std::string>& state, std::size_t i) { return sta
 
 }  // namespace
 
-bool enough_tops(std::size_t seen, std::size_t stems) { return seen > 0 && (seen == stems || (seen >= 5 && 5 * seen >= stems)); }
+bool enough_tops(std::size_t seen, std::size_t stems) {
+  return seen > 0 && (seen == stems || (seen >= 5 && 5 * seen >= stems));
+}
 
 std::vector<double> seen_heights(const Table& stems) {
   auto height = numbers_or_nan(stems, "height_m");
@@ -107,7 +113,8 @@ std::vector<std::size_t> counted_stems(const Table& stems, const PlotArea& area,
   const auto state = texts_or_empty(stems, "state");
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < dbh.size(); ++i)
-    if (!rejected(state, i) && std::isfinite(dbh[i]) && dbh[i] >= least_dbh_cm && area.contains(x[i], y[i])) rows.push_back(i);
+    if (!rejected(state, i) && std::isfinite(dbh[i]) && dbh[i] >= least_dbh_cm && area.contains(x[i], y[i]))
+      rows.push_back(i);
   return rows;
 }
 
@@ -115,8 +122,10 @@ PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   PlotMetrics m;
   m.area_m2 = area.area_m2();
-  m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m = m.lorey_height_m = m.dominant_height_m = nan;
-  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"), height = seen_heights(stems);
+  m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m =
+      m.lorey_height_m = m.dominant_height_m = nan;
+  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
+             height = seen_heights(stems);
   const auto state = texts_or_empty(stems, "state");
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (rejected(state, i) || !std::isfinite(dbh[i])) continue;
@@ -142,25 +151,36 @@ namespace {
 
 std::vector<MetricRow> height_rows(const PlotMetrics& m) {
   const std::string seen = "tops seen on " + std::to_string(m.tops_seen) + " of " + std::to_string(m.stems) + " stems";
-  if (!m.heights_known) return {{"Heights", "not given", "", m.tops_seen == 0 && m.stems == 0 ? "no stems" : seen + ": heights are lower bounds"}};
-  std::vector<MetricRow> rows{{"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"}, {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen}};
+  if (!m.heights_known)
+    return {{"Heights", "not given", "",
+             m.tops_seen == 0 && m.stems == 0 ? "no stems" : seen + ": heights are lower bounds"}};
+  std::vector<MetricRow> rows{
+      {"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"},
+      {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen}};
   if (m.dominant_stems > 0)
     rows.push_back({"Dominant height", fixed(m.dominant_height_m, 1), "m",
-                    "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) + " on this plot, tops seen on " + std::to_string(m.dominant_tops)});
+                    "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) +
+                        " on this plot, tops seen on " + std::to_string(m.dominant_tops)});
   return rows;
 }
 
 }  // namespace
 
 std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
-  const std::string inside = std::isfinite(m.area_m2) ? " and centre at breast height inside the plot; " + std::to_string(m.outside) + " outside, " : "; ";
+  const std::string inside = std::isfinite(m.area_m2) ? " and centre at breast height inside the plot; " +
+                                                            std::to_string(m.outside) + " outside, "
+                                                      : "; ";
   std::vector<MetricRow> rows;
   if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
-  rows.push_back({"Stems", std::to_string(m.stems), "", "DBH of at least " + fixed(least_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
+  rows.push_back(
+      {"Stems", std::to_string(m.stems), "",
+       "DBH of at least " + fixed(least_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
   if (std::isfinite(m.area_m2)) rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"});
   rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"});
-  if (std::isfinite(m.area_m2)) rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"});
-  rows.push_back({"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm", "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"});
+  if (std::isfinite(m.area_m2))
+    rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"});
+  rows.push_back({"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm",
+                  "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"});
   rows.push_back({"Standard deviation of DBH", fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"});
   rows.push_back({"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm", "√(mean of DBH²)"});
   for (auto& row : height_rows(m)) rows.push_back(std::move(row));

@@ -35,14 +35,15 @@ struct PlotMetrics {
   bool heights_known = false;  // enough tops for the heights below, see enough_tops()
   double mean_height_m = 0;
   double lorey_height_m = 0;       // mean height weighted by basal area
-  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area, or when less than half of their tops were seen
+  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area, or when less
+                                   // than half of their tops were seen
   std::size_t dominant_stems = 0;  // how many stems that is on this plot
   std::size_t dominant_tops = 0;   // how many of their tops were seen
   std::vector<DiameterClass> classes;
 };
 
-// Whether heights of a plot may be told from so many tops: all of them, or at least 5 and at least a fifth of the stems. Below a
-// canopy the few tops that are seen belong to the low trees.
+// Whether heights of a plot may be told from so many tops: all of them, or at least 5 and at least a fifth of the
+// stems. Below a canopy the few tops that are seen belong to the low trees.
 bool enough_tops(std::size_t seen, std::size_t stems);
 
 // Heights by row, NaN where the top was not seen: column height_m where height_seen is not 0, all where it is absent.

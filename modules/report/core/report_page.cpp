@@ -12,25 +12,39 @@
 namespace bole {
 namespace {
 
-std::string section(const std::string& id, const std::string& title, const std::string& body) { return "<section id=\"" + id + "\">\n<h2>" + escaped(title) + "</h2>\n" + body + "</section>\n"; }
+std::string section(const std::string& id, const std::string& title, const std::string& body) {
+  return "<section id=\"" + id + "\">\n<h2>" + escaped(title) + "</h2>\n" + body + "</section>\n";
+}
 
-std::string paragraph(const std::string& text, const std::string& css = {}) { return "<p" + (css.empty() ? std::string() : " class=\"" + css + "\"") + ">" + escaped(text) + "</p>\n"; }
+std::string paragraph(const std::string& text, const std::string& css = {}) {
+  return "<p" + (css.empty() ? std::string() : " class=\"" + css + "\"") + ">" + escaped(text) + "</p>\n";
+}
 
 std::string cards(const PlotMetrics& m) {
   const auto card = [](const std::string& value, const std::string& unit, const std::string& name) {
-    return "<div class=\"card\"><b>" + escaped(value) + "</b> <span>" + escaped(unit) + "</span><br>" + escaped(name) + "</div>\n";
+    return "<div class=\"card\"><b>" + escaped(value) + "</b> <span>" + escaped(unit) + "</span><br>" + escaped(name) +
+           "</div>\n";
   };
   std::string out = "<div class=\"cards\">\n" + card(std::to_string(m.stems), "", "stems");
-  if (std::isfinite(m.area_m2)) out += card(fixed(m.stems_per_ha, 0), "1/ha", "stem density") + card(fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
-  out += card(fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") + card(fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
+  if (std::isfinite(m.area_m2))
+    out += card(fixed(m.stems_per_ha, 0), "1/ha", "stem density") +
+           card(fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
+  out += card(fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") +
+         card(fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
   return out + "</div>\n";
 }
 
 std::string metrics_section(const ReportContent& c) {
   HtmlTable table{{{"Measure"}, {"Value", true}, {"Unit"}, {"How"}}, {}, false};
-  for (const auto& row : metric_rows(c.metrics, c.least_dbh_cm)) table.rows.push_back({row.name, row.value, row.unit, row.how});
+  for (const auto& row : metric_rows(c.metrics, c.least_dbh_cm))
+    table.rows.push_back({row.name, row.value, row.unit, row.how});
   std::string body = table.html();
-  if (!std::isfinite(c.metrics.area_m2)) body = paragraph("No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the report where the plot is known.", "note") + body;
+  if (!std::isfinite(c.metrics.area_m2))
+    body = paragraph(
+               "No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the "
+               "report where the plot is known.",
+               "note") +
+           body;
   const bool per_ha = std::isfinite(c.metrics.area_m2);
   HtmlTable classes{{{"DBH class (cm)"}, {"Stems", true}}, {}, false};
   if (per_ha) classes.columns.push_back({"1/ha", true});
@@ -54,9 +68,11 @@ struct StemColumn {
 };
 
 // Those of the stem table that a reader wants, where they are present.
-constexpr StemColumn stem_columns[] = {{"tree_id", "Tree", 0},    {"x_m", "x (m)", 2},           {"y_m", "y (m)", 2},         {"dbh_cm", "DBH (cm)", 1}, {"dbh_lo_cm", "from", 1},
-                                       {"dbh_hi_cm", "to", 1},    {"height_m", "Height (m)", 1}, {"lean_deg", "Lean (°)", 1}, {"arc_deg", "Arc (°)", 0}, {"passes", "Passes", 0},
-                                       {"sigma_cm", "σ (cm)", 2}, {"inliers", "Points", 0},      {"quality", "Quality", -1},  {"state", "State", -1}};
+constexpr StemColumn stem_columns[] = {
+    {"tree_id", "Tree", 0},     {"x_m", "x (m)", 2},     {"y_m", "y (m)", 2},           {"dbh_cm", "DBH (cm)", 1},
+    {"dbh_lo_cm", "from", 1},   {"dbh_hi_cm", "to", 1},  {"height_m", "Height (m)", 1}, {"lean_deg", "Lean (°)", 1},
+    {"arc_deg", "Arc (°)", 0},  {"passes", "Passes", 0}, {"sigma_cm", "σ (cm)", 2},     {"inliers", "Points", 0},
+    {"quality", "Quality", -1}, {"state", "State", -1}};
 
 std::string stem_cell(const Table& stems, const StemColumn& column, double height_seen, std::size_t row) {
   if (const auto* texts = std::get_if<std::vector<std::string>>(stems.find(column.column))) return (*texts)[row];
@@ -94,9 +110,12 @@ std::vector<std::size_t> rows_inside(const Table& table, const PlotArea& area) {
 }
 
 // "12 stems outside the plot are in stems.csv."; empty for none. `what`: the words for one and for several.
-std::string outside_note(std::size_t outside, const std::pair<std::string, std::string>& what, const std::string& file) {
+std::string outside_note(std::size_t outside, const std::pair<std::string, std::string>& what,
+                         const std::string& file) {
   if (outside == 0) return {};
-  return paragraph(std::to_string(outside) + " " + (outside == 1 ? what.first : what.second) + " outside the plot " + (outside == 1 ? "is" : "are") + " in " + file + ".", "note");
+  return paragraph(std::to_string(outside) + " " + (outside == 1 ? what.first : what.second) + " outside the plot " +
+                       (outside == 1 ? "is" : "are") + " in " + file + ".",
+                   "note");
 }
 
 std::string stems_section(const ReportContent& c) {
@@ -104,15 +123,19 @@ std::string stems_section(const ReportContent& c) {
   const auto rows = rows_inside(*c.stems, c.area);
   std::string text = "Diameters at breast height with their 95 % interval.";
   const auto seen = numbers_or_nan(*c.stems, "height_seen");
-  if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; })) text += " Heights with ≥ are lower bounds: the top was not seen.";
+  if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; }))
+    text += " Heights with ≥ are lower bounds: the top was not seen.";
   return section("stems", "Stems",
-                 paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") + stem_table(*c.stems, rows).html() + outside_note(c.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
+                 paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") +
+                     stem_table(*c.stems, rows).html() +
+                     outside_note(c.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
 }
 
 // The tables are written in ASCII; the page is not.
 std::string typeset(std::string text) {
   const auto replace = [&](std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
   };
   replace("+-", "±"), replace(" deg", "°");
   return text;
@@ -120,8 +143,10 @@ std::string typeset(std::string text) {
 
 std::string trees_to_check(const ReportContent& c) {
   if (c.stems == nullptr) return {};
-  const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"), reasons = texts_or_empty(*c.stems, "reasons");
-  const auto dbh = numbers_or_nan(*c.stems, "dbh_cm"), x = numbers_or_nan(*c.stems, "x_m"), y = numbers_or_nan(*c.stems, "y_m");
+  const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"),
+             reasons = texts_or_empty(*c.stems, "reasons");
+  const auto dbh = numbers_or_nan(*c.stems, "dbh_cm"), x = numbers_or_nan(*c.stems, "x_m"),
+             y = numbers_or_nan(*c.stems, "y_m");
   HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
   std::size_t outside = 0;
   for (std::size_t i = 0; i < c.stems->rows(); ++i) {
@@ -129,10 +154,12 @@ std::string trees_to_check(const ReportContent& c) {
     if (!c.area.contains(x[i], y[i]))
       ++outside;
     else
-      table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1), fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
+      table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1),
+                            fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
   }
   std::string body;
-  if (!table.rows.empty()) body = "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
+  if (!table.rows.empty())
+    body = "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
   return body + outside_note(outside, {"stem to check", "stems to check"}, "stems.csv");
 }
 
@@ -140,11 +167,13 @@ std::string rejected_candidates(const ReportContent& c) {
   if (c.rejected == nullptr || c.rejected->rows() == 0) return {};
   const auto rows = rows_inside(*c.rejected, c.area);
   HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
-  const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"), points = numbers_or_nan(*c.rejected, "points");
+  const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"),
+             points = numbers_or_nan(*c.rejected, "points");
   const auto reason = texts_or_empty(*c.rejected, "reason");
-  for (const auto i : rows) table.rows.push_back({fixed(x[i], 2), fixed(y[i], 2), fixed(points[i], 0), typeset(reason[i])});
-  return "<details><summary>Rejected candidates (" + std::to_string(rows.size()) + ")</summary>\n" + table.html() + outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") +
-         "</details>\n";
+  for (const auto i : rows)
+    table.rows.push_back({fixed(x[i], 2), fixed(y[i], 2), fixed(points[i], 0), typeset(reason[i])});
+  return "<details><summary>Rejected candidates (" + std::to_string(rows.size()) + ")</summary>\n" + table.html() +
+         outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") + "</details>\n";
 }
 
 std::string check_section(const ReportContent& c) {
@@ -162,8 +191,9 @@ std::string check_section(const ReportContent& c) {
 std::string pictures_section(const ReportContent& c) {
   std::string body;
   for (const auto& p : c.pictures)
-    body += std::string("<figure") + (p.wide ? "" : " class=\"half\"") + "><img src=\"" + data_uri(p.media_type, p.bytes) + "\" alt=\"" + escaped(p.title) + "\"><figcaption><b>" + escaped(p.title) + ".</b> " +
-            escaped(p.caption) + "</figcaption></figure>\n";
+    body += std::string("<figure") + (p.wide ? "" : " class=\"half\"") + "><img src=\"" +
+            data_uri(p.media_type, p.bytes) + "\" alt=\"" + escaped(p.title) + "\"><figcaption><b>" + escaped(p.title) +
+            ".</b> " + escaped(p.caption) + "</figcaption></figure>\n";
   return body.empty() ? std::string() : section("figures", "Figures", "<div class=\"figures\">\n" + body + "</div>\n");
 }
 
@@ -172,17 +202,24 @@ std::string evaluation_section(const ReportContent& c) {
   std::string note = "Compared with the reference that was given.";
   const auto published = texts_or_empty(*c.summary, "published");
   if (std::any_of(published.begin(), published.end(), [](const auto& text) { return !text.empty(); }))
-    note += " Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace them.";
-  if (c.poses_given) note += " The poses of the walk were given to this run, so errors of the walk tell nothing about SLAM.";
-  return section("evaluation", "Against the reference", paragraph(note, "note") + evaluation_html(*c.summary, c.poses_given));
+    note +=
+        " Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace "
+        "them.";
+  if (c.poses_given)
+    note += " The poses of the walk were given to this run, so errors of the walk tell nothing about SLAM.";
+  return section("evaluation", "Against the reference",
+                 paragraph(note, "note") + evaluation_html(*c.summary, c.poses_given));
 }
 
 std::string stage_options(const StageRecord& stage) {
   HtmlTable table{{{"Option"}, {"Value", true}, {"Unit"}, {""}}, {}, false};
-  for (const auto& o : stage.options) table.rows.push_back({o.name, o.value.empty() ? "–" : o.value, o.unit, o.is_default ? "" : "changed"});
-  const bool changed = std::any_of(stage.options.begin(), stage.options.end(), [](const auto& o) { return !o.is_default; });
-  return "<details><summary><b>" + escaped(stage.id) + "</b> (" + escaped(stage.type) + ")" + (changed ? ", changed options" : "") + "</summary>\n" + (table.rows.empty() ? paragraph("no options") : table.html()) +
-         "</details>\n";
+  for (const auto& o : stage.options)
+    table.rows.push_back({o.name, o.value.empty() ? "–" : o.value, o.unit, o.is_default ? "" : "changed"});
+  const bool changed =
+      std::any_of(stage.options.begin(), stage.options.end(), [](const auto& o) { return !o.is_default; });
+  return "<details><summary><b>" + escaped(stage.id) + "</b> (" + escaped(stage.type) + ")" +
+         (changed ? ", changed options" : "") + "</summary>\n" +
+         (table.rows.empty() ? paragraph("no options") : table.html()) + "</details>\n";
 }
 
 std::string run_section(const ReportContent& c) {
@@ -192,7 +229,8 @@ std::string run_section(const ReportContent& c) {
     double total = 0;
     for (const auto& s : c.record->stages) {
       total += s.report.seconds;
-      table.rows.push_back({s.id, s.type, s.from_cache ? "stored" : fixed(s.report.seconds, 1), s.report.peak_mib > 0 ? fixed(s.report.peak_mib, 0) : "", s.report.message});
+      table.rows.push_back({s.id, s.type, s.from_cache ? "stored" : fixed(s.report.seconds, 1),
+                            s.report.peak_mib > 0 ? fixed(s.report.peak_mib, 0) : "", s.report.message});
     }
     table.rows.push_back({"all", "", fixed(total, 1), "", ""});
     body += "<h3>Stages</h3>\n" + table.html() + "<h3>Options</h3>\n";
@@ -218,9 +256,12 @@ std::string head(const ReportContent& c) {
 }  // namespace
 
 std::string report_html(const ReportContent& c) {
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" + escaped(c.title) + "</title>\n<style>\n" +
-                    std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
-  out += head(c) + metrics_section(c) + check_section(c) + evaluation_section(c) + pictures_section(c) + stems_section(c) + run_section(c);
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<title>" +
+      escaped(c.title) + "</title>\n<style>\n" + std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
+  out += head(c) + metrics_section(c) + check_section(c) + evaluation_section(c) + pictures_section(c) +
+         stems_section(c) + run_section(c);
   return out + "</main>\n<script>\n" + std::string(page_script) + "</script>\n</body>\n</html>\n";
 }
 

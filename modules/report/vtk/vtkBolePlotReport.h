@@ -1,4 +1,5 @@
-// Writes tables, figures and the report of a plot. The stage `report.plot` as a VTK algorithm: options, ports and method are those of the stage.
+// Writes tables, figures and the report of a plot. The stage `report.plot` as a VTK algorithm: options, ports and
+// method are those of the stage.
 #ifndef vtkBolePlotReport_h
 #define vtkBolePlotReport_h
 

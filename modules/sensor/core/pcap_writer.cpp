@@ -27,7 +27,8 @@ std::uint16_t checksum(const std::uint8_t* p, std::size_t bytes) {
 }
 
 std::array<std::uint8_t, headers> frame_headers(std::size_t payload, std::uint16_t port) {
-  std::array<std::uint8_t, headers> h{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x60, 0x76, 0x88, 0x00, 0x00, 0x00, 0x08, 0x00};
+  std::array<std::uint8_t, headers> h{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x60,
+                                      0x76, 0x88, 0x00, 0x00, 0x00, 0x08, 0x00};
   std::uint8_t* p = h.data() + ethernet;
   p[0] = 0x45;
   put16_network(p + 2, ip + udp + payload);
@@ -51,17 +52,22 @@ void append(std::ofstream& file, const T& value) {
 
 }  // namespace
 
-PcapWriter::PcapWriter(const std::filesystem::path& path, std::uint16_t udp_port) : path_(path), file_(path, std::ios::binary), port_(udp_port) {
+PcapWriter::PcapWriter(const std::filesystem::path& path, std::uint16_t udp_port)
+    : path_(path), file_(path, std::ios::binary), port_(udp_port) {
   if (!file_) throw failure("cannot write '" + path.string() + "'", "a folder that exists and may be written to");
-  constexpr std::array<std::uint32_t, 6> header{0xA1B2C3D4, 2 | 4 << 16, 0, 0, 65535, 1};  // version 2.4, link type Ethernet
+  constexpr std::array<std::uint32_t, 6> header{0xA1B2C3D4, 2 | 4 << 16, 0,
+                                                0,          65535,       1};  // version 2.4, link type Ethernet
   append(file_, header);
 }
 
 void PcapWriter::write(std::span<const std::uint8_t> payload, double time_s) {
-  if (payload.size() > most_payload) throw failure("a datagram of " + std::to_string(payload.size()) + " bytes", "at most " + std::to_string(most_payload));
+  if (payload.size() > most_payload)
+    throw failure("a datagram of " + std::to_string(payload.size()) + " bytes",
+                  "at most " + std::to_string(most_payload));
   const auto microseconds = static_cast<std::int64_t>(std::llround(time_s * 1e6));
   const auto length = static_cast<std::uint32_t>(headers + payload.size());
-  const std::array<std::uint32_t, 4> record{static_cast<std::uint32_t>(microseconds / 1'000'000), static_cast<std::uint32_t>(microseconds % 1'000'000), length, length};
+  const std::array<std::uint32_t, 4> record{static_cast<std::uint32_t>(microseconds / 1'000'000),
+                                            static_cast<std::uint32_t>(microseconds % 1'000'000), length, length};
   append(file_, record);
   append(file_, frame_headers(payload.size(), port_));
   file_.write(reinterpret_cast<const char*>(payload.data()), static_cast<std::streamsize>(payload.size()));

@@ -19,8 +19,12 @@ constexpr std::size_t most_channels = 256;
 
 double number(const nlohmann::json& json, const char* key, double min, double max) {
   const auto it = json.find(key);
-  if (it == json.end()) throw bad_input("'" + std::string(key) + "' is absent", "a number from " + number_text(min) + " to " + number_text(max));
-  if (!it->is_number() || !(it->get<double>() >= min && it->get<double>() <= max)) throw bad_input("'" + std::string(key) + "' is " + it->dump(), "a number from " + number_text(min) + " to " + number_text(max));
+  if (it == json.end())
+    throw bad_input("'" + std::string(key) + "' is absent",
+                    "a number from " + number_text(min) + " to " + number_text(max));
+  if (!it->is_number() || !(it->get<double>() >= min && it->get<double>() <= max))
+    throw bad_input("'" + std::string(key) + "' is " + it->dump(),
+                    "a number from " + number_text(min) + " to " + number_text(max));
   return it->get<double>();
 }
 
@@ -33,12 +37,17 @@ std::string text(const nlohmann::json& json, const char* key, const std::string&
 
 std::vector<double> numbers(const nlohmann::json& json, const char* key, std::size_t count, double min, double max) {
   const auto it = json.find(key);
-  if (it == json.end() || !it->is_array()) throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
+  if (it == json.end() || !it->is_array())
+    throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
   if (count == 0 ? it->empty() || it->size() > most_channels : it->size() != count)
-    throw bad_input("'" + std::string(key) + "' has " + std::to_string(it->size()) + " entries", count == 0 ? "1 to " + std::to_string(most_channels) : std::to_string(count) + ", as elevation_deg has");
+    throw bad_input(
+        "'" + std::string(key) + "' has " + std::to_string(it->size()) + " entries",
+        count == 0 ? "1 to " + std::to_string(most_channels) : std::to_string(count) + ", as elevation_deg has");
   std::vector<double> values;
   for (const auto& v : *it) {
-    if (!v.is_number() || !(v.get<double>() >= min && v.get<double>() <= max)) throw bad_input("'" + std::string(key) + "' holds " + v.dump(), "numbers from " + number_text(min) + " to " + number_text(max));
+    if (!v.is_number() || !(v.get<double>() >= min && v.get<double>() <= max))
+      throw bad_input("'" + std::string(key) + "' holds " + v.dump(),
+                      "numbers from " + number_text(min) + " to " + number_text(max));
     values.push_back(v.get<double>());
   }
   return values;
@@ -54,7 +63,8 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
   std::vector<LaserChannel> channels(elevations.size());
   for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
     const std::size_t i = by_elevation[ring];
-    channels[i] = {elevations[i] * radians_per_degree, offsets[i] * radians_per_degree, times[i] * 1e-6, static_cast<int>(ring)};
+    channels[i] = {elevations[i] * radians_per_degree, offsets[i] * radians_per_degree, times[i] * 1e-6,
+                   static_cast<int>(ring)};
   }
   return channels;
 }
@@ -67,15 +77,19 @@ void read_packet_format(const nlohmann::json& json, SensorModel& model) {
   model.sequences_per_block = static_cast<int>(number(json, "sequences_per_block", 1, 2));
   if (json.contains("product_id")) model.product_id = static_cast<std::uint8_t>(number(json, "product_id", 0, 255));
   const auto lasers = model.channels.size();
-  if (!(lasers == 16 && model.sequences_per_block == 2) && !((lasers == 32 || lasers == 64) && model.sequences_per_block == 1))
-    throw bad_input("a Velodyne block of " + std::to_string(lasers) + " lasers and " + std::to_string(model.sequences_per_block) + " sequences", "16 lasers twice, 32 once, or 64 in an upper and a lower block");
+  if (!(lasers == 16 && model.sequences_per_block == 2) &&
+      !((lasers == 32 || lasers == 64) && model.sequences_per_block == 1))
+    throw bad_input("a Velodyne block of " + std::to_string(lasers) + " lasers and " +
+                        std::to_string(model.sequences_per_block) + " sequences",
+                    "16 lasers twice, 32 once, or 64 in an upper and a lower block");
 }
 
 // "VLP-32C" and "vlp_32c" name the file vlp32c.json, "OS1-64" os1_64.json.
 std::string plain(std::string_view name) {
   std::string out;
   for (const char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c))) out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return out;
 }
 
@@ -88,7 +102,8 @@ std::vector<double> SensorModel::ring_elevations_rad() const {
 }
 
 SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
-  if (!json.is_object()) throw bad_input("the sensor is not a JSON object", "an object with the entries of resources/sensors/vlp16.json");
+  if (!json.is_object())
+    throw bad_input("the sensor is not a JSON object", "an object with the entries of resources/sensors/vlp16.json");
   SensorModel model;
   model.name = text(json, "name", id);
   model.id = std::move(id);
@@ -131,7 +146,8 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
     if (it == names.end()) {
       std::string list;
       for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
-      throw bad_input("there is no sensor '" + std::string(name_or_path) + "'", "one of " + list + ", or the path of a JSON file");
+      throw bad_input("there is no sensor '" + std::string(name_or_path) + "'",
+                      "one of " + list + ", or the path of a JSON file");
     }
     id = *it;
     path = resource_path("sensors/" + id + ".json");
@@ -139,7 +155,8 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
   std::ifstream file(path);
   if (!file) throw bad_input("cannot open '" + path.string() + "'", "a sensor description in JSON");
   const auto json = nlohmann::json::parse(file, nullptr, false, true);
-  if (json.is_discarded()) throw bad_input("'" + path.string() + "' is not JSON", "a sensor description like resources/sensors/vlp16.json");
+  if (json.is_discarded())
+    throw bad_input("'" + path.string() + "' is not JSON", "a sensor description like resources/sensors/vlp16.json");
   try {
     return sensor_model_from_json(json, id);
   } catch (const Error& e) {

@@ -49,8 +49,9 @@ struct SensorModel {
   std::vector<double> ring_elevations_rad() const;  // lowest first
 };
 
-// `name_or_path`: a name in resources/sensors ("vlp32c", "VLP-32C") or the path of a JSON file of the same form, so that
-// a unit's own calibration can be used. Throws Error{bad_input} that lists the known names, or names the wrong entry.
+// `name_or_path`: a name in resources/sensors ("vlp32c", "VLP-32C") or the path of a JSON file of the same form, so
+// that a unit's own calibration can be used. Throws Error{bad_input} that lists the known names, or names the wrong
+// entry.
 SensorModel load_sensor_model(std::string_view name_or_path);
 
 // The model that a JSON value describes; `id` is what the model is called. Throws Error{bad_input} naming the entry.

@@ -22,7 +22,9 @@ struct Direction {
 const std::vector<Direction>& directions() {
   static const std::vector<Direction> table = [] {
     std::vector<Direction> t(full_turn);
-    for (int i = 0; i < full_turn; ++i) t[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(i * radians_per_centideg)), static_cast<float>(std::sin(i * radians_per_centideg))};
+    for (int i = 0; i < full_turn; ++i)
+      t[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(i * radians_per_centideg)),
+                                        static_cast<float>(std::sin(i * radians_per_centideg))};
     return t;
   }();
   return table;
@@ -37,19 +39,28 @@ Direction direction(double azimuth_centideg) {
   return {d.cos - step * d.sin, d.sin + step * d.cos};
 }
 
-double signed_turn(double from_centideg, double to_centideg) { return std::remainder(to_centideg - from_centideg, full_turn); }
+double signed_turn(double from_centideg, double to_centideg) {
+  return std::remainder(to_centideg - from_centideg, full_turn);
+}
 
 }  // namespace
 
 VelodyneDecoder::VelodyneDecoder(SensorModel model) : model_(std::move(model)) {
-  if (model_.packet != PacketFormat::velodyne) throw bad_input("the sensor " + model_.name + " does not send Velodyne packets", "a Velodyne sensor");
+  if (model_.packet != PacketFormat::velodyne)
+    throw bad_input("the sensor " + model_.name + " does not send Velodyne packets", "a Velodyne sensor");
   for (const auto& c : model_.channels)
-    beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)), c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s, static_cast<std::uint16_t>(c.ring)});
+    beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)),
+                      c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s,
+                      static_cast<std::uint16_t>(c.ring)});
 }
 
-int VelodyneDecoder::blocks_per_firing(bool dual) const { return beams_.size() > velodyne_records || (dual && model_.dual_return) ? 2 : 1; }
+int VelodyneDecoder::blocks_per_firing(bool dual) const {
+  return beams_.size() > velodyne_records || (dual && model_.dual_return) ? 2 : 1;
+}
 
-double VelodyneDecoder::packet_period_s(bool dual) const { return firing_period_s() * velodyne_blocks / blocks_per_firing(dual); }
+double VelodyneDecoder::packet_period_s(bool dual) const {
+  return firing_period_s() * velodyne_blocks / blocks_per_firing(dual);
+}
 
 std::vector<VelodyneFiring> VelodyneDecoder::firings(const VelodynePacket& packet) const {
   std::vector<VelodyneFiring> out;
@@ -62,20 +73,27 @@ void VelodyneDecoder::firings(const VelodynePacket& packet, std::vector<Velodyne
   out.clear();
   for (int b = 0; b < velodyne_blocks; b += step) {
     const auto& block = packet.blocks[static_cast<std::size_t>(b)];
-    out.push_back({b, block.valid(), static_cast<double>(block.azimuth_centideg), 0, static_cast<double>(out.size()) * firing_period_s()});
+    out.push_back({b, block.valid(), static_cast<double>(block.azimuth_centideg), 0,
+                   static_cast<double>(out.size()) * firing_period_s()});
   }
   double sum = 0;
   int sane = 0;
-  const auto turn_after = [&](std::size_t i) { return signed_turn(out[i].azimuth_centideg, out[i + 1].azimuth_centideg); };
-  const auto is_sane = [&](std::size_t i) { return i + 1 < out.size() && out[i].valid && out[i + 1].valid && std::abs(turn_after(i)) <= most_advance_centideg; };
+  const auto turn_after = [&](std::size_t i) {
+    return signed_turn(out[i].azimuth_centideg, out[i + 1].azimuth_centideg);
+  };
+  const auto is_sane = [&](std::size_t i) {
+    return i + 1 < out.size() && out[i].valid && out[i + 1].valid && std::abs(turn_after(i)) <= most_advance_centideg;
+  };
   for (std::size_t i = 0; i < out.size(); ++i)
     if (is_sane(i)) sum += turn_after(i), ++sane;
   const double mean = sane > 0 ? sum / sane : 0;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].advance_centideg = is_sane(i) ? turn_after(i) : mean;
-  if (mean > 0 && sane + 2 == static_cast<int>(out.size()) && std::ranges::all_of(out, &VelodyneFiring::valid)) shift_behind_blind_sector(mean, out);
+  if (mean > 0 && sane + 2 == static_cast<int>(out.size()) && std::ranges::all_of(out, &VelodyneFiring::valid))
+    shift_behind_blind_sector(mean, out);
 }
 
-void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg, std::vector<VelodyneFiring>& firings) const {
+void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg,
+                                                std::vector<VelodyneFiring>& firings) const {
   for (std::size_t i = 0; i + 1 < firings.size(); ++i) {
     const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn, full_turn);
     if (turn <= most_advance_centideg || turn >= full_turn - most_advance_centideg) continue;
@@ -84,12 +102,14 @@ void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg, st
   }
 }
 
-void VelodyneDecoder::append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing, double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number,
+void VelodyneDecoder::append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing,
+                             double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number,
                              std::vector<VelodyneReturn>& out) const {
   if (record.range_counts == 0) return;
   const auto& b = beams_[beam];
   const double time_s = sequence_time_s + b.time_s;
-  const Direction d = direction(firing.azimuth_centideg + firing.advance_centideg * time_s / firing_period_s() + b.offset_centideg);
+  const Direction d =
+      direction(firing.azimuth_centideg + firing.advance_centideg * time_s / firing_period_s() + b.offset_centideg);
   const auto range = static_cast<float>(record.range_counts * model_.range_quantum_m);
   const float horizontal = range * b.cos_elevation;
   // The rotor turns clockwise seen from above, y points to the left.
@@ -108,7 +128,8 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, std::vector<VelodyneR
   decode(packet, all, 0, all.size(), out);
 }
 
-void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings, std::size_t first, std::size_t last, std::vector<VelodyneReturn>& out) const {
+void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings,
+                             std::size_t first, std::size_t last, std::vector<VelodyneReturn>& out) const {
   const bool two_banks = beams_.size() > velodyne_records;
   const bool dual = packet.is_dual() && model_.dual_return && !two_banks;
   for (std::size_t f = first; f < std::min(last, firings.size()); ++f) {
@@ -116,14 +137,18 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<Vel
     if (!firing.valid) continue;
     const auto index = static_cast<std::uint8_t>(f);
     const auto& block = packet.blocks[static_cast<std::size_t>(firing.first_block)];
-    const auto* partner = dual || two_banks ? &packet.blocks[static_cast<std::size_t>(firing.first_block) + 1] : nullptr;
+    const auto* partner =
+        dual || two_banks ? &packet.blocks[static_cast<std::size_t>(firing.first_block) + 1] : nullptr;
     if (partner != nullptr && !partner->valid()) partner = nullptr;
     for (std::size_t r = 0; r < velodyne_records; ++r) {
       const std::size_t beam = beams_.size() < velodyne_records ? r % beams_.size() : r;
       const double sequence_time_s = static_cast<double>(r / beams_.size()) * model_.sequence_period_s;
       if (two_banks) {
-        append(block.records[r], block.flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0, index, 1, out);
-        if (partner != nullptr) append(partner->records[r], partner->flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0, index, 1, out);
+        append(block.records[r], block.flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0, index, 1,
+               out);
+        if (partner != nullptr)
+          append(partner->records[r], partner->flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0,
+                 index, 1, out);
       } else if (dual) {
         if (partner != nullptr) append(partner->records[r], beam, firing, sequence_time_s, index, 1, out);
         const bool same = partner != nullptr && partner->records[r].range_counts == block.records[r].range_counts;
@@ -137,9 +162,11 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<Vel
 }
 
 std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet) {
-  const bool two_banks = std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == velodyne_lower_block; });
+  const bool two_banks =
+      std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == velodyne_lower_block; });
   // The VLS-128 has two more kinds of blocks.
-  if (std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == 0xCCFF || b.flag == 0xBBFF; })) return std::nullopt;
+  if (std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == 0xCCFF || b.flag == 0xBBFF; }))
+    return std::nullopt;
   for (const auto& name : sensor_model_names()) {
     auto model = load_sensor_model(name);
     if (model.packet != PacketFormat::velodyne) continue;

@@ -38,17 +38,18 @@ class VelodyneDecoder {
 
   const SensorModel& model() const { return model_; }
 
-  // The firings of a packet, with azimuths made firing-exact: the turn from one to the next is what the packet says, and
-  // for the last one the mean of the others. Blocks whose azimuth jumps (damaged packets) get that mean too. A single jump
-  // is a field of view that the sensor was told to leave out: it sends nothing while the rotor passes it, and the firings
-  // behind it are later by that time.
+  // The firings of a packet, with azimuths made firing-exact: the turn from one to the next is what the packet says,
+  // and for the last one the mean of the others. Blocks whose azimuth jumps (damaged packets) get that mean too. A
+  // single jump is a field of view that the sensor was told to leave out: it sends nothing while the rotor passes it,
+  // and the firings behind it are later by that time.
   std::vector<VelodyneFiring> firings(const VelodynePacket& packet) const;
   void firings(const VelodynePacket& packet, std::vector<VelodyneFiring>& out) const;
 
-  // Appends the returns of the firings [first, last) in order of firing; returns without range are left out. In dual mode
-  // a last return equal to the strongest is one return.
+  // Appends the returns of the firings [first, last) in order of firing; returns without range are left out. In dual
+  // mode a last return equal to the strongest is one return.
   void decode(const VelodynePacket& packet, std::vector<VelodyneReturn>& out) const;
-  void decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings, std::size_t first, std::size_t last, std::vector<VelodyneReturn>& out) const;
+  void decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings, std::size_t first,
+              std::size_t last, std::vector<VelodyneReturn>& out) const;
 
   // Time from the first firing of a packet to that of the next.
   double packet_period_s(bool dual) const;
@@ -62,7 +63,8 @@ class VelodyneDecoder {
     std::uint16_t ring;
   };
   void shift_behind_blind_sector(double mean_advance_centideg, std::vector<VelodyneFiring>& firings) const;
-  void append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing, double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number, std::vector<VelodyneReturn>& out) const;
+  void append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing, double sequence_time_s,
+              std::uint8_t firing_index, std::uint8_t return_number, std::vector<VelodyneReturn>& out) const;
 
   SensorModel model_;
   std::vector<Beam> beams_;

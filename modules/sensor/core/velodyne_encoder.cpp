@@ -17,9 +17,12 @@ std::uint16_t centidegrees(double azimuth_rad) {
 
 }  // namespace
 
-VelodyneEncoder::VelodyneEncoder(SensorModel model, VelodyneReturnMode mode, Sink sink) : model_(std::move(model)), mode_(mode), sink_(std::move(sink)) {
-  if (model_.packet != PacketFormat::velodyne) throw bad_input("the sensor " + model_.name + " does not send Velodyne packets", "a Velodyne sensor");
-  if (mode == VelodyneReturnMode::dual && !model_.dual_return) throw bad_input("the sensor " + model_.name + " has no dual return", "strongest or last");
+VelodyneEncoder::VelodyneEncoder(SensorModel model, VelodyneReturnMode mode, Sink sink)
+    : model_(std::move(model)), mode_(mode), sink_(std::move(sink)) {
+  if (model_.packet != PacketFormat::velodyne)
+    throw bad_input("the sensor " + model_.name + " does not send Velodyne packets", "a Velodyne sensor");
+  if (mode == VelodyneReturnMode::dual && !model_.dual_return)
+    throw bad_input("the sensor " + model_.name + " has no dual return", "strongest or last");
   packet_.return_mode = static_cast<std::uint8_t>(mode);
   packet_.product_id = model_.product_id.value_or(0);
 }
@@ -28,15 +31,18 @@ void VelodyneEncoder::fill(VelodyneBlock& block, int first_record, std::span<con
   for (std::size_t i = 0; i < echoes.size(); ++i) {
     const double counts = std::nearbyint(echoes[i].range_m / model_.range_quantum_m);
     const bool fits = counts >= 1 && counts <= 65535;
-    block.records[static_cast<std::size_t>(first_record) + i] = fits ? VelodyneRecord{static_cast<std::uint16_t>(counts), echoes[i].intensity} : VelodyneRecord{};
+    block.records[static_cast<std::size_t>(first_record) + i] =
+        fits ? VelodyneRecord{static_cast<std::uint16_t>(counts), echoes[i].intensity} : VelodyneRecord{};
   }
 }
 
-void VelodyneEncoder::add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest, std::span<const LaserEcho> last) {
+void VelodyneEncoder::add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest,
+                          std::span<const LaserEcho> last) {
   const std::size_t lasers = model_.channels.size();
   const bool dual = mode_ == VelodyneReturnMode::dual;
   if (strongest.size() != lasers || (dual && last.size() != lasers))
-    throw failure("a firing sequence of " + std::to_string(strongest.size()) + " echoes", std::to_string(lasers) + ", one per laser of the " + model_.name);
+    throw failure("a firing sequence of " + std::to_string(strongest.size()) + " echoes",
+                  std::to_string(lasers) + ", one per laser of the " + model_.name);
   if (block_ == 0 && sequence_ == 0) packet_time_s_ = time_s;
   advance_rad_ = std::remainder(azimuth_rad - last_azimuth_rad_, 2 * std::numbers::pi);
   last_azimuth_rad_ = azimuth_rad, last_time_s_ = time_s;
@@ -75,7 +81,8 @@ void VelodyneEncoder::send() {
 void VelodyneEncoder::flush() {
   const std::vector<LaserEcho> nothing(model_.channels.size());
   const double advance_rad = advance_rad_;
-  while (block_ != 0 || sequence_ != 0) add(last_time_s_ + model_.sequence_period_s, last_azimuth_rad_ + advance_rad, nothing, nothing);
+  while (block_ != 0 || sequence_ != 0)
+    add(last_time_s_ + model_.sequence_period_s, last_azimuth_rad_ + advance_rad, nothing, nothing);
 }
 
 }  // namespace bole

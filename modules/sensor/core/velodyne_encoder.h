@@ -24,10 +24,12 @@ class VelodyneEncoder {
   // Throws Error{bad_input} when the model has no Velodyne packets, or no dual return and that is asked for.
   VelodyneEncoder(SensorModel model, VelodyneReturnMode mode, Sink sink);
 
-  // One firing sequence: `time_s` of its start (seconds since the Unix epoch), the rotor's azimuth then (radians, clockwise,
-  // 0 forward), and one echo per channel. `last` is used in dual mode only (there `strongest` goes to the odd blocks).
-  // Ranges are rounded to the quantum; what does not fit is no return. Throws Error{failed} on a wrong number of echoes.
-  void add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest, std::span<const LaserEcho> last = {});
+  // One firing sequence: `time_s` of its start (seconds since the Unix epoch), the rotor's azimuth then (radians,
+  // clockwise, 0 forward), and one echo per channel. `last` is used in dual mode only (there `strongest` goes to the
+  // odd blocks). Ranges are rounded to the quantum; what does not fit is no return. Throws Error{failed} on a wrong
+  // number of echoes.
+  void add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest,
+           std::span<const LaserEcho> last = {});
 
   // A started packet is completed with empty firings at the last rate of turn and sent; needed once, at the end.
   void flush();

@@ -29,7 +29,9 @@ struct VelodyneBlock {
   std::uint16_t azimuth_centideg = 0;  // of the rotor when the block's first laser fires, clockwise, 0 to 35999
   std::array<VelodyneRecord, velodyne_records> records;
 
-  bool valid() const { return (flag == velodyne_upper_block || flag == velodyne_lower_block) && azimuth_centideg < 36000; }
+  bool valid() const {
+    return (flag == velodyne_upper_block || flag == velodyne_lower_block) && azimuth_centideg < 36000;
+  }
 };
 
 struct VelodynePacket {

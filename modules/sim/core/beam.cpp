@@ -26,20 +26,26 @@ std::array<Eigen::Vector2d, rays> gaussian_pattern() {
 // A foil sends this many times more light back than a white wall.
 constexpr double retro_gain = 30;
 
-double energy(const RayHit& hit) { return hit.material == Material::retro ? retro_gain : hit.reflectivity * hit.cos_incidence; }
+double energy(const RayHit& hit) {
+  return hit.material == Material::retro ? retro_gain : hit.reflectivity * hit.cos_incidence;
+}
 
 // Depth of the bark at a point, 0 (ridge) to 1 (fissure): stretched along the stem.
 double bark_relief(const Eigen::Vector3d& p, int tree_id) {
-  const float n = value_noise(static_cast<float>(p.x() / 0.015), static_cast<float>(p.y() / 0.015), static_cast<float>(p.z() / 0.07), static_cast<std::uint32_t>(tree_id));
+  const float n = value_noise(static_cast<float>(p.x() / 0.015), static_cast<float>(p.y() / 0.015),
+                              static_cast<float>(p.z() / 0.07), static_cast<std::uint32_t>(tree_id));
   return n * n;
 }
 
 }  // namespace
 
-Beam::Beam(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, std::uint64_t seed) : sensor_(sensor), parameters_(parameters), scene_(scene), seed_(seed) {
+Beam::Beam(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, std::uint64_t seed)
+    : sensor_(sensor), parameters_(parameters), scene_(scene), seed_(seed) {
   for (std::size_t i = 0; i < sensor.channels.size(); ++i) {
     const double elevation = sensor.channels[i].elevation_rad;
-    lasers_.push_back({std::cos(elevation), std::sin(elevation), parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal()});
+    lasers_.push_back(
+        {std::cos(elevation), std::sin(elevation),
+         parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal()});
   }
 }
 
@@ -79,7 +85,8 @@ Beam::Return Beam::strongest(const RayHit hits[rays]) const {
 
 std::uint8_t Beam::intensity(const Return& r, Random& random) const {
   const double speckle = 1 + 0.06 * random.bounded_normal();
-  if (r.retro_share > 0) return static_cast<std::uint8_t>(std::clamp((100 + 140 * std::pow(r.retro_share, 0.7)) * speckle, 60.0, 255.0));
+  if (r.retro_share > 0)
+    return static_cast<std::uint8_t>(std::clamp((100 + 140 * std::pow(r.retro_share, 0.7)) * speckle, 60.0, 255.0));
   return static_cast<std::uint8_t>(std::clamp(100 * r.brightness / (1 + r.range_m / 120) * speckle, 1.0, 100.0));
 }
 
@@ -87,7 +94,8 @@ LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std
   static const auto pattern = gaussian_pattern();
   const Laser& laser = lasers_[channel];
   Random random(seed_, Stream::pulse, pulse);
-  const double ce = laser.cos_elevation, se = laser.sin_elevation, ca = std::cos(azimuth_rad), sa = std::sin(azimuth_rad);
+  const double ce = laser.cos_elevation, se = laser.sin_elevation, ca = std::cos(azimuth_rad),
+               sa = std::sin(azimuth_rad);
   const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * ca, -ce * sa, se);
   const Eigen::Vector3d right = T.linear() * Eigen::Vector3d(-sa, -ca, 0), up = right.cross(axis);
   // A full 1/e^2 width is four standard deviations.
@@ -97,9 +105,13 @@ LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std
   for (int i = 0; i < rays; ++i) {
     const auto& p = pattern[static_cast<std::size_t>(i)];
     const double u = k * (cs * p.x() - ss * p.y()), v = k * (ss * p.x() + cs * p.y());
-    const Eigen::Vector3d origin = T.translation() + u * sensor_.aperture_horizontal_m * right + v * sensor_.aperture_vertical_m * up;
-    const Eigen::Vector3d direction = (axis + u * sensor_.beam_divergence_horizontal_rad * right + v * sensor_.beam_divergence_vertical_rad * up).normalized();
-    for (int d = 0; d < 3; ++d) bundle.origin[d][i] = static_cast<float>(origin[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
+    const Eigen::Vector3d origin =
+        T.translation() + u * sensor_.aperture_horizontal_m * right + v * sensor_.aperture_vertical_m * up;
+    const Eigen::Vector3d direction =
+        (axis + u * sensor_.beam_divergence_horizontal_rad * right + v * sensor_.beam_divergence_vertical_rad * up)
+            .normalized();
+    for (int d = 0; d < 3; ++d)
+      bundle.origin[d][i] = static_cast<float>(origin[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
   }
   RayHit hits[rays];
   scene_.intersect(bundle, hits);
@@ -112,7 +124,8 @@ LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std
     int tree = 0;
     for (const auto& hit : hits)
       if (hit.bark_depth_m > 0) tree = hit.tree_id;
-    r.range_m += r.bark_depth_m * bark_relief(T.translation() + r.range_m * axis, tree) / std::max(0.25, r.cos_incidence);
+    r.range_m +=
+        r.bark_depth_m * bark_relief(T.translation() + r.range_m * axis, tree) / std::max(0.25, r.cos_incidence);
   }
   const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength));
   const double range = r.range_m + laser.bias_m + sigma * random.bounded_normal(4);

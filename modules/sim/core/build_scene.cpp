@@ -46,13 +46,16 @@ void add_target(SceneModel& scene, const Target& target, const Terrain& terrain)
 PlotScene build_scene(const Forest& forest, std::uint64_t seed) {
   PlotScene scene;
   const double edge = forest.half_side_m() + forest.recipe.buffer_m + 2;
-  // The fine sheet carries the micro-relief; beyond it a coarse one, a little lower where they overlap, closes the view.
+  // The fine sheet carries the micro-relief; beyond it a coarse one, a little lower where they overlap, closes the
+  // view.
   scene.model.pieces.push_back(ground_sheet(forest.terrain, edge, 0.1, 0));
   scene.model.pieces.push_back(ground_sheet(forest.terrain, edge + 60, 3.0, 0.5));
   for (const auto& tree : forest.trees) {
     Random random(seed, Stream::branches, 1000000 + static_cast<std::uint64_t>(tree.id));
     const double reflectivity = tree.alive ? random.uniform(0.3, 0.5) : random.uniform(0.45, 0.6);
-    scene.model.pieces.push_back(Piece{stem_mesh(tree.stem, tree.in_plot), Material::bark, static_cast<float>(reflectivity), static_cast<float>(tree.stem.bark_depth_m), tree.id});
+    scene.model.pieces.push_back(Piece{stem_mesh(tree.stem, tree.in_plot), Material::bark,
+                                       static_cast<float>(reflectivity), static_cast<float>(tree.stem.bark_depth_m),
+                                       tree.id});
   }
   scene.vegetation = add_vegetation(scene.model, forest, seed);
   for (const auto& target : forest.targets) add_target(scene.model, target, forest.terrain);

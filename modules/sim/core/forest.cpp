@@ -35,7 +35,8 @@ void shape_stem(Tree& tree, const TreeRecipe& recipe, double dbh_cm, Random& ran
   s.height_m = std::max(3.0, height_from_dbh(dbh_cm) * random.uniform(0.88, 1.12));
   s.end_m = s.height_m;
   s.taper_exponent = tree.species == Species::conifer ? random.uniform(0.75, 0.95) : random.uniform(0.65, 0.85);
-  s.lean = std::tan(recipe.lean_sd_deg * pi / 180) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) / std::numbers::sqrt2;
+  s.lean = std::tan(recipe.lean_sd_deg * pi / 180) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) /
+           std::numbers::sqrt2;
   s.bow = recipe.sweep_m * random.bounded_normal() * direction(random.angle());
   s.bow_length_m = random.uniform(6, 14);
   s.flare = recipe.flare * random.uniform(0.5, 1.5);
@@ -58,10 +59,12 @@ void decide_fate(Tree& tree, const TreeRecipe& recipe, Random& random) {
   tree.crown_base_h = crown_share * s.height_m;
   if (!tree.alive && random.chance(0.6)) s.end_m = random.uniform(0.25, 0.7) * s.height_m;
   s.end_m = std::max(s.end_m, 2.5);
-  if (tree.alive && random.chance(recipe.fork_share)) tree.fork_h = random.uniform(2.2, std::max(2.6, 0.6 * s.height_m));
+  if (tree.alive && random.chance(recipe.fork_share))
+    tree.fork_h = random.uniform(2.2, std::max(2.6, 0.6 * s.height_m));
 }
 
-// A twin leaves the common base to the other side of its sister: both lean apart enough that they stand free at breast height.
+// A twin leaves the common base to the other side of its sister: both lean apart enough that they stand free at breast
+// height.
 void join_twin(Tree& twin, const Tree& sister, Random& random) {
   const Eigen::Vector2d away = direction(random.angle());
   const double feet = 0.75 * (sister.stem.radius_m + twin.stem.radius_m);
@@ -73,7 +76,9 @@ void join_twin(Tree& twin, const Tree& sister, Random& random) {
 }
 
 std::vector<Target> make_targets(const PlotRecipe& recipe, const Terrain& terrain) {
-  const auto on_pole = [&](const char* name, double x, double y) { return Target{name, Eigen::Vector3d(x, y, terrain.height(x, y) + 1.5)}; };
+  const auto on_pole = [&](const char* name, double x, double y) {
+    return Target{name, Eigen::Vector3d(x, y, terrain.height(x, y) + 1.5)};
+  };
   return {on_pole("centre", 0, 0), on_pole("north", 0, 0.5 * recipe.size_m)};
 }
 
@@ -109,7 +114,8 @@ Forest make_forest(const PlotRecipe& recipe, std::uint64_t seed) {
   std::vector<double> dbh = exact_sample(inner, t.dbh_mean_cm, t.dbh_sd_cm, t.dbh_min_cm, t.dbh_max_cm, seed);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     Random random(seed, Stream::stem, i);
-    const double dbh_cm = sites[i].in_plot ? dbh[i] : std::clamp(random.normal(t.dbh_mean_cm, t.dbh_sd_cm), t.dbh_min_cm, t.dbh_max_cm);
+    const double dbh_cm =
+        sites[i].in_plot ? dbh[i] : std::clamp(random.normal(t.dbh_mean_cm, t.dbh_sd_cm), t.dbh_min_cm, t.dbh_max_cm);
     Tree tree;
     tree.id = static_cast<int>(i) + 1;
     tree.in_plot = sites[i].in_plot;
@@ -121,7 +127,9 @@ Forest make_forest(const PlotRecipe& recipe, std::uint64_t seed) {
     // The sister is the tree before, when she stands well inside and is no twin herself.
     if (i > 0 && tree.in_plot && random.chance(t.twin_share)) {
       const Tree& sister = forest.trees.back();
-      if (sister.twin_of == 0 && sister.stem.foot.head<2>().cwiseAbs().maxCoeff() < forest.half_side_m() - 1.0 && sister.stem.foot.head<2>().norm() > 2.0) join_twin(tree, sister, random);
+      if (sister.twin_of == 0 && sister.stem.foot.head<2>().cwiseAbs().maxCoeff() < forest.half_side_m() - 1.0 &&
+          sister.stem.foot.head<2>().norm() > 2.0)
+        join_twin(tree, sister, random);
     }
     tree.stem.foot.z() = forest.terrain.height(tree.stem.foot.x(), tree.stem.foot.y());
     fit_radius(tree, forest.terrain, 0.01 * dbh_cm);

@@ -23,18 +23,22 @@ void write_text(const fs::path& file, const std::string& text) { write_bytes(fil
 
 }  // namespace
 
-FrameFileWriter::FrameFileWriter(const SensorModel& sensor, const fs::path& folder, double epoch_s) : sensor_(sensor), folder_(folder), epoch_s_(epoch_s) {
+FrameFileWriter::FrameFileWriter(const SensorModel& sensor, const fs::path& folder, double epoch_s)
+    : sensor_(sensor), folder_(folder), epoch_s_(epoch_s) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw failure("cannot make the folder " + folder.string() + ": " + error.message());
   // Frames of an earlier, longer recording would be read as a part of this one.
   for (const auto& entry : fs::directory_iterator(folder))
-    if (const auto extension = entry.path().extension(); extension == ".bin" || extension == ".time" || extension == ".ring") fs::remove(entry.path());
+    if (const auto extension = entry.path().extension();
+        extension == ".bin" || extension == ".time" || extension == ".ring")
+      fs::remove(entry.path());
 }
 
 void FrameFileWriter::add(const FiringSequence& s) {
   // The recording starts with the rotor at the cut, so a frame ends where the azimuth has gone round to it.
-  const double since_cut = s.azimuth_rad - first_azimuth_rad, azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
+  const double since_cut = s.azimuth_rad - first_azimuth_rad,
+               azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
   if (open_ && azimuth < last_azimuth_rad_) finish_frame();
   last_azimuth_rad_ = azimuth;
   if (!open_) frame_starts_s_.push_back(s.time_s), open_ = true;
@@ -42,9 +46,11 @@ void FrameFileWriter::add(const FiringSequence& s) {
     const auto& echo = s.echoes[c];
     if (!(echo.range_m > 0)) continue;
     const auto& laser = sensor_.channels[c];
-    const double quantum = sensor_.range_quantum_m, range = quantum > 0 ? std::round(echo.range_m / quantum) * quantum : echo.range_m;
+    const double quantum = sensor_.range_quantum_m,
+                 range = quantum > 0 ? std::round(echo.range_m / quantum) * quantum : echo.range_m;
     // A laser that fires within the sequence does so at a rotor turned further.
-    const double a = s.azimuth_rad + s.turn_rad_s * laser.firing_time_s + laser.azimuth_offset_rad, flat = range * std::cos(laser.elevation_rad);
+    const double a = s.azimuth_rad + s.turn_rad_s * laser.firing_time_s + laser.azimuth_offset_rad,
+                 flat = range * std::cos(laser.elevation_rad);
     points_.push_back(static_cast<float>(flat * std::cos(a)));
     points_.push_back(static_cast<float>(-flat * std::sin(a)));
     points_.push_back(static_cast<float>(range * std::sin(laser.elevation_rad)));

@@ -16,11 +16,14 @@ constexpr double target_gap_m = 1.2;
 
 bool inside(const Eigen::Vector2d& p, double half) { return std::max(std::abs(p.x()), std::abs(p.y())) <= half; }
 
-bool near_target(const Eigen::Vector2d& p, double half) { return p.norm() < target_gap_m || (p - Eigen::Vector2d(0, half)).norm() < target_gap_m; }
+bool near_target(const Eigen::Vector2d& p, double half) {
+  return p.norm() < target_gap_m || (p - Eigen::Vector2d(0, half)).norm() < target_gap_m;
+}
 
 class Scatter {
  public:
-  Scatter(const PlotRecipe& recipe, std::uint64_t seed) : recipe_(recipe), random_(seed, Stream::layout), half_(0.5 * recipe.size_m), outer_(half_ + recipe.buffer_m) {}
+  Scatter(const PlotRecipe& recipe, std::uint64_t seed)
+      : recipe_(recipe), random_(seed, Stream::layout), half_(0.5 * recipe.size_m), outer_(half_ + recipe.buffer_m) {}
 
   // Throws darts until `count` more sites stand; false when the region is full.
   bool add(int count, bool in_plot) {
@@ -46,9 +49,11 @@ class Scatter {
     return {x, random_.uniform(-reach, reach)};
   }
   bool allowed(const Eigen::Vector2d& p, bool in_plot) const {
-    if (in_plot ? !inside(p, half_ - boundary_gap_m) : (inside(p, half_ + boundary_gap_m) || !inside(p, outer_))) return false;
+    if (in_plot ? !inside(p, half_ - boundary_gap_m) : (inside(p, half_ + boundary_gap_m) || !inside(p, outer_)))
+      return false;
     if (near_target(p, half_)) return false;
-    return std::ranges::none_of(sites_, [&](const Site& s) { return (s.xy - p).norm() < recipe_.layout.min_spacing_m; });
+    return std::ranges::none_of(sites_,
+                                [&](const Site& s) { return (s.xy - p).norm() < recipe_.layout.min_spacing_m; });
   }
 
   const PlotRecipe& recipe_;
@@ -62,7 +67,8 @@ std::vector<Site> natural_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   const double share = (outer * outer - half * half) / (half * half);
   Scatter scatter(recipe, seed);
   if (!scatter.add(recipe.trees.count, true))
-    throw bad_input("recipe '" + recipe.name + "': " + std::to_string(recipe.trees.count) + " trees do not fit in " + number_text(recipe.size_m) + " m x " + number_text(recipe.size_m) + " m at a spacing of " +
+    throw bad_input("recipe '" + recipe.name + "': " + std::to_string(recipe.trees.count) + " trees do not fit in " +
+                        number_text(recipe.size_m) + " m x " + number_text(recipe.size_m) + " m at a spacing of " +
                         number_text(recipe.layout.min_spacing_m) + " m",
                     "a plot they fit in", "Lower trees.count or layout.min_spacing_m");
   // The buffer may stay thinner than the plot: nothing is measured there.
@@ -82,7 +88,8 @@ std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
       const Eigen::Vector2d jitter(random.bounded_normal(), random.bounded_normal());
       const bool missing = random.chance(l.missing_share);
       // Half a row aside, so that a walking lane runs through the centre.
-      const Eigen::Vector2d p = (row + 0.5) * l.row_spacing_m * across + plant * l.plant_spacing_m * along + l.position_sd_m * jitter;
+      const Eigen::Vector2d p =
+          (row + 0.5) * l.row_spacing_m * across + plant * l.plant_spacing_m * along + l.position_sd_m * jitter;
       if (missing || near_target(p, half) || !inside(p, outer)) continue;
       if (inside(p, half - boundary_gap_m))
         inner.push_back({p, true});
@@ -91,16 +98,20 @@ std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
     }
   const int wanted = recipe.trees.count > 0 ? recipe.trees.count : static_cast<int>(inner.size());
   if (static_cast<int>(inner.size()) < std::max(1, wanted))
-    throw bad_input("recipe '" + recipe.name + "': the rows hold " + std::to_string(inner.size()) + " plants within the plot", "at least " + std::to_string(std::max(1, wanted)) + " (trees.count)",
-                    "Lower trees.count or the spacings");
+    throw bad_input(
+        "recipe '" + recipe.name + "': the rows hold " + std::to_string(inner.size()) + " plants within the plot",
+        "at least " + std::to_string(std::max(1, wanted)) + " (trees.count)", "Lower trees.count or the spacings");
   // Plants too many are left out at random places, as gaps in the rows.
-  while (static_cast<int>(inner.size()) > wanted) inner.erase(inner.begin() + random.index(static_cast<int>(inner.size())));
+  while (static_cast<int>(inner.size()) > wanted)
+    inner.erase(inner.begin() + random.index(static_cast<int>(inner.size())));
   inner.insert(inner.end(), buffer.begin(), buffer.end());
   return inner;
 }
 
 }  // namespace
 
-std::vector<Site> make_layout(const PlotRecipe& recipe, std::uint64_t seed) { return recipe.layout.kind == "rows" ? row_layout(recipe, seed) : natural_layout(recipe, seed); }
+std::vector<Site> make_layout(const PlotRecipe& recipe, std::uint64_t seed) {
+  return recipe.layout.kind == "rows" ? row_layout(recipe, seed) : natural_layout(recipe, seed);
+}
 
 }  // namespace bole::sim

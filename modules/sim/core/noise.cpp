@@ -27,7 +27,9 @@ std::uint32_t mix32(std::uint32_t x) {
 }
 
 float lattice(std::int32_t ix, std::int32_t iy, std::int32_t iz, std::uint32_t seed) {
-  const std::uint32_t h = mix32(seed ^ (static_cast<std::uint32_t>(ix) * 0x8DA6B343u + static_cast<std::uint32_t>(iy) * 0xD8163841u + static_cast<std::uint32_t>(iz) * 0xCB1AB31Fu));
+  const std::uint32_t h =
+      mix32(seed ^ (static_cast<std::uint32_t>(ix) * 0x8DA6B343u + static_cast<std::uint32_t>(iy) * 0xD8163841u +
+                    static_cast<std::uint32_t>(iz) * 0xCB1AB31Fu));
   return static_cast<float>(h >> 8) * 0x1.0p-24f;
 }
 
@@ -37,7 +39,8 @@ double gradient_noise(double x, double y, std::uint64_t seed) {
   const double fx = std::floor(x), fy = std::floor(y);
   const auto ix = static_cast<std::int64_t>(fx), iy = static_cast<std::int64_t>(fy);
   const double dx = x - fx, dy = y - fy, u = fade(dx), v = fade(dy);
-  return lerp(lerp(corner(ix, iy, dx, dy, seed), corner(ix + 1, iy, dx - 1, dy, seed), u), lerp(corner(ix, iy + 1, dx, dy - 1, seed), corner(ix + 1, iy + 1, dx - 1, dy - 1, seed), u), v);
+  return lerp(lerp(corner(ix, iy, dx, dy, seed), corner(ix + 1, iy, dx - 1, dy, seed), u),
+              lerp(corner(ix, iy + 1, dx, dy - 1, seed), corner(ix + 1, iy + 1, dx - 1, dy - 1, seed), u), v);
 }
 
 double fractal_noise(double x, double y, int octaves, double gain, std::uint64_t seed) {

@@ -5,7 +5,8 @@
 
 namespace bole::sim {
 
-// Gradient noise (Perlin, Improving noise, SIGGRAPH 2002) with quintic fade: C2, zero mean, about -0.7 .. 0.7, feature size 1.
+// Gradient noise (Perlin, Improving noise, SIGGRAPH 2002) with quintic fade: C2, zero mean, about -0.7 .. 0.7, feature
+// size 1.
 double gradient_noise(double x, double y, std::uint64_t seed);
 
 // Sum of `octaves` of gradient noise, each of half the size and `gain` times the height of the one before.

@@ -48,14 +48,17 @@ Archetype shrub(Random& random) {
       radii.push_back(0.8 * radii.back());
       const int count = k < 1 ? 4 : 14;
       for (int i = 0; i < count; ++i) {
-        const Eigen::Vector3d along = random_direction(random), across = along.cross(random_direction(random)).normalized();
+        const Eigen::Vector3d along = random_direction(random),
+                              across = along.cross(random_direction(random)).normalized();
         const double size = random.uniform(0.015, 0.035);
-        add_leaf(leaves, at + 0.18 * std::cbrt(random.uniform()) * random_direction(random), size * along, 0.6 * size * across);
+        add_leaf(leaves, at + 0.18 * std::cbrt(random.uniform()) * random_direction(random), size * along,
+                 0.6 * size * across);
       }
     }
     add_tube(twigs, path, radii, 4);
   }
-  return {{Piece{std::move(twigs), Material::wood, wood_reflectivity}, Piece{std::move(leaves), Material::leaf, leaf_reflectivity}}};
+  return {{Piece{std::move(twigs), Material::wood, wood_reflectivity},
+           Piece{std::move(leaves), Material::leaf, leaf_reflectivity}}};
 }
 
 Archetype grass_tuft(Random& random) {
@@ -64,7 +67,8 @@ Archetype grass_tuft(Random& random) {
     const Eigen::Vector3d root(random.normal(0, 0.06), random.normal(0, 0.06), -0.02);
     const Eigen::Vector3d lean(random.normal(0, 0.35), random.normal(0, 0.35), 1);
     const Eigen::Vector3d tip = root + random.uniform(0.08, 0.32) * lean.normalized();
-    add_leaf(blades, 0.5 * (root + tip), 0.5 * (tip - root), 0.004 * Eigen::Vector3d(lean.y() + 0.3, 0.5 - lean.x(), 0).normalized());
+    add_leaf(blades, 0.5 * (root + tip), 0.5 * (tip - root),
+             0.004 * Eigen::Vector3d(lean.y() + 0.3, 0.5 - lean.x(), 0).normalized());
   }
   return {{Piece{std::move(blades), Material::grass, grass_reflectivity}}};
 }

@@ -1,5 +1,6 @@
-// Random numbers that depend on a key alone: (seed, stream, counter) gives the same numbers at any thread count and in any
-// order of work. The generator is SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014).
+// Random numbers that depend on a key alone: (seed, stream, counter) gives the same numbers at any thread count and in
+// any order of work. The generator is SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators,
+// OOPSLA 2014).
 #pragma once
 
 #include <cmath>
@@ -16,11 +17,25 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
 }
 
 // What a stream of numbers is for. New purposes go at the end, so that old ones keep their numbers.
-enum class Stream : std::uint64_t { layout = 1, diameters, stem, branches, leaves, terrain, clutter, targets, walk, pulse, laser_bias, archetype };
+enum class Stream : std::uint64_t {
+  layout = 1,
+  diameters,
+  stem,
+  branches,
+  leaves,
+  terrain,
+  clutter,
+  targets,
+  walk,
+  pulse,
+  laser_bias,
+  archetype
+};
 
 class Random {
  public:
-  Random(std::uint64_t seed, Stream stream, std::uint64_t counter = 0) : state_(mix64(mix64(mix64(seed) ^ static_cast<std::uint64_t>(stream)) ^ counter)) {}
+  Random(std::uint64_t seed, Stream stream, std::uint64_t counter = 0)
+      : state_(mix64(mix64(mix64(seed) ^ static_cast<std::uint64_t>(stream)) ^ counter)) {}
 
   std::uint64_t next() {
     const std::uint64_t value = mix64(state_);

@@ -19,13 +19,19 @@ struct Surface {
   Material material = Material::ground;
 };
 
-Surface surface_of(const Piece& piece) { return {piece.reflectivity, piece.bark_depth_m, piece.tree_id, piece.material}; }
+Surface surface_of(const Piece& piece) {
+  return {piece.reflectivity, piece.bark_depth_m, piece.tree_id, piece.material};
+}
 
 RTCGeometry make_geometry(RTCDevice device, const TriangleMesh& mesh) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
-  auto* triangles = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
-  if (!vertices || !triangles) throw failure("Embree has no memory for a mesh of " + std::to_string(mesh.triangles.size()) + " triangles", {}, "Use a smaller plot or fewer trees");
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), mesh.vertices.size()));
+  auto* triangles = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
+  if (!vertices || !triangles)
+    throw failure("Embree has no memory for a mesh of " + std::to_string(mesh.triangles.size()) + " triangles", {},
+                  "Use a smaller plot or fewer trees");
   std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Eigen::Vector3f));
   std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
   rtcCommitGeometry(geometry);
@@ -89,7 +95,8 @@ RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>()) {
   for (const auto& placement : model.placements) impl_->add_placement(placement);
   rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
   rtcCommitScene(impl_->scene);
-  if (const RTCError error = rtcGetDeviceError(impl_->device); error != RTC_ERROR_NONE) throw failure("Embree error " + std::to_string(static_cast<int>(error)) + " while building the scene");
+  if (const RTCError error = rtcGetDeviceError(impl_->device); error != RTC_ERROR_NONE)
+    throw failure("Embree error " + std::to_string(static_cast<int>(error)) + " while building the scene");
 }
 
 RayScene::~RayScene() = default;
@@ -104,8 +111,10 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
   alignas(32) int valid[n];
   for (int i = 0; i < n; ++i) {
     valid[i] = -1;
-    packet.ray.org_x[i] = rays.origin[0][i], packet.ray.org_y[i] = rays.origin[1][i], packet.ray.org_z[i] = rays.origin[2][i];
-    packet.ray.dir_x[i] = rays.direction[0][i], packet.ray.dir_y[i] = rays.direction[1][i], packet.ray.dir_z[i] = rays.direction[2][i];
+    packet.ray.org_x[i] = rays.origin[0][i], packet.ray.org_y[i] = rays.origin[1][i],
+    packet.ray.org_z[i] = rays.origin[2][i];
+    packet.ray.dir_x[i] = rays.direction[0][i], packet.ray.dir_y[i] = rays.direction[1][i],
+    packet.ray.dir_z[i] = rays.direction[2][i];
     packet.ray.tnear[i] = 0, packet.ray.tfar[i] = rays.most_range_m;
     packet.ray.time[i] = 0, packet.ray.mask[i] = ~0u, packet.ray.flags[i] = 0, packet.ray.id[i] = 0;
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
@@ -125,12 +134,16 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
     if (const unsigned instance = packet.hit.instID[0][i]; instance != RTC_INVALID_GEOMETRY_ID) {
       const std::size_t placement = instance - impl_->surfaces.size();
       normal = impl_->rotations[placement] * normal;
-      surface = &impl_->archetype_surfaces[static_cast<std::size_t>(impl_->placed_archetype[placement])][packet.hit.geomID[i]];
+      surface =
+          &impl_
+               ->archetype_surfaces[static_cast<std::size_t>(impl_->placed_archetype[placement])][packet.hit.geomID[i]];
     } else {
       surface = &impl_->surfaces[packet.hit.geomID[i]];
     }
     const Eigen::Vector3f direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
-    hits[i] = {packet.ray.tfar[i], std::abs(normal.normalized().dot(direction)), surface->reflectivity, surface->bark_depth_m, surface->tree_id, surface->material};
+    hits[i] = {packet.ray.tfar[i],    std::abs(normal.normalized().dot(direction)),
+               surface->reflectivity, surface->bark_depth_m,
+               surface->tree_id,      surface->material};
   }
 }
 

@@ -27,7 +27,8 @@ struct RayHit {
 
 class RayScene {
  public:
-  // Builds the acceleration structure; the model's triangles are copied. Throws Error{failed} when Embree reports an error.
+  // Builds the acceleration structure; the model's triangles are copied. Throws Error{failed} when Embree reports an
+  // error.
   explicit RayScene(const SceneModel& model);
   ~RayScene();
   RayScene(RayScene&&) noexcept;

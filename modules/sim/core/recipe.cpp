@@ -77,7 +77,10 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
 class FieldReader {
  public:
   FieldReader(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
-    if (!json_.is_object()) throw bad_input("recipe field '" + (path_.empty() ? "(whole file)" : path_) + "' is " + json_.dump().substr(0, 60), "an object {...}");
+    if (!json_.is_object())
+      throw bad_input(
+          "recipe field '" + (path_.empty() ? "(whole file)" : path_) + "' is " + json_.dump().substr(0, 60),
+          "an object {...}");
   }
 
   template <class T>
@@ -93,7 +96,9 @@ class FieldReader {
       const bool right_type = std::is_integral_v<T> ? it->is_number_integer() : it->is_number();
       const double number = right_type ? it->get<double>() : 0;
       if (!right_type || !(number >= min && number <= max))
-        throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60), (std::is_integral_v<T> ? "a whole number from " : "a number from ") + number_text(min) + " to " + number_text(max));
+        throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60),
+                        (std::is_integral_v<T> ? "a whole number from " : "a number from ") + number_text(min) +
+                            " to " + number_text(max));
       value = static_cast<T>(number);
     } else {
       FieldReader inner(*it, path);
@@ -107,7 +112,8 @@ class FieldReader {
       if (!known_.contains(key)) {
         const std::vector<std::string> names(known_.begin(), known_.end());
         const auto near = nearest_names(key, names, 1);
-        throw bad_input("unknown recipe field '" + (path_.empty() ? key : path_ + "." + key) + "'", "a field of modules/sim/README.md", near.empty() ? "" : "Did you mean '" + near.front() + "'?");
+        throw bad_input("unknown recipe field '" + (path_.empty() ? key : path_ + "." + key) + "'",
+                        "a field of modules/sim/README.md", near.empty() ? "" : "Did you mean '" + near.front() + "'?");
       }
   }
 
@@ -137,13 +143,21 @@ class FieldWriter {
 
 void check_relations(const PlotRecipe& r) {
   const auto& t = r.trees;
-  if (r.layout.kind != "natural" && r.layout.kind != "rows") throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\" or \"rows\"");
-  if (!(t.dbh_min_cm < t.dbh_max_cm)) throw bad_input("recipe fields trees.dbh_min_cm " + number_text(t.dbh_min_cm) + " and dbh_max_cm " + number_text(t.dbh_max_cm), "the smaller one first");
-  if (t.dbh_mean_cm < t.dbh_min_cm || t.dbh_mean_cm > t.dbh_max_cm) throw bad_input("recipe field 'trees.dbh_mean_cm' is " + number_text(t.dbh_mean_cm), "a mean between dbh_min_cm and dbh_max_cm");
+  if (r.layout.kind != "natural" && r.layout.kind != "rows")
+    throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\" or \"rows\"");
+  if (!(t.dbh_min_cm < t.dbh_max_cm))
+    throw bad_input(
+        "recipe fields trees.dbh_min_cm " + number_text(t.dbh_min_cm) + " and dbh_max_cm " + number_text(t.dbh_max_cm),
+        "the smaller one first");
+  if (t.dbh_mean_cm < t.dbh_min_cm || t.dbh_mean_cm > t.dbh_max_cm)
+    throw bad_input("recipe field 'trees.dbh_mean_cm' is " + number_text(t.dbh_mean_cm),
+                    "a mean between dbh_min_cm and dbh_max_cm");
   // A sample within [min, max] of mean m has a variance of at most (m - min)(max - m).
   if (t.dbh_sd_cm * t.dbh_sd_cm > 0.25 * (t.dbh_mean_cm - t.dbh_min_cm) * (t.dbh_max_cm - t.dbh_mean_cm))
-    throw bad_input("recipe field 'trees.dbh_sd_cm' is " + number_text(t.dbh_sd_cm), "a spread that fits between dbh_min_cm and dbh_max_cm", "Lower it, or widen the limits");
-  if (r.layout.kind == "natural" && t.count < 1) throw bad_input("recipe field 'trees.count' is " + std::to_string(t.count), "at least 1 for a natural layout");
+    throw bad_input("recipe field 'trees.dbh_sd_cm' is " + number_text(t.dbh_sd_cm),
+                    "a spread that fits between dbh_min_cm and dbh_max_cm", "Lower it, or widen the limits");
+  if (r.layout.kind == "natural" && t.count < 1)
+    throw bad_input("recipe field 'trees.count' is " + std::to_string(t.count), "at least 1 for a natural layout");
 }
 
 }  // namespace

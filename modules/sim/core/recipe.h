@@ -32,8 +32,9 @@ struct TreeRecipe {
   double fork_share = 0.05;  // forks above breast height
   double twin_share = 0.03;  // stems that share their base with another (fork below breast height); both count
   double lean_sd_deg = 2.0;
-  double sweep_m = 0.10;      // largest bow of the axis over the lowest 4 m, 1 sigma
-  double ovality = 0.02;      // 1 sigma of the relative amplitude of the second Fourier term of a section; higher ones fall off
+  double sweep_m = 0.10;  // largest bow of the axis over the lowest 4 m, 1 sigma
+  double ovality =
+      0.02;  // 1 sigma of the relative amplitude of the second Fourier term of a section; higher ones fall off
   double flare = 0.25;        // mean relative widening at the ground
   double bark_mm = 3.0;       // depth of the bark's fissures
   double low_branches = 1.0;  // multiplies the number of branches and twigs below the crown

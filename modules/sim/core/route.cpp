@@ -16,16 +16,22 @@ constexpr double cell_m = 0.1;
 // Where one may walk and at what cost per metre.
 class CostGrid {
  public:
-  CostGrid(const Forest& forest, const std::vector<Obstacle>& soft, double reach_m, double clearance_m) : n_(static_cast<int>(std::ceil(2 * reach_m / cell_m))), reach_m_(reach_m) {
+  CostGrid(const Forest& forest, const std::vector<Obstacle>& soft, double reach_m, double clearance_m)
+      : n_(static_cast<int>(std::ceil(2 * reach_m / cell_m))), reach_m_(reach_m) {
     cost_.assign(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_), 1.0f);
-    for (const auto& s : soft) spread(s.xy, s.radius_m + 0.5, [&](double d) { return 1 + 5 * std::clamp((s.radius_m + 0.5 - d) / 0.5, 0.0, 1.0); });
+    for (const auto& s : soft)
+      spread(s.xy, s.radius_m + 0.5,
+             [&](double d) { return 1 + 5 * std::clamp((s.radius_m + 0.5 - d) / 0.5, 0.0, 1.0); });
     for (const auto& tree : forest.trees) {
       // The stem where the walker meets it, knee to chest.
       const Eigen::Vector2d at = tree.stem.axis(0.9).head<2>();
       const double r = tree.stem.mean_radius(0.4);
-      spread(at, r + 1.0, [&](double d) { return d < r + clearance_m ? blocked : 1 + 4 * std::clamp((r + 1.0 - d) / 0.5, 0.0, 1.0); });
+      spread(at, r + 1.0, [&](double d) {
+        return d < r + clearance_m ? blocked : 1 + 4 * std::clamp((r + 1.0 - d) / 0.5, 0.0, 1.0);
+      });
     }
-    for (const auto& t : forest.targets) spread(t.middle.head<2>(), 0.8, [&](double d) { return d < 0.5 ? blocked : 3.0; });
+    for (const auto& t : forest.targets)
+      spread(t.middle.head<2>(), 0.8, [&](double d) { return d < 0.5 ? blocked : 3.0; });
   }
 
   static constexpr double blocked = 1e6;
@@ -34,7 +40,9 @@ class CostGrid {
     const auto c = [&](double v) { return std::clamp(static_cast<int>((v + reach_m_) / cell_m), 0, n_ - 1); };
     return c(p.y()) * n_ + c(p.x());
   }
-  Eigen::Vector2d point(int i) const { return {(i % n_ + 0.5) * cell_m - reach_m_, (i / n_ + 0.5) * cell_m - reach_m_}; }
+  Eigen::Vector2d point(int i) const {
+    return {(i % n_ + 0.5) * cell_m - reach_m_, (i / n_ + 0.5) * cell_m - reach_m_};
+  }
   bool is_free(int i) const { return cost_[static_cast<std::size_t>(i)] < blocked; }
   double cost(int i) const { return cost_[static_cast<std::size_t>(i)]; }
 
@@ -56,7 +64,9 @@ class CostGrid {
       for (int x = first(middle.x()); x <= last(middle.x()); ++x) {
         const int i = y * n_ + x;
         const double d = (point(i) - middle).norm();
-        if (d <= radius) cost_[static_cast<std::size_t>(i)] = std::max(cost_[static_cast<std::size_t>(i)], static_cast<float>(cost_at(d)));
+        if (d <= radius)
+          cost_[static_cast<std::size_t>(i)] =
+              std::max(cost_[static_cast<std::size_t>(i)], static_cast<float>(cost_at(d)));
       }
   }
   int n_;
@@ -68,7 +78,9 @@ class CostGrid {
 std::vector<Eigen::Vector2d> cheapest_way(const CostGrid& grid, int from, int to) {
   const Eigen::Vector2d a = grid.point(from), b = grid.point(to);
   const Eigen::Vector2d along = (b - a).norm() > 0 ? Eigen::Vector2d((b - a).normalized()) : Eigen::Vector2d(1, 0);
-  const auto detour = [&](const Eigen::Vector2d& p) { return 0.8 * std::abs(along.x() * (p - a).y() - along.y() * (p - a).x()); };
+  const auto detour = [&](const Eigen::Vector2d& p) {
+    return 0.8 * std::abs(along.x() * (p - a).y() - along.y() * (p - a).x());
+  };
   const int cells = grid.n() * grid.n();
   std::vector<double> best(static_cast<std::size_t>(cells), std::numeric_limits<double>::infinity());
   std::vector<int> came(static_cast<std::size_t>(cells), -1);
@@ -107,7 +119,8 @@ std::vector<Eigen::Vector2d> resample(const std::vector<Eigen::Vector2d>& path, 
   for (std::size_t i = 1; i < path.size(); ++i) {
     const Eigen::Vector2d leg = path[i] - path[i - 1];
     const double length = leg.norm();
-    for (; carried + length >= step * static_cast<double>(out.size());) out.push_back(path[i - 1] + leg * ((step * static_cast<double>(out.size()) - carried) / length));
+    for (; carried + length >= step * static_cast<double>(out.size());)
+      out.push_back(path[i - 1] + leg * ((step * static_cast<double>(out.size()) - carried) / length));
     carried += length;
   }
   return out;
@@ -147,8 +160,10 @@ std::vector<Eigen::Vector2d> survey_pattern(double plot_size_m, double line_spac
   return points;
 }
 
-std::vector<Eigen::Vector2d> plan_route(const std::vector<Eigen::Vector2d>& way_points, const Forest& forest, const std::vector<Obstacle>& soft, double step_m) {
-  if (way_points.size() < 2) throw bad_input("a walk of " + std::to_string(way_points.size()) + " way-points", "at least 2");
+std::vector<Eigen::Vector2d> plan_route(const std::vector<Eigen::Vector2d>& way_points, const Forest& forest,
+                                        const std::vector<Obstacle>& soft, double step_m) {
+  if (way_points.size() < 2)
+    throw bad_input("a walk of " + std::to_string(way_points.size()) + " way-points", "at least 2");
   double reach = forest.half_side_m() + 1;
   for (const auto& p : way_points) reach = std::max(reach, p.cwiseAbs().maxCoeff() + 1);
   for (const double clearance : {0.6, 0.5, 0.4, 0.3}) {
@@ -167,7 +182,8 @@ std::vector<Eigen::Vector2d> plan_route(const std::vector<Eigen::Vector2d>& way_
     smooth(path, forest, clearance);
     return resample(path, step_m);
   }
-  throw failure("trees block the walk between its way-points", "gaps of at least 0.6 m", "Use a wider spacing or another walk");
+  throw failure("trees block the walk between its way-points", "gaps of at least 0.6 m",
+                "Use a wider spacing or another walk");
 }
 
 }  // namespace bole::sim

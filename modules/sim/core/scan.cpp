@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::int64_t batch_sequences = 1024;
 
-// The walk during one firing sequence of some 50 us: uniform motion, with a rotation so small (below 1e-3 rad) that its first
-// order is exact to far below a micrometre at 100 m.
+// The walk during one firing sequence of some 50 us: uniform motion, with a rotation so small (below 1e-3 rad) that its
+// first order is exact to far below a micrometre at 100 m.
 class SequenceMotion {
  public:
   SequenceMotion(const Walk& walk, double start_s, double period_s) : start_(walk.pose(start_s)) {
@@ -37,7 +37,8 @@ class SequenceMotion {
 
 }  // namespace
 
-ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, const Walk& walk, double rotation_hz, std::uint64_t seed, const Run& run,
+ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene,
+                    const Walk& walk, double rotation_hz, std::uint64_t seed, const Run& run,
                     const std::function<void(const FiringSequence&)>& sink) {
   const Beam beam(sensor, parameters, scene, seed);
   const std::size_t lasers = sensor.channels.size();
@@ -57,7 +58,8 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
   for (std::int64_t first = 0; first < total && !run.asked_to_finish(); first += batch_sequences) {
     const std::int64_t count = std::min(batch_sequences, total - first);
     tbb::parallel_for(tbb::blocked_range<std::int64_t>(0, count, 8), [&](const auto& range) {
-      for (auto i = range.begin(); i < range.end() && !run.cancelled(); ++i) fire(first + i, echoes.data() + static_cast<std::size_t>(i) * lasers);
+      for (auto i = range.begin(); i < range.end() && !run.cancelled(); ++i)
+        fire(first + i, echoes.data() + static_cast<std::size_t>(i) * lasers);
     });
     run.check_cancel();
     for (std::int64_t i = 0; i < count; ++i) {
@@ -68,7 +70,9 @@ ScanStatistics scan(const SensorModel& sensor, const BeamParameters& parameters,
     }
     statistics.pulses += count * static_cast<std::int64_t>(lasers);
     const double done = static_cast<double>(first + count) * period;
-    run.report(static_cast<double>(first + count) / static_cast<double>(total), "scanning: " + number_text(std::round(done)) + " of " + number_text(std::round(walk.duration_s())) + " s");
+    run.report(
+        static_cast<double>(first + count) / static_cast<double>(total),
+        "scanning: " + number_text(std::round(done)) + " of " + number_text(std::round(walk.duration_s())) + " s");
   }
   return statistics;
 }

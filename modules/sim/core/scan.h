@@ -31,9 +31,10 @@ struct ScanStatistics {
   std::int64_t pulses = 0, returns = 0;
 };
 
-// Fires the sensor from time 0 to the end of the walk and hands the sequences on in order. Works in parallel, in batches; the
-// result does not depend on the number of threads. Asked to finish, it ends early.
-ScanStatistics scan(const SensorModel& sensor, const BeamParameters& beam, const RayScene& scene, const Walk& walk, double rotation_hz, std::uint64_t seed, const Run& run,
+// Fires the sensor from time 0 to the end of the walk and hands the sequences on in order. Works in parallel, in
+// batches; the result does not depend on the number of threads. Asked to finish, it ends early.
+ScanStatistics scan(const SensorModel& sensor, const BeamParameters& beam, const RayScene& scene, const Walk& walk,
+                    double rotation_hz, std::uint64_t seed, const Run& run,
                     const std::function<void(const FiringSequence&)>& sink);
 
 }  // namespace bole::sim

@@ -10,7 +10,10 @@ namespace {
 class VelodyneScanWriter final : public ScanWriter {
  public:
   VelodyneScanWriter(const SensorModel& sensor, const std::filesystem::path& file, double epoch_s)
-      : epoch_s_(epoch_s), pcap_(file), encoder_(sensor, VelodyneReturnMode::strongest, [this](const VelodyneEncoder::Bytes& packet, double time_s) { pcap_.write(packet, time_s); }) {}
+      : epoch_s_(epoch_s),
+        pcap_(file),
+        encoder_(sensor, VelodyneReturnMode::strongest,
+                 [this](const VelodyneEncoder::Bytes& packet, double time_s) { pcap_.write(packet, time_s); }) {}
   void add(const FiringSequence& s) override { encoder_.add(epoch_s_ + s.time_s, s.azimuth_rad, s.echoes); }
   void close() override {
     encoder_.flush();
@@ -25,8 +28,10 @@ class VelodyneScanWriter final : public ScanWriter {
 
 }  // namespace
 
-std::unique_ptr<ScanWriter> make_scan_writer(const SensorModel& sensor, const std::filesystem::path& out_dir, double epoch_s) {
-  if (sensor.packet == PacketFormat::velodyne) return std::make_unique<VelodyneScanWriter>(sensor, out_dir / "walk.pcap", epoch_s);
+std::unique_ptr<ScanWriter> make_scan_writer(const SensorModel& sensor, const std::filesystem::path& out_dir,
+                                             double epoch_s) {
+  if (sensor.packet == PacketFormat::velodyne)
+    return std::make_unique<VelodyneScanWriter>(sensor, out_dir / "walk.pcap", epoch_s);
   return std::make_unique<FrameFileWriter>(sensor, out_dir / "frames", epoch_s);
 }
 

@@ -17,6 +17,7 @@ class ScanWriter {
 };
 
 // walk.pcap for sensors with Velodyne packets, frames/NNNNNN.bin otherwise. `epoch_s`: the time of the first firing.
-std::unique_ptr<ScanWriter> make_scan_writer(const SensorModel& sensor, const std::filesystem::path& out_dir, double epoch_s);
+std::unique_ptr<ScanWriter> make_scan_writer(const SensorModel& sensor, const std::filesystem::path& out_dir,
+                                             double epoch_s);
 
 }  // namespace bole::sim

@@ -39,7 +39,8 @@ std::vector<double> ring_heights(const StemShape& stem, bool fine) {
 
 }  // namespace
 
-void add_tube(TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& path, const std::vector<double>& radii, int sides) {
+void add_tube(TriangleMesh& mesh, const std::vector<Eigen::Vector3d>& path, const std::vector<double>& radii,
+              int sides) {
   const auto n = static_cast<std::uint32_t>(sides);
   std::uint32_t previous = 0;
   Eigen::Vector3d u = Eigen::Vector3d::Zero();
@@ -66,7 +67,8 @@ void add_cylinder(TriangleMesh& mesh, const Eigen::Vector3d& bottom, double radi
   close_ring(mesh, ring, static_cast<std::uint32_t>(sides), bottom);
 }
 
-void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& middle, const Eigen::Vector3d& along, const Eigen::Vector3d& across) {
+void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& middle, const Eigen::Vector3d& along,
+              const Eigen::Vector3d& across) {
   const Eigen::Vector3d lift = 0.15 * along.cross(across).normalized() * across.norm();
   const auto a = mesh.add((middle - along).cast<float>()), b = mesh.add((middle + across + lift).cast<float>());
   const auto c = mesh.add((middle + along).cast<float>()), d = mesh.add((middle - across + lift).cast<float>());
@@ -75,7 +77,8 @@ void add_leaf(TriangleMesh& mesh, const Eigen::Vector3d& middle, const Eigen::Ve
 }
 
 TriangleMesh stem_mesh(const StemShape& stem, bool fine) {
-  // n sides lie within r (1 - cos(pi / n)), about r (pi / n)^2 / 2, of the circle, on average r (pi / n)^2 / 3 inside: vertices go that far out.
+  // n sides lie within r (1 - cos(pi / n)), about r (pi / n)^2 / 2, of the circle, on average r (pi / n)^2 / 3 inside:
+  // vertices go that far out.
   const double widest = stem.radius_m * (1 + stem.flare);
   const int sides = fine ? std::clamp(static_cast<int>(std::ceil(pi * std::sqrt(0.5 * widest / 0.0003))), 40, 128) : 20;
   const double centring = 1 + pi * pi / (3.0 * sides * sides);
@@ -90,7 +93,8 @@ TriangleMesh stem_mesh(const StemShape& stem, bool fine) {
     const auto ring = static_cast<std::uint32_t>(mesh.vertices.size());
     for (int k = 0; k < sides; ++k) {
       const double theta = 2 * pi * k / sides;
-      mesh.add((centre + centring * stem.radius(h, theta) * (axes * Eigen::Vector2d(std::cos(theta), std::sin(theta)))).cast<float>());
+      mesh.add((centre + centring * stem.radius(h, theta) * (axes * Eigen::Vector2d(std::cos(theta), std::sin(theta))))
+                   .cast<float>());
     }
     if (i > 0) join_rings(mesh, previous, ring, static_cast<std::uint32_t>(sides));
     previous = ring;
@@ -102,11 +106,14 @@ TriangleMesh stem_mesh(const StemShape& stem, bool fine) {
 TriangleMesh rock_mesh(Random& random) {
   TriangleMesh mesh;
   const float g = 0.5f * (1 + std::sqrt(5.0f));
-  for (const auto& p : {Eigen::Vector3f(-1, g, 0), Eigen::Vector3f(1, g, 0), Eigen::Vector3f(-1, -g, 0), Eigen::Vector3f(1, -g, 0), Eigen::Vector3f(0, -1, g), Eigen::Vector3f(0, 1, g), Eigen::Vector3f(0, -1, -g),
-                        Eigen::Vector3f(0, 1, -g), Eigen::Vector3f(g, 0, -1), Eigen::Vector3f(g, 0, 1), Eigen::Vector3f(-g, 0, -1), Eigen::Vector3f(-g, 0, 1)})
+  for (const auto& p :
+       {Eigen::Vector3f(-1, g, 0), Eigen::Vector3f(1, g, 0), Eigen::Vector3f(-1, -g, 0), Eigen::Vector3f(1, -g, 0),
+        Eigen::Vector3f(0, -1, g), Eigen::Vector3f(0, 1, g), Eigen::Vector3f(0, -1, -g), Eigen::Vector3f(0, 1, -g),
+        Eigen::Vector3f(g, 0, -1), Eigen::Vector3f(g, 0, 1), Eigen::Vector3f(-g, 0, -1), Eigen::Vector3f(-g, 0, 1)})
     mesh.add(p.normalized());
-  mesh.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                    {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  mesh.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (int level = 0; level < 2; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {

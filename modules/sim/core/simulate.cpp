@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_relations(const SimulationOptions& o) {
-  if (o.most_time > 0 && o.most_time < 0.2) throw bad_input("most_time is " + number_text(o.most_time) + " s", "0 (the whole walk) or at least 0.2 s");
+  if (o.most_time > 0 && o.most_time < 0.2)
+    throw bad_input("most_time is " + number_text(o.most_time) + " s", "0 (the whole walk) or at least 0.2 s");
 }
 
 sim::PlotRecipe load_recipe(const std::string& plot) {
@@ -48,27 +49,33 @@ std::vector<Eigen::Vector2d> read_way_points(const fs::path& file) {
     std::ranges::replace(line, ',', ' ');
     std::istringstream words(line);
     double x = 0, y = 0;
-    if (!(words >> x >> y) || !(std::abs(x) < 200 && std::abs(y) < 200)) throw bad_input(file.string() + ":" + std::to_string(number) + " is '" + line.substr(0, 60) + "'", "x_m,y_m in plot axes, within 200 m");
+    if (!(words >> x >> y) || !(std::abs(x) < 200 && std::abs(y) < 200))
+      throw bad_input(file.string() + ":" + std::to_string(number) + " is '" + line.substr(0, 60) + "'",
+                      "x_m,y_m in plot axes, within 200 m");
     if (points.size() >= 10000) throw bad_input(file.string() + " has more than 10000 way-points", "fewer");
     points.emplace_back(x, y);
   }
-  if (points.size() < 2) throw bad_input(file.string() + " has " + std::to_string(points.size()) + " way-points", "at least 2");
+  if (points.size() < 2)
+    throw bad_input(file.string() + " has " + std::to_string(points.size()) + " way-points", "at least 2");
   return points;
 }
 
-void write_recipe(const SimulationOptions& options, const sim::PlotRecipe& recipe, const SensorModel& sensor, const fs::path& file) {
+void write_recipe(const SimulationOptions& options, const sim::PlotRecipe& recipe, const SensorModel& sensor,
+                  const fs::path& file) {
   nlohmann::json json;
   json["version"] = BOLE_VERSION;
   json["plot"] = sim::to_json(recipe);
   json["sensor"] = sensor.name;
-  for (const auto& spec : option_table(&options).specs) std::visit([&](const auto& value) { json["options"][spec.name] = value; }, spec.get(&options));
+  for (const auto& spec : option_table(&options).specs)
+    std::visit([&](const auto& value) { json["options"][spec.name] = value; }, spec.get(&options));
   std::ofstream out(file, std::ios::binary);
   out << json.dump(2) << '\n';
   out.close();
   if (!out) throw failure("cannot write " + file.string(), "a writable folder with free space");
 }
 
-void write_truth(const SimulationOptions& options, const sim::Forest& forest, const sim::Vegetation& vegetation, const fs::path& dir) {
+void write_truth(const SimulationOptions& options, const sim::Forest& forest, const sim::Vegetation& vegetation,
+                 const fs::path& dir) {
   sim::write_csv(sim::tree_table(forest), dir / "trees.csv");
   sim::write_csv(sim::sapling_table(vegetation.saplings), dir / "saplings.csv");
   sim::write_csv(sim::target_table(forest), dir / "targets.csv");
@@ -81,25 +88,101 @@ const OptionTable& option_table(const SimulationOptions*) {
   using S = SimulationOptions;
   static const OptionTable table = make_option_table<S>(
       {
-          Option<S, std::string>{"plot", &S::plot, TextKind::plain, {}, Tier::basic, "Plot recipe: a name in resources/plots or the path of a recipe file."},
-          Option<S, int>{"seed", &S::seed, Unit::none, {0, 2147483647}, Tier::basic, "Seed of all randomness; the same seed gives the same bytes."},
-          Option<S, std::string>{"sensor", &S::sensor, TextKind::plain, {}, Tier::basic, "Sensor: a name in resources/sensors or the path of a sensor file."},
-          Option<S, double>{"rotation_hz", &S::rotation_hz, Unit::hertz, {1, 20}, Tier::advanced, "Turns of the sensor's rotor per second."},
-          Option<S, std::string>{
-              "walk", &S::walk, TextKind::input_path, {}, Tier::advanced, "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west corner, parallel lines, south-east corner, centre."},
+          Option<S, std::string>{"plot",
+                                 &S::plot,
+                                 TextKind::plain,
+                                 {},
+                                 Tier::basic,
+                                 "Plot recipe: a name in resources/plots or the path of a recipe file."},
+          Option<S, int>{"seed",
+                         &S::seed,
+                         Unit::none,
+                         {0, 2147483647},
+                         Tier::basic,
+                         "Seed of all randomness; the same seed gives the same bytes."},
+          Option<S, std::string>{"sensor",
+                                 &S::sensor,
+                                 TextKind::plain,
+                                 {},
+                                 Tier::basic,
+                                 "Sensor: a name in resources/sensors or the path of a sensor file."},
+          Option<S, double>{"rotation_hz",
+                            &S::rotation_hz,
+                            Unit::hertz,
+                            {1, 20},
+                            Tier::advanced,
+                            "Turns of the sensor's rotor per second."},
+          Option<S, std::string>{"walk",
+                                 &S::walk,
+                                 TextKind::input_path,
+                                 {},
+                                 Tier::advanced,
+                                 "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
+                                 "corner, parallel lines, south-east corner, centre."},
           Option<S, double>{"speed", &S::speed, Unit::metre_per_second, {0.2, 3}, Tier::basic, "Walking speed."},
-          Option<S, double>{"line_spacing", &S::line_spacing, Unit::metre, {1, 50}, Tier::basic, "Distance between the parallel lines of the walk."},
-          Option<S, double>{"sensor_height", &S::sensor_height, Unit::metre, {0.3, 4}, Tier::advanced, "Height of the sensor above the ground."},
-          Option<S, double>{"gait", &S::gait, Unit::none, {0, 3}, Tier::advanced, "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide."},
-          Option<S, double>{"stand_still", &S::stand_still, Unit::second, {0, 60}, Tier::advanced, "Time that the recording stands still before the walk starts."},
-          Option<S, double>{"most_time", &S::most_time, Unit::second, {0, 3600}, Tier::advanced, "Longest recording; 0 records the whole walk."},
-          Option<S, double>{"noise", &S::noise, Unit::none, {0, 10}, Tier::advanced, "Factor on the range noise of the sensor and on its laser biases; 0 gives exact ranges."},
-          Option<S, double>{"divergence", &S::divergence, Unit::none, {0, 5}, Tier::advanced, "Factor on the size of the laser beam; 0 gives rays without mixed pixels."},
-          Option<S, double>{"dropouts", &S::dropouts, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses lost at random."},
-          Option<S, double>{"laser_bias", &S::laser_bias, Unit::metre, {0, 0.1}, Tier::expert, "Standard deviation of the constant range error of each laser."},
-          Option<S, double>{"pulse_length", &S::pulse_length, Unit::metre, {0, 3}, Tier::expert, "Surfaces in one beam closer together than this are measured as one, in between."},
+          Option<S, double>{"line_spacing",
+                            &S::line_spacing,
+                            Unit::metre,
+                            {1, 50},
+                            Tier::basic,
+                            "Distance between the parallel lines of the walk."},
+          Option<S, double>{"sensor_height",
+                            &S::sensor_height,
+                            Unit::metre,
+                            {0.3, 4},
+                            Tier::advanced,
+                            "Height of the sensor above the ground."},
+          Option<S, double>{"gait",
+                            &S::gait,
+                            Unit::none,
+                            {0, 3},
+                            Tier::advanced,
+                            "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide."},
+          Option<S, double>{"stand_still",
+                            &S::stand_still,
+                            Unit::second,
+                            {0, 60},
+                            Tier::advanced,
+                            "Time that the recording stands still before the walk starts."},
+          Option<S, double>{"most_time",
+                            &S::most_time,
+                            Unit::second,
+                            {0, 3600},
+                            Tier::advanced,
+                            "Longest recording; 0 records the whole walk."},
+          Option<S, double>{"noise",
+                            &S::noise,
+                            Unit::none,
+                            {0, 10},
+                            Tier::advanced,
+                            "Factor on the range noise of the sensor and on its laser biases; 0 gives exact ranges."},
+          Option<S, double>{"divergence",
+                            &S::divergence,
+                            Unit::none,
+                            {0, 5},
+                            Tier::advanced,
+                            "Factor on the size of the laser beam; 0 gives rays without mixed pixels."},
+          Option<S, double>{
+              "dropouts", &S::dropouts, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses lost at random."},
+          Option<S, double>{"laser_bias",
+                            &S::laser_bias,
+                            Unit::metre,
+                            {0, 0.1},
+                            Tier::expert,
+                            "Standard deviation of the constant range error of each laser."},
+          Option<S, double>{"pulse_length",
+                            &S::pulse_length,
+                            Unit::metre,
+                            {0, 3},
+                            Tier::expert,
+                            "Surfaces in one beam closer together than this are measured as one, in between."},
           Option<S, bool>{"bark", &S::bark, Tier::expert, "Bark with fissures; otherwise stems are smooth."},
-          Option<S, double>{"trajectory_rate", &S::trajectory_rate, Unit::hertz, {1, 1000}, Tier::expert, "Poses per second in trajectory.tum."},
+          Option<S, double>{"trajectory_rate",
+                            &S::trajectory_rate,
+                            Unit::hertz,
+                            {1, 1000},
+                            Tier::expert,
+                            "Poses per second in trajectory.tum."},
           Option<S, double>{"dem_cell", &S::dem_cell, Unit::metre, {0.05, 5}, Tier::expert, "Cell size of dem.tif."},
       },
       check_relations);
@@ -121,9 +204,12 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const sim::PlotScene scene = sim::build_scene(forest, seed);
   run.check_cancel();
   run.report(0.02, "planning the walk");
-  const auto way_points = options.walk.empty() ? sim::survey_pattern(recipe.size_m, options.line_spacing) : read_way_points(options.walk);
+  const auto way_points =
+      options.walk.empty() ? sim::survey_pattern(recipe.size_m, options.line_spacing) : read_way_points(options.walk);
   const auto route = sim::plan_route(way_points, forest, scene.vegetation.obstacles, sim::Walk::step_m);
-  const sim::Walk walk(route, forest.terrain, {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time}, seed);
+  const sim::Walk walk(route, forest.terrain,
+                       {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time},
+                       seed);
   run.check_cancel();
   run.report(0.03, "building the ray tracer");
   const sim::RayScene rays(scene.model);
@@ -133,24 +219,29 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
 
   const auto start = std::chrono::steady_clock::now();
   const auto writer = sim::make_scan_writer(sensor, out_dir, simulation_epoch_s);
-  const sim::BeamParameters beam{options.noise, options.divergence, options.dropouts, options.laser_bias, options.pulse_length, options.bark};
-  const auto statistics = sim::scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1), [&](const sim::FiringSequence& s) { writer->add(s); });
+  const sim::BeamParameters beam{options.noise,      options.divergence,   options.dropouts,
+                                 options.laser_bias, options.pulse_length, options.bark};
+  const auto statistics = sim::scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1),
+                                    [&](const sim::FiringSequence& s) { writer->add(s); });
   writer->close();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   Report report;
   const auto in_plot = std::ranges::count_if(forest.trees, &sim::Tree::in_plot);
-  report.message = recipe.name + ": " + std::to_string(in_plot) + " trees, " + number_text(std::round(walk.duration_s())) + " s of " + sensor.name + ", " + std::to_string(statistics.returns) + " returns";
+  report.message = recipe.name + ": " + std::to_string(in_plot) + " trees, " +
+                   number_text(std::round(walk.duration_s())) + " s of " + sensor.name + ", " +
+                   std::to_string(statistics.returns) + " returns";
   report.counts = {{"trees", in_plot},
                    {"trees_around", static_cast<std::int64_t>(forest.trees.size()) - in_plot},
                    {"saplings", static_cast<std::int64_t>(scene.vegetation.saplings.size())},
                    {"triangles", static_cast<std::int64_t>(rays.triangles())},
                    {"pulses", statistics.pulses},
                    {"returns", statistics.returns}};
-  report.metrics = {{"recording", {walk.duration_s(), Unit::second}},
-                    {"walk", {walk.length_m(), Unit::metre}},
-                    {"pulses_per_second", {static_cast<double>(statistics.pulses) / std::max(1e-9, seconds)}},
-                    {"rays_per_second", {static_cast<double>(statistics.pulses) * sim::RayBundle::size / std::max(1e-9, seconds)}}};
+  report.metrics = {
+      {"recording", {walk.duration_s(), Unit::second}},
+      {"walk", {walk.length_m(), Unit::metre}},
+      {"pulses_per_second", {static_cast<double>(statistics.pulses) / std::max(1e-9, seconds)}},
+      {"rays_per_second", {static_cast<double>(statistics.pulses) * sim::RayBundle::size / std::max(1e-9, seconds)}}};
   report.facts["axes"] = "plot";
   if (run.asked_to_finish()) report.status = Status::finished_early;
   return report;

@@ -41,10 +41,10 @@ const OptionTable& option_table(const SimulationOptions*);
 inline constexpr double simulation_epoch_s = 1714551000;  // 2024-05-01 08:10:00 UTC
 
 // Writes into `out_dir` (made when absent): walk.pcap (Velodyne) or frames/NNNNNN.bin with frames/times.txt, trees.csv,
-// saplings.csv, targets.csv, trajectory.tum (plot axes), dem.tif, recipe.json. Plot axes: x east, y north, z up, origin on the
-// ground at the plot centre. The same options give the same bytes at any thread count.
-// Throws Error{bad_input} for unknown plots and sensors or options that contradict each other, Error{cancelled}, and
-// Error{failed} when a file cannot be written. Asked to finish, it ends the recording early; the truth stays complete.
+// saplings.csv, targets.csv, trajectory.tum (plot axes), dem.tif, recipe.json. Plot axes: x east, y north, z up, origin
+// on the ground at the plot centre. The same options give the same bytes at any thread count. Throws Error{bad_input}
+// for unknown plots and sensors or options that contradict each other, Error{cancelled}, and Error{failed} when a file
+// cannot be written. Asked to finish, it ends the recording early; the truth stays complete.
 Report simulate(const SimulationOptions& options, const std::filesystem::path& out_dir, const Run& run);
 
 }  // namespace bole

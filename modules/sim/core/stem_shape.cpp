@@ -44,7 +44,9 @@ double StemShape::radius(double h, double theta) const {
   return mean_radius(h) * series;
 }
 
-Eigen::Vector3d StemShape::surface(double h, double theta) const { return axis(h) + radius(h, theta) * (section_axes(h) * Eigen::Vector2d(std::cos(theta), std::sin(theta))); }
+Eigen::Vector3d StemShape::surface(double h, double theta) const {
+  return axis(h) + radius(h, theta) * (section_axes(h) * Eigen::Vector2d(std::cos(theta), std::sin(theta)));
+}
 
 double StemShape::height_along(double h0, double length_m) const {
   // ds/dh = |axis'(h)|, a mild function: the midpoint rule in millimetre steps is exact to far below a micrometre.
@@ -68,7 +70,8 @@ Girth hull_girth(std::vector<Eigen::Vector2d> points) {
   }
   girth.centroid /= 3 * twice_area;
   // Andrew's monotone chain.
-  std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::ranges::sort(points,
+                    [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   std::vector<Eigen::Vector2d> hull(2 * points.size());
   std::size_t n = 0;
   const auto turns_right = [&](const Eigen::Vector2d& p) {
@@ -93,8 +96,10 @@ TapedStem tape(const StemShape& stem, const Terrain& terrain, double breast_heig
   taped.ground_z_m = terrain.height(stem.foot.x(), stem.foot.y());
   for (int i = 0; i < 36; ++i) {
     const double theta = 2 * pi * i / 36;
-    // Where the bark meets the ground, a hand's breadth out: the ground that the forester stands on at the stem's upper side.
-    const Eigen::Vector2d p = stem.foot.head<2>() + (stem.radius(0, theta) + 0.05) * Eigen::Vector2d(std::cos(theta), std::sin(theta));
+    // Where the bark meets the ground, a hand's breadth out: the ground that the forester stands on at the stem's upper
+    // side.
+    const Eigen::Vector2d p =
+        stem.foot.head<2>() + (stem.radius(0, theta) + 0.05) * Eigen::Vector2d(std::cos(theta), std::sin(theta));
     taped.ground_z_m = std::max(taped.ground_z_m, terrain.height(p.x(), p.y()));
   }
   taped.h = stem.height_along(taped.ground_z_m - stem.foot.z(), breast_height_m);
@@ -102,7 +107,8 @@ TapedStem tape(const StemShape& stem, const Terrain& terrain, double breast_heig
   std::vector<Eigen::Vector2d> section(samples);
   for (int i = 0; i < samples; ++i) {
     const double theta = 2 * pi * i / samples;
-    section[static_cast<std::size_t>(i)] = stem.radius(taped.h, theta) * Eigen::Vector2d(std::cos(theta), std::sin(theta));
+    section[static_cast<std::size_t>(i)] =
+        stem.radius(taped.h, theta) * Eigen::Vector2d(std::cos(theta), std::sin(theta));
   }
   const Girth girth = hull_girth(section);
   // An inscribed polygon of n sides is short by (pi/n)^2 / 6: put back, so that a circle gives its own diameter.

@@ -9,8 +9,9 @@
 
 namespace bole::sim {
 
-// h is the vertical height above the ground under the axis' foot. A section at h is perpendicular to the axis there and has
-// the polar radius radius(h, theta): taper and butt flare times a low-order Fourier series, with root lobes near the ground.
+// h is the vertical height above the ground under the axis' foot. A section at h is perpendicular to the axis there and
+// has the polar radius radius(h, theta): taper and butt flare times a low-order Fourier series, with root lobes near
+// the ground.
 struct StemShape {
   static constexpr int first_order = 2, orders = 4;  // Fourier terms 2 .. 5
 

@@ -8,10 +8,12 @@
 
 namespace bole::sim {
 
-Terrain::Terrain(const TerrainRecipe& recipe, std::uint64_t seed) : recipe_(recipe), seed_(Random(seed, Stream::terrain).next()) {
+Terrain::Terrain(const TerrainRecipe& recipe, std::uint64_t seed)
+    : recipe_(recipe), seed_(Random(seed, Stream::terrain).next()) {
   const double aspect = recipe.aspect_deg * std::numbers::pi / 180;
   // Downhill is towards the aspect, so the height falls that way.
-  gradient_ = -std::tan(recipe.slope_deg * std::numbers::pi / 180) * Eigen::Vector2d(std::sin(aspect), std::cos(aspect));
+  gradient_ =
+      -std::tan(recipe.slope_deg * std::numbers::pi / 180) * Eigen::Vector2d(std::sin(aspect), std::cos(aspect));
   height_at_centre_ = shape(0, 0);
 }
 
@@ -36,7 +38,9 @@ Raster Terrain::raster(double half_side_m, double cell_m) const {
   dem.axes = Axes::plot;
   dem.values.resize(static_cast<std::size_t>(dem.nx) * static_cast<std::size_t>(dem.ny));
   for (int iy = 0; iy < dem.ny; ++iy)
-    for (int ix = 0; ix < dem.nx; ++ix) dem.at(ix, iy) = static_cast<float>(height(dem.origin.x() + (ix + 0.5) * cell_m, dem.origin.y() + (iy + 0.5) * cell_m));
+    for (int ix = 0; ix < dem.nx; ++ix)
+      dem.at(ix, iy) =
+          static_cast<float>(height(dem.origin.x() + (ix + 0.5) * cell_m, dem.origin.y() + (iy + 0.5) * cell_m));
   return dem;
 }
 

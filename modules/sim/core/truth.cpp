@@ -48,7 +48,8 @@ Table tree_table(const Forest& forest) {
   table.facts["axes"] = "plot";
   table.set("tree_id", id);
   table.set("x_m", x), table.set("y_m", y), table.set("z_m", z);
-  table.set("dbh_cm", dbh), table.set("height_m", height), table.set("lean_deg", lean), table.set("lean_azimuth_deg", azimuth);
+  table.set("dbh_cm", dbh), table.set("height_m", height), table.set("lean_deg", lean),
+      table.set("lean_azimuth_deg", azimuth);
   table.set("state", state), table.set("in_plot", in_plot), table.set("species", species);
   table.set("base_x_m", base_x), table.set("base_y_m", base_y), table.set("twin_of", twin);
   return table;
@@ -64,7 +65,8 @@ Table sapling_table(const std::vector<Sapling>& saplings) {
   }
   Table table;
   table.facts["axes"] = "plot";
-  table.set("sapling_id", id), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z), table.set("dbh_cm", dbh), table.set("height_m", height);
+  table.set("sapling_id", id), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z), table.set("dbh_cm", dbh),
+      table.set("height_m", height);
   return table;
 }
 
@@ -73,11 +75,13 @@ Table target_table(const Forest& forest) {
   std::vector<double> x, y, z, diameter, height;
   for (const auto& t : forest.targets) {
     name.push_back(t.name);
-    x.push_back(t.middle.x()), y.push_back(t.middle.y()), z.push_back(t.middle.z()), diameter.push_back(2 * t.radius_m), height.push_back(t.height_m);
+    x.push_back(t.middle.x()), y.push_back(t.middle.y()), z.push_back(t.middle.z()), diameter.push_back(2 * t.radius_m),
+        height.push_back(t.height_m);
   }
   Table table;
   table.facts["axes"] = "plot";
-  table.set("name", name), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z), table.set("diameter_m", diameter), table.set("height_m", height);
+  table.set("name", name), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z),
+      table.set("diameter_m", diameter), table.set("height_m", height);
   return table;
 }
 
@@ -87,7 +91,8 @@ void write_csv(const Table& table, const std::filesystem::path& path) {
   for (std::size_t c = 0; c < columns.size(); ++c) file.stream() << (c ? "," : "") << columns[c].name;
   file.stream() << '\n';
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t c = 0; c < columns.size(); ++c) file.stream() << (c ? "," : "") << table.text(columns[c].name, row, 4);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      file.stream() << (c ? "," : "") << table.text(columns[c].name, row, 4);
     file.stream() << '\n';
   }
   file.close();
@@ -101,7 +106,8 @@ void write_tum(const Trajectory& trajectory, const std::filesystem::path& path) 
     Eigen::Quaterniond q(p.T_target_sensor.linear());
     if (q.w() < 0) q.coeffs() *= -1;
     char line[256];
-    std::snprintf(line, sizeof line, "%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", p.time_s, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w());
+    std::snprintf(line, sizeof line, "%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", p.time_s, t.x(), t.y(), t.z(), q.x(),
+                  q.y(), q.z(), q.w());
     file.stream() << line;
   }
   file.close();

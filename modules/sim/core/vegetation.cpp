@@ -16,7 +16,9 @@ using std::numbers::pi;
 constexpr int variants = 5;  // archetypes of each kind
 
 Eigen::Affine3f placement(const Eigen::Vector3d& at, double azimuth, double scale) {
-  return Eigen::Translation3f(at.cast<float>()) * Eigen::AngleAxisf(static_cast<float>(azimuth), Eigen::Vector3f::UnitZ()) * Eigen::Scaling(static_cast<float>(scale));
+  return Eigen::Translation3f(at.cast<float>()) *
+         Eigen::AngleAxisf(static_cast<float>(azimuth), Eigen::Vector3f::UnitZ()) *
+         Eigen::Scaling(static_cast<float>(scale));
 }
 
 class Grower {
@@ -43,10 +45,13 @@ class Grower {
     }
     return first;
   }
-  void place(int first_archetype, Random& random, const Eigen::Affine3f& T) { scene_.placements.push_back({first_archetype + random.index(variants), T}); }
+  void place(int first_archetype, Random& random, const Eigen::Affine3f& T) {
+    scene_.placements.push_back({first_archetype + random.index(variants), T});
+  }
 
   // A branch from the surface of the stem at h; returns its points from foot to end.
-  std::vector<Eigen::Vector3d> branch(TriangleMesh& wood, const StemShape& stem, double h, double azimuth, double rise, double length, double radius, Random& random);
+  std::vector<Eigen::Vector3d> branch(TriangleMesh& wood, const StemShape& stem, double h, double azimuth, double rise,
+                                      double length, double radius, Random& random);
   void broadleaf_crown(const Tree& tree, TriangleMesh& wood, Random& random, Random& leaves);
   void conifer_crown(const Tree& tree, TriangleMesh& wood, Random& random, Random& leaves);
   void dead_branches(const Tree& tree, TriangleMesh& wood, Random& random);
@@ -61,7 +66,8 @@ class Grower {
   int clumps_ = 0, sprays_ = 0, shrubs_ = 0, tufts_ = 0, rocks_ = 0;
 };
 
-std::vector<Eigen::Vector3d> Grower::branch(TriangleMesh& wood, const StemShape& stem, double h, double azimuth, double rise, double length, double radius, Random& random) {
+std::vector<Eigen::Vector3d> Grower::branch(TriangleMesh& wood, const StemShape& stem, double h, double azimuth,
+                                            double rise, double length, double radius, Random& random) {
   Eigen::Vector3d heading(std::cos(azimuth) * std::cos(rise), std::sin(azimuth) * std::cos(rise), std::sin(rise));
   Eigen::Vector3d at = stem.axis(h) + 0.6 * stem.mean_radius(h) * heading;
   std::vector<Eigen::Vector3d> path{at};
@@ -85,10 +91,12 @@ void Grower::broadleaf_crown(const Tree& tree, TriangleMesh& wood, Random& rando
     const double up = (i + random.uniform()) / count, h = tree.crown_base_h + 0.92 * up * depth;
     // Widest a third up the crown.
     const double length = reach * std::max(0.25, std::sin(pi * (0.2 + 0.75 * up))) * random.uniform(0.7, 1.2);
-    const auto path = branch(wood, s, h, random.angle(), random.uniform(0.2, 0.9), length, 0.012 + 0.02 * (1 - up), random);
+    const auto path =
+        branch(wood, s, h, random.angle(), random.uniform(0.2, 0.9), length, 0.012 + 0.02 * (1 - up), random);
     for (int k = 0; k < (tree.in_plot ? 5 : 3); ++k) {
       const auto j = static_cast<std::size_t>(2 + leaves.index(3));
-      place(clumps_, leaves, placement(path[j] + 0.35 * random_direction(leaves), leaves.angle(), leaves.uniform(0.8, 1.5)));
+      place(clumps_, leaves,
+            placement(path[j] + 0.35 * random_direction(leaves), leaves.angle(), leaves.uniform(0.8, 1.5)));
     }
   }
 }
@@ -101,11 +109,15 @@ void Grower::conifer_crown(const Tree& tree, TriangleMesh& wood, Random& random,
     const double up = (h - tree.crown_base_h) / depth, first = random.angle();
     const int whorl = 4 + random.index(3);
     for (int i = 0; i < whorl; ++i) {
-      const double azimuth = first + 2 * pi * i / whorl + random.normal(0, 0.2), length = (0.3 + (0.8 + 4 * s.radius_m) * (1 - up)) * random.uniform(0.8, 1.2);
-      const auto path = branch(wood, s, h, azimuth, random.uniform(-0.35, 0.15), length, 0.006 + 0.01 * (1 - up), random);
+      const double azimuth = first + 2 * pi * i / whorl + random.normal(0, 0.2),
+                   length = (0.3 + (0.8 + 4 * s.radius_m) * (1 - up)) * random.uniform(0.8, 1.2);
+      const auto path =
+          branch(wood, s, h, azimuth, random.uniform(-0.35, 0.15), length, 0.006 + 0.01 * (1 - up), random);
       for (double at = 0.45; at < length + 0.3; at += 0.7) {
         const auto& p = path[static_cast<std::size_t>(std::min(4.0, std::ceil(4 * at / length)))];
-        place(sprays_, leaves, placement(p - 0.05 * Eigen::Vector3d::UnitZ(), azimuth + leaves.normal(0, 0.2), leaves.uniform(0.7, 1.2)));
+        place(
+            sprays_, leaves,
+            placement(p - 0.05 * Eigen::Vector3d::UnitZ(), azimuth + leaves.normal(0, 0.2), leaves.uniform(0.7, 1.2)));
       }
     }
   }
@@ -121,16 +133,20 @@ void Grower::dead_branches(const Tree& tree, TriangleMesh& wood, Random& random)
   for (int i = 0; i < count; ++i) {
     const double h = random.uniform(from, to);
     // Low branches were shed first: what is left at breast height is short.
-    const double length = random.uniform(0.05, 0.3) + random.uniform(0, conifer ? 0.9 : 1.2) * std::clamp((h - 0.5) / 4, 0.1, 1.0);
-    const auto path = branch(wood, s, h, random.angle(), random.uniform(-0.4, conifer ? 0.2 : 0.7), length, random.uniform(0.003, 0.009), random);
-    if (!conifer && tree.alive && random.chance(0.35)) place(clumps_, random, placement(path.back(), random.angle(), random.uniform(0.3, 0.7)));
+    const double length =
+        random.uniform(0.05, 0.3) + random.uniform(0, conifer ? 0.9 : 1.2) * std::clamp((h - 0.5) / 4, 0.1, 1.0);
+    const auto path = branch(wood, s, h, random.angle(), random.uniform(-0.4, conifer ? 0.2 : 0.7), length,
+                             random.uniform(0.003, 0.009), random);
+    if (!conifer && tree.alive && random.chance(0.35))
+      place(clumps_, random, placement(path.back(), random.angle(), random.uniform(0.3, 0.7)));
   }
 }
 
 void Grower::fork(const Tree& tree, Random& random) {
   const auto& s = tree.stem;
   const double azimuth = random.angle(), rise = random.uniform(1.0, 1.25);
-  Eigen::Vector3d at = s.axis(tree.fork_h - 0.2), heading(std::cos(azimuth) * std::cos(rise), std::sin(azimuth) * std::cos(rise), std::sin(rise));
+  Eigen::Vector3d at = s.axis(tree.fork_h - 0.2),
+                  heading(std::cos(azimuth) * std::cos(rise), std::sin(azimuth) * std::cos(rise), std::sin(rise));
   std::vector<Eigen::Vector3d> path{at};
   std::vector<double> radii{0.8 * s.mean_radius(tree.fork_h)};
   const double length = 0.9 * (s.height_m - tree.fork_h);
@@ -141,7 +157,9 @@ void Grower::fork(const Tree& tree, Random& random) {
     radii.push_back(radii.front() * (1 - 0.9 * k / 8));
     if (k > 3) {
       const bool conifer = tree.species == Species::conifer;
-      for (int i = 0; i < 4; ++i) place(conifer ? sprays_ : clumps_, random, placement(at + 0.5 * random_direction(random), random.angle(), random.uniform(0.8, 1.3)));
+      for (int i = 0; i < 4; ++i)
+        place(conifer ? sprays_ : clumps_, random,
+              placement(at + 0.5 * random_direction(random), random.angle(), random.uniform(0.8, 1.3)));
     }
   }
   Piece piece{{}, Material::bark, 0.4f, static_cast<float>(s.bark_depth_m), tree.id};
@@ -174,7 +192,8 @@ Eigen::Vector3d Grower::ground_point(double margin, Random& random) const {
 bool Grower::is_free(const Eigen::Vector3d& p, double distance) const {
   for (const auto& target : forest_.targets)
     if ((target.middle - p).head<2>().norm() < 1.0 + distance) return false;
-  return std::ranges::none_of(forest_.trees, [&](const Tree& t) { return (t.stem.foot - p).head<2>().norm() < t.stem.radius_m + distance; });
+  return std::ranges::none_of(
+      forest_.trees, [&](const Tree& t) { return (t.stem.foot - p).head<2>().norm() < t.stem.radius_m + distance; });
 }
 
 void Grower::understorey(Vegetation& vegetation) {
@@ -217,7 +236,9 @@ void Grower::understorey(Vegetation& vegetation) {
     }
     add_tube(wood.mesh, path, radii, 10);
     for (double h = 0.7; h < s.end_m; h += 0.25) {
-      const auto end = branch(wood.mesh, s, h, random.angle(), random.uniform(0, 0.9), random.uniform(0.15, 0.5), 0.003, random).back();
+      const auto end =
+          branch(wood.mesh, s, h, random.angle(), random.uniform(0, 0.9), random.uniform(0.15, 0.5), 0.003, random)
+              .back();
       if (random.chance(0.6)) place(clumps_, random, placement(end, random.angle(), random.uniform(0.3, 0.7)));
     }
     scene_.pieces.push_back(std::move(wood));

@@ -26,7 +26,8 @@ void smooth(std::vector<Eigen::Vector4d>& knots, int iterations, Get&& get) {
   for (int k = 0; k < iterations; ++k) {
     std::vector<double> before(knots.size());
     for (std::size_t i = 0; i < knots.size(); ++i) before[i] = get(knots[i]);
-    for (std::size_t i = 1; i + 1 < knots.size(); ++i) get(knots[i]) = 0.5 * before[i] + 0.25 * (before[i - 1] + before[i + 1]);
+    for (std::size_t i = 1; i + 1 < knots.size(); ++i)
+      get(knots[i]) = 0.5 * before[i] + 0.25 * (before[i - 1] + before[i + 1]);
   }
 }
 
@@ -34,16 +35,21 @@ Eigen::Vector4d spline(const std::vector<Eigen::Vector4d>& knots, double u) {
   const auto last = static_cast<long>(knots.size()) - 1;
   const long i = std::clamp(static_cast<long>(std::floor(u)), 0L, last);
   const double t = u - static_cast<double>(i);
-  const auto knot = [&](long k) -> const Eigen::Vector4d& { return knots[static_cast<std::size_t>(std::clamp(k, 0L, last))]; };
+  const auto knot = [&](long k) -> const Eigen::Vector4d& {
+    return knots[static_cast<std::size_t>(std::clamp(k, 0L, last))];
+  };
   const double s = 1 - t;
-  return (s * s * s * knot(i - 1) + (3 * t * t * t - 6 * t * t + 4) * knot(i) + (3 * s * s * s - 6 * s * s + 4) * knot(i + 1) + t * t * t * knot(i + 2)) / 6;
+  return (s * s * s * knot(i - 1) + (3 * t * t * t - 6 * t * t + 4) * knot(i) +
+          (3 * s * s * s - 6 * s * s + 4) * knot(i + 1) + t * t * t * knot(i + 2)) /
+         6;
 }
 
 }  // namespace
 
 double Walk::Swing::at(double t) const {
   double sum = 0;
-  for (std::size_t i = 0; i < amplitude.size(); ++i) sum += amplitude[i] * std::sin(2 * pi * frequency_hz[i] * t + phase[i]);
+  for (std::size_t i = 0; i < amplitude.size(); ++i)
+    sum += amplitude[i] * std::sin(2 * pi * frequency_hz[i] * t + phase[i]);
   return sum;
 }
 
@@ -57,14 +63,18 @@ Walk::Swing Walk::make_swing(double size, Random& random) const {
   return swing;
 }
 
-Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters, std::uint64_t seed) : parameters_(parameters) {
-  if (route.size() < 3) throw bad_input("a route of " + std::to_string(route.size()) + " points", "a walk of at least a metre");
+Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters,
+           std::uint64_t seed)
+    : parameters_(parameters) {
+  if (route.size() < 3)
+    throw bad_input("a route of " + std::to_string(route.size()) + " points", "a walk of at least a metre");
   const auto last = static_cast<long>(route.size()) - 1;
   double heading = 0;
   for (long i = 0; i <= last; ++i) {
     const auto& p = route[static_cast<std::size_t>(i)];
     // Looking a metre ahead and behind.
-    const Eigen::Vector2d way = route[static_cast<std::size_t>(std::min(i + 4, last))] - route[static_cast<std::size_t>(std::max(i - 4, 0L))];
+    const Eigen::Vector2d way =
+        route[static_cast<std::size_t>(std::min(i + 4, last))] - route[static_cast<std::size_t>(std::max(i - 4, 0L))];
     const double towards = std::atan2(way.y(), way.x());
     heading = i == 0 ? towards : heading + std::remainder(towards - heading, 2 * pi);
     knots_.emplace_back(p.x(), p.y(), footing(terrain, p), heading);
@@ -84,7 +94,8 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
   step_hz_ = 1.8 * std::sqrt(std::clamp(parameters.speed_m_s, 0.3, 2.5)) * random.uniform(0.95, 1.05);
   for (auto& p : phases_) p = random.angle();
   const double degree = radians_per_degree * parameters.gait;
-  swings_ = {make_swing(1.5 * degree, random), make_swing(1.5 * degree, random), make_swing(3.0 * degree, random), make_swing(0.02 * parameters.gait, random)};
+  swings_ = {make_swing(1.5 * degree, random), make_swing(1.5 * degree, random), make_swing(3.0 * degree, random),
+             make_swing(0.02 * parameters.gait, random)};
 }
 
 Walk::Progress Walk::progress(double t) const {
@@ -112,10 +123,13 @@ Pose Walk::pose(double t) const {
   const double sway = 0.025 * step * std::sin(0.5 * beat + phases_[1]);
   const double roll = 1.5 * radians_per_degree * step * std::sin(0.5 * beat + phases_[2]) + hand * swings_[0].at(t);
   const double pitch = 1.2 * radians_per_degree * step * std::sin(beat + phases_[3]) + hand * swings_[1].at(t);
-  const double yaw = k[3] + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
+  const double yaw =
+      k[3] + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
   Pose T = Pose::Identity();
-  T.linear() = rotation_from_rpy(roll, pitch, yaw) * Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  T.translation() = Eigen::Vector3d(k[0] - sway * std::sin(k[3]), k[1] + sway * std::cos(k[3]), k[2] + parameters_.sensor_height_m + bob + hand * swings_[3].at(t));
+  T.linear() = rotation_from_rpy(roll, pitch, yaw) *
+               Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  T.translation() = Eigen::Vector3d(k[0] - sway * std::sin(k[3]), k[1] + sway * std::cos(k[3]),
+                                    k[2] + parameters_.sensor_height_m + bob + hand * swings_[3].at(t));
   return T;
 }
 

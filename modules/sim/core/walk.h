@@ -23,7 +23,8 @@ class Walk {
   // Spacing of route points that the splines are made for.
   static constexpr double step_m = 0.25;
 
-  Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters, std::uint64_t seed);
+  Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters,
+       std::uint64_t seed);
 
   double duration_s() const { return duration_s_; }
   double length_m() const { return length_m_; }

@@ -24,16 +24,22 @@ void keep_every_second(std::vector<T>& v) {
 }  // namespace
 
 DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
-    : settings_(settings), counters_(settings.expected_points == 0 ? most_counters : std::clamp(std::bit_ceil(4 * settings.expected_points), least_counters, most_counters)) {
+    : settings_(settings),
+      counters_(settings.expected_points == 0
+                    ? most_counters
+                    : std::clamp(std::bit_ceil(4 * settings.expected_points), least_counters, most_counters)) {
   // Reserved memory is not touched until it is used, and nothing is copied as the map grows.
-  const std::size_t room = settings.expected_points == 0 ? settings.most_points : std::min(settings.most_points, settings.expected_points);
+  const std::size_t room =
+      settings.expected_points == 0 ? settings.most_points : std::min(settings.most_points, settings.expected_points);
   positions_.reserve(room), time_.reserve(room), range_.reserve(room), intensity_.reserve(room), ring_.reserve(room);
-  sensor_x_.reserve(room), sensor_y_.reserve(room), sensor_z_.reserve(room), pass_.reserve(room), keyframe_.reserve(room);
+  sensor_x_.reserve(room), sensor_y_.reserve(room), sensor_z_.reserve(room), pass_.reserve(room),
+      keyframe_.reserve(room);
 }
 
 bool DenseMapBuilder::admit(const Eigen::Vector3f& position, std::int32_t pass) {
   const Eigen::Vector3d in_voxels = position.cast<double>() / settings_.voxel_m;
-  const std::uint64_t h = mix_bits(grid_key(in_voxels) ^ (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
+  const std::uint64_t h =
+      mix_bits(grid_key(in_voxels) ^ (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
   const std::size_t mask = counters_.size() - 1;
   std::uint8_t &a = counters_[h & mask], &b = counters_[(h >> 32) & mask];
   if (std::min(a, b) >= settings_.points_per_voxel) return false;
@@ -42,17 +48,22 @@ bool DenseMapBuilder::admit(const Eigen::Vector3f& position, std::int32_t pass) 
   return true;
 }
 
-bool DenseMapBuilder::survives(std::uint64_t serial) const { return halvings_ == 0 || (mix_bits(serial) & ((1ull << halvings_) - 1)) == 0; }
+bool DenseMapBuilder::survives(std::uint64_t serial) const {
+  return halvings_ == 0 || (mix_bits(serial) & ((1ull << halvings_) - 1)) == 0;
+}
 
 void DenseMapBuilder::halve() {
   ++halvings_;
-  keep_every_second(positions_), keep_every_second(time_), keep_every_second(range_), keep_every_second(intensity_), keep_every_second(ring_);
-  keep_every_second(sensor_x_), keep_every_second(sensor_y_), keep_every_second(sensor_z_), keep_every_second(pass_), keep_every_second(keyframe_);
+  keep_every_second(positions_), keep_every_second(time_), keep_every_second(range_), keep_every_second(intensity_),
+      keep_every_second(ring_);
+  keep_every_second(sensor_x_), keep_every_second(sensor_y_), keep_every_second(sensor_z_), keep_every_second(pass_),
+      keep_every_second(keyframe_);
 }
 
 void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::int32_t pass, std::int32_t keyframe) {
   const std::size_t n = frame.size();
-  const auto min2 = static_cast<float>(settings_.range_min_m * settings_.range_min_m), max2 = static_cast<float>(settings_.range_max_m * settings_.range_max_m);
+  const auto min2 = static_cast<float>(settings_.range_min_m * settings_.range_min_m),
+             max2 = static_cast<float>(settings_.range_max_m * settings_.range_max_m);
   const auto inverse_span = static_cast<float>(1.0 / std::max(frame.end_time_s - frame.start_time_s, 1e-6));
   in_map_.resize(n), sensor_.resize(n), usable_.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, chunk), [&](const tbb::blocked_range<std::size_t>& range) {

@@ -18,9 +18,10 @@ struct DenseMapSettings {
   std::size_t expected_points = 0;  // returns that will be offered, for the size of the filter; 0: unknown
 };
 
-// Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, the lower one
-// counts. Memory does not grow with the walk; a voxel that shares both counters with others loses points (1 in 100 when the
-// filter is a tenth full). When most_points are reached, every second point is dropped, and of those to come as well.
+// Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, the
+// lower one counts. Memory does not grow with the walk; a voxel that shares both counters with others loses points (1
+// in 100 when the filter is a tenth full). When most_points are reached, every second point is dropped, and of those to
+// come as well.
 class DenseMapBuilder {
  public:
   explicit DenseMapBuilder(const DenseMapSettings& settings);

@@ -62,18 +62,23 @@ void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point) {
   Cell& cell = level.find_or_add(grid_key(in_cells));
   if (cell.count >= most_per_cell) return;
   const Eigen::Vector3d corner(std::floor(in_cells.x()), std::floor(in_cells.y()), std::floor(in_cells.z()));
-  const Eigen::Vector3f d = ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(level.cell_m);
+  const Eigen::Vector3f d =
+      ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(level.cell_m);
   cell.count += 1;
   cell.sum += d;
   cell.second[0] += d.x() * d.x(), cell.second[1] += d.x() * d.y(), cell.second[2] += d.x() * d.z();
   cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
 }
 
-// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are added.
-std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index, int least_points) const {
+// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are
+// added.
+std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index,
+                                                     int least_points) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
   const double cell_m = level.cell_m;
-  const auto cx = static_cast<std::int64_t>(std::lround(point.x() / cell_m)), cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)), cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
+  const auto cx = static_cast<std::int64_t>(std::lround(point.x() / cell_m)),
+             cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)),
+             cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
   double n = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
@@ -99,7 +104,8 @@ std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& poin
   const Eigen::Matrix3d covariance = second / n - mean * mean.transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
-  surface.mean = mean + cell_m * Eigen::Vector3d(static_cast<double>(cx), static_cast<double>(cy), static_cast<double>(cz));
+  surface.mean =
+      mean + cell_m * Eigen::Vector3d(static_cast<double>(cx), static_cast<double>(cy), static_cast<double>(cz));
   surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   surface.axes = solver.eigenvectors();
   surface.points = static_cast<int>(n);

@@ -1,6 +1,7 @@
-// A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface around a
-// place is found by merging the eight cells about it, in constant time and with every point averaged in. Who asks goes from fine
-// to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to the density of the scan.
+// A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface
+// around a place is found by merging the eight cells about it, in constant time and with every point averaged in. Who
+// asks goes from fine to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to
+// the density of the scan.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +15,8 @@ namespace bole {
 struct LocalSurface {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Vector3d deviations_m = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();      // eigenvectors in columns: column 0 is the normal, column 2 the direction
+  Eigen::Matrix3d axes =
+      Eigen::Matrix3d::Identity();  // eigenvectors in columns: column 0 is the normal, column 2 the direction
   int points = 0;
   int level = 0;
 

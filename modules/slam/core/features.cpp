@@ -44,15 +44,17 @@ void FeatureExtractor::extract_curvature(const Scan& scan, Features& features) {
   thin_on_grid(features.query.planes, options_.query_spacing_m);
 }
 
-// LOAM, section V-A: beside a step in range the farther points are about to be hidden, so their edge is not an edge of the thing;
-// points on surfaces nearly along the ray are unsteady. SPEC A2: the nearer side of a step is the outline of a round trunk, which
-// moves with the viewer, and is left out as well.
+// LOAM, section V-A: beside a step in range the farther points are about to be hidden, so their edge is not an edge of
+// the thing; points on surfaces nearly along the ray are unsteady. SPEC A2: the nearer side of a step is the outline of
+// a round trunk, which moves with the viewer, and is left out as well.
 void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
   const auto n = line.size();
   unusable_.assign(n, 0);
   const auto step = static_cast<float>(options_.occlusion_step_m);
   const auto mark = [&](std::size_t i, std::ptrdiff_t direction, std::uint8_t kind) {
-    for (std::ptrdiff_t k = 0, at = static_cast<std::ptrdiff_t>(i); k < half_window && at >= 0 && at < static_cast<std::ptrdiff_t>(n); ++k, at += direction) unusable_[static_cast<std::size_t>(at)] |= kind;
+    for (std::ptrdiff_t k = 0, at = static_cast<std::ptrdiff_t>(i);
+         k < half_window && at >= 0 && at < static_cast<std::ptrdiff_t>(n); ++k, at += direction)
+      unusable_[static_cast<std::size_t>(at)] |= kind;
   };
   for (std::size_t i = 0; options_.occlusion != "none" && i + 1 < n; ++i) {
     const float jump = line[i + 1].range - line[i].range;
@@ -63,7 +65,9 @@ void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const float tilt = 0.0002f * line[i].range * line[i].range;
-    if ((line[i + 1].position - line[i].position).squaredNorm() > tilt && (line[i - 1].position - line[i].position).squaredNorm() > tilt) unusable_[i] |= no_plane;
+    if ((line[i + 1].position - line[i].position).squaredNorm() > tilt &&
+        (line[i - 1].position - line[i].position).squaredNorm() > tilt)
+      unusable_[i] |= no_plane;
   }
 }
 
@@ -80,7 +84,8 @@ void FeatureExtractor::extract_line(std::span<const ScanPoint> line, Features& f
   }
 
   for (std::size_t sector = 0; sector < sectors; ++sector) {
-    const std::size_t begin = first + (last - first) * sector / sectors, end = first + (last - first) * (sector + 1) / sectors;
+    const std::size_t begin = first + (last - first) * sector / sectors,
+                      end = first + (last - first) * (sector + 1) / sectors;
     order_.resize(end - begin);
     std::iota(order_.begin(), order_.end(), static_cast<std::uint32_t>(begin));
     std::ranges::stable_sort(order_, {}, [&](std::uint32_t i) { return curvature_[i]; });

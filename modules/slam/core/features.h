@@ -25,8 +25,8 @@ struct Features {
   FeatureSet map;    // denser: what a key frame adds to the map
 };
 
-// By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of options.occlusion)
-// or "sampled" (points thinned on a voxel grid, all of them plane candidates).
+// By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
+// options.occlusion) or "sampled" (points thinned on a voxel grid, all of them plane candidates).
 class FeatureExtractor {
  public:
   explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}

@@ -13,13 +13,16 @@ namespace bole {
 inline std::uint64_t pack_cell(std::int64_t ix, std::int64_t iy, std::int64_t iz) {
   constexpr std::int64_t half = 1 << 20;
   constexpr std::uint64_t mask = (1u << 21) - 1;
-  return ((static_cast<std::uint64_t>(ix + half) & mask) << 42) | ((static_cast<std::uint64_t>(iy + half) & mask) << 21) | (static_cast<std::uint64_t>(iz + half) & mask);
+  return ((static_cast<std::uint64_t>(ix + half) & mask) << 42) |
+         ((static_cast<std::uint64_t>(iy + half) & mask) << 21) | (static_cast<std::uint64_t>(iz + half) & mask);
 }
 
 // The cell that a point, in units of the cell, lies in.
 template <class Vector>
 std::uint64_t grid_key(const Vector& p_in_cells) {
-  return pack_cell(static_cast<std::int64_t>(std::floor(p_in_cells.x())), static_cast<std::int64_t>(std::floor(p_in_cells.y())), static_cast<std::int64_t>(std::floor(p_in_cells.z())));
+  return pack_cell(static_cast<std::int64_t>(std::floor(p_in_cells.x())),
+                   static_cast<std::int64_t>(std::floor(p_in_cells.y())),
+                   static_cast<std::int64_t>(std::floor(p_in_cells.z())));
 }
 
 // Bits well mixed (finalizer of MurmurHash3).

@@ -28,11 +28,13 @@ void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vecto
   std::vector<std::size_t> nearest(keyframes.size());
   std::iota(nearest.begin(), nearest.end(), std::size_t{0});
   if (nearest.size() > most_) {
-    std::ranges::stable_sort(nearest, {}, [&](std::size_t k) { return (keyframes[k].T_map_keyframe.translation() - place).squaredNorm(); });
+    std::ranges::stable_sort(
+        nearest, {}, [&](std::size_t k) { return (keyframes[k].T_map_keyframe.translation() - place).squaredNorm(); });
     nearest.resize(most_);
     std::ranges::sort(nearest);
   }
-  // Adding is cheap; taking away means building anew. So members that are no longer near stay until there are half as many again.
+  // Adding is cheap; taking away means building anew. So members that are no longer near stay until there are half as
+  // many again.
   std::vector<std::size_t> wanted;
   std::ranges::set_union(nearest, members_, std::back_inserter(wanted));
   if (moved || wanted.size() > most_ + most_ / 2) {

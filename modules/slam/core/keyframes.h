@@ -22,8 +22,8 @@ Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& featu
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps);
 
-// The map about the place where the sensor is: the `most` key frames nearest to it and, so that it is built anew only now and then, up to
-// half as many that were so before.
+// The map about the place where the sensor is: the `most` key frames nearest to it and, so that it is built anew only
+// now and then, up to half as many that were so before.
 class LocalMap {
  public:
   LocalMap(double cell_m, std::size_t most) : maps_(cell_m), most_(most) {}

@@ -11,7 +11,8 @@ constexpr std::size_t stretch_half = 8;  // key frames on each side of the partn
 constexpr double least_conditioning = 1e-3;
 constexpr double largest_correction_m = 2.0;
 
-std::optional<std::size_t> partner_of(const std::vector<Keyframe>& keyframes, std::size_t k, const SlamOptions& options) {
+std::optional<std::size_t> partner_of(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                      const SlamOptions& options) {
   std::optional<std::size_t> best;
   double best_m = options.loop_radius_m;
   for (std::size_t j = 0; j < k; ++j) {
@@ -31,9 +32,11 @@ FeatureSet thinned(const Keyframe& keyframe, double spacing_m) {
   return out;
 }
 
-std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, std::size_t from, std::size_t to, const SlamOptions& options, FeatureMaps& maps, const Run& run) {
+std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, std::size_t from, std::size_t to,
+                             const SlamOptions& options, FeatureMaps& maps, const Run& run) {
   maps.clear();
-  const std::size_t first = from > stretch_half ? from - stretch_half : 0, last = std::min({from + stretch_half, keyframes.size() - 1, to - 1});
+  const std::size_t first = from > stretch_half ? from - stretch_half : 0,
+                    last = std::min({from + stretch_half, keyframes.size() - 1, to - 1});
   for (std::size_t k = first; k <= last; ++k) insert_keyframe(keyframes[k], maps);
 
   RegistrationSettings settings;
@@ -44,7 +47,8 @@ std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, std::size_t
   const Pose& guess = keyframes[to].T_map_keyframe;
   const auto r = register_frame(thinned(keyframes[to], options.query_spacing_m), maps, {guess, guess}, settings, run);
   const double correction_m = (r.motion.T_map_end.translation() - guess.translation()).norm();
-  if (r.overlap < options.loop_overlap || r.conditioning < least_conditioning || correction_m > largest_correction_m) return std::nullopt;
+  if (r.overlap < options.loop_overlap || r.conditioning < least_conditioning || correction_m > largest_correction_m)
+    return std::nullopt;
   return Loop{from, to, keyframes[from].T_map_keyframe.inverse() * r.motion.T_map_end, r.information, r.overlap};
 }
 

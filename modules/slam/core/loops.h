@@ -1,4 +1,5 @@
-// Revisits: pairs of key frames that see the same place after a long way, with the relative pose that registration gives.
+// Revisits: pairs of key frames that see the same place after a long way, with the relative pose that registration
+// gives.
 #pragma once
 
 #include <vector>
@@ -20,8 +21,8 @@ struct LoopSearch {
   std::size_t candidates = 0;
 };
 
-// Candidates lie within loop_radius and at least loop_path apart along the way. Each is verified by registering the key frame
-// against the map of the stretch about its partner; enough overlap and no open direction make it a loop.
+// Candidates lie within loop_radius and at least loop_path apart along the way. Each is verified by registering the key
+// frame against the map of the stretch about its partner; enough overlap and no open direction make it a loop.
 LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run);
 
 }  // namespace bole

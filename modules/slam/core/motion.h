@@ -18,10 +18,13 @@ struct FrameMotion {
 };
 
 // Even motion of `span_s` about the middle of a frame; velocity (turn rad/s, shift m/s) in the axes of the sensor.
-inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) { return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity)}; }
+inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) {
+  return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity)};
+}
 
-// Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Between grid poses
-// the transformed points are blended; with 32 steps and 10 deg of turning in a frame that is exact to 0.01 mm at 20 m.
+// Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Between grid
+// poses the transformed points are blended; with 32 steps and 10 deg of turning in a frame that is exact to 0.01 mm at
+// 20 m.
 class PoseGrid {
  public:
   static constexpr int steps = 32;

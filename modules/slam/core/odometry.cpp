@@ -13,7 +13,8 @@ constexpr std::size_t least_features = 100;
 constexpr double least_conditioning = 0.005;  // a plot has 0.05 to 0.5
 constexpr double sure_overlap = 0.6;          // below it a rigid frame is looked for farther away as well
 
-// A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to the next.
+// A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to
+// the next.
 constexpr double stride_s = 1.05;        // two steps
 constexpr double longest_join_s = 0.15;  // frames farther apart than this have a gap between them
 constexpr double gait_acceleration_m_s2 = 4, gait_turn_acceleration_rad_s2 = 2;
@@ -29,16 +30,19 @@ std::string percent(double share) { return number_text(std::round(share * 100)) 
 }  // namespace
 
 Odometry::Odometry(const SlamOptions& resolved_options)
-    : options_(resolved_options), local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes)), last_frame_map_(2 * resolved_options.cell_m) {}
+    : options_(resolved_options),
+      local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes)),
+      last_frame_map_(2 * resolved_options.cell_m) {}
 
-// Constant velocity from the last frame. Over a gap the mean motion of the last stride holds better than that of one moment of the
-// gait. After failures the speed fades, for nothing is known.
+// Constant velocity from the last frame. Over a gap the mean motion of the last stride holds better than that of one
+// moment of the gait. After failures the speed fades, for nothing is known.
 FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   if (frames_.empty()) return {};
   const auto& last = frames_.back();
   const double last_span_s = last.end_s - last.begin_s, gap_s = std::max(0.0, begin_s - last.end_s);
   if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
-  Vector6d velocity = elastic() ? Vector6d(se3_log(last.motion.delta()) / last_span_s) : mean_velocity(0.5 * last_span_s);
+  Vector6d velocity =
+      elastic() ? Vector6d(se3_log(last.motion.delta()) / last_span_s) : mean_velocity(0.5 * last_span_s);
   if (gap_s > longest_join_s) velocity = mean_velocity(stride_s);
   if (failed_in_a_row_ > 0) velocity *= 0.5;
   if (!elastic()) {
@@ -51,9 +55,9 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   return out;
 }
 
-// From the frame at least `over_s` before the last one. A rigid shift of a frame settles where its middle is; begin and end hang on
-// the motion that was assumed within it, and a velocity taken from them feeds its own error back with changed sign: it swings. So
-// rigid frames are compared by their middles.
+// From the frame at least `over_s` before the last one. A rigid shift of a frame settles where its middle is; begin and
+// end hang on the motion that was assumed within it, and a velocity taken from them feeds its own error back with
+// changed sign: it swings. So rigid frames are compared by their middles.
 Vector6d Odometry::mean_velocity(double over_s) const {
   const auto& last = frames_.back();
   std::size_t k = frames_.size() - 2;
@@ -63,7 +67,8 @@ Vector6d Odometry::mean_velocity(double over_s) const {
   return se3_log(first.motion.at(0.5).inverse() * last.motion.at(0.5)) / (last.mid_s() - first.mid_s());
 }
 
-// The motion over a frame of which a registration has found the middle, at the speed since the middle of the last frame.
+// The motion over a frame of which a registration has found the middle, at the speed since the middle of the last
+// frame.
 FrameMotion Odometry::with_speed_found(const FrameMotion& found, double begin_s, double end_s) const {
   const auto& last = frames_.back();
   const double since_s = 0.5 * (begin_s + end_s) - last.mid_s();
@@ -73,7 +78,8 @@ FrameMotion Odometry::with_speed_found(const FrameMotion& found, double begin_s,
 }
 
 // LOAM's two steps: against the frame before for the motion, against the map (registered()) for the place.
-FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features, const Run& run) {
+FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features,
+                              const Run& run) {
   if (options_.deskew == "none") return {prediction.at(0.5), prediction.at(0.5)};
   if (options_.first_guess != "last_frame") return prediction;
   const auto r = register_frame(features.query, last_frame_map_, prediction, base_settings(), run);
@@ -83,7 +89,8 @@ FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, dou
 
 // Priors of the motion over a frame that follows the last one after a gap.
 void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const {
-  const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s), changed_s = std::max(span_s, gap_s);
+  const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s),
+               changed_s = std::max(span_s, gap_s);
   settings.begin_sigma_m = options_.continuity_sigma_m + gait_acceleration_m_s2 * gap_s * changed_s;
   settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * changed_s;
   settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * changed_s;
@@ -98,7 +105,8 @@ RegistrationSettings Odometry::base_settings() const {
   return settings;
 }
 
-Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features, const Run& run) {
+Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
+                                  const Run& run) {
   const double gap_s = std::max(0.0, begin_s - frames_.back().end_s);
   RegistrationSettings settings = base_settings();
   FrameMotion start = guess;
@@ -138,15 +146,20 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   return r;
 }
 
-std::string Odometry::objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const {
-  if (r.overlap < options_.lost_overlap) return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
-  if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite()) return "the solution is not finite";
-  const double speed = (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
+std::string Odometry::objection(const Registration& r, const FrameMotion& prediction, double begin_s,
+                                double end_s) const {
+  if (r.overlap < options_.lost_overlap)
+    return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
+  if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite())
+    return "the solution is not finite";
+  const double speed =
+      (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
   if (r.conditioning < least_conditioning) return "the surroundings leave a direction of motion open";
   const double elapsed_s = end_s - frames_.back().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
-  if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s) return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
+  if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
+    return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
   return {};
 }
 
@@ -194,7 +207,8 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
 
 bool Odometry::keyframe_due(const TrackedFrame& frame) const {
   const Pose d = keyframes_.back().T_map_keyframe.inverse() * frame.motion.T_map_end;
-  return d.translation().norm() >= options_.keyframe_distance_m || Eigen::AngleAxisd(d.linear()).angle() >= rad(options_.keyframe_angle_deg);
+  return d.translation().norm() >= options_.keyframe_distance_m ||
+         Eigen::AngleAxisd(d.linear()).angle() >= rad(options_.keyframe_angle_deg);
 }
 
 void Odometry::add_keyframe(const Features& features, const TrackedFrame& frame) {

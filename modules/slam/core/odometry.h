@@ -29,7 +29,8 @@ class Odometry {
  public:
   explicit Odometry(const SlamOptions& resolved_options);
 
-  // Adds a frame. A frame that does not agree with the map is kept with its predicted motion, marked not ok; see lost().
+  // Adds a frame. A frame that does not agree with the map is kept with its predicted motion, marked not ok; see
+  // lost().
   void add(std::size_t index, double begin_s, double end_s, const Features& features, const Run& run);
 
   const std::vector<TrackedFrame>& frames() const { return frames_; }
@@ -53,8 +54,10 @@ class Odometry {
   RegistrationSettings base_settings() const;
   void hold_to_gait(RegistrationSettings& settings, double gap_s) const;
   FrameMotion with_speed_found(const FrameMotion& found, double begin_s, double end_s) const;
-  FrameMotion guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features, const Run& run);
-  Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features, const Run& run);
+  FrameMotion guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features,
+                      const Run& run);
+  Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
+                          const Run& run);
   // Empty when the frame is credible, else why not.
   std::string objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const;
   void add_keyframe(const Features& features, const TrackedFrame& frame);

@@ -7,7 +7,8 @@
 
 namespace bole {
 
-// Options that a preset decides stand at "preset" (texts) or 0 (numbers) until somebody sets them; resolved() fills them in.
+// Options that a preset decides stand at "preset" (texts) or 0 (numbers) until somebody sets them; resolved() fills
+// them in.
 struct SlamOptions {
   std::string preset = "best";
   std::string trajectory;  // TUM file with poses of the sensor; empty: estimate them
@@ -57,7 +58,8 @@ struct SlamOptions {
 
 const OptionTable& option_table(const SlamOptions*);
 
-// The options with everything that was left to the preset filled in from its table. Throws Error{bad_input} for an unknown preset.
+// The options with everything that was left to the preset filled in from its table. Throws Error{bad_input} for an
+// unknown preset.
 SlamOptions resolved(const SlamOptions& options);
 
 }  // namespace bole

@@ -19,7 +19,8 @@ bool comes_back(const std::vector<PathMark>& marks, std::size_t first_of_pass, d
 
 }  // namespace
 
-std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing_m, double radius_m) {
+std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing_m,
+                                double radius_m) {
   std::vector<PathMark> marks;
   std::size_t first_of_pass = 0;
   const auto steps = static_cast<std::size_t>(std::ceil((path.end_s() - path.begin_s()) / scan_step_s));

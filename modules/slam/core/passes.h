@@ -17,9 +17,11 @@ struct PathMark {
   std::int32_t pass = 0;
 };
 
-// A new pass begins at a mark that is within `radius_m` of an earlier mark of the same pass although at least 3 radius_m of way
-// lie between them: the walk has come back. `keyframe_times_s` rise; when empty every mark counts as a key frame.
-std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing_m, double radius_m);
+// A new pass begins at a mark that is within `radius_m` of an earlier mark of the same pass although at least 3
+// radius_m of way lie between them: the walk has come back. `keyframe_times_s` rise; when empty every mark counts as a
+// key frame.
+std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing_m,
+                                double radius_m);
 
 // The mark that holds at a time: the last one not after it.
 const PathMark& mark_at(const std::vector<PathMark>& marks, double time_s);

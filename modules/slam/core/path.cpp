@@ -8,14 +8,18 @@
 namespace bole {
 namespace {
 
-Eigen::Vector3d relative_turn(const Pose& a, const Pose& b) { return so3_log(Eigen::Quaterniond(a.linear().transpose() * b.linear())); }
+Eigen::Vector3d relative_turn(const Pose& a, const Pose& b) {
+  return so3_log(Eigen::Quaterniond(a.linear().transpose() * b.linear()));
+}
 
 }  // namespace
 
 Path::Path(std::vector<StampedPose> nodes) : nodes_(std::move(nodes)) {
   if (nodes_.size() < 2) throw bad_input("the path has " + std::to_string(nodes_.size()) + " poses", "at least 2");
   for (std::size_t i = 1; i < nodes_.size(); ++i)
-    if (!(nodes_[i].time_s > nodes_[i - 1].time_s)) throw bad_input("pose " + std::to_string(i) + " has time " + number_text(nodes_[i].time_s) + " s", "later than the pose before it", "Sort the poses by time");
+    if (!(nodes_[i].time_s > nodes_[i - 1].time_s))
+      throw bad_input("pose " + std::to_string(i) + " has time " + number_text(nodes_[i].time_s) + " s",
+                      "later than the pose before it", "Sort the poses by time");
   update_velocities();
 }
 
@@ -25,7 +29,8 @@ void Path::update_velocities() {
   std::vector<Vector6d> pieces(n - 1);
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const double dt = nodes_[i + 1].time_s - nodes_[i].time_s;
-    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt, (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
+    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt,
+        (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
   }
   velocities_.assign(n, Vector6d::Zero());
   velocities_.front() = pieces.front();
@@ -74,7 +79,8 @@ Path::Influence Path::influence(double time_s) const {
       out.weight[from_slot + 1] += m * share / piece_dt;
     };
     const bool has_before = k > 0, has_after = k + 1 < nodes_.size();
-    const double before = has_before ? nodes_[k].time_s - nodes_[k - 1].time_s : 0, after = has_after ? nodes_[k + 1].time_s - nodes_[k].time_s : 0;
+    const double before = has_before ? nodes_[k].time_s - nodes_[k - 1].time_s : 0,
+                 after = has_after ? nodes_[k + 1].time_s - nodes_[k].time_s : 0;
     if (has_before) add_piece(has_after ? after / (before + after) : 1, before, slot - 1);
     if (has_after) add_piece(has_before ? before / (before + after) : 1, after, slot);
   };
@@ -94,12 +100,14 @@ Trajectory Path::sampled(double rate_hz, Axes axes) const {
   return out;
 }
 
-Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s, double join_s) {
+Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s,
+                         double join_s) {
   std::vector<StampedPose> nodes;
   for (std::size_t k = 0; k < motions.size(); ++k) {
     const auto [begin_s, end_s] = spans_s[k];
     if (!nodes.empty() && begin_s - nodes.back().time_s < join_s)
-      nodes.back() = {0.5 * (nodes.back().time_s + begin_s), interpolate(nodes.back().T_target_sensor, motions[k].T_map_begin, 0.5)};
+      nodes.back() = {0.5 * (nodes.back().time_s + begin_s),
+                      interpolate(nodes.back().T_target_sensor, motions[k].T_map_begin, 0.5)};
     else
       nodes.push_back({begin_s, motions[k].T_map_begin});
     if (end_s > nodes.back().time_s) nodes.push_back({end_s, motions[k].T_map_end});

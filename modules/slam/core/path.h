@@ -1,6 +1,6 @@
 // The sensor's path as a smooth curve through poses: cubic between nodes, with velocities from the neighbouring nodes
-// (Catmull-Rom on positions and on rotation vectors). Linear interpolation between frames loses millimetres to centimetres of a
-// walking gait; this does not.
+// (Catmull-Rom on positions and on rotation vectors). Linear interpolation between frames loses millimetres to
+// centimetres of a walking gait; this does not.
 #pragma once
 
 #include <array>
@@ -20,13 +20,15 @@ class Path {
   const std::vector<StampedPose>& nodes() const { return nodes_; }
   double begin_s() const { return nodes_.front().time_s; }
   double end_s() const { return nodes_.back().time_s; }
-  bool covers(double time_s, double margin_s = 0) const { return time_s >= begin_s() - margin_s && time_s <= end_s() + margin_s; }
+  bool covers(double time_s, double margin_s = 0) const {
+    return time_s >= begin_s() - margin_s && time_s <= end_s() + margin_s;
+  }
 
   // Beyond the ends the motion of the outermost piece goes on.
   Pose at(double time_s) const;
 
-  // The nodes that the pose at a time depends on, and how much a small move of each moves it: weights sum to 1. A piece between
-  // nodes i and i + 1 depends on i - 1 .. i + 2; at the ends of the path the missing ones have weight 0.
+  // The nodes that the pose at a time depends on, and how much a small move of each moves it: weights sum to 1. A piece
+  // between nodes i and i + 1 depends on i - 1 .. i + 2; at the ends of the path the missing ones have weight 0.
   struct Influence {
     std::ptrdiff_t first = 0;  // node i - 1: may be -1
     std::array<double, 4> weight{};
@@ -52,7 +54,9 @@ class Path {
   std::vector<Vector6d> velocities_;  // turn in sensor axes (rad/s), shift in map axes (m/s)
 };
 
-// A path through frames: a node where each begins and ends; a begin and the end before it that are less than `join_s` apart become one.
-Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s, double join_s = 0.02);
+// A path through frames: a node where each begins and ends; a begin and the end before it that are less than `join_s`
+// apart become one.
+Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s,
+                         double join_s = 0.02);
 
 }  // namespace bole

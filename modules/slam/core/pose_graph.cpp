@@ -7,8 +7,8 @@
 namespace bole {
 namespace {
 
-// Odometry drifts by about 1 % of the way and 0.5 mrad per key frame; a loop is good to a centimetre whatever its Hessian claims,
-// for the errors of neighbouring points go together.
+// Odometry drifts by about 1 % of the way and 0.5 mrad per key frame; a loop is good to a centimetre whatever its
+// Hessian claims, for the errors of neighbouring points go together.
 constexpr double odometry_sigma_floor_m = 0.002, odometry_sigma_per_m = 0.01, odometry_sigma_rad = 0.0005;
 constexpr double loop_sigma_m = 0.01, loop_sigma_rad = 0.001;
 constexpr double kernel_sigmas = 3;
@@ -37,14 +37,16 @@ struct RelativePoseError {
 };
 
 ceres::CostFunction* edge(const Pose& T_ab, double sigma_rad, double sigma_m) {
-  return new ceres::AutoDiffCostFunction<RelativePoseError, 6, 4, 3, 4, 3>(new RelativePoseError{Eigen::Quaterniond(T_ab.linear()), T_ab.translation(), 1 / sigma_rad, 1 / sigma_m});
+  return new ceres::AutoDiffCostFunction<RelativePoseError, 6, 4, 3, 4, 3>(
+      new RelativePoseError{Eigen::Quaterniond(T_ab.linear()), T_ab.translation(), 1 / sigma_rad, 1 / sigma_m});
 }
 
 class CancelCallback : public ceres::IterationCallback {
  public:
   explicit CancelCallback(const Run& run) : run_(run) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return run_.cancelled() ? ceres::SOLVER_ABORT : (run_.asked_to_finish() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE);
+    return run_.cancelled() ? ceres::SOLVER_ABORT
+                            : (run_.asked_to_finish() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE);
   }
 
  private:
@@ -53,10 +55,12 @@ class CancelCallback : public ceres::IterationCallback {
 
 }  // namespace
 
-PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops, const Run& run) {
+PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
+                                    const Run& run) {
   std::vector<GraphPose> nodes;
   nodes.reserve(keyframes.size());
-  for (const auto& k : keyframes) nodes.push_back({Eigen::Quaterniond(k.T_map_keyframe.linear()), k.T_map_keyframe.translation()});
+  for (const auto& k : keyframes)
+    nodes.push_back({Eigen::Quaterniond(k.T_map_keyframe.linear()), k.T_map_keyframe.translation()});
 
   ceres::Problem problem;
   for (auto& n : nodes) {
@@ -64,14 +68,18 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
     problem.AddParameterBlock(n.t.data(), 3);
   }
   const auto add = [&](std::size_t a, std::size_t b, ceres::CostFunction* cost, ceres::LossFunction* loss) {
-    return problem.AddResidualBlock(cost, loss, nodes[a].q.coeffs().data(), nodes[a].t.data(), nodes[b].q.coeffs().data(), nodes[b].t.data());
+    return problem.AddResidualBlock(cost, loss, nodes[a].q.coeffs().data(), nodes[a].t.data(),
+                                    nodes[b].q.coeffs().data(), nodes[b].t.data());
   };
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     const Pose T = keyframes[k - 1].T_map_keyframe.inverse() * keyframes[k].T_map_keyframe;
-    add(k - 1, k, edge(T, odometry_sigma_rad, odometry_sigma_floor_m + odometry_sigma_per_m * T.translation().norm()), nullptr);
+    add(k - 1, k, edge(T, odometry_sigma_rad, odometry_sigma_floor_m + odometry_sigma_per_m * T.translation().norm()),
+        nullptr);
   }
   std::vector<ceres::ResidualBlockId> loop_blocks;
-  for (const auto& l : loops) loop_blocks.push_back(add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), new ceres::CauchyLoss(kernel_sigmas)));
+  for (const auto& l : loops)
+    loop_blocks.push_back(
+        add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), new ceres::CauchyLoss(kernel_sigmas)));
 
   PoseGraphResult out;
   if (!nodes.empty()) {
@@ -91,7 +99,8 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
   for (const auto id : loop_blocks) {
     double cost = 0;  // without the kernel: half the squared norm
     problem.EvaluateResidualBlock(id, false, &cost, nullptr, nullptr);
-    if (2 * cost > 9 * kernel_sigmas * kernel_sigmas) ++out.doubted_loops;  // Cauchy weight 1 / (1 + r^2 / k^2) below 0.1
+    if (2 * cost > 9 * kernel_sigmas * kernel_sigmas)
+      ++out.doubted_loops;  // Cauchy weight 1 / (1 + r^2 / k^2) below 0.1
   }
   for (const auto& n : nodes) {
     Pose T = Pose::Identity();

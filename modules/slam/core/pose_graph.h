@@ -13,7 +13,9 @@ struct PoseGraphResult {
   std::size_t doubted_loops = 0;  // loops that the robust kernel gave less than a tenth of their weight
 };
 
-// The first key frame stands. Odometry edges join neighbours, loops are held by a Cauchy kernel. Throws Error{cancelled}.
-PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops, const Run& run);
+// The first key frame stands. Odometry edges join neighbours, loops are held by a Cauchy kernel. Throws
+// Error{cancelled}.
+PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
+                                    const Run& run);
 
 }  // namespace bole

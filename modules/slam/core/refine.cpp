@@ -30,12 +30,16 @@ class BandedSystem {
       g.segment<6>(6 * static_cast<Eigen::Index>(i)) = g_[i];
       for (std::size_t a = 0; a < band && i + a < n; ++a)
         for (int r = 0; r < 6; ++r)
-          for (int c = 0; c < 6; ++c) entries.emplace_back(static_cast<int>(6 * (i + a)) + c, static_cast<int>(6 * i) + r, blocks_[i * band + a](r, c));
+          for (int c = 0; c < 6; ++c)
+            entries.emplace_back(static_cast<int>(6 * (i + a)) + c, static_cast<int>(6 * i) + r,
+                                 blocks_[i * band + a](r, c));
     }
     Eigen::SparseMatrix<double> H(g.size(), g.size());
     H.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(H);
-    if (solver.info() != Eigen::Success) throw failure("the adjustment of the path has no solution", "a path that the map determines", "Set refine_rounds to -1");
+    if (solver.info() != Eigen::Success)
+      throw failure("the adjustment of the path has no solution", "a path that the map determines",
+                    "Set refine_rounds to -1");
     const Eigen::VectorXd x = solver.solve(-g);
     std::vector<Vector6d> steps(n);
     for (std::size_t i = 0; i < n; ++i) steps[i] = x.segment<6>(6 * static_cast<Eigen::Index>(i));
@@ -77,7 +81,8 @@ void build_map(const Path& path, const std::vector<FrameSample>& frames, Feature
   }
 }
 
-void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line, const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
+void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line,
+                  const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s);
   const Eigen::Vector3d x = lever + poses.translation(p.s);
   const auto target = find_target(map, x, line, 0, settings.sigma_m);
@@ -101,21 +106,27 @@ void add_to_system(const FrameSums& sums, BandedSystem& system) {
       const auto i = piece.first + a;
       if (i < 0 || i >= n) continue;
       system.gradient(static_cast<std::size_t>(i)) += piece.g[static_cast<std::size_t>(a)];
-      for (std::ptrdiff_t b = a; b < 4 && piece.first + b < n; ++b) system.block(static_cast<std::size_t>(i), static_cast<std::size_t>(b - a)) += piece.H[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+      for (std::ptrdiff_t b = a; b < 4 && piece.first + b < n; ++b)
+        system.block(static_cast<std::size_t>(i), static_cast<std::size_t>(b - a)) +=
+            piece.H[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
     }
 }
 
-// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. Holds nodes where no frame is.
+// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. Holds nodes where no
+// frame is.
 void add_smoothness(const Path& path, const RefineSettings& settings, BandedSystem& system) {
   const auto& nodes = path.nodes();
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
-    const double before = nodes[i].time_s - nodes[i - 1].time_s, after = nodes[i + 1].time_s - nodes[i].time_s, mean = 0.5 * (before + after);
+    const double before = nodes[i].time_s - nodes[i - 1].time_s, after = nodes[i + 1].time_s - nodes[i].time_s,
+                 mean = 0.5 * (before + after);
     const Pose &A = nodes[i - 1].T_target_sensor, &B = nodes[i].T_target_sensor, &C = nodes[i + 1].T_target_sensor;
     Vector6d error;
-    error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after - so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
+    error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after -
+                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
         (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
     Vector6d w;
-    w << Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_rad_s2 * mean, -2)), Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_m_s2 * mean, -2));
+    w << Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_rad_s2 * mean, -2)),
+        Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_m_s2 * mean, -2));
     const std::array<double, 3> share{1 / before, -1 / before - 1 / after, 1 / after};
     for (std::size_t a = 0; a < 3; ++a) {
       system.gradient(i - 1 + a) += share[a] * w.cwiseProduct(error);
@@ -140,12 +151,14 @@ Path with_nodes_every(const Path& path, double spacing_s) {
 
 }  // namespace
 
-RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings, const Run& run) {
+RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
+                         const Run& run) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}};
   FeatureMaps maps(settings.cell_m);
   constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
   for (int round = 0; round < settings.rounds && !run.asked_to_finish(); ++round) {
-    const Run part = run.part(static_cast<double>(round) / settings.rounds, static_cast<double>(round + 1) / settings.rounds);
+    const Run part =
+        run.part(static_cast<double>(round) / settings.rounds, static_cast<double>(round + 1) / settings.rounds);
     build_map(out.path, frames, maps, part);
     BandedSystem system(out.path.nodes().size());
     double squared_m2 = 0;
@@ -153,13 +166,16 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
     for (std::size_t begin = 0; begin < frames.size(); begin += batch) {
       const std::size_t end = std::min(begin + batch, frames.size());
       std::vector<FrameSums> sums(end - begin);
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1), [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t k = range.begin(); k < range.end() && !run.cancelled(); ++k) {
-          const auto poses = grid_over(out.path, frames[k]);
-          for (const auto& p : frames[k].features.edges) add_to_frame(out.path, frames[k], poses, p, true, maps.edges, settings, sums[k - begin]);
-          for (const auto& p : frames[k].features.planes) add_to_frame(out.path, frames[k], poses, p, false, maps.planes, settings, sums[k - begin]);
-        }
-      });
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(begin, end, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t k = range.begin(); k < range.end() && !run.cancelled(); ++k) {
+              const auto poses = grid_over(out.path, frames[k]);
+              for (const auto& p : frames[k].features.edges)
+                add_to_frame(out.path, frames[k], poses, p, true, maps.edges, settings, sums[k - begin]);
+              for (const auto& p : frames[k].features.planes)
+                add_to_frame(out.path, frames[k], poses, p, false, maps.planes, settings, sums[k - begin]);
+            }
+          });
       part.check_cancel();
       part.report(static_cast<double>(end) / static_cast<double>(frames.size()), "adjusting the path");
       for (const auto& s : sums) add_to_system(s, system), squared_m2 += s.squared_m2, inliers += s.inliers;

@@ -1,6 +1,6 @@
-// The final adjustment: all of the path against all of the map, in turns. Each round builds the map from every frame with the
-// present path, matches every frame to it, and solves for all nodes of the smooth path at once (a banded system). Walls that were
-// mapped twice come together, and motion faster than a frame is followed.
+// The final adjustment: all of the path against all of the map, in turns. Each round builds the map from every frame
+// with the present path, matches every frame to it, and solves for all nodes of the smooth path at once (a banded
+// system). Walls that were mapped twice come together, and motion faster than a frame is followed.
 #pragma once
 
 #include <vector>
@@ -34,6 +34,7 @@ struct RefineResult {
 };
 
 // Throws Error{cancelled}; stops after the round in work when asked to finish.
-RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings, const Run& run);
+RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
+                         const Run& run);
 
 }  // namespace bole

@@ -45,17 +45,20 @@ std::pair<double, double> shares(MotionModel model, double s) {
 // Matching costs more than summing, so targets are kept for a round.
 class FrameEquations {
  public:
-  FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings) : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
+  FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings)
+      : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
 
   // At `motion`; matches anew from `first_level` up, or keeps the targets when that is negative.
   Sums sums(const FrameMotion& motion, int first_level, double kernel, const Run& run) {
     const PoseGrid poses(motion);
     const std::size_t n = targets_.size();
     std::vector<Sums> chunks((n + chunk_points - 1) / chunk_points);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1), [&](const tbb::blocked_range<std::size_t>& range) {
-      for (std::size_t c = range.begin(); c < range.end() && !run.cancelled(); ++c)
-        for (std::size_t i = c * chunk_points; i < std::min(n, (c + 1) * chunk_points); ++i) add_point(i, poses, first_level, kernel, chunks[c]);
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t c = range.begin(); c < range.end() && !run.cancelled(); ++c)
+                          for (std::size_t i = c * chunk_points; i < std::min(n, (c + 1) * chunk_points); ++i)
+                            add_point(i, poses, first_level, kernel, chunks[c]);
+                      });
     run.check_cancel();
     Sums total;
     for (const auto& c : chunks) total += c;
@@ -70,7 +73,8 @@ class FrameEquations {
     const Eigen::Vector3d lever = poses.turned(p.position, p.s);
     const Eigen::Vector3d x = lever + poses.translation(p.s);
     Target& target = targets_[i];
-    if (first_level >= 0) target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.sigma_m);
+    if (first_level >= 0)
+      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.sigma_m);
     if (target.kind == Target::Kind::none) return;
 
     const auto e = pose_equations(target, x, lever, kernel);
@@ -113,10 +117,13 @@ Vector6d inverse_variances(double sigma_rad, double sigma_m) {
 }
 
 // Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin stands.
-void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings, Sums& sums) {
+void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
+                Sums& sums) {
   if (settings.model == MotionModel::rigid) return;
-  const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma_m), wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma_m);
-  const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin), ee = pose_difference(predicted.T_map_end, motion.T_map_end);
+  const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma_m),
+                 wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma_m);
+  const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin),
+                 ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
   sums.H.topLeftCorner<6, 6>() += (wb + wm).asDiagonal();
   sums.H.bottomRightCorner<6, 6>() += wm.asDiagonal();
@@ -153,17 +160,20 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   return step;
 }
 
-// Least over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is free.
+// Least over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
+// free.
 double shift_conditioning(const Matrix6d& H) {
   const Eigen::Matrix3d turn = H.topLeftCorner<3, 3>() + 1e-9 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d shift = H.bottomRightCorner<3, 3>() - H.bottomLeftCorner<3, 3>() * turn.inverse() * H.topRightCorner<3, 3>();
+  const Eigen::Matrix3d shift =
+      H.bottomRightCorner<3, 3>() - H.bottomLeftCorner<3, 3>() * turn.inverse() * H.topRightCorner<3, 3>();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(shift);
   return solver.eigenvalues()[2] > 0 ? std::max(0.0, solver.eigenvalues()[0] / solver.eigenvalues()[2]) : 0;
 }
 
 }  // namespace
 
-Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level, double sigma_m) {
+Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
+                   double sigma_m) {
   Target target;
   for (int level = first_level; level < DistributionMap::levels; ++level) {
     const auto surface = map.surface(point_in_map, level);
@@ -178,7 +188,8 @@ Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_m
   return target;
 }
 
-PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever, double kernel) {
+PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
+                             double kernel) {
   PoseEquations out;
   const Eigen::Vector3d error = point_in_map - target.mean;
   const double k2 = kernel * kernel, along = target.axis.dot(error);
@@ -202,7 +213,8 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   return out;
 }
 
-Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess, const RegistrationSettings& settings, const Run& run) {
+Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess,
+                            const RegistrationSettings& settings, const Run& run) {
   Registration out;
   out.motion = guess;
   out.tried = features.size();
@@ -212,13 +224,15 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
     // Coarse levels and a wide kernel first: they reach farther and still know the surfaces.
     const int coarse = std::max(0, settings.coarse_rounds - round);
     const bool match = coarse > 0 || (round - settings.coarse_rounds) % 2 == 0 || round == 0;
-    sums = equations.sums(out.motion, match ? std::min(coarse, 3) : -1, settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
+    sums = equations.sums(out.motion, match ? std::min(coarse, 3) : -1,
+                          settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
     out.rounds = round + 1;
     if (sums.matched < 12) break;
     add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);
     if (!step.allFinite()) break;
-    const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()), shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());
+    const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()),
+                 shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());
     if (coarse == 0 && turn < settings.converged_rad && shift < settings.converged_m) {
       out.converged = true;
       break;

@@ -1,5 +1,5 @@
-// One frame against a map: robust point-to-plane and point-to-line least squares over a rigid shift of the frame, or over its
-// begin and end pose.
+// One frame against a map: robust point-to-plane and point-to-line least squares over a rigid shift of the frame, or
+// over its begin and end pose.
 #pragma once
 
 #include "base/run.h"
@@ -26,11 +26,13 @@ struct Target {
   enum class Kind : std::uint8_t { none, plane, line } kind = Kind::none;
 };
 
-// The plane (or line) about the place on the finest level from `first_level` that has one; Kind::none where there is none.
-Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level, double sigma_m);
+// The plane (or line) about the place on the finest level from `first_level` that has one; Kind::none where there is
+// none.
+Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
+                   double sigma_m);
 
-// Normal equations of one pose: the unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m), and
-// d(point)/d(turn) = -[lever]x with `lever` the point less the sensor's position.
+// Normal equations of one pose: the unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m),
+// and d(point)/d(turn) = -[lever]x with `lever` the point less the sensor's position.
 struct PoseEquations {
   Matrix6d H = Matrix6d::Zero();
   Vector6d g = Vector6d::Zero();
@@ -38,7 +40,8 @@ struct PoseEquations {
   bool inlier = false;    // within the kernel
 };
 // Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.
-PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever, double kernel);
+PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
+                             double kernel);
 
 enum class MotionModel {
   rigid,   // the motion within the frame is kept, the frame is moved as a whole: 6 unknowns
@@ -71,6 +74,7 @@ struct Registration {
 
 // `guess` is where the search starts; for MotionModel::elastic also the prediction that the priors hold to.
 // Throws Error{cancelled}.
-Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess, const RegistrationSettings& settings, const Run& run);
+Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess,
+                            const RegistrationSettings& settings, const Run& run);
 
 }  // namespace bole

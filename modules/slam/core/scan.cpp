@@ -7,10 +7,12 @@ namespace bole {
 
 void prepare_scan(const ScanFrame& frame, const ScanGate& gate, Scan& scan) {
   const auto lines = static_cast<std::size_t>(std::max(gate.lines, 1));
-  const auto min2 = static_cast<float>(gate.range_min_m * gate.range_min_m), max2 = static_cast<float>(gate.range_max_m * gate.range_max_m);
+  const auto min2 = static_cast<float>(gate.range_min_m * gate.range_min_m),
+             max2 = static_cast<float>(gate.range_max_m * gate.range_max_m);
   const auto usable = [&](std::size_t i) {
     const float r2 = frame.positions[i].squaredNorm();  // NaN fails both comparisons
-    return r2 >= min2 && r2 <= max2 && frame.ring[i] < lines && std::isfinite(frame.time_offset_s[i]) && (frame.return_number.empty() || frame.return_number[i] <= 1);
+    return r2 >= min2 && r2 <= max2 && frame.ring[i] < lines && std::isfinite(frame.time_offset_s[i]) &&
+           (frame.return_number.empty() || frame.return_number[i] <= 1);
   };
 
   scan.begin_time_s = frame.start_time_s;

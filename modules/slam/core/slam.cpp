@@ -32,7 +32,8 @@ std::size_t expected_points(const FrameSource& source, const Track& track) {
   return (most + most / 4 + 1000) * track.frames.size();
 }
 
-PointCloud map_frames(const FrameSource& source, const Track& track, const SlamOptions& options, Report& report, const Run& run) {
+PointCloud map_frames(const FrameSource& source, const Track& track, const SlamOptions& options, Report& report,
+                      const Run& run) {
   const auto marks = mark_path(track.path, track.keyframe_times_s, options.keyframe_distance_m, options.pass_radius_m);
   DenseMapSettings settings;
   settings.range_min_m = options.map_range_min_m, settings.range_max_m = options.map_range_max_m;
@@ -45,7 +46,8 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
   std::size_t unread = 0;
   for (std::size_t k = 0; k < track.frames.size(); ++k) {
     run.check_cancel();
-    run.report(static_cast<double>(k) / static_cast<double>(track.frames.size()), "mapping frame " + std::to_string(k + 1) + " of " + std::to_string(track.frames.size()));
+    run.report(static_cast<double>(k) / static_cast<double>(track.frames.size()),
+               "mapping frame " + std::to_string(k + 1) + " of " + std::to_string(track.frames.size()));
     try {
       source.read(track.frames[k].index, frame);
     } catch (const Error& e) {
@@ -55,12 +57,16 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
     }
     const double begin_s = frame.start_time_s, span_s = frame.end_time_s - frame.start_time_s;
     const auto& mark = mark_at(marks, begin_s + 0.5 * span_s);
-    const PoseGrid poses = track.own_motion ? PoseGrid(track.frames[k].motion) : PoseGrid([&](double s) { return track.path.at(begin_s + s * span_s); });
+    const PoseGrid poses = track.own_motion ? PoseGrid(track.frames[k].motion)
+                                            : PoseGrid([&](double s) { return track.path.at(begin_s + s * span_s); });
     builder.add(frame, poses, mark.pass, mark.keyframe);
   }
   if (unread) report.warn(std::to_string(unread) + " frames could not be read for the map");
-  if (builder.halvings() > 0) report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) + "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
-  report.metrics["map_per_frame"] = {1000 * watch.lap_s() / static_cast<double>(track.frames.size()), Unit::millisecond};
+  if (builder.halvings() > 0)
+    report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) +
+                "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
+  report.metrics["map_per_frame"] = {1000 * watch.lap_s() / static_cast<double>(track.frames.size()),
+                                     Unit::millisecond};
   report.counts["points_offered"] = static_cast<std::int64_t>(builder.offered());
   report.counts["points"] = static_cast<std::int64_t>(builder.size());
   report.counts["passes"] = marks.empty() ? 0 : marks.back().pass + 1;
@@ -94,8 +100,10 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
   report.facts["axes"] = std::string(axes_name(Axes::map));
   report.metrics["path_length"] = {out.trajectory.length_m(), Unit::metre};
   report.metrics["duration"] = {track.path.end_s() - track.path.begin_s(), Unit::second};
-  report.message = std::to_string(track.frames.size()) + " of " + std::to_string(source.size()) + " frames mapped to " + std::to_string(out.points.size()) + " points along " +
-                   number_text(std::round(report.metrics["path_length"].value * 10) / 10) + " m" + (options.trajectory.empty() ? "" : " with the given trajectory");
+  report.message = std::to_string(track.frames.size()) + " of " + std::to_string(source.size()) + " frames mapped to " +
+                   std::to_string(out.points.size()) + " points along " +
+                   number_text(std::round(report.metrics["path_length"].value * 10) / 10) + " m" +
+                   (options.trajectory.empty() ? "" : " with the given trajectory");
   return out;
 }
 

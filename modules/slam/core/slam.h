@@ -11,13 +11,15 @@
 namespace bole {
 
 struct SlamResult {
-  PointCloud points;      // map axes: where the sensor was at the start of the first frame; with a given trajectory, the axes of that
+  PointCloud points;  // map axes: where the sensor was at the start of the first frame; with a given trajectory, the
+                      // axes of that
   Trajectory trajectory;  // the same axes, at an even rate
   Report report;
 };
 
-// Reads the frames twice: for the trajectory (once less when it is given) and for the map. Throws Error{bad_input} when no frame can
-// be used and Error{cancelled}. When the track is lost the map ends there, with a warning and Status::finished_early.
+// Reads the frames twice: for the trajectory (once less when it is given) and for the map. Throws Error{bad_input} when
+// no frame can be used and Error{cancelled}. When the track is lost the map ends there, with a warning and
+// Status::finished_early.
 SlamResult run_slam(const FrameSource& source, const SlamOptions& options, const Run& run);
 
 }  // namespace bole

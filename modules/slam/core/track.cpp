@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t most_frame_warnings = 10;
 
-double ms_per_frame(double seconds, std::size_t frames) { return frames ? 1000 * seconds / static_cast<double>(frames) : 0; }
+double ms_per_frame(double seconds, std::size_t frames) {
+  return frames ? 1000 * seconds / static_cast<double>(frames) : 0;
+}
 
 std::string seconds_text(double s) { return number_text(std::round(s * 100) / 100) + " s"; }
 
@@ -28,12 +30,14 @@ class FrameWarnings {
  public:
   explicit FrameWarnings(Report& report) : report_(report) {}
   ~FrameWarnings() {
-    if (count_ > most_frame_warnings) report_.warn("... and " + std::to_string(count_ - most_frame_warnings) + " more frames");
+    if (count_ > most_frame_warnings)
+      report_.warn("... and " + std::to_string(count_ - most_frame_warnings) + " more frames");
   }
   FrameWarnings(const FrameWarnings&) = delete;
   FrameWarnings& operator=(const FrameWarnings&) = delete;
   void add(std::size_t frame, double time_s, const std::string& what) {
-    if (++count_ <= most_frame_warnings) report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(time_s) + ": " + what);
+    if (++count_ <= most_frame_warnings)
+      report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(time_s) + ": " + what);
   }
 
  private:
@@ -55,10 +59,12 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   std::size_t used = 0, points = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
-    run.report(static_cast<double>(i) / static_cast<double>(source.size()), "frame " + std::to_string(i + 1) + " of " + std::to_string(source.size()));
+    run.report(static_cast<double>(i) / static_cast<double>(source.size()),
+               "frame " + std::to_string(i + 1) + " of " + std::to_string(source.size()));
     if (run.asked_to_finish()) {
       report.status = Status::finished_early;
-      report.warnings.push_back("finished on request at frame " + std::to_string(i) + " of " + std::to_string(source.size()));
+      report.warnings.push_back("finished on request at frame " + std::to_string(i) + " of " +
+                                std::to_string(source.size()));
       break;
     }
     watch.lap_s();
@@ -83,7 +89,9 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (odometry.lost()) {
       const auto first = i + 1 - odometry.failed_in_a_row();
       report.status = Status::finished_early;
-      report.warnings.push_back("the track was lost at frame " + std::to_string(first) + ", " + seconds_text(source.frame_time_s(first) - start_s) + " after the start: " + odometry.why_failed() + ". The map ends there");
+      report.warnings.push_back("the track was lost at frame " + std::to_string(first) + ", " +
+                                seconds_text(source.frame_time_s(first) - start_s) +
+                                " after the start: " + odometry.why_failed() + ". The map ends there");
       report.facts["lost_at_frame"] = std::to_string(first);
       break;
     }
@@ -103,9 +111,11 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
 }
 
 // Frames move with the key frames about them: the correction is interpolated in time, so that the path stays whole.
-void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old, const std::vector<Pose>& T_map_keyframe) {
+void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old,
+                  const std::vector<Pose>& T_map_keyframe) {
   std::vector<StampedPose> corrections;
-  for (std::size_t k = 0; k < old.size(); ++k) corrections.push_back({old[k].time_s, T_map_keyframe[k] * old[k].T_map_keyframe.inverse()});
+  for (std::size_t k = 0; k < old.size(); ++k)
+    corrections.push_back({old[k].time_s, T_map_keyframe[k] * old[k].T_map_keyframe.inverse()});
   const auto correction_at = [&](double t) {
     const auto upper = std::ranges::upper_bound(corrections, t, {}, &StampedPose::time_s);
     if (upper == corrections.begin()) return corrections.front().T_target_sensor;
@@ -128,8 +138,10 @@ void close_loops(FirstPass& pass, const SlamOptions& options, Report& report, co
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
     double squared = 0;
-    for (std::size_t k = 0; k < pass.keyframes.size(); ++k) squared += (graph.T_map_keyframe[k].translation() - pass.keyframes[k].T_map_keyframe.translation()).squaredNorm();
-    report.metrics["loop_correction_rms"] = {std::sqrt(squared / static_cast<double>(pass.keyframes.size())), Unit::metre};
+    for (std::size_t k = 0; k < pass.keyframes.size(); ++k)
+      squared += (graph.T_map_keyframe[k].translation() - pass.keyframes[k].T_map_keyframe.translation()).squaredNorm();
+    report.metrics["loop_correction_rms"] = {std::sqrt(squared / static_cast<double>(pass.keyframes.size())),
+                                             Unit::metre};
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
@@ -190,8 +202,9 @@ void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Rep
 Track estimate_track(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   auto pass = follow(source, options, report, run.part(0, 0.7));
   if (pass.frames.size() < 2)
-    throw bad_input(std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used", "at least 2 frames with returns that fit together",
-                    report.warnings.empty() ? "" : report.warnings.front());
+    throw bad_input(
+        std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used",
+        "at least 2 frames with returns that fit together", report.warnings.empty() ? "" : report.warnings.front());
   if (options.loops == "odometry" && !run.asked_to_finish()) close_loops(pass, options, report, run.part(0.7, 0.8));
 
   Track track;
@@ -223,17 +236,24 @@ Track given_track(const FrameSource& source, const std::vector<StampedPose>& pos
   track.path = Path(poses);
   constexpr double margin_s = 0.05;
   for (std::size_t i = 0; i < source.size(); ++i) {
-    const double begin_s = source.frame_time_s(i), end_s = i + 1 < source.size() ? std::min(source.frame_time_s(i + 1), begin_s + 0.25) : begin_s;
+    const double begin_s = source.frame_time_s(i),
+                 end_s = i + 1 < source.size() ? std::min(source.frame_time_s(i + 1), begin_s + 0.25) : begin_s;
     if (track.path.covers(begin_s, margin_s) && track.path.covers(end_s, margin_s)) track.frames.push_back({i, {}});
     if (i % 256 == 0) run.check_cancel();
   }
   if (track.frames.empty()) {
-    const double first_s = source.size() ? source.frame_time_s(0) : 0, last_s = source.size() ? source.frame_time_s(source.size() - 1) : 0;
-    throw bad_input("no frame lies within the trajectory: frames from " + number_text(first_s) + " to " + number_text(last_s) + " s, trajectory from " + number_text(track.path.begin_s()) + " to " +
+    const double first_s = source.size() ? source.frame_time_s(0) : 0,
+                 last_s = source.size() ? source.frame_time_s(source.size() - 1) : 0;
+    throw bad_input("no frame lies within the trajectory: frames from " + number_text(first_s) + " to " +
+                        number_text(last_s) + " s, trajectory from " + number_text(track.path.begin_s()) + " to " +
                         number_text(track.path.end_s()) + " s",
-                    "times of one clock", "Add the offset between the clocks to the times in the trajectory; if both began together it is " + number_text(first_s - track.path.begin_s()) + " s");
+                    "times of one clock",
+                    "Add the offset between the clocks to the times in the trajectory; if both began together it is " +
+                        number_text(first_s - track.path.begin_s()) + " s");
   }
-  if (const auto outside = source.size() - track.frames.size()) report.warn(std::to_string(outside) + " of " + std::to_string(source.size()) + " frames lie outside the trajectory and were left out");
+  if (const auto outside = source.size() - track.frames.size())
+    report.warn(std::to_string(outside) + " of " + std::to_string(source.size()) +
+                " frames lie outside the trajectory and were left out");
   report.counts["frames"] = static_cast<std::int64_t>(track.frames.size());
   return track;
 }

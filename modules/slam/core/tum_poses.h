@@ -8,7 +8,8 @@
 
 namespace bole {
 
-// Throws Error{bad_input} that names file and line for a line that is not eight numbers, a zero quaternion, or a time that does not rise.
+// Throws Error{bad_input} that names file and line for a line that is not eight numbers, a zero quaternion, or a time
+// that does not rise.
 std::vector<StampedPose> read_tum_poses(const std::filesystem::path& file);
 
 }  // namespace bole

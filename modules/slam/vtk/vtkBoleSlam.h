@@ -1,4 +1,5 @@
-// Scan frames to a map and a trajectory. The stage `slam.run` as a VTK algorithm: options, ports and method are those of the stage.
+// Scan frames to a map and a trajectory. The stage `slam.run` as a VTK algorithm: options, ports and method are those
+// of the stage.
 #ifndef vtkBoleSlam_h
 #define vtkBoleSlam_h
 

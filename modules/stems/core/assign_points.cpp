@@ -17,7 +17,8 @@ constexpr double tallest_m = 80;
 
 // The axis of a stem at any z: straight over the measured part, less inclined above.
 struct TreeAxis {
-  explicit TreeAxis(const Stem& s) : stem(&s), slope(s.direction.head<2>() / s.direction.z()), bend_z(s.breast_height.z() + 3) {
+  explicit TreeAxis(const Stem& s)
+      : stem(&s), slope(s.direction.head<2>() / s.direction.z()), bend_z(s.breast_height.z() + 3) {
     above = slope;
     if (above.norm() > most_slope_above) above *= most_slope_above / above.norm();
   }
@@ -36,28 +37,37 @@ class AxisGrid {
     constexpr double cell = 1.0;
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     const double sway = most_slope_above * tallest_m + 3;
-    for (const auto& a : axes) low = low.cwiseMin(a.stem->breast_height.head<2>()), high = high.cwiseMax(a.stem->breast_height.head<2>());
+    for (const auto& a : axes)
+      low = low.cwiseMin(a.stem->breast_height.head<2>()), high = high.cwiseMax(a.stem->breast_height.head<2>());
     corner_ = low.array() - (reach + sway);
     cell_ = std::max(cell, (high - low).maxCoeff() / 2000);
-    nx_ = static_cast<int>((high.x() + reach + sway - corner_.x()) / cell_) + 1, ny_ = static_cast<int>((high.y() + reach + sway - corner_.y()) / cell_) + 1;
+    nx_ = static_cast<int>((high.x() + reach + sway - corner_.x()) / cell_) + 1,
+    ny_ = static_cast<int>((high.y() + reach + sway - corner_.y()) / cell_) + 1;
     cells_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
     for (std::uint32_t k = 0; k < axes.size(); ++k) {
       const double z = axes[k].stem->ground_z;
       const Eigen::Vector2d a = axes[k].at(z), b = axes[k].at(axes[k].bend_z), c = axes[k].at(z + tallest_m);
-      const Eigen::Vector2d from = a.cwiseMin(b).cwiseMin(c).array() - reach, to = a.cwiseMax(b).cwiseMax(c).array() + reach;
+      const Eigen::Vector2d from = a.cwiseMin(b).cwiseMin(c).array() - reach,
+                            to = a.cwiseMax(b).cwiseMax(c).array() + reach;
       for (int iy = clamp(from.y(), corner_.y(), ny_); iy <= clamp(to.y(), corner_.y(), ny_); ++iy)
-        for (int ix = clamp(from.x(), corner_.x(), nx_); ix <= clamp(to.x(), corner_.x(), nx_); ++ix) cells_[index(ix, iy)].push_back(k);
+        for (int ix = clamp(from.x(), corner_.x(), nx_); ix <= clamp(to.x(), corner_.x(), nx_); ++ix)
+          cells_[index(ix, iy)].push_back(k);
     }
   }
   const std::vector<std::uint32_t>& near(double x, double y) const {
     static const std::vector<std::uint32_t> none;
-    if (!(x >= corner_.x() && y >= corner_.y() && x < corner_.x() + nx_ * cell_ && y < corner_.y() + ny_ * cell_)) return none;
+    if (!(x >= corner_.x() && y >= corner_.y() && x < corner_.x() + nx_ * cell_ && y < corner_.y() + ny_ * cell_))
+      return none;
     return cells_[index(clamp(x, corner_.x(), nx_), clamp(y, corner_.y(), ny_))];
   }
 
  private:
-  int clamp(double v, double corner, int n) const { return static_cast<int>(std::clamp((v - corner) / cell_, 0.0, n - 1.0)); }
-  std::size_t index(int ix, int iy) const { return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix); }
+  int clamp(double v, double corner, int n) const {
+    return static_cast<int>(std::clamp((v - corner) / cell_, 0.0, n - 1.0));
+  }
+  std::size_t index(int ix, int iy) const {
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix);
+  }
   Eigen::Vector2d corner_;
   double cell_ = 1;
   int nx_ = 0, ny_ = 0;
@@ -73,7 +83,8 @@ bool is_bark(const Stem& s, const Eigen::Vector3d& p, double tolerance) {
 
 }  // namespace
 
-PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& points, const MeasureOptions& options, const Run& run) {
+PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& points, const MeasureOptions& options,
+                          const Run& run) {
   PointLabels labels{std::vector<std::int32_t>(points.size(), 0), std::vector<std::uint8_t>(points.size(), 0)};
   if (stems.empty()) return labels;
   std::vector<TreeAxis> axes;
@@ -174,7 +185,8 @@ SensorReach sensor_reach(const PointCloud& points, const PointLabels& labels, co
 
 }  // namespace
 
-void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of, const Run& run) {
+void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
+                const SensorOf& sensor_of, const Run& run) {
   constexpr double bare_stem_m = 5, beyond_m = 1.5;
   constexpr int least_views = 50;
   if (!sensor_of) {

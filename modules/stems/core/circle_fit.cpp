@@ -27,13 +27,17 @@ constexpr int arc_sectors = 36;
 
 std::array<bool, arc_sectors> sectors_seen(const std::vector<double>& angles_rad) {
   std::array<bool, arc_sectors> seen{};
-  for (const double a : angles_rad) seen[static_cast<std::size_t>(static_cast<int>(std::floor((a / (2 * std::numbers::pi) + 1) * arc_sectors)) % arc_sectors)] = true;
+  for (const double a : angles_rad)
+    seen[static_cast<std::size_t>(static_cast<int>(std::floor((a / (2 * std::numbers::pi) + 1) * arc_sectors)) %
+                                  arc_sectors)] = true;
   return seen;
 }
 
 }  // namespace
 
-double covered_arc_rad(const std::vector<double>& angles_rad) { return 2 * std::numbers::pi * static_cast<double>(std::ranges::count(sectors_seen(angles_rad), true)) / arc_sectors; }
+double covered_arc_rad(const std::vector<double>& angles_rad) {
+  return 2 * std::numbers::pi * static_cast<double>(std::ranges::count(sectors_seen(angles_rad), true)) / arc_sectors;
+}
 
 double unbroken_arc_rad(const std::vector<double>& angles_rad) {
   const auto seen = sectors_seen(angles_rad);
@@ -121,7 +125,8 @@ double robust_scale(const std::vector<Eigen::Vector2d>& points, const Circle& ci
 
 }  // namespace
 
-std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start, double start_error_m, double max_sigma_m) {
+std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
+                                          double start_error_m, double max_sigma_m) {
   if (points.size() < 5 || !(start.radius > 0)) return std::nullopt;
   RobustCircle fit{start, 0, 0, 0};
   constexpr double smallest_sigma = 0.001;

@@ -12,8 +12,9 @@ struct Circle {
   double radius = 0;
 };
 
-// The algebraic "Hyper" fit, which has no essential bias (Al-Sharadqah and Chernov 2009, Electronic Journal of Statistics 3, section 8).
-// `weights` may be empty. Nothing when there are fewer than three points or they lie on a line.
+// The algebraic "Hyper" fit, which has no essential bias (Al-Sharadqah and Chernov 2009, Electronic Journal of
+// Statistics 3, section 8). `weights` may be empty. Nothing when there are fewer than three points or they lie on a
+// line.
 std::optional<Circle> hyper_circle(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights = {});
 
 struct RobustCircle {
@@ -25,9 +26,11 @@ struct RobustCircle {
 
 // Geometric least squares by Gauss-Newton with Tukey weights from a start that is right to `start_error_m`; the scale
 // (1.4826 MAD) is capped at `max_sigma_m`. Nothing when the points do not hold a circle.
-std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start, double start_error_m, double max_sigma_m);
+std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
+                                          double start_error_m, double max_sigma_m);
 
-// The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the centre.
+// The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the
+// centre.
 double covered_arc_rad(const std::vector<double>& angles_rad);
 
 // The longest run of such sectors, where one empty sector does not end a run.

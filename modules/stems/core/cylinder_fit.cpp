@@ -19,7 +19,11 @@ double square(double v) { return v * v; }
 class JointFit {
  public:
   JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::size_t passes)
-      : points_(points), options_(options), passes_(passes), size_(6 + (passes > 1 ? 2 * passes : 0)), information_(information_share()) {}
+      : points_(points),
+        options_(options),
+        passes_(passes),
+        size_(6 + (passes > 1 ? 2 * passes : 0)),
+        information_(information_share()) {}
 
   bool solve(TaperedCylinder& c, double& scale) {
     double damping = 1e-4;
@@ -45,7 +49,8 @@ class JointFit {
       }
       const double found = robust_scale(c, scale);
       if (!std::isfinite(found)) return false;
-      const double shrunk = std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
+      const double shrunk =
+          std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
       scale = shrunk;
       if (settled && (!moved || step_norm < 1e-6)) break;
@@ -57,22 +62,31 @@ class JointFit {
   DriftEvidence drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const;
 
  private:
-  // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger one.
+  // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger
+  // one.
   void choose_active(const TaperedCylinder& c) {
     active_.assign(points_.size(), true);
     if (!options_.along_rays) return;
-    for (std::size_t i = 0; i < points_.size(); ++i) active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
   }
 
-  PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998) : surface_residual(c, p); }
-  PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const { return options_.along_rays ? ray_residual(c, p, 0.998, false) : surface_residual(c, p, false); }
+  PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const {
+    return options_.along_rays ? ray_residual(c, p, 0.998) : surface_residual(c, p);
+  }
+  PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const {
+    return options_.along_rays ? ray_residual(c, p, 0.998, false) : surface_residual(c, p, false);
+  }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
     constexpr double most_per_patch = 8;
     std::map<std::tuple<int, int, int>, int> patches;
-    for (const auto& p : points_) ++patches[{p.pass, p.section, static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6)))}];
-    return std::min(1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
+    for (const auto& p : points_)
+      ++patches[{p.pass, p.section,
+                 static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6)))}];
+    return std::min(
+        1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
 
   // Tukey's loss of a squared residual in units of its cut-off, as a share of its highest value.
@@ -157,14 +171,16 @@ class JointFit {
   TaperedCylinder moved_by(TaperedCylinder c, const Eigen::VectorXd& step) const {
     c.x += step[0], c.y += step[1], c.slope_x += step[2], c.slope_y += step[3], c.radius += step[4], c.taper += step[5];
     if (passes_ > 1)
-      for (std::size_t k = 0; k < passes_; ++k) c.pass_offset[k] += step.segment<2>(static_cast<Eigen::Index>(6 + 2 * k));
+      for (std::size_t k = 0; k < passes_; ++k)
+        c.pass_offset[k] += step.segment<2>(static_cast<Eigen::Index>(6 + 2 * k));
     return c;
   }
 
   double robust_scale(const TaperedCylinder& c, double scale) const {
     std::vector<double> errors;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale) errors.push_back(std::abs(e.value));
+      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
+        errors.push_back(std::abs(e.value));
     return 1.4826 * median_of(errors);
   }
 
@@ -191,8 +207,9 @@ DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::Ma
   return out;
 }
 
-// Covariance by the block sandwich: H^-1 (sum over blocks of g g^T) H^-1, where residuals within a block may be correlated at will. Two ways to
-// block are tried, by pass and section and by pass and bearing (bark, section shape), and the larger variance is kept.
+// Covariance by the block sandwich: H^-1 (sum over blocks of g g^T) H^-1, where residuals within a block may be
+// correlated at will. Two ways to block are tried, by pass and section and by pass and bearing (bark, section shape),
+// and the larger variance is kept.
 void JointFit::describe(CylinderFit& fit) const {
   const auto& c = fit.cylinder;
   const auto n = static_cast<Eigen::Index>(size_);
@@ -212,7 +229,8 @@ void JointFit::describe(CylinderFit& fit) const {
     const Eigen::VectorXd j = row_of(e, p);
     normal += information_ * (1 - u * u) * (1 - 5 * u * u) / s2 * j * j.transpose();
     const Eigen::VectorXd g = information_ * w * e.value / s2 * j;
-    const auto bearing = static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));
+    const auto bearing =
+        static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));
     auto& a = by_section.try_emplace({p.pass, p.section}, Eigen::VectorXd::Zero(n)).first->second;
     auto& b = by_bearing.try_emplace({p.pass, bearing}, Eigen::VectorXd::Zero(n)).first->second;
     a += g, b += g;
@@ -242,10 +260,12 @@ double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m) {
   const double variance = square(drift_sd_m);
   const Eigen::MatrixXd posterior = evidence.information + Eigen::MatrixXd::Identity(n, n) / variance;
   const Eigen::LDLT<Eigen::MatrixXd> solver(posterior);
-  return 0.5 * evidence.target.dot(solver.solve(evidence.target)) - 0.5 * (solver.vectorD().cwiseMax(1e-300).array().log().sum() + static_cast<double>(n) * std::log(variance));
+  return 0.5 * evidence.target.dot(solver.solve(evidence.target)) -
+         0.5 * (solver.vectorD().cwiseMax(1e-300).array().log().sum() + static_cast<double>(n) * std::log(variance));
 }
 
-std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start, double start_error_m, const CylinderFitOptions& options) {
+std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start,
+                                                double start_error_m, const CylinderFitOptions& options) {
   if (points.size() < 12 || !(start.radius > 0)) return std::nullopt;
   int passes = 1;
   for (const auto& p : points) passes = std::max(passes, p.pass + 1);

@@ -1,4 +1,5 @@
-// Joint robust fit of a tapered cylinder to bark points, in axes aligned with the stem: origin on the axis at breast height, z along it.
+// Joint robust fit of a tapered cylinder to bark points, in axes aligned with the stem: origin on the axis at breast
+// height, z along it.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +17,8 @@ struct BarkPoint {
   float beam_variance = 0;   // of the energy across the beam at the point, one axis, square metres; 0: a thin ray
 };
 
-// Parameters: axis point (x, y) at z = 0, axis slopes, radius at z = 0 along the axis, radius per metre of stem; then an
-// offset (x, y) per pass: passes see the stem displaced by it.
+// Parameters: axis point (x, y) at z = 0, axis slopes, radius at z = 0 along the axis, radius per metre of stem; then
+// an offset (x, y) per pass: passes see the stem displaced by it.
 struct TaperedCylinder {
   double x = 0, y = 0, slope_x = 0, slope_y = 0, radius = 0, taper = 0;
   std::vector<Eigen::Vector2d> pass_offset;
@@ -26,14 +27,15 @@ struct TaperedCylinder {
 };
 
 struct CylinderFitOptions {
-  bool along_rays = false;                       // residual: measured less predicted range along the ray, else distance from the surface
-  double ray_gate = 0.9;                         // rays with an impact parameter beyond this share of the radius are left out
-  double max_sigma_m = 0.025;                    // cap of the robust scale
-  double drift_sd_m = 0.01;                      // prior of the pass offsets
+  bool along_rays = false;     // residual: measured less predicted range along the ray, else distance from the surface
+  double ray_gate = 0.9;       // rays with an impact parameter beyond this share of the radius are left out
+  double max_sigma_m = 0.025;  // cap of the robust scale
+  double drift_sd_m = 0.01;    // prior of the pass offsets
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
 };
 
-// The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for offsets d (x, y by pass).
+// The data on the pass offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for
+// offsets d (x, y by pass).
 struct DriftEvidence {
   Eigen::MatrixXd information;
   Eigen::VectorXd target;
@@ -54,18 +56,22 @@ struct CylinderFit {
   DriftEvidence drift;         // empty with one pass
 };
 
-// Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset are
-// those by (x, y). Along rays, metres along the ray, positive when measured too far, where a wide beam is
-// expected to measure the mean depth of the bark that it lights (second order in its width); else distance from the surface, positive outside.
+// Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper); derivatives by the pass offset
+// are those by (x, y). Along rays, metres along the ray, positive when measured too far, where a wide beam is expected
+// to measure the mean depth of the bark that it lights (second order in its width); else distance from the surface,
+// positive outside.
 struct PointResidual {
   double value = 0;
   Eigen::Matrix<double, 6, 1> jacobian = Eigen::Matrix<double, 6, 1>::Zero();
   bool usable = false;
 };
 PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);
-PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate, bool derivatives = true);
+PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate,
+                           bool derivatives = true);
 
-// Levenberg-Marquardt with Tukey weights from `start` (passes set, offsets zero or better). Nothing when too few points or no convergence.
-std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start, double start_error_m, const CylinderFitOptions& options);
+// Levenberg-Marquardt with Tukey weights from `start` (passes set, offsets zero or better). Nothing when too few points
+// or no convergence.
+std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start,
+                                                double start_error_m, const CylinderFitOptions& options);
 
 }  // namespace bole

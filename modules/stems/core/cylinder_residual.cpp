@@ -49,7 +49,8 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   PointResidual out;
   const auto seen = look(c, point);
   const Eigen::Vector3d& d = point.ray;
-  // In the plane across the axis: `along` runs with the projected ray, `impact2` is the squared distance of its line from the axis.
+  // In the plane across the axis: `along` runs with the projected ray, `impact2` is the squared distance of its line
+  // from the axis.
   const double cos_axis = d.dot(seen.a), m2 = 1 - cos_axis * cos_axis;
   if (m2 < 0.1) return out;  // nearly parallel to the stem, or no ray
   const double m = std::sqrt(m2), qd = seen.q.dot(d), A = qd - seen.s * cos_axis, along = A / m;
@@ -58,7 +59,8 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
   const double root = std::sqrt(radius * radius - std::max(0.0, impact2));
   const double across = along + root;
-  // The lit bark lies deeper than the middle of the beam by half the curvature of the section times the variance of the beam.
+  // The lit bark lies deeper than the middle of the beam by half the curvature of the section times the variance of the
+  // beam.
   const double root2 = root * root, r2 = radius * radius, deeper = 0.5 * point.beam_variance * r2 / (root2 * root);
   out.value = (across - deeper) / m, out.usable = true;
   if (!derivatives) return out;
@@ -68,7 +70,8 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
     const double d_along = dA / m - A * dm / m2;
     const double d_impact2 = d_q2 - 2 * seen.s * ds - 2 * along * d_along;
     const double d_root = (radius * d_radius - d_impact2 / 2) / root;
-    const double d_deeper = 0.5 * point.beam_variance * (2 * radius * d_radius * root - 3 * r2 * d_root) / (root2 * root2);
+    const double d_deeper =
+        0.5 * point.beam_variance * (2 * radius * d_radius * root - 3 * r2 * d_root) / (root2 * root2);
     return (d_along + d_root - d_deeper) / m - (across - deeper) * dm / m2;
   };
   for (int k = 0; k < 2; ++k) {

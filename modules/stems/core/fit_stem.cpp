@@ -14,7 +14,8 @@
 namespace bole {
 namespace {
 
-// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is an even choice.
+// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
+// an even choice.
 constexpr std::size_t most_fit_points = 8000;
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
@@ -36,7 +37,8 @@ class RingDensity {
   double contrast() const {
     const auto area = [&](double from, double to) { return std::numbers::pi * (to * to - from * from); };
     const double on_area = area(std::max(0.0, radius_ - ring_m), radius_ + ring_m);
-    const double beside_area = area(radius_ + outer_low_m, radius_ + outer_high_m) + area(std::max(0.0, radius_ - outer_high_m), std::max(0.0, radius_ - outer_low_m));
+    const double beside_area = area(radius_ + outer_low_m, radius_ + outer_high_m) +
+                               area(std::max(0.0, radius_ - outer_high_m), std::max(0.0, radius_ - outer_low_m));
     return (on_ / on_area) / ((beside_ + 1) / beside_area);
   }
 
@@ -55,12 +57,22 @@ struct Attempt {
 
 class StemFitter {
  public:
-  StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem, const Eigen::Vector3d& origin, double breast_height, double drift_sd, const MeasureOptions& options)
-      : candidate_(candidate), layer_(layer), rays_(rays), dem_(dem), origin_(origin), breast_height_(breast_height), drift_sd_(drift_sd), options_(options) {}
+  StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+             const Eigen::Vector3d& origin, double breast_height, double drift_sd, const MeasureOptions& options)
+      : candidate_(candidate),
+        layer_(layer),
+        rays_(rays),
+        dem_(dem),
+        origin_(origin),
+        breast_height_(breast_height),
+        drift_sd_(drift_sd),
+        options_(options) {}
 
   StemFitResult run() {
     StemFitResult result;
-    AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z), Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius, candidate_.taper};
+    AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z),
+                  Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
+                  candidate_.taper};
     std::optional<CylinderFit> fit;
     Attempt attempt;
     // The axes of the stem depend on its lean and on the ground at its base: the second round starts from the first.
@@ -83,7 +95,8 @@ class StemFitter {
     double z = candidate_.ground_z;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d base = axis.at_z(z);
-      const double found = ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == "uphill");
+      const double found =
+          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == "uphill");
       if (!std::isfinite(found)) break;
       z = found;
     }
@@ -97,8 +110,10 @@ class StemFitter {
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
-    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m, gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
-    gather.lowest = options_.search_bottom_m - breast_height_ - 0.1, gather.highest = options_.search_top_m - breast_height_;
+    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
+    gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
+    gather.highest = options_.search_top_m - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather);
     a.passes = number_passes(a.points, rays_, options_.pass_gap_s);
     const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
@@ -110,8 +125,9 @@ class StemFitter {
 
   bool result_is_fit(const Attempt& a, StemFitResult& result) const {
     if (a.line.sections >= options_.min_sections) return true;
-    result.rejected =
-        fmt::format("only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections, a.sections.size(), options_.min_arc_deg, options_.min_section_points, options_.min_sections);
+    result.rejected = fmt::format(
+        "only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections,
+        a.sections.size(), options_.min_arc_deg, options_.min_section_points, options_.min_sections);
     return false;
   }
 
@@ -129,11 +145,15 @@ class StemFitter {
     auto fit = fit_tapered_cylinder(used, start, 0.03, o);
     if (!fit || options_.model != "ray" || !rays_.has_sensor()) return fit;
     o.along_rays = true;
-    if (auto with_rays = fit_tapered_cylinder(used, fit->cylinder, 0.02, o); with_rays && std::abs(with_rays->cylinder.radius - fit->cylinder.radius) < 0.03 + 0.3 * fit->cylinder.radius) return with_rays;
+    if (auto with_rays = fit_tapered_cylinder(used, fit->cylinder, 0.02, o);
+        with_rays && std::abs(with_rays->cylinder.radius - fit->cylinder.radius) < 0.03 + 0.3 * fit->cylinder.radius)
+      return with_rays;
     return fit;
   }
 
-  static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) { return {axes.to_cloud(Eigen::Vector3d(c.x, c.y, 0)), axes.rotation.transpose() * c.direction(), c.radius, c.taper}; }
+  static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) {
+    return {axes.to_cloud(Eigen::Vector3d(c.x, c.y, 0)), axes.rotation.transpose() * c.direction(), c.radius, c.taper};
+  }
 
   Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
 
@@ -151,7 +171,8 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m), half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m),
+               half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;
@@ -168,26 +189,30 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     density.add(e.value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
     if (std::abs(e.value) < reach) {
-      ++on, errors.push_back(std::abs(e.value)), angles.push_back(std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x));
+      ++on, errors.push_back(std::abs(e.value)),
+          angles.push_back(std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x));
     } else if (e.value < 0) {
       ++inside;
     }
   }
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
-  s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles), s.sigma_m = 1.4826 * median_of(errors);
+  s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
+  s.sigma_m = 1.4826 * median_of(errors);
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;
   for (const auto& m : a.sections) {
     s.sections.push_back(m.section);
     if (!m.section.used) continue;
-    ++s.sections_used, s.lowest = std::min(s.lowest, m.section.height), s.highest = std::max(s.highest, m.section.height);
+    ++s.sections_used, s.lowest = std::min(s.lowest, m.section.height),
+                       s.highest = std::max(s.highest, m.section.height);
   }
   return s;
 }
 
 }  // namespace
 
-StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem, const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
                        const MeasureOptions& options) {
   try {
     return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, drift_sd_m, options).run();

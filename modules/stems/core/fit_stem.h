@@ -15,7 +15,8 @@ namespace bole {
 // What the fits read of the cloud: columns are null when the cloud lacks them.
 struct CloudRays {
   const std::vector<float>*sensor_x = nullptr, *sensor_y = nullptr, *sensor_z = nullptr;  // offsets, as the points
-  std::vector<Eigen::Vector3f> sensor;                                                    // from a trajectory where the columns are absent, by layer point; empty when not
+  std::vector<Eigen::Vector3f>
+      sensor;  // from a trajectory where the columns are absent, by layer point; empty when not
   const std::vector<double>* time = nullptr;
   const std::vector<std::int32_t>* pass = nullptr;
   bool has_sensor() const { return sensor_x || !sensor.empty(); }
@@ -63,7 +64,8 @@ struct StemFitResult {
 };
 
 // `drift_sd_m`: prior of the offsets between passes. Never throws for a bad tree.
-StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem, const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
                        const MeasureOptions& options);
 
 }  // namespace bole

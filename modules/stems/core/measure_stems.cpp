@@ -32,8 +32,14 @@ std::optional<Eigen::Vector3f> sensor_at(const Trajectory& trajectory, const Eig
 
 class Survey {
  public:
-  Survey(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory, const MeasureOptions& options, const Run& run)
-      : points_(points), dem_(dem), trajectory_(trajectory), options_(options), run_(run), breast_height_(slice_height_m(slice)) {}
+  Survey(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory,
+         const MeasureOptions& options, const Run& run)
+      : points_(points),
+        dem_(dem),
+        trajectory_(trajectory),
+        options_(options),
+        run_(run),
+        breast_height_(slice_height_m(slice)) {}
 
   StemSurvey measure() {
     detect();
@@ -51,7 +57,8 @@ class Survey {
  private:
   void detect() {
     run_.report(0, "stem layer");
-    layer_ = make_stem_layer(points_, std::max(0.05, options_.search_bottom_m - 0.3), options_.search_top_m + 0.3, run_);
+    layer_ =
+        make_stem_layer(points_, std::max(0.05, options_.search_bottom_m - 0.3), options_.search_top_m + 0.3, run_);
     auto thin = thin_layer(layer_, run_);
     if (layer_.size() > 0) keep_upright(layer_, thin, run_);
     const auto circles = find_slab_circles(layer_, thin, options_, run_.part(0.05, 0.30));
@@ -60,7 +67,11 @@ class Survey {
     candidates_ = std::move(linked.stems);
     for (const auto& w : linked.weak)
       out_.rejected.push_back(
-          {{w.x, w.y, w.ground_z}, 2 * w.radius, w.points, fmt::format("seen as a circle at {} heights only ({:.1f} to {:.1f} m); min_sections is {}", w.sections, w.lowest, w.highest, options_.min_sections)});
+          {{w.x, w.y, w.ground_z},
+           2 * w.radius,
+           w.points,
+           fmt::format("seen as a circle at {} heights only ({:.1f} to {:.1f} m); min_sections is {}", w.sections,
+                       w.lowest, w.highest, options_.min_sections)});
     gather_rays();
   }
 
@@ -68,12 +79,15 @@ class Survey {
     rays_.time = column_or_null<double>(points_, arrays::time);
     rays_.pass = column_or_null<std::int32_t>(points_, arrays::pass);
     if (points_.has(arrays::sensor_x) && points_.has(arrays::sensor_y) && points_.has(arrays::sensor_z)) {
-      rays_.sensor_x = &points_.values<float>(arrays::sensor_x), rays_.sensor_y = &points_.values<float>(arrays::sensor_y), rays_.sensor_z = &points_.values<float>(arrays::sensor_z);
+      rays_.sensor_x = &points_.values<float>(arrays::sensor_x),
+      rays_.sensor_y = &points_.values<float>(arrays::sensor_y),
+      rays_.sensor_z = &points_.values<float>(arrays::sensor_z);
     } else if (trajectory_ && trajectory_->poses.size() >= 2 && rays_.time) {
       const Eigen::Vector3f unknown = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
       rays_.sensor.assign(layer_.size(), unknown);
       tbb::parallel_for(std::size_t{0}, layer_.size(), [&](std::size_t k) {
-        if (const auto s = sensor_at(*trajectory_, points_.origin, (*rays_.time)[layer_.index[k]])) rays_.sensor[k] = *s;
+        if (const auto s = sensor_at(*trajectory_, points_.origin, (*rays_.time)[layer_.index[k]]))
+          rays_.sensor[k] = *s;
       });
     }
   }
@@ -82,25 +96,29 @@ class Survey {
     fits_.assign(candidates_.size(), {});
     constexpr std::size_t batch = 16;  // progress comes from this thread alone, between batches
     for (std::size_t first = 0; first < candidates_.size(); first += batch) {
-      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(candidates_.size()), fmt::format("stem {} of {}", first + 1, candidates_.size()));
+      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(candidates_.size()),
+                  fmt::format("stem {} of {}", first + 1, candidates_.size()));
       tbb::parallel_for(first, std::min(first + batch, candidates_.size()), [&](std::size_t i) {
-        if (!run_.cancelled()) fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, drift_sd, options_);
+        if (!run_.cancelled())
+          fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, drift_sd, options_);
       });
       run_.check_cancel();
     }
   }
 
-  // Empirical Bayes: the spread of the passes that makes the evidence of all stems likeliest is the prior of the second round. The sum over stems is
-  // of bounded terms, so that few wild ones do not open it for all.
+  // Empirical Bayes: the spread of the passes that makes the evidence of all stems likeliest is the prior of the second
+  // round. The sum over stems is of bounded terms, so that few wild ones do not open it for all.
   double estimate_drift() {
     std::vector<const DriftEvidence*> evidence;
     for (const auto& f : fits_)
-      if (f.stem && f.stem->passes > 1 && f.stem->drift.target.size() > 0 && !objection(*f.stem, options_)) evidence.push_back(&f.stem->drift);
+      if (f.stem && f.stem->passes > 1 && f.stem->drift.target.size() > 0 && !objection(*f.stem, options_))
+        evidence.push_back(&f.stem->drift);
     has_passes_ = !evidence.empty();
     double best = first_drift_sd_m, highest = -std::numeric_limits<double>::infinity();
     for (double sd = least_drift_sd_m; has_passes_ && sd <= most_drift_sd_m; sd *= 1.1) {
       double sum = 0;
-      for (const auto* e : evidence) sum += std::max(-50.0, drift_log_likelihood(*e, sd) - drift_log_likelihood(*e, most_drift_sd_m));
+      for (const auto* e : evidence)
+        sum += std::max(-50.0, drift_log_likelihood(*e, sd) - drift_log_likelihood(*e, most_drift_sd_m));
       if (sum > highest) highest = sum, best = sd;
     }
     return best;
@@ -112,17 +130,24 @@ class Survey {
       if (f.stem)
         fitted_.push_back(std::move(*f.stem));
       else
-        out_.rejected.push_back({{candidates_[i].x, candidates_[i].y, candidates_[i].ground_z}, 2 * candidates_[i].radius, candidates_[i].points, f.rejected});
+        out_.rejected.push_back({{candidates_[i].x, candidates_[i].y, candidates_[i].ground_z},
+                                 2 * candidates_[i].radius,
+                                 candidates_[i].points,
+                                 f.rejected});
     }
     test_rays();
     for (auto& s : fitted_) judge(s, breast_height_);
-    std::ranges::stable_sort(fitted_, [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
+    std::ranges::stable_sort(fitted_,
+                             [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
     for (auto& s : fitted_) {
       auto why = objection(s, options_);
       if (!why)
-        if (const auto* twin = twin_of(s)) why = fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + twin->breast_height.x(), points_.origin.y() + twin->breast_height.y());
+        if (const auto* twin = twin_of(s))
+          why = fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + twin->breast_height.x(),
+                            points_.origin.y() + twin->breast_height.y());
       if (why)
-        out_.rejected.push_back({{s.breast_height.x(), s.breast_height.y(), s.ground_z}, 2 * s.radius, s.inliers, *why});
+        out_.rejected.push_back(
+            {{s.breast_height.x(), s.breast_height.y(), s.ground_z}, 2 * s.radius, s.inliers, *why});
       else
         out_.stems.push_back(std::move(s));
     }
@@ -132,7 +157,9 @@ class Survey {
   // Two stems of a fork touch at most; what overlaps a better stem by more is part of it.
   const Stem* twin_of(const Stem& s) const {
     for (const auto& o : out_.stems)
-      if ((o.breast_height - s.breast_height).head<2>().norm() < o.radius + s.radius - 0.5 * std::min(o.radius, s.radius)) return &o;
+      if ((o.breast_height - s.breast_height).head<2>().norm() <
+          o.radius + s.radius - 0.5 * std::min(o.radius, s.radius))
+        return &o;
     return nullptr;
   }
 
@@ -156,9 +183,14 @@ class Survey {
   }
 
   void number() {
-    std::ranges::sort(out_.stems, [](const Stem& a, const Stem& b) { return std::pair(-a.breast_height.y(), a.breast_height.x()) < std::pair(-b.breast_height.y(), b.breast_height.x()); });
+    std::ranges::sort(out_.stems, [](const Stem& a, const Stem& b) {
+      return std::pair(-a.breast_height.y(), a.breast_height.x()) <
+             std::pair(-b.breast_height.y(), b.breast_height.x());
+    });
     for (std::size_t i = 0; i < out_.stems.size(); ++i) out_.stems[i].id = static_cast<int>(i) + 1;
-    std::ranges::sort(out_.rejected, [](const RejectedStem& a, const RejectedStem& b) { return std::pair(-a.position.y(), a.position.x()) < std::pair(-b.position.y(), b.position.x()); });
+    std::ranges::sort(out_.rejected, [](const RejectedStem& a, const RejectedStem& b) {
+      return std::pair(-a.position.y(), a.position.x()) < std::pair(-b.position.y(), b.position.x());
+    });
   }
 
   void label() {
@@ -173,27 +205,43 @@ class Survey {
 
   void summarise() {
     auto& r = out_.report;
-    r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size()), r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
-    r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()), r.counts["circles"] = static_cast<std::int64_t>(circles_);
+    r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size()),
+    r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
+    r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()),
+    r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
     r.facts["fit"] = rays_.has_sensor() && options_.model == "ray" ? "along rays" : "surface distance";
     const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
-    r.message = fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
-    if (options_.model == "ray" && !rays_.has_sensor()) r.warn("model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, sensor_z, or time with a trajectory");
+    r.message =
+        fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
+    if (options_.model == "ray" && !rays_.has_sensor())
+      r.warn(
+          "model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, "
+          "sensor_z, or time with a trajectory");
     if (out_.stems.empty()) r.warn(no_stems());
-    if (to_check > 0) r.warn(fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
+    if (to_check > 0)
+      r.warn(fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
   }
 
   std::string no_stems() const {
     if (layer_.size() == 0)
-      return fmt::format("no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights that the cloud has", options_.search_bottom_m, options_.search_top_m);
+      return fmt::format(
+          "no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights "
+          "that the cloud has",
+          options_.search_bottom_m, options_.search_top_m);
     if (circles_ == 0)
-      return fmt::format("no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc or min_dbh, or change the search heights", layer_.size(), options_.search_bottom_m,
-                         options_.search_top_m, options_.min_arc_deg);
+      return fmt::format(
+          "no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc "
+          "or min_dbh, or change the search heights",
+          layer_.size(), options_.search_bottom_m, options_.search_top_m, options_.min_arc_deg);
     if (candidates_.empty()) {
-      return fmt::format("no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen search_bottom to search_top", circles_, options_.min_sections);
+      return fmt::format(
+          "no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen "
+          "search_bottom to search_top",
+          circles_, options_.min_sections);
     }
-    return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why", candidates_.size());
+    return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why",
+                       candidates_.size());
   }
 
   const PointCloud& points_;
@@ -214,7 +262,8 @@ class Survey {
 
 }  // namespace
 
-StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
+StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, const Raster& dem,
+                         const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
   if (points.empty()) throw bad_input("the cloud is empty", "points of a plot", "Check what the stage before has read");
   points.values<float>(arrays::height_above_ground);  // throws with the list of arrays
   return Survey(points, slice, dem, trajectory, options, run).measure();

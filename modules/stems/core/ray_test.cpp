@@ -20,20 +20,24 @@ class StemSquares {
  public:
   explicit StemSquares(const std::vector<Stem>& stems) {
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const auto& s : stems) low = low.cwiseMin(s.breast_height.head<2>()), high = high.cwiseMax(s.breast_height.head<2>());
+    for (const auto& s : stems)
+      low = low.cwiseMin(s.breast_height.head<2>()), high = high.cwiseMax(s.breast_height.head<2>());
     corner_ = low.array() - 2;
     cell_ = std::max(0.5, (high - low).maxCoeff() / 2000);
-    nx_ = static_cast<int>((high.x() + 2 - corner_.x()) / cell_) + 1, ny_ = static_cast<int>((high.y() + 2 - corner_.y()) / cell_) + 1;
+    nx_ = static_cast<int>((high.x() + 2 - corner_.x()) / cell_) + 1,
+    ny_ = static_cast<int>((high.y() + 2 - corner_.y()) / cell_) + 1;
     squares_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
     for (std::uint32_t k = 0; k < stems.size(); ++k) {
       const auto& s = stems[k];
       const double reach = s.radius + 1.3 * s.direction.head<2>().norm() / s.direction.z();
       for (int iy = clamp_y(s.breast_height.y() - reach); iy <= clamp_y(s.breast_height.y() + reach); ++iy)
-        for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix) square(ix, iy).push_back(k);
+        for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix)
+          square(ix, iy).push_back(k);
     }
   }
 
-  // Calls f(stem) for stems along the ground track of the segment; a stem may be met more than once in a row of squares.
+  // Calls f(stem) for stems along the ground track of the segment; a stem may be met more than once in a row of
+  // squares.
   template <class F>
   void along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, F&& f) const {
     const Eigen::Vector2d d = to - from;
@@ -55,14 +59,18 @@ class StemSquares {
       const int ix = clamp_x(p.x()), iy = clamp_y(p.y());
       if (ix == last_x && iy == last_y) continue;
       last_x = ix, last_y = iy;
-      for (const auto k : squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)]) f(k);
+      for (const auto k :
+           squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)])
+        f(k);
     }
   }
 
  private:
   int clamp_x(double x) const { return static_cast<int>(std::clamp((x - corner_.x()) / cell_, 0.0, nx_ - 1.0)); }
   int clamp_y(double y) const { return static_cast<int>(std::clamp((y - corner_.y()) / cell_, 0.0, ny_ - 1.0)); }
-  std::vector<std::uint32_t>& square(int ix, int iy) { return squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)]; }
+  std::vector<std::uint32_t>& square(int ix, int iy) {
+    return squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)];
+  }
 
   Eigen::Vector2d corner_;
   double cell_ = 0.5;
@@ -91,7 +99,8 @@ Meeting meet(const Stem& s, const Eigen::Vector3d& from, const Eigen::Vector3d& 
 
 }  // namespace
 
-std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of, const Run& run) {
+std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of,
+                                 const Run& run) {
   std::vector<RayCount> none(stems.size());
   if (stems.empty()) return none;
   const StemSquares squares(stems);
@@ -131,7 +140,8 @@ std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointClou
 double share_through(const RayCount& count) {
   constexpr std::int64_t enough = 20;
   const auto all = count.through + count.stopped;
-  return all < enough ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(count.through) / static_cast<double>(all);
+  return all < enough ? std::numeric_limits<double>::quiet_NaN()
+                      : static_cast<double>(count.through) / static_cast<double>(all);
 }
 
 }  // namespace bole

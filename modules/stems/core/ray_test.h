@@ -18,9 +18,10 @@ struct RayCount {
 // Sensor position (offset from the cloud's origin) of point i; nothing when not known.
 using SensorOf = std::function<std::optional<Eigen::Vector3f>(std::size_t i)>;
 
-// Rays that cross the core of each stem (0.6 of its radius, less where the stem is thin) between 0.6 and 2.4 m above its ground. Of many points an
-// even choice is tested.
-std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of, const Run& run);
+// Rays that cross the core of each stem (0.6 of its radius, less where the stem is thin) between 0.6 and 2.4 m above
+// its ground. Of many points an even choice is tested.
+std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of,
+                                 const Run& run);
 
 // Share of rays that pass through; NaN when too few were aimed at the core to tell.
 double share_through(const RayCount& count);

@@ -32,7 +32,8 @@ std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
   std::vector<Keyed> keyed;
   for (auto k = layer.start[cell]; k < layer.start[cell + 1]; ++k) {
     const auto& p = layer.position[k];
-    const auto ix = static_cast<std::int64_t>(std::floor((p.x() - layer.corner.x()) / voxel_m)), iy = static_cast<std::int64_t>(std::floor((p.y() - layer.corner.y()) / voxel_m));
+    const auto ix = static_cast<std::int64_t>(std::floor((p.x() - layer.corner.x()) / voxel_m)),
+               iy = static_cast<std::int64_t>(std::floor((p.y() - layer.corner.y()) / voxel_m));
     const auto ih = static_cast<std::int64_t>(std::floor(layer.height[k] / voxel_height_m));
     keyed.push_back({(ih << 52) ^ (iy << 26) ^ ix, k});
   }
@@ -47,7 +48,8 @@ std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
     }
     const auto n = static_cast<double>(j - i);
     sum /= n;
-    voxels.push_back({static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(std::sqrt(n))});
+    voxels.push_back({static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
+                      static_cast<float>(sum[3]), static_cast<float>(std::sqrt(n))});
     i = j;
   }
   return voxels;
@@ -56,7 +58,8 @@ std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
 VoxelLayer join(std::vector<std::vector<Voxel>>& by_cell) {
   VoxelLayer out;
   out.start.assign(by_cell.size() + 1, 0);
-  for (std::size_t c = 0; c < by_cell.size(); ++c) out.start[c + 1] = out.start[c] + static_cast<std::uint32_t>(by_cell[c].size());
+  for (std::size_t c = 0; c < by_cell.size(); ++c)
+    out.start[c + 1] = out.start[c] + static_cast<std::uint32_t>(by_cell[c].size());
   out.voxels.reserve(out.start.back());
   for (auto& cell : by_cell) out.voxels.insert(out.voxels.end(), cell.begin(), cell.end());
   return out;
@@ -64,10 +67,13 @@ VoxelLayer join(std::vector<std::vector<Voxel>>& by_cell) {
 
 template <class F>
 void for_each_voxel_near(const StemLayer& grid, const VoxelLayer& thin, double x, double y, double radius, F&& f) {
-  const int x0 = grid.cell_x(x - radius), x1 = grid.cell_x(x + radius), y0 = grid.cell_y(y - radius), y1 = grid.cell_y(y + radius);
+  const int x0 = grid.cell_x(x - radius), x1 = grid.cell_x(x + radius), y0 = grid.cell_y(y - radius),
+            y1 = grid.cell_y(y + radius);
   for (int iy = y0; iy <= y1; ++iy) {
     const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx);
-    for (auto k = thin.start[row + static_cast<std::size_t>(x0)]; k < thin.start[row + static_cast<std::size_t>(x1) + 1]; ++k) f(thin.voxels[k]);
+    for (auto k = thin.start[row + static_cast<std::size_t>(x0)];
+         k < thin.start[row + static_cast<std::size_t>(x1) + 1]; ++k)
+      f(thin.voxels[k]);
   }
 }
 
@@ -83,7 +89,8 @@ bool is_upright(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v) {
     ++n, sum += d, squares += d * d.transpose();
   });
   if (n < enough) return true;
-  const Eigen::Matrix3f covariance = squares / static_cast<float>(n) - (sum / static_cast<float>(n)) * (sum / static_cast<float>(n)).transpose();
+  const Eigen::Matrix3f covariance =
+      squares / static_cast<float>(n) - (sum / static_cast<float>(n)) * (sum / static_cast<float>(n)).transpose();
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(covariance);
   return std::abs(solver.eigenvectors()(2, 0)) < 0.6F;
@@ -95,7 +102,8 @@ VoxelLayer thin_layer(const StemLayer& layer, const Run& run) {
   std::vector<std::vector<Voxel>> by_cell(static_cast<std::size_t>(layer.nx) * static_cast<std::size_t>(layer.ny));
   for_each_row(layer, run, [&](int iy) {
     for (int ix = 0; ix < layer.nx; ++ix) {
-      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(layer.nx) + static_cast<std::size_t>(ix);
+      const auto cell =
+          static_cast<std::size_t>(iy) * static_cast<std::size_t>(layer.nx) + static_cast<std::size_t>(ix);
       by_cell[cell] = thin_cell(layer, cell);
     }
   });
@@ -159,10 +167,12 @@ class SlabGrid {
 
   template <class F>
   void for_each_near(float x, float y, float reach, F&& f) const {
-    const int x0 = grid_.cell_x(x - reach), x1 = grid_.cell_x(x + reach), y0 = grid_.cell_y(y - reach), y1 = grid_.cell_y(y + reach);
+    const int x0 = grid_.cell_x(x - reach), x1 = grid_.cell_x(x + reach), y0 = grid_.cell_y(y - reach),
+              y1 = grid_.cell_y(y + reach);
     for (int iy = y0; iy <= y1; ++iy) {
       const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx);
-      for (auto k = start_[row + static_cast<std::size_t>(x0)]; k < start_[row + static_cast<std::size_t>(x1) + 1]; ++k) f(k);
+      for (auto k = start_[row + static_cast<std::size_t>(x0)]; k < start_[row + static_cast<std::size_t>(x1) + 1]; ++k)
+        f(k);
     }
   }
 
@@ -177,7 +187,9 @@ class SlabGrid {
     for (auto k = first; k < last; ++k) {
       const auto& v = thin.voxels[k];
       if (v.height < low || v.height >= high) continue;
-      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / voxel_m)) << 32) + static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / voxel_m)), k});
+      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / voxel_m)) << 32) +
+                           static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / voxel_m)),
+                       k});
     }
     std::ranges::stable_sort(keyed, {}, &Keyed::key);
     for (std::size_t i = 0; i < keyed.size();) {
@@ -188,7 +200,8 @@ class SlabGrid {
         const float w = v.weight * v.weight;
         sum.x += w * v.x, sum.y += w * v.y, sum.z += w * v.z, sum.height += w * v.height, sum.weight += w;
       }
-      columns_.push_back({sum.x / sum.weight, sum.y / sum.weight, sum.z / sum.weight, sum.height / sum.weight, std::sqrt(sum.weight)});
+      columns_.push_back(
+          {sum.x / sum.weight, sum.y / sum.weight, sum.z / sum.weight, sum.height / sum.weight, std::sqrt(sum.weight)});
       i = j;
     }
   }
@@ -201,14 +214,16 @@ class SlabGrid {
 // Sectors are counted only where the circle could beat `beat`: most cannot, and angles are what costs.
 Score score_circle(const SlabGrid& slab, float x, float y, float radius, double beat) {
   Score s;
-  const float tolerance = ring_tolerance(radius), outer = radius + tolerance, hollow = std::max(0.F, radius - 2.5F * tolerance);
+  const float tolerance = ring_tolerance(radius), outer = radius + tolerance,
+              hollow = std::max(0.F, radius - 2.5F * tolerance);
   slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
     const auto& v = slab[k];
     const float dx = v.x - x, dy = v.y - y, d2 = dx * dx + dy * dy;
     if (d2 > outer * outer) return;
     const float e = (std::sqrt(d2) - radius) / tolerance;
     if (e > -1) {
-      s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight, ++s.points;
+      s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight,
+          ++s.points;
     } else if (d2 < hollow * hollow) {
       s.inside += v.weight;
     }
@@ -240,7 +255,8 @@ constexpr int attempts = 5;              // per seed and reach
 using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
 
 // The best circle through `seed` and two of its neighbours, tried at several scales.
-SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed, const MeasureOptions& options, Random random) {
+SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed,
+                          const MeasureOptions& options, Random random) {
   const auto least = static_cast<float>(0.35 * options.min_dbh_m), most = static_cast<float>(0.55 * options.max_dbh_m);
   SlabCircle best;
   for (std::size_t scale = 0; scale < reaches.size() && reaches[scale] <= 4 * most; ++scale) {
@@ -248,34 +264,40 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
     if (local.size() < 5) continue;
     for (int attempt = 0; attempt < attempts; ++attempt) {
       float x = 0, y = 0, radius = 0;
-      if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y, radius)) continue;
+      if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y,
+                          radius))
+        continue;
       if (radius < least || radius > std::min(most, reaches[scale])) continue;
       const auto s = score_circle(slab, x, y, radius, best.score);
       if (s.most() <= best.score) continue;
       const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
       const double score = s.most() * std::sqrt(arc);
       if (score <= best.score || s.points < 5) continue;
-      best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi, best.points = s.points;
+      best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi,
+      best.points = s.points;
       best.height = s.height / s.weight, best.z = s.z / s.weight;
     }
   }
   return best;
 }
 
-std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab, int number, int iy, const MeasureOptions& options) {
+std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab, int number, int iy,
+                                    const MeasureOptions& options) {
   std::vector<SlabCircle> found;
   Neighbours near;
   for (int ix = 0; ix < grid.nx; ++ix) {
     const auto [first, last] = slab.cell(ix, iy);
     if (first == last) continue;
-    const auto x = static_cast<float>(grid.corner.x() + (ix + 0.5) * grid.cell_m), y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
+    const auto x = static_cast<float>(grid.corner.x() + (ix + 0.5) * grid.cell_m),
+               y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
     for (std::size_t scale = 0; scale < reaches.size(); ++scale) {
       near[scale].clear();
       slab.for_each_near(x, y, reaches[scale], [&](std::uint32_t k) { near[scale].push_back(k); });
     }
     const auto stride = (last - first + most_seeds - 1) / most_seeds;
     for (auto k = first; k < last; k += stride) {
-      auto circle = best_circle_at(slab, near, slab[k], options, Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
+      auto circle = best_circle_at(slab, near, slab[k], options,
+                                   Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
       if (circle.score <= 0 || circle.arc_rad < options.min_arc_deg * std::numbers::pi / 180) continue;
       circle.slab = number;
       found.push_back(circle);
@@ -285,25 +307,30 @@ std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab,
 }
 
 // A weaker circle goes when it overlaps a stronger one by more than two bark-touching stems would.
-std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const MeasureOptions& options, const StemLayer& grid) {
+std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const MeasureOptions& options,
+                                          const StemLayer& grid) {
   std::ranges::stable_sort(circles, std::ranges::greater{}, &SlabCircle::score);
   std::vector<SlabCircle> kept;
   const double cell = options.max_dbh_m + 0.1;
   const int nx = static_cast<int>(grid.nx * grid.cell_m / cell) + 3;
   const int ny = static_cast<int>(grid.ny * grid.cell_m / cell) + 3;
   std::vector<std::vector<std::uint32_t>> by_cell(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));
-  const auto cell_of = [&](double v, double corner, int n) { return std::clamp(static_cast<int>(std::floor((v - corner) / cell)) + 1, 0, n - 1); };
+  const auto cell_of = [&](double v, double corner, int n) {
+    return std::clamp(static_cast<int>(std::floor((v - corner) / cell)) + 1, 0, n - 1);
+  };
   for (const auto& c : circles) {
     const int ix = cell_of(c.x, grid.corner.x(), nx), iy = cell_of(c.y, grid.corner.y(), ny);
     bool free = true;
     for (int jy = std::max(0, iy - 1); free && jy <= std::min(ny - 1, iy + 1); ++jy)
       for (int jx = std::max(0, ix - 1); free && jx <= std::min(nx - 1, ix + 1); ++jx)
-        for (const auto k : by_cell[static_cast<std::size_t>(jy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(jx)]) {
+        for (const auto k :
+             by_cell[static_cast<std::size_t>(jy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(jx)]) {
           const auto& o = kept[k];
           if (std::hypot(o.x - c.x, o.y - c.y) < o.radius + c.radius - 0.4 * std::min(o.radius, c.radius)) free = false;
         }
     if (!free) continue;
-    by_cell[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)].push_back(static_cast<std::uint32_t>(kept.size()));
+    by_cell[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(ix)].push_back(
+        static_cast<std::uint32_t>(kept.size()));
     kept.push_back(c);
   }
   return kept;
@@ -311,15 +338,18 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
 
 }  // namespace
 
-std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options, const Run& run) {
+std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options,
+                                          const Run& run) {
   std::vector<SlabCircle> all;
-  const int slabs = std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+  const int slabs =
+      std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
   for (int s = 0; s < slabs; ++s) {
     run.report(static_cast<double>(s) / slabs, "circles by height");
     const auto low = static_cast<float>(options.search_bottom_m + s * slab_thickness_m);
     const SlabGrid slab(grid, thin, low, low + static_cast<float>(slab_thickness_m));
     std::vector<std::vector<SlabCircle>> by_row(static_cast<std::size_t>(grid.ny));
-    for_each_row(grid, run, [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, slab, s, iy, options); });
+    for_each_row(grid, run,
+                 [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, slab, s, iy, options); });
     std::vector<SlabCircle> found;
     for (auto& row : by_row) found.insert(found.end(), row.begin(), row.end());
     found = suppress_overlaps(std::move(found), options, grid);

@@ -27,19 +27,21 @@ struct Voxel {
   float weight = 0;  // square root of the number of points
 };
 
-// Thinned layer, by cell of the layer's grid; within a cell by slab, then by place, so that the order of the points does not matter.
+// Thinned layer, by cell of the layer's grid; within a cell by slab, then by place, so that the order of the points
+// does not matter.
 struct VoxelLayer {
   std::vector<Voxel> voxels;
   std::vector<std::uint32_t> start;  // by cell, as StemLayer::start
 };
 VoxelLayer thin_layer(const StemLayer& layer, const Run& run);
 
-// Keeps voxels on upright surfaces: the smallest principal axis of the neighbourhood lies near the horizontal. Voxels with too few
-// neighbours to tell are kept.
+// Keeps voxels on upright surfaces: the smallest principal axis of the neighbourhood lies near the horizontal. Voxels
+// with too few neighbours to tell are kept.
 void keep_upright(const StemLayer& grid, VoxelLayer& thin, const Run& run);
 
-// Circles of every slab between search_bottom and search_top, by a randomised search around each voxel and suppression of overlapping weaker
-// circles.
-std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options, const Run& run);
+// Circles of every slab between search_bottom and search_top, by a randomised search around each voxel and suppression
+// of overlapping weaker circles.
+std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options,
+                                          const Run& run);
 
 }  // namespace bole

@@ -30,13 +30,16 @@ class CircleGrid {
     const auto [kx, ky] = key(x, y);
     for (long dy = -1; dy <= 1; ++dy)
       for (long dx = -1; dx <= 1; ++dx)
-        if (const auto it = cells_.find({kx + dx, ky + dy}); it != cells_.end()) out.insert(out.end(), it->second.begin(), it->second.end());
+        if (const auto it = cells_.find({kx + dx, ky + dy}); it != cells_.end())
+          out.insert(out.end(), it->second.begin(), it->second.end());
     std::ranges::sort(out);
     return out;
   }
 
  private:
-  std::pair<long, long> key(double x, double y) const { return {std::lround(std::floor(x / cell_)), std::lround(std::floor(y / cell_))}; }
+  std::pair<long, long> key(double x, double y) const {
+    return {std::lround(std::floor(x / cell_)), std::lround(std::floor(y / cell_))};
+  }
   double cell_;
   std::map<std::pair<long, long>, std::vector<std::uint32_t>> cells_;
 };
@@ -83,7 +86,8 @@ class Linker {
     for (const auto i : c.members) taken_[i] = true;
     for (const auto i : grid_.around(c.axis.x, c.axis.y)) {
       const auto& o = circles_[i];
-      if (std::hypot(o.x - c.axis.x_at(o.z), o.y - c.axis.y_at(o.z)) < std::max(0.8 * c.axis.r_at(o.z), 0.5 * o.radius)) taken_[i] = true;
+      if (std::hypot(o.x - c.axis.x_at(o.z), o.y - c.axis.y_at(o.z)) < std::max(0.8 * c.axis.r_at(o.z), 0.5 * o.radius))
+        taken_[i] = true;
     }
   }
   bool taken(std::uint32_t i) const { return taken_[i]; }
@@ -94,10 +98,13 @@ class Linker {
     for (const auto i : near) {
       if (taken_[i]) continue;
       const auto& c = circles_[i];
-      const double r = axis.r_at(c.z), off = std::hypot(c.x - axis.x_at(c.z), c.y - axis.y_at(c.z)) / position_tolerance(r), dr = std::abs(c.radius - r) / radius_tolerance(r);
+      const double r = axis.r_at(c.z),
+                   off = std::hypot(c.x - axis.x_at(c.z), c.y - axis.y_at(c.z)) / position_tolerance(r),
+                   dr = std::abs(c.radius - r) / radius_tolerance(r);
       if (off > 1 || dr > 1) continue;
       const double cost = off * off + dr * dr;
-      if (const auto it = by_slab.find(c.slab); it == by_slab.end() || cost < it->second.first) by_slab[c.slab] = {cost, i};
+      if (const auto it = by_slab.find(c.slab); it == by_slab.end() || cost < it->second.first)
+        by_slab[c.slab] = {cost, i};
     }
     Consensus out;
     out.axis = axis;
@@ -116,9 +123,11 @@ class Linker {
     for (const auto i : members) {
       const auto& c = circles_[i];
       const double dz = c.z - z;
-      zz += dz * dz, mx += c.x / w, my += c.y / w, mr += c.radius / w, zx += dz * c.x, zy += dz * c.y, zr += dz * c.radius;
+      zz += dz * dz, mx += c.x / w, my += c.y / w, mr += c.radius / w, zx += dz * c.x, zy += dz * c.y,
+          zr += dz * c.radius;
     }
-    for (const auto i : members) zx -= (circles_[i].z - z) * mx, zy -= (circles_[i].z - z) * my, zr -= (circles_[i].z - z) * mr;
+    for (const auto i : members)
+      zx -= (circles_[i].z - z) * mx, zy -= (circles_[i].z - z) * my, zr -= (circles_[i].z - z) * mr;
     return {mx, my, z, zx / zz, zy / zz, mr, std::clamp(zr / zz, -0.03, 0.01)};
   }
 
@@ -130,7 +139,8 @@ class Linker {
 
 StemCandidate candidate_of(const Consensus& c, const std::vector<SlabCircle>& circles) {
   StemCandidate s;
-  s.x = c.axis.x, s.y = c.axis.y, s.z = c.axis.z, s.slope_x = c.axis.sx, s.slope_y = c.axis.sy, s.radius = c.axis.r, s.taper = c.axis.taper;
+  s.x = c.axis.x, s.y = c.axis.y, s.z = c.axis.z, s.slope_x = c.axis.sx, s.slope_y = c.axis.sy, s.radius = c.axis.r,
+  s.taper = c.axis.taper;
   s.score = c.score, s.sections = static_cast<int>(c.members.size()), s.lowest = 1e9, s.highest = -1e9;
   for (const auto i : c.members) {
     const auto& m = circles[i];
@@ -155,7 +165,8 @@ LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const Measure
     auto [best, seed] = std::move(queue.back());
     queue.pop_back();
     if (linker.taken(seed)) continue;
-    if (std::ranges::any_of(best.members, [&](auto i) { return linker.taken(i); })) {  // a stronger stem took some: look again
+    if (std::ranges::any_of(best.members,
+                            [&](auto i) { return linker.taken(i); })) {  // a stronger stem took some: look again
       if (auto again = linker.best_through(seed); again.members.size() >= 2) {
         queue.emplace_back(std::move(again), seed);
         std::ranges::push_heap(queue, weaker);

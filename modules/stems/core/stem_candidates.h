@@ -12,8 +12,8 @@ struct StemCandidate {
   double x = 0, y = 0, z = 0;       // a point of the axis
   double slope_x = 0, slope_y = 0;  // metres per metre of z
   double radius = 0, taper = 0;     // at that point; metres of radius per metre of z
-  double ground_z = 0;              // z of the axis less its height above ground: ground below, by the heights of its points
-  double lowest = 0, highest = 0;   // heights above ground of its circles
+  double ground_z = 0;  // z of the axis less its height above ground: ground below, by the heights of its points
+  double lowest = 0, highest = 0;  // heights above ground of its circles
   double score = 0;
   int sections = 0;
   int points = 0;

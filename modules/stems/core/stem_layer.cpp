@@ -15,7 +15,8 @@ std::vector<std::uint32_t> indices_between(const PointCloud& points, float botto
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
-    if (heights[i] >= bottom && heights[i] <= top && positions[i].allFinite()) kept.push_back(static_cast<std::uint32_t>(i));
+    if (heights[i] >= bottom && heights[i] <= top && positions[i].allFinite())
+      kept.push_back(static_cast<std::uint32_t>(i));
   }
   return kept;
 }
@@ -35,13 +36,17 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
   layer.corner = low.cast<double>();
   const Eigen::Vector2d extent = (high - low).cast<double>();
   // A stray point far away must not cost memory: cells grow until the grid is small.
-  while ((std::floor(extent.x() / layer.cell_m) + 1) * (std::floor(extent.y() / layer.cell_m) + 1) > static_cast<double>(most_cells)) layer.cell_m *= 2;
-  layer.nx = static_cast<int>(extent.x() / layer.cell_m) + 1, layer.ny = static_cast<int>(extent.y() / layer.cell_m) + 1;
+  while ((std::floor(extent.x() / layer.cell_m) + 1) * (std::floor(extent.y() / layer.cell_m) + 1) >
+         static_cast<double>(most_cells))
+    layer.cell_m *= 2;
+  layer.nx = static_cast<int>(extent.x() / layer.cell_m) + 1,
+  layer.ny = static_cast<int>(extent.y() / layer.cell_m) + 1;
 
   const auto cells = static_cast<std::size_t>(layer.nx) * static_cast<std::size_t>(layer.ny);
   const auto cell_of = [&](std::uint32_t i) {
     const auto& p = positions[i];
-    return static_cast<std::size_t>(layer.cell_y(p.y())) * static_cast<std::size_t>(layer.nx) + static_cast<std::size_t>(layer.cell_x(p.x()));
+    return static_cast<std::size_t>(layer.cell_y(p.y())) * static_cast<std::size_t>(layer.nx) +
+           static_cast<std::size_t>(layer.cell_x(p.x()));
   };
   layer.start.assign(cells + 1, 0);
   for (const auto i : kept) ++layer.start[cell_of(i) + 1];

@@ -11,7 +11,8 @@
 
 namespace bole {
 
-// Positions are offsets from PointCloud::origin, metres. Points are sorted by cell; within a cell they keep their order.
+// Positions are offsets from PointCloud::origin, metres. Points are sorted by cell; within a cell they keep their
+// order.
 struct StemLayer {
   std::vector<Eigen::Vector3f> position;
   std::vector<float> height;         // above ground, metres
@@ -29,10 +30,12 @@ struct StemLayer {
   template <class F>
   void for_each_near(double x, double y, double radius_m, F&& f) const {
     if (nx == 0) return;
-    const int x0 = cell_x(x - radius_m), x1 = cell_x(x + radius_m), y0 = cell_y(y - radius_m), y1 = cell_y(y + radius_m);
+    const int x0 = cell_x(x - radius_m), x1 = cell_x(x + radius_m), y0 = cell_y(y - radius_m),
+              y1 = cell_y(y + radius_m);
     for (int iy = y0; iy <= y1; ++iy) {
       const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx);
-      for (auto k = start[row + static_cast<std::size_t>(x0)]; k < start[row + static_cast<std::size_t>(x1) + 1]; ++k) f(k);
+      for (auto k = start[row + static_cast<std::size_t>(x0)]; k < start[row + static_cast<std::size_t>(x1) + 1]; ++k)
+        f(k);
     }
   }
 };

@@ -8,15 +8,19 @@
 
 namespace bole {
 
-StemAxes::StemAxes(const Eigen::Vector3d& at, const Eigen::Vector3d& direction, double ground) : origin(at), rotation(rotation_between(direction, Eigen::Vector3d::UnitZ())), ground_z(ground) {}
+StemAxes::StemAxes(const Eigen::Vector3d& at, const Eigen::Vector3d& direction, double ground)
+    : origin(at), rotation(rotation_between(direction, Eigen::Vector3d::UnitZ())), ground_z(ground) {}
 
-double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, const Eigen::Vector2d& base, double radius, bool uphill) {
+double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, const Eigen::Vector2d& base, double radius,
+                     bool uphill) {
   constexpr int directions = 16;
   double highest = -std::numeric_limits<double>::infinity(), sum = 0;
   int n = 0;
   for (int i = 0; i < directions; ++i) {
     const double angle = 2 * std::numbers::pi * i / directions;
-    const double z = dem.sample(cloud_origin.x() + base.x() + radius * std::cos(angle), cloud_origin.y() + base.y() + radius * std::sin(angle)) - cloud_origin.z();
+    const double z = dem.sample(cloud_origin.x() + base.x() + radius * std::cos(angle),
+                                cloud_origin.y() + base.y() + radius * std::sin(angle)) -
+                     cloud_origin.z();
     if (std::isfinite(z)) highest = std::max(highest, z), sum += z, ++n;
   }
   if (n == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -38,17 +42,21 @@ Eigen::Vector3d sensor_of(const StemLayer& layer, const CloudRays& rays, std::si
 
 }  // namespace
 
-std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes, const GatherOptions& options) {
+std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
+                                   const GatherOptions& options) {
   struct Near {
     BarkPoint point;
     double range;
   };
   std::vector<Near> near;
   const Eigen::Vector3d up = axes.rotation.row(2).transpose();
-  const double lean = up.head<2>().norm() * std::max(std::abs(options.lowest), options.highest), margin = std::max(0.08, 0.25 * options.radius);
+  const double lean = up.head<2>().norm() * std::max(std::abs(options.lowest), options.highest),
+               margin = std::max(0.08, 0.25 * options.radius);
   layer.for_each_near(axes.origin.x(), axes.origin.y(), options.radius + margin + lean, [&](std::uint32_t k) {
     const Eigen::Vector3d in_cloud = layer.position[k].cast<double>(), p = axes.to_stem(in_cloud);
-    if (p.z() < options.lowest || p.z() > options.highest || p.head<2>().norm() > options.radius + options.taper * p.z() + margin) return;
+    if (p.z() < options.lowest || p.z() > options.highest ||
+        p.head<2>().norm() > options.radius + options.taper * p.z() + margin)
+      return;
     BarkPoint b;
     b.p = p, b.source = layer.index[k];
     double range = 0;
@@ -63,8 +71,11 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     }
     near.push_back({b, range});
   });
-  std::ranges::sort(near, [](const Near& a, const Near& b) { return std::lexicographical_compare(a.point.p.data(), a.point.p.data() + 3, b.point.p.data(), b.point.p.data() + 3); });
-  const auto within = static_cast<std::size_t>(std::ranges::count_if(near, [&](const Near& n) { return n.range <= options.max_range; }));
+  std::ranges::sort(near, [](const Near& a, const Near& b) {
+    return std::lexicographical_compare(a.point.p.data(), a.point.p.data() + 3, b.point.p.data(), b.point.p.data() + 3);
+  });
+  const auto within = static_cast<std::size_t>(
+      std::ranges::count_if(near, [&](const Near& n) { return n.range <= options.max_range; }));
   if (within >= plenty) std::erase_if(near, [&](const Near& n) { return n.range > options.max_range; });
   std::vector<BarkPoint> out;
   const std::size_t stride = near.size() / most_points + 1;
@@ -95,7 +106,8 @@ int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double 
     std::vector<double> starts;
     for (std::size_t i = 0; i < times.size(); ++i)
       if (i == 0 || times[i] - times[i - 1] > gap_s) starts.push_back(times[i]);
-    for (auto& p : points) p.pass = static_cast<int>(std::ranges::upper_bound(starts, (*rays.time)[p.source]) - starts.begin()) - 1;
+    for (auto& p : points)
+      p.pass = static_cast<int>(std::ranges::upper_bound(starts, (*rays.time)[p.source]) - starts.begin()) - 1;
     return std::max(1, static_cast<int>(starts.size()));
   }
   if (!rays.pass) return 1;

@@ -30,7 +30,8 @@ struct StemAxes {
 };
 
 // Highest or mean ground on a circle around a stem base, offset z. NaN where the terrain model has a hole.
-double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, const Eigen::Vector2d& base, double radius, bool uphill);
+double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, const Eigen::Vector2d& base, double radius,
+                     bool uphill);
 
 struct GatherOptions {
   double radius = 0, taper = 0;
@@ -41,13 +42,16 @@ struct GatherOptions {
 
 // Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer
 // ones are plenty; of very many an even choice remains.
-std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes, const GatherOptions& options);
+std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
+                                   const GatherOptions& options);
 
-// Sections thick enough to hold a circle: `step_m`, doubled up to four times its size while most of the sections have fewer than `least` points.
+// Sections thick enough to hold a circle: `step_m`, doubled up to four times its size while most of the sections have
+// fewer than `least` points.
 double section_step(const std::vector<BarkPoint>& points, double step_m, int least);
 void number_sections(std::vector<BarkPoint>& points, double step_m);
 
-// Gives every point its pass, from 0, by pauses in time or by the cloud's own passes; the number of passes. One when neither is known.
+// Gives every point its pass, from 0, by pauses in time or by the cloud's own passes; the number of passes. One when
+// neither is known.
 int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s);
 
 }  // namespace bole

@@ -21,33 +21,52 @@ void judge(Stem& s, double breast_height_m) {
     fault(arc_deg < 100 ? 2 : 1, fmt::format("only {:.0f} deg of the bark seen", arc_deg));
   else if (!s.rays_known && arc_deg < 200)
     fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
-  if (half_cm > std::max(1.0, 16 * s.radius)) fault(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  if (half_cm > std::max(1.0, 16 * s.radius))
+    fault(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
     fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
   else if (s.sections_used < 5)
     fault(1, fmt::format("only {} sections", s.sections_used));
-  if (s.inside_share > 0.10) fault(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
-  if (s.contrast < 6) fault(s.contrast < 3 ? 2 : 1, fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));
-  if (s.sigma_m > 0.02) fault(s.sigma_m > 0.03 ? 2 : 1, fmt::format("rough or blurred bark: {:.1f} cm", 100 * s.sigma_m));
+  if (s.inside_share > 0.10)
+    fault(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
+  if (s.contrast < 6)
+    fault(s.contrast < 3 ? 2 : 1,
+          fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));
+  if (s.sigma_m > 0.02)
+    fault(s.sigma_m > 0.03 ? 2 : 1, fmt::format("rough or blurred bark: {:.1f} cm", 100 * s.sigma_m));
   if (s.pass_spread_m > 0.05) fault(1, fmt::format("passes disagree by {:.0f} cm", 100 * s.pass_spread_m));
   if (s.taper > 0.01) fault(1, "wider above than below");
-  if (s.ray_through > 0.1) fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
-  if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15) s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
+  if (s.ray_through > 0.1)
+    fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
+  if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15)
+    s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
   s.faults = faults;
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
   s.state = faults >= 2 ? "check" : "auto";
 }
 
 std::optional<std::string> objection(const Stem& s, const MeasureOptions& options) {
-  if (s.ray_through > options.max_ray_through) return fmt::format("{:.0f} % of the rays towards its core pass through; bark lets none (limit {:.0f} %)", 100 * s.ray_through, 100 * options.max_ray_through);
-  if (2 * s.radius < options.min_dbh_m) return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, 100 * options.min_dbh_m);
-  if (2 * s.radius > options.max_dbh_m) return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, 100 * options.max_dbh_m);
-  if (s.arc_rad * to_deg < options.min_arc_deg) return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg, options.min_arc_deg);
+  if (s.ray_through > options.max_ray_through)
+    return fmt::format("{:.0f} % of the rays towards its core pass through; bark lets none (limit {:.0f} %)",
+                       100 * s.ray_through, 100 * options.max_ray_through);
+  if (2 * s.radius < options.min_dbh_m)
+    return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, 100 * options.min_dbh_m);
+  if (2 * s.radius > options.max_dbh_m)
+    return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, 100 * options.max_dbh_m);
+  if (s.arc_rad * to_deg < options.min_arc_deg)
+    return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg,
+                       options.min_arc_deg);
   if (s.unbroken_arc_rad * to_deg < options.min_arc_deg)
-    return fmt::format("separate clumps, not bark: no part of the circle longer than {:.0f} deg is without a gap (min_arc is {:.0f} deg)", s.unbroken_arc_rad * to_deg, options.min_arc_deg);
-  if (s.inside_share > 0.5) return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
+    return fmt::format(
+        "separate clumps, not bark: no part of the circle longer than {:.0f} deg is without a gap (min_arc is {:.0f} "
+        "deg)",
+        s.unbroken_arc_rad * to_deg, options.min_arc_deg);
+  if (s.inside_share > 0.5)
+    return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
   if (s.faults >= most_faults) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
-  if (s.radius_high - s.radius_low > 1.2 * s.radius) return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low, 200 * s.radius_high);
+  if (s.radius_high - s.radius_low > 1.2 * s.radius)
+    return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
+                       200 * s.radius_high);
   return std::nullopt;
 }
 

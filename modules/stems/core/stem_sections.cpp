@@ -16,13 +16,15 @@ constexpr double degree = std::numbers::pi / 180;
 void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, const MeasureOptions& options) {
   m.x = fit.circle.centre.x(), m.y = fit.circle.centre.y();
   m.section.centre = axes.to_cloud(Eigen::Vector3d(m.x, m.y, m.z));
-  m.section.radius = fit.circle.radius, m.section.sigma = fit.sigma, m.section.arc_rad = fit.arc_rad, m.section.inliers = fit.inliers;
+  m.section.radius = fit.circle.radius, m.section.sigma = fit.sigma, m.section.arc_rad = fit.arc_rad,
+  m.section.inliers = fit.inliers;
   m.good = fit.inliers >= options.min_section_points && fit.arc_rad >= options.min_arc_deg * degree - 1e-9;
 }
 
 }  // namespace
 
-std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, const SectionPlan& plan, const MeasureOptions& options) {
+std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes,
+                                              const SectionPlan& plan, const MeasureOptions& options) {
   std::map<int, std::vector<Eigen::Vector2d>> by_section;
   for (const auto& p : points) by_section[p.section].push_back(p.p.head<2>());
   std::vector<MeasuredSection> out;
@@ -51,7 +53,8 @@ struct WeightedLine {
 };
 
 // Weighted straight line with a prior on the slope; `prior_weight` is its information.
-WeightedLine fit_line(const std::vector<double>& z, const std::vector<double>& v, const std::vector<double>& w, double prior_slope, double prior_weight) {
+WeightedLine fit_line(const std::vector<double>& z, const std::vector<double>& v, const std::vector<double>& w,
+                      double prior_slope, double prior_weight) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d rhs(0, prior_weight * prior_slope);
   normal(1, 1) = prior_weight;
@@ -64,7 +67,8 @@ WeightedLine fit_line(const std::vector<double>& z, const std::vector<double>& v
 }
 
 // Choice of sections: within the window, or the nearest `enough` when the window holds too few.
-std::vector<MeasuredSection*> sections_near_breast_height(std::vector<MeasuredSection>& sections, const MeasureOptions& options) {
+std::vector<MeasuredSection*> sections_near_breast_height(std::vector<MeasuredSection>& sections,
+                                                          const MeasureOptions& options) {
   const auto enough = static_cast<std::size_t>(std::max(options.min_sections, 5));
   std::vector<MeasuredSection*> good;
   for (auto& m : sections)
@@ -78,8 +82,10 @@ std::vector<MeasuredSection*> sections_near_breast_height(std::vector<MeasuredSe
 
 SectionLine line_through(const std::vector<MeasuredSection*>& sections, const std::vector<double>& weights) {
   std::vector<double> z, x, y, r;
-  for (const auto* m : sections) z.push_back(m->z), x.push_back(m->x), y.push_back(m->y), r.push_back(m->section.radius);
-  const auto lx = fit_line(z, x, weights, 0, 1e-3), ly = fit_line(z, y, weights, 0, 1e-3), lr = fit_line(z, r, weights, -0.005, 1.0);
+  for (const auto* m : sections)
+    z.push_back(m->z), x.push_back(m->x), y.push_back(m->y), r.push_back(m->section.radius);
+  const auto lx = fit_line(z, x, weights, 0, 1e-3), ly = fit_line(z, y, weights, 0, 1e-3),
+             lr = fit_line(z, r, weights, -0.005, 1.0);
   return {lx.value, ly.value, lx.slope, ly.slope, lr.value, lr.slope, 0};
 }
 

@@ -14,7 +14,8 @@ struct MeasuredSection {
   Section section;
 };
 
-// Start of the joint fit: straight axis and linear taper through the good sections in the window, in stem axes at z = 0.
+// Start of the joint fit: straight axis and linear taper through the good sections in the window, in stem axes at z =
+// 0.
 struct SectionLine {
   double x = 0, y = 0, slope_x = 0, slope_y = 0, radius = 0, taper = 0;
   int sections = 0;
@@ -26,9 +27,11 @@ struct SectionPlan {
   double step = 0.1;             // spacing and thickness
   double breast_height = 1.3;
 };
-std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes, const SectionPlan& plan, const MeasureOptions& options);
+std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes,
+                                              const SectionPlan& plan, const MeasureOptions& options);
 
-// Marks as used the sections that agree with one another, those within the window around breast height when there are enough, else the nearest ones.
+// Marks as used the sections that agree with one another, those within the window around breast height when there are
+// enough, else the nearest ones.
 SectionLine join_sections(std::vector<MeasuredSection>& sections, const MeasureOptions& options);
 
 const MeasuredSection* find_section(const std::vector<MeasuredSection>& sections, int number);

@@ -56,7 +56,8 @@ Table stem_table(const StemSurvey& survey) {
   numbers(t, "dbh_cm", stems, [](const Stem& s) { return 200 * s.radius; });
   numbers(t, "dbh_lo_cm", stems, [](const Stem& s) { return 200 * s.radius_low; });
   numbers(t, "dbh_hi_cm", stems, [](const Stem& s) { return 200 * s.radius_high; });
-  numbers(t, "height_m", stems, [](const Stem& s) { return s.height_m > 0 ? s.height_m : std::numeric_limits<double>::quiet_NaN(); });
+  numbers(t, "height_m", stems,
+          [](const Stem& s) { return s.height_m > 0 ? s.height_m : std::numeric_limits<double>::quiet_NaN(); });
   integers(t, "height_seen", stems, [](const Stem& s) { return s.height_seen; });
   numbers(t, "lean_deg", stems, lean_deg);
   numbers(t, "lean_azimuth_deg", stems, lean_azimuth_deg);

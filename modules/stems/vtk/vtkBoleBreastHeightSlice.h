@@ -1,4 +1,5 @@
-// The layer of points around breast height. The stage `stems.slice` as a VTK algorithm: options, ports and method are those of the stage.
+// The layer of points around breast height. The stage `stems.slice` as a VTK algorithm: options, ports and method are
+// those of the stage.
 #ifndef vtkBoleBreastHeightSlice_h
 #define vtkBoleBreastHeightSlice_h
 

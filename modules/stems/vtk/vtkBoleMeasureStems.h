@@ -1,4 +1,5 @@
-// Stems with diameter and its interval. The stage `stems.measure` as a VTK algorithm: options, ports and method are those of the stage.
+// Stems with diameter and its interval. The stage `stems.measure` as a VTK algorithm: options, ports and method are
+// those of the stage.
 #ifndef vtkBoleMeasureStems_h
 #define vtkBoleMeasureStems_h
 

@@ -22,9 +22,10 @@ struct TargetChoice {
   std::string reason;  // how the centre was told from the north
 };
 
-// `candidates` are in levelled axes, those seen from most positions first. The pair must fit options.target_distance_m where
-// that is given. The walk starts at the plot centre: the target nearest to `walk_start` (levelled) is the centre; without it
-// the one seen from more positions is taken for the centre, with a warning.
-TargetChoice choose_targets(const std::vector<RetroCluster>& candidates, const std::optional<Eigen::Vector3d>& walk_start, const FrameOptions& options);
+// `candidates` are in levelled axes, those seen from most positions first. The pair must fit options.target_distance_m
+// where that is given. The walk starts at the plot centre: the target nearest to `walk_start` (levelled) is the centre;
+// without it the one seen from more positions is taken for the centre, with a warning.
+TargetChoice choose_targets(const std::vector<RetroCluster>& candidates,
+                            const std::optional<Eigen::Vector3d>& walk_start, const FrameOptions& options);
 
 }  // namespace bole::survey

@@ -31,7 +31,8 @@ Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double 
     std::vector<double> off;
     for (const auto& p : points) off.push_back(std::abs(p.z() - plane.dot(Eigen::Vector3d(1, p.x(), p.y()))));
     const double cut = 4.685 * std::max(least_sigma_m, 1.4826 * median(off));
-    for (std::size_t i = 0; i < points.size(); ++i) weights[i] = off[i] >= cut ? 0.0 : std::pow(1 - off[i] * off[i] / (cut * cut), 2);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      weights[i] = off[i] >= cut ? 0.0 : std::pow(1 - off[i] * off[i] / (cut * cut), 2);
   }
   return plane;
 }
@@ -39,11 +40,13 @@ Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double 
 // The lowest point of each cell, a tenth of the cell's points being passed over as possible noise.
 std::vector<Eigen::Vector3d> lowest_per_cell(std::vector<Eigen::Vector3d> points, double cell_m) {
   std::map<std::pair<int, int>, std::vector<Eigen::Vector3d>> cells;
-  for (const auto& p : points) cells[{static_cast<int>(std::floor(p.y() / cell_m)), static_cast<int>(std::floor(p.x() / cell_m))}].push_back(p);
+  for (const auto& p : points)
+    cells[{static_cast<int>(std::floor(p.y() / cell_m)), static_cast<int>(std::floor(p.x() / cell_m))}].push_back(p);
   std::vector<Eigen::Vector3d> out;
   for (auto& [key, members] : cells) {
     const auto rank = static_cast<std::ptrdiff_t>(std::min<std::size_t>(members.size() / 10, 10));
-    std::nth_element(members.begin(), members.begin() + rank, members.end(), [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
+    std::nth_element(members.begin(), members.begin() + rank, members.end(),
+                     [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
     out.push_back(members[static_cast<std::size_t>(rank)]);
   }
   return out;
@@ -58,12 +61,14 @@ GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   std::vector<double> xs, ys;
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < cloud.size(); i += stride)
-    if (const auto& p = cloud.positions()[i]; p.allFinite()) points.push_back(p.cast<double>()), xs.push_back(points.back().x()), ys.push_back(points.back().y());
+    if (const auto& p = cloud.positions()[i]; p.allFinite())
+      points.push_back(p.cast<double>()), xs.push_back(points.back().x()), ys.push_back(points.back().y());
   run.check_cancel();
   GroundPlane out;
   if (points.empty()) return out;
   const Eigen::Vector2d middle(median(xs), median(ys));
-  std::erase_if(points, [&](const Eigen::Vector3d& p) { return (p.head<2>() - middle).cwiseAbs().maxCoeff() > reach_m; });
+  std::erase_if(points,
+                [&](const Eigen::Vector3d& p) { return (p.head<2>() - middle).cwiseAbs().maxCoeff() > reach_m; });
   const auto low = lowest_per_cell(std::move(points), cell_m);
   run.check_cancel();
   if (low.size() < least_cells) return out;
@@ -73,7 +78,8 @@ GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   return out;
 }
 
-std::optional<double> ground_height_at(const PointCloud& cloud, const Eigen::Matrix3d& R_level_map, const Eigen::Vector2d& place, double radius_m, const Run& run) {
+std::optional<double> ground_height_at(const PointCloud& cloud, const Eigen::Matrix3d& R_level_map,
+                                       const Eigen::Vector2d& place, double radius_m, const Run& run) {
   std::vector<Eigen::Vector3d> near;  // plan offsets from the place, levelled z
   const Eigen::Vector3d levelled_origin = R_level_map * cloud.origin;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -92,7 +98,8 @@ std::optional<double> ground_height_at(const PointCloud& cloud, const Eigen::Mat
   std::array<double, static_cast<std::size_t>(bins)> counts{};
   for (const auto& p : near) {
     const double h = p.z() - plane.dot(Eigen::Vector3d(1, p.x(), p.y()));
-    if (std::abs(h) < band_m) counts[static_cast<std::size_t>(std::clamp(static_cast<int>((h + band_m) / bin_m), 0, bins - 1))] += 1;
+    if (std::abs(h) < band_m)
+      counts[static_cast<std::size_t>(std::clamp(static_cast<int>((h + band_m) / bin_m), 0, bins - 1))] += 1;
   }
   const auto peak = std::max_element(counts.begin() + 1, counts.end() - 1) - counts.begin();
   double offset = -band_m + (static_cast<double>(peak) + 0.5) * bin_m;

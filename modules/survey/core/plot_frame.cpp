@@ -19,7 +19,8 @@ constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class FrameFinder {
  public:
-  FrameFinder(const PointCloud& cloud, const Trajectory* trajectory, const FrameOptions& options, const Run& run) : cloud_(cloud), trajectory_(trajectory), options_(options), run_(run) {}
+  FrameFinder(const PointCloud& cloud, const Trajectory* trajectory, const FrameOptions& options, const Run& run)
+      : cloud_(cloud), trajectory_(trajectory), options_(options), run_(run) {}
 
   PlotFrame find() {
     if (cloud_.empty()) throw bad_input("the cloud has no points", "at least one");
@@ -52,19 +53,23 @@ class FrameFinder {
     auto search = find_retro_clusters(cloud_, options_, run_);
     if (search.too_many)
       frame_.report.warn(
-          fmt::format("{} of {} points have an intensity above intensity_min ({}): it does not suit this sensor, targets were not looked for", search.strong_points, cloud_.size(), number_text(options_.intensity_min)));
+          fmt::format("{} of {} points have an intensity above intensity_min ({}): it does not suit this sensor, "
+                      "targets were not looked for",
+                      search.strong_points, cloud_.size(), number_text(options_.intensity_min)));
     std::vector<RetroCluster> candidates;
     for (auto& c : search.clusters) {
       if (c.rejected.empty())
         candidates.push_back(c);
       else if (c.points >= static_cast<std::size_t>(options_.target_points_min))
-        frame_.report.facts[fmt::format("rejected_{}", ++rejected_)] = fmt::format("strong returns at ({:.2f}, {:.2f}, {:.2f}): {}", c.centre.x(), c.centre.y(), c.centre.z(), c.rejected);
+        frame_.report.facts[fmt::format("rejected_{}", ++rejected_)] = fmt::format(
+            "strong returns at ({:.2f}, {:.2f}, {:.2f}): {}", c.centre.x(), c.centre.y(), c.centre.z(), c.rejected);
     }
     frame_.report.counts["strong_points"] = static_cast<std::int64_t>(search.strong_points);
     frame_.report.counts["target_candidates"] = static_cast<std::int64_t>(candidates.size());
     for (auto& c : candidates) c.centre = levelled_centre(c);
     std::optional<Eigen::Vector3d> start;
-    if (trajectory_ && !trajectory_->empty()) start = R_level_map_ * trajectory_->poses.front().T_target_sensor.translation();
+    if (trajectory_ && !trajectory_->empty())
+      start = R_level_map_ * trajectory_->poses.front().T_target_sensor.translation();
     auto choice = choose_targets(candidates, start, options_);
     for (const auto& w : choice.warnings) frame_.report.warn(w);
     return choice;
@@ -91,11 +96,15 @@ class FrameFinder {
     const Eigen::Vector3d centre = choice.targets.front().position;
     constexpr double radius_m = 1.0;
     const auto ground = ground_height_at(cloud_, R_level_map_, centre.head<2>(), radius_m, run_);
-    if (!ground) frame_.report.warn("there are too few points around the centre target to tell the height of the ground: z is zero at the target");
+    if (!ground)
+      frame_.report.warn(
+          "there are too few points around the centre target to tell the height of the ground: z is zero at the "
+          "target");
     double turn_rad = 0;
     if (choice.targets.size() == 2) {
       const Eigen::Vector3d to_north = choice.targets[1].position - centre;
-      turn_rad = std::numbers::pi / 2 - options_.north_bearing_deg * rad_per_deg - std::atan2(to_north.y(), to_north.x());
+      turn_rad =
+          std::numbers::pi / 2 - options_.north_bearing_deg * rad_per_deg - std::atan2(to_north.y(), to_north.x());
       frame_.axes = Axes::plot;
       frame_.report.metrics["target_distance"] = {to_north.head<2>().norm(), Unit::metre};
     }
@@ -137,12 +146,15 @@ class FrameFinder {
     if (vertical_.method == "stems") {
       report.metrics["tilt_standard_error"] = {vertical_.standard_error_rad / rad_per_deg, Unit::degree};
       report.metrics["stem_lean_scatter"] = {vertical_.scatter_rad / rad_per_deg, Unit::degree};
-      level = fmt::format("levelled by {} stems (tilt {:.2f} +- {:.2f} deg)", vertical_.stems, tilt_deg, vertical_.standard_error_rad / rad_per_deg);
+      level = fmt::format("levelled by {} stems (tilt {:.2f} +- {:.2f} deg)", vertical_.stems, tilt_deg,
+                          vertical_.standard_error_rad / rad_per_deg);
     }
     if (choice.targets.size() == 2)
-      report.message = fmt::format("Plot axes from two targets {:.2f} m apart, {}.", report.metrics["target_distance"].value, level);
+      report.message =
+          fmt::format("Plot axes from two targets {:.2f} m apart, {}.", report.metrics["target_distance"].value, level);
     else
-      report.message = fmt::format("Map axes kept: {} found; {}.", choice.targets.empty() ? "no targets were" : "only one target was", level);
+      report.message = fmt::format("Map axes kept: {} found; {}.",
+                                   choice.targets.empty() ? "no targets were" : "only one target was", level);
   }
 
   const PointCloud& cloud_;
@@ -157,6 +169,9 @@ class FrameFinder {
 
 }  // namespace
 
-PlotFrame find_plot_frame(const PointCloud& points_in_map, const Trajectory* trajectory_in_map, const FrameOptions& options, const Run& run) { return FrameFinder(points_in_map, trajectory_in_map, options, run).find(); }
+PlotFrame find_plot_frame(const PointCloud& points_in_map, const Trajectory* trajectory_in_map,
+                          const FrameOptions& options, const Run& run) {
+  return FrameFinder(points_in_map, trajectory_in_map, options, run).find();
+}
 
 }  // namespace bole::survey

@@ -23,9 +23,11 @@ struct PlotFrame {
   Report report;
 };
 
-// Finds the vertical and the targets (SPEC A9) and from them the axes of the plot: z up, origin on the ground below the centre
-// target, the north target at options.north_bearing_deg from it, clockwise from y. With one target: origin there, heading of
-// the map. With none: levelled about the cloud's origin. Throws Error{bad_input} for a cloud without points.
-PlotFrame find_plot_frame(const PointCloud& points_in_map, const Trajectory* trajectory_in_map, const FrameOptions& options, const Run& run);
+// Finds the vertical and the targets (SPEC A9) and from them the axes of the plot: z up, origin on the ground below the
+// centre target, the north target at options.north_bearing_deg from it, clockwise from y. With one target: origin
+// there, heading of the map. With none: levelled about the cloud's origin. Throws Error{bad_input} for a cloud without
+// points.
+PlotFrame find_plot_frame(const PointCloud& points_in_map, const Trajectory* trajectory_in_map,
+                          const FrameOptions& options, const Run& run);
 
 }  // namespace bole::survey

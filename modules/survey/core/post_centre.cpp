@@ -59,7 +59,8 @@ PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<d
       const Eigen::Vector2d d = points[i] - circle.head<2>();
       const double r = d.norm(), u = off[i] / cut;
       const double w = (weights.empty() ? 1.0 : weights[i]) * (1 - u * u) * (1 - u * u);
-      const Eigen::Vector3d row(-d.x() / std::max(r, 1e-9), -d.y() / std::max(r, 1e-9), -1);  // derivative of r - radius
+      const Eigen::Vector3d row(-d.x() / std::max(r, 1e-9), -d.y() / std::max(r, 1e-9),
+                                -1);  // derivative of r - radius
       normal += w * row * row.transpose(), right -= w * (r - circle.z()) * row;
     }
     const Eigen::Vector3d step = normal.ldlt().solve(right);
@@ -68,7 +69,8 @@ PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<d
     if (step.norm() < 1e-6) break;
   }
   fit.centre = circle.head<2>(), fit.radius_m = circle.z();
-  fit.valid = fit.radius_m >= least_radius_m && fit.radius_m <= most_radius_m && fit.residual_m < fit.radius_m / 3 && seen_share(points, circle, 3 * fit.residual_m) >= 1.0 / 3;
+  fit.valid = fit.radius_m >= least_radius_m && fit.radius_m <= most_radius_m && fit.residual_m < fit.radius_m / 3 &&
+              seen_share(points, circle, 3 * fit.residual_m) >= 1.0 / 3;
   return fit;
 }
 

@@ -23,10 +23,13 @@ struct SensorPositions {
 
   explicit SensorPositions(const PointCloud& cloud) {
     if (!cloud.has(arrays::sensor_x) || !cloud.has(arrays::sensor_y) || !cloud.has(arrays::sensor_z)) return;
-    x = &cloud.values<float>(arrays::sensor_x), y = &cloud.values<float>(arrays::sensor_y), z = &cloud.values<float>(arrays::sensor_z);
+    x = &cloud.values<float>(arrays::sensor_x), y = &cloud.values<float>(arrays::sensor_y),
+    z = &cloud.values<float>(arrays::sensor_z);
   }
   bool known() const { return x != nullptr; }
-  Eigen::Vector3d of(std::size_t i) const { return {static_cast<double>((*x)[i]), static_cast<double>((*y)[i]), static_cast<double>((*z)[i])}; }
+  Eigen::Vector3d of(std::size_t i) const {
+    return {static_cast<double>((*x)[i]), static_cast<double>((*y)[i]), static_cast<double>((*z)[i])};
+  }
 };
 
 std::vector<std::uint32_t> strong_points(const PointCloud& cloud, double intensity_min, const Run& run) {
@@ -34,13 +37,15 @@ std::vector<std::uint32_t> strong_points(const PointCloud& cloud, double intensi
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (i % (1 << 20) == 0) run.check_cancel();
-    if (column_value(column, i) > intensity_min && cloud.positions()[i].allFinite()) out.push_back(static_cast<std::uint32_t>(i));
+    if (column_value(column, i) > intensity_min && cloud.positions()[i].allFinite())
+      out.push_back(static_cast<std::uint32_t>(i));
   }
   return out;
 }
 
 // The members of each connected group.
-std::vector<std::vector<std::uint32_t>> group_points(const PointCloud& cloud, const std::vector<std::uint32_t>& points) {
+std::vector<std::vector<std::uint32_t>> group_points(const PointCloud& cloud,
+                                                     const std::vector<std::uint32_t>& points) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed;
   keyed.reserve(points.size());
   for (const auto i : points) keyed.emplace_back(voxel_key(cloud.positions()[i].cast<double>(), link_cell_m), i);
@@ -77,7 +82,8 @@ double longest_extent(const PointCloud& cloud, const std::vector<std::uint32_t>&
   return along[along.size() - 1 - cut] - along[cut];
 }
 
-RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>& points, const SensorPositions& sensor) {
+RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>& points,
+                      const SensorPositions& sensor) {
   RetroCluster out;
   out.points = points.size();
   out.members = points;
@@ -104,9 +110,13 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
 }
 
 std::string why_rejected(const RetroCluster& c, const FrameOptions& o) {
-  if (c.points < static_cast<std::size_t>(o.target_points_min)) return fmt::format("{} points, target_points_min is {}", c.points, o.target_points_min);
-  if (c.extent_m > o.target_size_m) return fmt::format("{:.2f} m long, target_size_m is {:.2f} m", c.extent_m, o.target_size_m);
-  if (c.view_span_m < o.target_views_m) return fmt::format("seen from positions {:.1f} m apart, target_views_m is {:.1f} m", c.view_span_m, o.target_views_m);
+  if (c.points < static_cast<std::size_t>(o.target_points_min))
+    return fmt::format("{} points, target_points_min is {}", c.points, o.target_points_min);
+  if (c.extent_m > o.target_size_m)
+    return fmt::format("{:.2f} m long, target_size_m is {:.2f} m", c.extent_m, o.target_size_m);
+  if (c.view_span_m < o.target_views_m)
+    return fmt::format("seen from positions {:.1f} m apart, target_views_m is {:.1f} m", c.view_span_m,
+                       o.target_views_m);
   return {};
 }
 
@@ -125,7 +135,9 @@ RetroSearch find_retro_clusters(const PointCloud& cloud, const FrameOptions& opt
     out.clusters.push_back(describe(cloud, group, sensor));
     out.clusters.back().rejected = why_rejected(out.clusters.back(), options);
   }
-  std::stable_sort(out.clusters.begin(), out.clusters.end(), [](const RetroCluster& a, const RetroCluster& b) { return a.views != b.views ? a.views > b.views : a.points > b.points; });
+  std::stable_sort(out.clusters.begin(), out.clusters.end(), [](const RetroCluster& a, const RetroCluster& b) {
+    return a.views != b.views ? a.views > b.views : a.points > b.points;
+  });
   return out;
 }
 

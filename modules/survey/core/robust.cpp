@@ -13,7 +13,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights, double least_sigma) {
+RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
+                       double least_sigma) {
   const auto dims = samples.front().size();
   RobustMean out;
   out.mean.resize(dims);
@@ -43,7 +44,8 @@ RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::v
     const double step = (next - out.mean).norm();
     out.mean = next;
     out.effective_count = total * total / squares;
-    out.standard_error = std::sqrt(scatter / total / static_cast<double>(dims) / std::max(1.0, out.effective_count - 1));
+    out.standard_error =
+        std::sqrt(scatter / total / static_cast<double>(dims) / std::max(1.0, out.effective_count - 1));
     if (step < 1e-9) break;
   }
   return out;

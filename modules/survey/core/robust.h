@@ -15,8 +15,9 @@ struct RobustMean {
   double effective_count = 0;  // sum of weights
 };
 
-// Location by Tukey's biweight (c = 4.685) from the component-wise median, scale by the median absolute deviation of the
-// distances but not below `least_sigma`. `weights` may be empty (all one). At least one sample.
-RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights, double least_sigma);
+// Location by Tukey's biweight (c = 4.685) from the component-wise median, scale by the median absolute deviation of
+// the distances but not below `least_sigma`. `weights` may be empty (all one). At least one sample.
+RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
+                       double least_sigma);
 
 }  // namespace bole::survey

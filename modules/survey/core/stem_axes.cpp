@@ -38,10 +38,14 @@ std::vector<Layered> sort_into_layers(const std::vector<Eigen::Vector3d>& points
   std::vector<Layered> out;
   out.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d scaled(points[i].x(), points[i].y(), std::floor(points[i].z() / layer_m) * 2 * link_cell_m);  // layers two cells apart do not touch
-    out.push_back({voxel_key(scaled + Eigen::Vector3d(0, 0, 0.5 * link_cell_m), link_cell_m), static_cast<std::uint32_t>(i)});
+    const Eigen::Vector3d scaled(
+        points[i].x(), points[i].y(),
+        std::floor(points[i].z() / layer_m) * 2 * link_cell_m);  // layers two cells apart do not touch
+    out.push_back(
+        {voxel_key(scaled + Eigen::Vector3d(0, 0, 0.5 * link_cell_m), link_cell_m), static_cast<std::uint32_t>(i)});
   }
-  std::sort(out.begin(), out.end(), [](const Layered& a, const Layered& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+  std::sort(out.begin(), out.end(),
+            [](const Layered& a, const Layered& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
   return out;
 }
 
@@ -180,20 +184,24 @@ std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run) {
   entries.reserve(stride ? cloud.size() / stride + 1 : 0);
   for (std::size_t i = 0; i < cloud.size(); i += stride) {
     if (entries.size() % (1 << 20) == 0) run.check_cancel();
-    if (cloud.positions()[i].allFinite()) entries.push_back({voxel_key(cloud.positions()[i].cast<double>(), thin_cell_m), static_cast<std::uint32_t>(i)});
+    if (cloud.positions()[i].allFinite())
+      entries.push_back({voxel_key(cloud.positions()[i].cast<double>(), thin_cell_m), static_cast<std::uint32_t>(i)});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
   run.check_cancel();
   std::vector<Eigen::Vector3d> out;
   for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (last = first; last < entries.size() && entries[last].key == entries[first].key; ++last) sum += cloud.positions()[entries[last].point].cast<double>();
+    for (last = first; last < entries.size() && entries[last].key == entries[first].key; ++last)
+      sum += cloud.positions()[entries[last].point].cast<double>();
     out.push_back(sum / static_cast<double>(last - first));
   }
   return out;
 }
 
-std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up, double most_angle_rad, const Run& run) {
+std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up,
+                                     double most_angle_rad, const Run& run) {
   const Eigen::Matrix3d R_level_map = rotation_between(up, Eigen::Vector3d::UnitZ());
   std::vector<Eigen::Vector3d> levelled;
   levelled.reserve(points.size());
@@ -204,13 +212,17 @@ std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points,
   for (std::size_t first = 0, last = 0; first < groups.size(); first = last) {
     run.check_cancel();
     for (last = first; last < groups.size() && groups[last].layer == groups[first].layer;) ++last;
-    builder.add_layer({groups.begin() + static_cast<std::ptrdiff_t>(first), groups.begin() + static_cast<std::ptrdiff_t>(last)}, groups[first].layer);
+    builder.add_layer(
+        {groups.begin() + static_cast<std::ptrdiff_t>(first), groups.begin() + static_cast<std::ptrdiff_t>(last)},
+        groups[first].layer);
   }
   std::vector<StemAxis> out;
   for (auto& chain : builder.finish()) {
     if (chain.size() < 4) continue;
     auto axis = fit_axis(std::move(chain));
-    if (axis.residual_m > greatest_residual_m || axis.length_m < shortest_stem_m || std::acos(std::min(1.0, axis.direction.z())) > most_angle_rad) continue;
+    if (axis.residual_m > greatest_residual_m || axis.length_m < shortest_stem_m ||
+        std::acos(std::min(1.0, axis.direction.z())) > most_angle_rad)
+      continue;
     axis.direction = R_level_map.transpose() * axis.direction;
     axis.middle = R_level_map.transpose() * axis.middle;
     out.push_back(axis);

@@ -67,12 +67,16 @@ bool level_by_ground(const PointCloud& cloud, const FrameOptions& options, const
   const double tilt = std::acos(plane.normal.z());
   if (tilt > options.most_tilt_deg * rad_per_deg) {
     vertical.warnings.push_back(
-        fmt::format("the ground is tilted by {:.1f} deg against the map's z axis, more than most_tilt_deg ({} deg): the map was not levelled", tilt / rad_per_deg, number_text(options.most_tilt_deg)));
+        fmt::format("the ground is tilted by {:.1f} deg against the map's z axis, more than most_tilt_deg ({} deg): "
+                    "the map was not levelled",
+                    tilt / rad_per_deg, number_text(options.most_tilt_deg)));
     return false;
   }
   vertical.up = plane.normal, vertical.method = "ground";
   vertical.standard_error_rad = std::numeric_limits<double>::quiet_NaN();
-  vertical.warnings.push_back("levelled by the plane of the ground: the slope of the plot cannot be told from the tilt of the map and was removed with it");
+  vertical.warnings.push_back(
+      "levelled by the plane of the ground: the slope of the plot cannot be told from the tilt of the map and was "
+      "removed with it");
   return true;
 }
 
@@ -83,9 +87,12 @@ Vertical find_vertical(const PointCloud& cloud, const FrameOptions& options, con
   if (options.level == "none") return vertical;
   if (options.level == "stems") {
     if (level_by_stems(cloud, options, run, vertical)) return vertical;
-    vertical.warnings.push_back(fmt::format("{} stems were found to level by, stems_min is {}: the ground was taken instead", vertical.stems, options.stems_min));
+    vertical.warnings.push_back(
+        fmt::format("{} stems were found to level by, stems_min is {}: the ground was taken instead", vertical.stems,
+                    options.stems_min));
   }
-  if (!level_by_ground(cloud, options, run, vertical)) vertical.warnings.push_back("there was nothing to level by: the map's z axis was kept");
+  if (!level_by_ground(cloud, options, run, vertical))
+    vertical.warnings.push_back("there was nothing to level by: the map's z axis was kept");
   return vertical;
 }
 

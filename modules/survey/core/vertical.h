@@ -21,7 +21,8 @@ struct Vertical {
 };
 
 // The cloud's z axis points up to within options.most_tilt_deg.
-//   stems:  the robust mean (Tukey) of the stems' axes, found again after levelling until it settles. Stems grow against
+//   stems:  the robust mean (Tukey) of the stems' axes, found again after levelling until it settles. Stems grow
+//   against
 //           gravity on any slope, and single leaning ones are outvoted; a lean common to all of them is not seen.
 //   ground: the robust plane through the lowest points of 1 m cells: right on level plots only.
 Vertical find_vertical(const PointCloud& cloud, const FrameOptions& options, const Run& run);

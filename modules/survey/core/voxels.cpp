@@ -37,7 +37,8 @@ std::vector<std::uint32_t> connected_groups(const std::vector<std::uint64_t>& ke
         for (std::size_t i = 0; i < keys.size(); ++i) {
           const std::uint64_t wanted = keys[i] + static_cast<std::uint64_t>(step);
           while (j < keys.size() && keys[j] < wanted) ++j;
-          if (j < keys.size() && keys[j] == wanted) groups.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
+          if (j < keys.size() && keys[j] == wanted)
+            groups.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(j));
         }
       }
   std::vector<std::uint32_t> number(keys.size());

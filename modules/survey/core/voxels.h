@@ -8,7 +8,8 @@
 
 namespace bole::survey {
 
-// A cube's integer coordinates as one number that sorts by z, then y, then x. Coordinates beyond +-2^20 cells are clamped.
+// A cube's integer coordinates as one number that sorts by z, then y, then x. Coordinates beyond +-2^20 cells are
+// clamped.
 inline std::uint64_t voxel_key(const Eigen::Vector3d& p, double cell_m) {
   const auto part = [cell_m](double v) {
     constexpr double half = 1 << 20;
@@ -18,8 +19,8 @@ inline std::uint64_t voxel_key(const Eigen::Vector3d& p, double cell_m) {
   return part(p.z()) << 42 | part(p.y()) << 21 | part(p.x());
 }
 
-// Number of the connected group of each key (cubes that touch by a face, edge or corner), groups counted from 0 in order of
-// their first key. `keys` ascend without repeats.
+// Number of the connected group of each key (cubes that touch by a face, edge or corner), groups counted from 0 in
+// order of their first key. `keys` ascend without repeats.
 std::vector<std::uint32_t> connected_groups(const std::vector<std::uint64_t>& keys);
 
 }  // namespace bole::survey

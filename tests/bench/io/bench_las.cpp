@@ -54,8 +54,14 @@ void ReadLaz(benchmark::State& state, const char* sample) {
   if (!std::filesystem::exists(path)) return state.SkipWithError("the sample is absent");
   read(state, path);
 }
-BENCHMARK_CAPTURE(ReadLaz, pointwise_format3, "als_ground/AHN3.laz")->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(ReadLaz, layered_format6, "tls_spanner/TLS_Clip.laz")->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(ReadLaz, pointwise_format3, "als_ground/AHN3.laz")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(ReadLaz, layered_format6, "tls_spanner/TLS_Clip.laz")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
 
 void WriteLas(benchmark::State& state) {
   const PointCloud cloud = synthetic(count);

@@ -26,16 +26,20 @@ class Files {
     std::uniform_real_distribution<float> uniform(0, 30);
     PointCloud::Positions positions;
     std::vector<float> intensity;
-    for (int i = 0; i < 300000; ++i) positions.emplace_back(uniform(random), uniform(random), uniform(random)), intensity.push_back(std::floor(uniform(random)));
+    for (int i = 0; i < 300000; ++i)
+      positions.emplace_back(uniform(random), uniform(random), uniform(random)),
+          intensity.push_back(std::floor(uniform(random)));
     PointCloud cloud(std::move(positions), {450000, 5400000, 300});
     cloud.set_column(arrays::intensity, std::move(intensity));
     write_cloud(dir_ / "a.ply", cloud);
     write_cloud(dir_ / "a.xyz", cloud);
     const auto model = load_sensor_model("vlp32c");
     PcapWriter writer(dir_ / "a.pcap");
-    VelodyneEncoder encoder(model, VelodyneReturnMode::strongest, [&](const VelodyneEncoder::Bytes& bytes, double time_s) { writer.write(bytes, time_s); });
+    VelodyneEncoder encoder(model, VelodyneReturnMode::strongest,
+                            [&](const VelodyneEncoder::Bytes& bytes, double time_s) { writer.write(bytes, time_s); });
     const std::vector<LaserEcho> echoes(model.channels.size(), {10, 40});
-    for (int s = 0; s < 36000; ++s) encoder.add(1.7e9 + s * model.sequence_period_s, 20 * std::numbers::pi * s * model.sequence_period_s, echoes);
+    for (int s = 0; s < 36000; ++s)
+      encoder.add(1.7e9 + s * model.sequence_period_s, 20 * std::numbers::pi * s * model.sequence_period_s, echoes);
     writer.close();
   }
   ~Files() {

@@ -1,6 +1,6 @@
-// las_dump IN OUT.json [COPY.las]: reads a LAS or LAZ file and writes what was read for las_against_laspy.py: every column
-// as a raw binary file beside OUT.json, exact coordinates as x, y, z. With COPY the cloud is also written as LAS.
-// las_dump --time IN: seconds of the fastest of three readings.
+// las_dump IN OUT.json [COPY.las]: reads a LAS or LAZ file and writes what was read for las_against_laspy.py: every
+// column as a raw binary file beside OUT.json, exact coordinates as x, y, z. With COPY the cloud is also written as
+// LAS. las_dump --time IN: seconds of the fastest of three readings.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -13,7 +13,8 @@ namespace {
 
 template <class T>
 void write_raw(const std::string& path, const std::vector<T>& values) {
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(T)));
 }
 
 void dump(const bole::PointCloud& cloud, const bole::Report& report, const std::string& out) {
@@ -29,7 +30,8 @@ void dump(const bole::PointCloud& cloud, const bole::Report& report, const std::
     write_raw(out + "." + name, values);
     columns[name] = "float64";
   }
-  std::ofstream(out) << nlohmann::json{{"points", cloud.size()}, {"columns", columns}, {"crs", cloud.crs_wkt}, {"warnings", report.warnings}};
+  std::ofstream(out) << nlohmann::json{
+      {"points", cloud.size()}, {"columns", columns}, {"crs", cloud.crs_wkt}, {"warnings", report.warnings}};
 }
 
 double seconds_of_best(const std::string& path) {

@@ -17,7 +17,8 @@ void scan_plot(benchmark::State& state, const char* plot, const char* sensor_nam
   const PlotScene plot_scene = build_scene(forest, 1);
   const RayScene rays(plot_scene.model);
   const SensorModel sensor = load_sensor_model(sensor_name);
-  const auto route = plan_route(survey_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
+  const auto route =
+      plan_route(survey_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;
   parameters.stand_still_s = 0;
   parameters.most_s = 2;
@@ -29,11 +30,18 @@ void scan_plot(benchmark::State& state, const char* plot, const char* sensor_nam
     pulses += statistics.pulses;
   }
   state.SetItemsProcessed(pulses);
-  state.counters["rays"] = benchmark::Counter(static_cast<double>(pulses) * RayBundle::size, benchmark::Counter::kIsRate);
+  state.counters["rays"] =
+      benchmark::Counter(static_cast<double>(pulses) * RayBundle::size, benchmark::Counter::kIsRate);
   state.counters["triangles"] = static_cast<double>(rays.triangles());
 }
 
-BENCHMARK_CAPTURE(scan_plot, demo_vlp32c, "demo", "vlp32c")->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(scan_plot, plot1_vlp32c, "plot1", "vlp32c")->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(scan_plot, demo_vlp32c, "demo", "vlp32c")
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(scan_plot, plot1_vlp32c, "plot1", "vlp32c")
+    ->UseRealTime()
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,6 +1,7 @@
 // slam_accuracy [scan=FOLDER] [frames=N] [option=value ...]
-// Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or, without one, on a
-// synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the trunks are in the map.
+// Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or,
+// without one, on a synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the
+// trunks are in the map.
 #include <sys/resource.h>
 
 #include <Eigen/SVD>
@@ -40,7 +41,8 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
     G.push_back(truth.at(p.time_s));
   }
   Eigen::Matrix3Xd e(3, E.size()), g(3, G.size());
-  for (std::size_t i = 0; i < E.size(); ++i) e.col(static_cast<Eigen::Index>(i)) = E[i].translation(), g.col(static_cast<Eigen::Index>(i)) = G[i].translation();
+  for (std::size_t i = 0; i < E.size(); ++i)
+    e.col(static_cast<Eigen::Index>(i)) = E[i].translation(), g.col(static_cast<Eigen::Index>(i)) = G[i].translation();
   const Pose A(Eigen::umeyama(e, g, false));
   TrajectoryErrors out;
   for (std::size_t i = 0; i < E.size(); ++i) {
@@ -49,11 +51,13 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
     out.ate_m += d * d;
     out.worst_m = std::max(out.worst_m, d);
     out.turn_deg += std::pow(Eigen::AngleAxisd(aligned.linear().transpose() * G[i].linear()).angle() * 57.29578, 2);
-    if (i > 0) out.step_m += (((E[i - 1].inverse() * E[i]).inverse() * (G[i - 1].inverse() * G[i])).translation()).squaredNorm();
+    if (i > 0)
+      out.step_m += (((E[i - 1].inverse() * E[i]).inverse() * (G[i - 1].inverse() * G[i])).translation()).squaredNorm();
   }
   const Pose drift = (E.front().inverse() * E.back()).inverse() * (G.front().inverse() * G.back());
   const auto n = static_cast<double>(E.size());
-  out.ate_m = std::sqrt(out.ate_m / n), out.turn_deg = std::sqrt(out.turn_deg / n), out.step_m = std::sqrt(out.step_m / n), out.end_m = drift.translation().norm();
+  out.ate_m = std::sqrt(out.ate_m / n), out.turn_deg = std::sqrt(out.turn_deg / n),
+  out.step_m = std::sqrt(out.step_m / n), out.end_m = drift.translation().norm();
   return out;
 }
 
@@ -88,7 +92,8 @@ class FirstFrames : public FrameSource {
 
 // A circle through the breast-height points of each tree (algebraic start, Tukey weights), held against its girth.
 void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_map) {
-  const auto x = trees.numbers("x_m"), y = trees.numbers("y_m"), z = trees.numbers("z_m"), dbh = trees.numbers("dbh_cm"), inside = trees.numbers("in_plot");
+  const auto x = trees.numbers("x_m"), y = trees.numbers("y_m"), z = trees.numbers("z_m"),
+             dbh = trees.numbers("dbh_cm"), inside = trees.numbers("in_plot");
   double squared = 0, sum = 0, wall = 0, dx2 = 0;
   int fitted = 0, asked = 0;
   std::vector<Eigen::Vector3d> slice;
@@ -99,7 +104,8 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
     Eigen::Vector3d circle(x[t], y[t], dbh[t] / 200);  // centre and radius
     std::vector<Eigen::Vector2d> points;
     for (const auto& p : slice)
-      if (std::abs(p.z() - z[t] - 1.3) < 0.1 && std::abs((p.head<2>() - circle.head<2>()).norm() - circle.z()) < 0.15) points.push_back(p.head<2>());
+      if (std::abs(p.z() - z[t] - 1.3) < 0.1 && std::abs((p.head<2>() - circle.head<2>()).norm() - circle.z()) < 0.15)
+        points.push_back(p.head<2>());
     if (points.size() < 50) continue;
     double scale = 0.05;
     for (int round = 0; round < 30; ++round) {
@@ -108,7 +114,8 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
       std::vector<double> size;
       for (const auto& p : points) {
         const Eigen::Vector2d d = p - circle.head<2>();
-        const double r = d.norm() - circle.z(), u = r / (4.685 * scale), w = std::abs(u) < 1 ? std::pow(1 - u * u, 2) : 0;
+        const double r = d.norm() - circle.z(), u = r / (4.685 * scale),
+                     w = std::abs(u) < 1 ? std::pow(1 - u * u, 2) : 0;
         const Eigen::Vector3d J(-d.x() / d.norm(), -d.y() / d.norm(), -1);
         H += w * J * J.transpose();
         g += w * r * J;
@@ -121,14 +128,18 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
     const double error_cm = 200 * circle.z() - dbh[t];
     if (std::abs(error_cm) > 15) continue;
     ++fitted;
-    squared += error_cm * error_cm, sum += error_cm, wall += 100 * scale, dx2 += (circle.head<2>() - Eigen::Vector2d(x[t], y[t])).squaredNorm();
+    squared += error_cm * error_cm, sum += error_cm, wall += 100 * scale,
+        dx2 += (circle.head<2>() - Eigen::Vector2d(x[t], y[t])).squaredNorm();
   }
-  std::printf("trees fitted %d of %d: plain circle DBH bias %+.2f cm, RMSE %.2f cm, wall %.2f cm (robust SD), position %.1f cm\n", fitted, asked, sum / fitted, std::sqrt(squared / fitted), wall / fitted,
-              100 * std::sqrt(dx2 / fitted));
+  std::printf(
+      "trees fitted %d of %d: plain circle DBH bias %+.2f cm, RMSE %.2f cm, wall %.2f cm (robust SD), position %.1f "
+      "cm\n",
+      fitted, asked, sum / fitted, std::sqrt(squared / fitted), wall / fitted, 100 * std::sqrt(dx2 / fitted));
 }
 #endif
 
-// Radial residuals of map points about the trunks of the synthetic plot: 1.4826 MAD about the median, over heights of 0.5 to 3 m.
+// Radial residuals of map points about the trunks of the synthetic plot: 1.4826 MAD about the median, over heights of
+// 0.5 to 3 m.
 void print_walls(const PointCloud& map, const synthetic::World& world, const Pose& T_world_map) {
   std::vector<double> thickness, bias;
   std::vector<std::vector<double>> residuals(world.cylinders.size());
@@ -157,13 +168,15 @@ void print_walls(const PointCloud& map, const synthetic::World& world, const Pos
   if (thickness.empty()) return;
   double t = 0, b = 0;
   for (std::size_t i = 0; i < thickness.size(); ++i) t += thickness[i], b += bias[i];
-  std::printf("trunks %zu: wall %.2f cm (robust SD), median radial offset %+.2f cm\n", thickness.size(), 100 * t / static_cast<double>(thickness.size()), 100 * b / static_cast<double>(bias.size()));
+  std::printf("trunks %zu: wall %.2f cm (robust SD), median radial offset %+.2f cm\n", thickness.size(),
+              100 * t / static_cast<double>(thickness.size()), 100 * b / static_cast<double>(bias.size()));
 }
 
 }  // namespace
 
 int main(int count, char** arguments) try {
-  std::map<std::string, std::string> own{{"scan", ""}, {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"}, {"half", "16"}, {"radius", "8"}};
+  std::map<std::string, std::string> own{{"scan", ""},  {"frames", "200"}, {"noise", "0.02"},
+                                         {"gait", "1"}, {"half", "16"},    {"radius", "8"}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
@@ -184,7 +197,8 @@ int main(int count, char** arguments) try {
     sensor.range_noise_m = std::stod(own["noise"]);
     const double gait = std::stod(own["gait"]), radius = std::stod(own["radius"]);
     auto scan = std::make_shared<synthetic::SyntheticScan>(
-        world, sensor, [=](double t) { return synthetic::walk_on_circle(t, radius, 1.0, gait); }, std::stoul(own["frames"]));
+        world, sensor, [=](double t) { return synthetic::walk_on_circle(t, radius, 1.0, gait); },
+        std::stoul(own["frames"]));
     truth = scan->true_trajectory(200);
     source = scan;
   } else {
@@ -202,11 +216,16 @@ int main(int count, char** arguments) try {
   const auto e = compare(result.trajectory, truth);
   std::printf("%s\n", result.report.message.c_str());
   for (const auto& w : result.report.warnings) std::printf("warning: %s\n", w.c_str());
-  for (const auto& [name, value] : result.report.counts) std::printf("%s %lld  ", name.c_str(), static_cast<long long>(value));
+  for (const auto& [name, value] : result.report.counts)
+    std::printf("%s %lld  ", name.c_str(), static_cast<long long>(value));
   std::printf("\n");
-  for (const auto& [name, m] : result.report.metrics) std::printf("%s %.4g %s  ", name.c_str(), m.value, std::string(unit_symbol(m.unit)).c_str());
-  std::printf("\nATE RMSE %.2f cm, worst %.2f cm, turn %.3f deg, RPE over 0.1 s %.2f cm, end drift %.2f cm over %.1f m, user %.1f ms/frame\n", 100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_m, 100 * e.end_m,
-              truth.length_m(), 1000 * user_s / static_cast<double>(source->size()));
+  for (const auto& [name, m] : result.report.metrics)
+    std::printf("%s %.4g %s  ", name.c_str(), m.value, std::string(unit_symbol(m.unit)).c_str());
+  std::printf(
+      "\nATE RMSE %.2f cm, worst %.2f cm, turn %.3f deg, RPE over 0.1 s %.2f cm, end drift %.2f cm over %.1f m, user "
+      "%.1f ms/frame\n",
+      100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_m, 100 * e.end_m, truth.length_m(),
+      1000 * user_s / static_cast<double>(source->size()));
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO

@@ -20,7 +20,8 @@ const synthetic::StemCloud& plot() {
     auto stems = synthetic::make_stem_cloud(synthetic::random_stand(25, 0.08, 0.40, 1), o);
     auto positions = stems.points.positions();
     auto height = stems.points.values<float>(arrays::height_above_ground);
-    auto sx = stems.points.values<float>(arrays::sensor_x), sy = stems.points.values<float>(arrays::sensor_y), sz = stems.points.values<float>(arrays::sensor_z);
+    auto sx = stems.points.values<float>(arrays::sensor_x), sy = stems.points.values<float>(arrays::sensor_y),
+         sz = stems.points.values<float>(arrays::sensor_z);
     auto time = stems.points.values<double>(arrays::time);
     std::mt19937 random(2);
     std::uniform_real_distribution<float> u(-10, 10), crown(6, 15), ground(0, 0.05F);
@@ -30,8 +31,10 @@ const synthetic::StemCloud& plot() {
       sx.push_back(0), sy.push_back(0), sz.push_back(1.6F), time.push_back(0);
     }
     stems.points = PointCloud(std::move(positions));
-    stems.points.set_column(arrays::height_above_ground, std::move(height)), stems.points.set_column(arrays::time, std::move(time));
-    stems.points.set_column(arrays::sensor_x, std::move(sx)), stems.points.set_column(arrays::sensor_y, std::move(sy)), stems.points.set_column(arrays::sensor_z, std::move(sz));
+    stems.points.set_column(arrays::height_above_ground, std::move(height)),
+        stems.points.set_column(arrays::time, std::move(time));
+    stems.points.set_column(arrays::sensor_x, std::move(sx)), stems.points.set_column(arrays::sensor_y, std::move(sy)),
+        stems.points.set_column(arrays::sensor_z, std::move(sz));
     return stems;
   }();
   return cloud;

@@ -27,7 +27,9 @@ std::string error_of(const std::function<void()>& act) {
   return "no error";
 }
 
-TEST(PointCloud, PositionsAreOriginPlusOffset) { EXPECT_EQ(three_points().position(1), Eigen::Vector3d(500004, 5000005, 106)); }
+TEST(PointCloud, PositionsAreOriginPlusOffset) {
+  EXPECT_EQ(three_points().position(1), Eigen::Vector3d(500004, 5000005, 106));
+}
 
 TEST(PointCloud, CopiesSharePointsAndColumns) {
   const auto cloud = three_points();
@@ -64,7 +66,8 @@ TEST(Arrays, NamesAreUniqueAndColumnsFollowTheirTypes) {
 }
 
 TEST(Axes, NamesReadBack) {
-  for (const auto axes : {Axes::unknown, Axes::sensor, Axes::map, Axes::plot, Axes::global}) EXPECT_EQ(axes_from_name(axes_name(axes)), axes);
+  for (const auto axes : {Axes::unknown, Axes::sensor, Axes::map, Axes::plot, Axes::global})
+    EXPECT_EQ(axes_from_name(axes_name(axes)), axes);
   EXPECT_THROW(axes_from_name("moon"), Error);
 }
 

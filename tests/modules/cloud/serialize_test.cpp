@@ -113,8 +113,12 @@ TEST(Serialize, DamageIsTold) {
   EXPECT_THAT(stored_blobs(text), testing::SizeIs(3));
   EXPECT_THROW(load_data("{", store, no_frames), Error);
   EXPECT_THROW(load_data(R"({"kind": "cloud"})", store, no_frames), Error);
-  EXPECT_THROW(load_data(R"({"kind": "cloud", "size": 1000000000000, "origin": [0,0,0], "scale": [0,0,0], "axes": "map", "crs": "", "positions": ")" + stored_blobs(text)[2] + R"(", "columns": {}})", store, no_frames),
-               Error);
+  EXPECT_THROW(
+      load_data(
+          R"({"kind": "cloud", "size": 1000000000000, "origin": [0,0,0], "scale": [0,0,0], "axes": "map", "crs": "", "positions": ")" +
+              stored_blobs(text)[2] + R"(", "columns": {}})",
+          store, no_frames),
+      Error);
   MemoryStore empty;
   EXPECT_THROW(load_data(text, empty, no_frames), Error);
 }

@@ -1,5 +1,5 @@
-#include <Eigen/Geometry>
 #include "evaluation/core/evaluate_stems.h"
+#include <Eigen/Geometry>
 
 #include <gmock/gmock.h>
 
@@ -15,7 +15,8 @@ namespace {
 Table trees(const std::vector<std::array<double, 3>>& rows) {
   std::vector<std::int64_t> id;
   std::vector<double> x, y, dbh;
-  for (const auto& r : rows) id.push_back(static_cast<std::int64_t>(id.size()) + 1), x.push_back(r[0]), y.push_back(r[1]), dbh.push_back(r[2]);
+  for (const auto& r : rows)
+    id.push_back(static_cast<std::int64_t>(id.size()) + 1), x.push_back(r[0]), y.push_back(r[1]), dbh.push_back(r[2]);
   Table t;
   t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("dbh_cm", dbh);
   return t;
@@ -92,7 +93,8 @@ TEST(EvaluateStems, GatesAndClasses) {
   const auto reference = trees({{0, 0, 12}, {0.3, 0, 31}});
   // Positions alone would cross the pairs; diameters tell them apart.
   const auto e = evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, {});
-  EXPECT_THAT(e.matches.numbers("dbh_error_cm"), testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(-1, 1e-9)));
+  EXPECT_THAT(e.matches.numbers("dbh_error_cm"),
+              testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(-1, 1e-9)));
   EXPECT_NEAR(value(e.summary, "dbh_10_to_15_cm_bias"), 0.5, 1e-12);
   EXPECT_NEAR(value(e.summary, "dbh_30_to_35_cm_trees"), 1, 1e-12);
   EXPECT_NEAR(value(e.summary, "distance_0_to_5_m_completeness"), 100, 1e-12);
@@ -104,7 +106,8 @@ TEST(EvaluateStems, GatesAndClasses) {
 TEST(EvaluateStems, IntervalsAreCountedThatHoldTheTruth) {
   auto estimate = trees({{0, 0, 20}, {5, 5, 30}});
   estimate.set("dbh_lo_cm", std::vector<double>{19, 30.5}), estimate.set("dbh_hi_cm", std::vector<double>{21, 31});
-  EXPECT_NEAR(value(evaluate_stems(estimate, trees({{0, 0, 20.9}, {5, 5, 30}}), {}).summary, "dbh_interval_coverage"), 50, 1e-12);
+  EXPECT_NEAR(value(evaluate_stems(estimate, trees({{0, 0, 20.9}, {5, 5, 30}}), {}).summary, "dbh_interval_coverage"),
+              50, 1e-12);
 }
 
 TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
@@ -112,7 +115,8 @@ TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
   std::vector<std::array<double, 3>> moved;
   const Eigen::Rotation2Dd turn(0.01);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector2d p = turn * Eigen::Vector2d(reference.numbers("x_m")[i], reference.numbers("y_m")[i]) + Eigen::Vector2d(0.2, -0.1);
+    const Eigen::Vector2d p =
+        turn * Eigen::Vector2d(reference.numbers("x_m")[i], reference.numbers("y_m")[i]) + Eigen::Vector2d(0.2, -0.1);
     moved.push_back({p.x(), p.y(), 20});
   }
   EvaluationOptions o;

@@ -8,7 +8,8 @@ namespace {
 
 Table one_tree(double x, double dbh) {
   Table t;
-  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{x}), t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh});
+  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{x}),
+      t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh});
   return t;
 }
 

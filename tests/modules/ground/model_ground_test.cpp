@@ -28,8 +28,11 @@ DemError dem_error(const GroundModel& model, const Terrain& truth, double half_m
   DemError e;
   for (int iy = 0; iy < model.dem.ny; ++iy)
     for (int ix = 0; ix < model.dem.nx; ++ix) {
-      const double x = model.dem.origin.x() + (ix + 0.5) * model.dem.cell_m, y = model.dem.origin.y() + (iy + 0.5) * model.dem.cell_m;
-      if (std::abs(x) > half_m || std::abs(y) > half_m || std::isnan(model.dem.at(ix, iy)) || (measured_only && model.filled.at(ix, iy) > 0)) continue;
+      const double x = model.dem.origin.x() + (ix + 0.5) * model.dem.cell_m,
+                   y = model.dem.origin.y() + (iy + 0.5) * model.dem.cell_m;
+      if (std::abs(x) > half_m || std::abs(y) > half_m || std::isnan(model.dem.at(ix, iy)) ||
+          (measured_only && model.filled.at(ix, iy) > 0))
+        continue;
       const double d = static_cast<double>(model.dem.at(ix, iy)) - truth.height(x, y);
       e.bias += d, e.rmse += d * d, e.worst = std::max(e.worst, std::abs(d)), ++e.cells;
     }
@@ -37,7 +40,9 @@ DemError dem_error(const GroundModel& model, const Terrain& truth, double half_m
   return e;
 }
 
-GroundModel model(const PointCloud& cloud, const GroundOptions& options = {}) { return model_ground(cloud, options, bole::Run{}); }
+GroundModel model(const PointCloud& cloud, const GroundOptions& options = {}) {
+  return model_ground(cloud, options, bole::Run{});
+}
 
 TerrainRecipe forest() {
   TerrainRecipe r;
@@ -75,9 +80,12 @@ TEST(ModelGround, GrassLiftsTheModelByLessThanTwoCentimetres) {
   EXPECT_LT(std::abs(e.bias), 0.02);
 }
 
-double height_difference(const GroundModel& a, const GroundModel& b, const std::vector<std::uint32_t>* order = nullptr) {
+double height_difference(const GroundModel& a, const GroundModel& b,
+                         const std::vector<std::uint32_t>* order = nullptr) {
   double worst = 0;
-  for (std::size_t i = 0; i < b.height_above_ground.size(); ++i) worst = std::max(worst, std::abs(static_cast<double>(a.height_above_ground[order ? (*order)[i] : i]) - static_cast<double>(b.height_above_ground[i])));
+  for (std::size_t i = 0; i < b.height_above_ground.size(); ++i)
+    worst = std::max(worst, std::abs(static_cast<double>(a.height_above_ground[order ? (*order)[i] : i]) -
+                                     static_cast<double>(b.height_above_ground[i])));
   return worst;
 }
 
@@ -106,7 +114,8 @@ TEST(ModelGround, HolesUnderShrubsAreFilledAndMarked) {
   EXPECT_EQ(all.cells, 76U * 76U);  // none is missing
   EXPECT_LT(all.rmse, 0.04);        // the lowest leaves, 15 cm above ground, still lift the rims of the holes
   EXPECT_LT(dem_error(m, terrain, 9.5, true).cells, all.cells);
-  EXPECT_NEAR(m.report.metrics.at("filled_share").value, 100.0 * m.report.counts.at("filled_cells") / m.report.counts.at("dem_cells"), 1e-9);
+  EXPECT_NEAR(m.report.metrics.at("filled_share").value,
+              100.0 * m.report.counts.at("filled_cells") / m.report.counts.at("dem_cells"), 1e-9);
   EXPECT_GT(m.report.counts.at("filled_cells"), 50);
 }
 
@@ -146,12 +155,14 @@ TEST(ModelGround, TurningThePlotTurnsTheModel) {
   const double c = std::cos(0.6), s = std::sin(0.6);
   PointCloud::Positions turned;
   for (const auto& p : cloud.positions())
-    turned.emplace_back(static_cast<float>(c * static_cast<double>(p.x()) - s * static_cast<double>(p.y())), static_cast<float>(s * static_cast<double>(p.x()) + c * static_cast<double>(p.y())), p.z());
+    turned.emplace_back(static_cast<float>(c * static_cast<double>(p.x()) - s * static_cast<double>(p.y())),
+                        static_cast<float>(s * static_cast<double>(p.x()) + c * static_cast<double>(p.y())), p.z());
   const auto m = model(PointCloud(turned));
   double squares = 0;
   int n = 0;
   for (double x = -9; x <= 9; x += 0.5)
-    for (double y = -9; y <= 9; y += 0.5, ++n) squares += std::pow(m.dem.sample(c * x - s * y, s * x + c * y) - truth.height(x, y), 2);
+    for (double y = -9; y <= 9; y += 0.5, ++n)
+      squares += std::pow(m.dem.sample(c * x - s * y, s * x + c * y) - truth.height(x, y), 2);
   EXPECT_LT(std::sqrt(squares / n), 0.03);
 }
 
@@ -160,7 +171,8 @@ TEST(ModelGround, DoubleDensityAgrees) {
   Terrain sparse(r);
   r.ground_per_m2 *= 2;
   Terrain dense(r);
-  EXPECT_NEAR(dem_error(model(sparse.cloud()), sparse, 9.5).bias, dem_error(model(dense.cloud()), dense, 9.5).bias, 0.005);
+  EXPECT_NEAR(dem_error(model(sparse.cloud()), sparse, 9.5).bias, dem_error(model(dense.cloud()), dense, 9.5).bias,
+              0.005);
 }
 
 TEST(ModelGround, SparseGroundIsStillFound) {
@@ -220,7 +232,9 @@ TEST(ModelGround, CancelLeavesAtOnce) {
 
 TEST(ModelGround, ATreeWithoutGroundStandsOnItsLowestPoints) {
   PointCloud::Positions points;
-  for (int i = 0; i < 4000; ++i) points.emplace_back(0.1F * std::cos(0.7F * static_cast<float>(i)), 0.1F * std::sin(0.7F * static_cast<float>(i)), 0.002F * static_cast<float>(i));
+  for (int i = 0; i < 4000; ++i)
+    points.emplace_back(0.1F * std::cos(0.7F * static_cast<float>(i)), 0.1F * std::sin(0.7F * static_cast<float>(i)),
+                        0.002F * static_cast<float>(i));
   points.emplace_back(0.0F, 0.0F, -5.0F);  // one stray point below
   const PointCloud tree(std::move(points), {500000, 5000000, 300});
   GroundOptions options;

@@ -14,7 +14,8 @@ Raster plane(double rise_x, double rise_y) {
   Raster r;
   r.origin = Eigen::Vector2d(100, 200), r.cell_m = 0.5, r.nx = 8, r.ny = 6;
   for (int iy = 0; iy < r.ny; ++iy)
-    for (int ix = 0; ix < r.nx; ++ix) r.values.push_back(static_cast<float>(rise_x * ix * r.cell_m + rise_y * iy * r.cell_m));
+    for (int ix = 0; ix < r.nx; ++ix)
+      r.values.push_back(static_cast<float>(rise_x * ix * r.cell_m + rise_y * iy * r.cell_m));
   return r;
 }
 
@@ -40,7 +41,8 @@ TEST(Rasters, SlopeOfALoneCellIsUnknown) {
 }
 
 TEST(Rasters, CanopyIsTheHighestPointOfEachCell) {
-  PointCloud cloud({{0.1F, 0.1F, 5}, {0.2F, 0.2F, 9}, {1.2F, 0.1F, -2}, {3.9F, 2.9F, 7}, {50, 0, 99}}, Eigen::Vector3d(100, 200, 0));
+  PointCloud cloud({{0.1F, 0.1F, 5}, {0.2F, 0.2F, 9}, {1.2F, 0.1F, -2}, {3.9F, 2.9F, 7}, {50, 0, 99}},
+                   Eigen::Vector3d(100, 200, 0));
   cloud.set_column(arrays::height_above_ground, std::vector<float>{5, 9, -2, 7, 99});
   const auto chm = canopy_height(cloud, plane(0, 0), 1.0);
   EXPECT_EQ(chm.nx, 4);

@@ -18,7 +18,8 @@ struct FilterErrors {
 };
 
 // `is_ground` is the reference; points that are neither (water, ...) are left out by `counts`.
-FilterErrors compare(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& reference, std::uint8_t left_out = 0) {
+FilterErrors compare(const std::vector<std::uint8_t>& found, const std::vector<std::uint8_t>& reference,
+                     std::uint8_t left_out = 0) {
   double ground = 0, object = 0, lost = 0, wrong = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (reference[i] == left_out) continue;
@@ -35,7 +36,9 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
   options.keep_classes = false;
   const auto model = model_ground(cloud, options, Run{});
   const auto e = compare(model.classification, cloud.values<std::uint8_t>(arrays::classification), left_out);
-  printf("%s: type I %.2f %%, type II %.2f %%, total %.2f %% of %zu points; %s\n", std::filesystem::path(file).filename().c_str(), e.type_1, e.type_2, e.total, cloud.size(), model.report.message.c_str());
+  printf("%s: type I %.2f %%, type II %.2f %%, total %.2f %% of %zu points; %s\n",
+         std::filesystem::path(file).filename().c_str(), e.type_1, e.type_2, e.total, cloud.size(),
+         model.report.message.c_str());
   return e;
 }
 
@@ -45,7 +48,8 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
 
 GroundOptions airborne() {
   GroundOptions o;
-  o.cell_m = 1, o.seed_m = 24, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5, o.tolerance_m = 0.4, o.fill_distance_m = 40;
+  o.cell_m = 1, o.seed_m = 24, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5,
+  o.tolerance_m = 0.4, o.fill_distance_m = 40;
   return o;
 }
 
@@ -96,7 +100,8 @@ TEST(RealClouds, PlantationFromTheGround) {
   }
   const auto model = model_ground(PointCloud(positions), {}, bole::Run{});
   const auto e = compare(model.classification, reference);
-  printf("plantation: type I %.2f %%, type II %.2f %%, total %.2f %%; %s\n", e.type_1, e.type_2, e.total, model.report.message.c_str());
+  printf("plantation: type I %.2f %%, type II %.2f %%, total %.2f %%; %s\n", e.type_1, e.type_2, e.total,
+         model.report.message.c_str());
   EXPECT_LT(e.type_1, 1);
   EXPECT_LT(e.total, 9);
 }

@@ -18,12 +18,16 @@ namespace {
 using namespace testing_io;
 using testing::HasSubstr;
 
-CloudReading read(const std::string& text, const std::string& name, const CloudReadOptions& options = {}) { return read_cloud(bytes_of(text), name, options); }
+CloudReading read(const std::string& text, const std::string& name, const CloudReadOptions& options = {}) {
+  return read_cloud(bytes_of(text), name, options);
+}
 
 TEST(ReadPly, AsciiWithListsAndOtherElementsBefore) {
   const auto r = read(
-      "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uchar int vertex_indices\r\nelement vertex 2\r\nproperty float x\r\nproperty list uchar float weights\r\nproperty float y\r\nproperty float z\r\n"
-      "property uchar red\r\nproperty uchar green\r\nproperty uchar blue\r\nproperty float scalar_Intensity\r\nend_header\r\n3 0 1 2\r\n1 2 9 9 2 3 255 0 128 7.5\r\n4 0 5 6 1 2 3 8\r\n",
+      "ply\r\nformat ascii 1.0\r\nelement face 1\r\nproperty list uchar int vertex_indices\r\nelement vertex "
+      "2\r\nproperty float x\r\nproperty list uchar float weights\r\nproperty float y\r\nproperty float z\r\n"
+      "property uchar red\r\nproperty uchar green\r\nproperty uchar blue\r\nproperty float "
+      "scalar_Intensity\r\nend_header\r\n3 0 1 2\r\n1 2 9 9 2 3 255 0 128 7.5\r\n4 0 5 6 1 2 3 8\r\n",
       "a.ply");
   ASSERT_EQ(r.cloud.size(), 2U);
   EXPECT_EQ(r.cloud.position(0), Eigen::Vector3d(1, 2, 3));
@@ -33,7 +37,8 @@ TEST(ReadPly, AsciiWithListsAndOtherElementsBefore) {
 }
 
 std::string binary_ply(bool big_endian, double x, std::size_t declared) {
-  std::string file = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") + "_endian 1.0\nelement vertex " + std::to_string(declared) +
+  std::string file = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                     "_endian 1.0\nelement vertex " + std::to_string(declared) +
                      "\nproperty double x\nproperty double y\nproperty double z\nproperty int GpsTime\nend_header\n";
   const auto append = [&](auto value) {
     std::string bytes;
@@ -49,7 +54,8 @@ TEST(ReadPly, BothEndiansKeepLargeCoordinates) {
   for (const bool big : {false, true}) {
     const auto r = read(binary_ply(big, 450000.123, 3), "a.ply");
     ASSERT_EQ(r.cloud.size(), 3U);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(r.cloud.position(i).x(), 450000.123 + 0.001 * static_cast<double>(i), 1e-5);
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(r.cloud.position(i).x(), 450000.123 + 0.001 * static_cast<double>(i), 1e-5);
     EXPECT_NEAR(r.cloud.position(0).y(), 5400000.25, 1e-5);
     EXPECT_EQ(r.cloud.values<double>("time")[2], 2);
     EXPECT_TRUE(r.report.warnings.empty());
@@ -65,15 +71,23 @@ TEST(ReadPly, HostileCountsAllocateNothing) {
 
 TEST(ReadPly, ErrorsNameTheLine) {
   EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex many\n", "a.ply"); }), HasSubstr("line 3"));
-  EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n", "a.ply"); }), HasSubstr("type 'quad'"));
-  EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n", "a.ply"); }), HasSubstr("does not end"));
-  EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n", "a.ply"); }), HasSubstr("no z"));
+  EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\n", "a.ply"); }),
+              HasSubstr("type 'quad'"));
+  EXPECT_THAT(error_of([] { read("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n", "a.ply"); }),
+              HasSubstr("does not end"));
+  EXPECT_THAT(error_of([] {
+                read("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n",
+                     "a.ply");
+              }),
+              HasSubstr("no z"));
   EXPECT_EQ(read("ply\nformat ascii 1.0\nend_header\n", "a.ply").cloud.size(), 0U);
 }
 
 TEST(ReadPcd, AsciiWithPackedColoursAndNan) {
   const auto r = read(
-      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb label\nSIZE 4 4 4 4 4\nTYPE F F F F U\nCOUNT 1 1 1 1 1\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n1 2 3 4.2108e+06 7\nnan nan nan 0 0\n4 5 6 2.3693558e-38 9\n", "a.pcd");
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb label\nSIZE 4 4 4 4 4\nTYPE F F F F U\nCOUNT 1 1 1 1 1\nWIDTH "
+      "3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n1 2 3 4.2108e+06 7\nnan nan nan 0 0\n4 5 6 2.3693558e-38 9\n",
+      "a.pcd");
   ASSERT_EQ(r.cloud.size(), 2U);
   EXPECT_EQ(r.report.counts.at("dropped_points"), 1);
   const auto rgb = std::bit_cast<std::uint32_t>(4.2108e+06F);
@@ -94,7 +108,9 @@ std::string lzf_literals(const std::string& data) {
 }
 
 std::string compressed_pcd(std::uint32_t unpacked, const std::string& packed) {
-  std::string file = "VERSION .7\nFIELDS x y z intensity\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 10\nHEIGHT 1\nDATA binary_compressed\n";
+  std::string file =
+      "VERSION .7\nFIELDS x y z intensity\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 10\nHEIGHT 1\nDATA "
+      "binary_compressed\n";
   put(file, static_cast<std::uint32_t>(packed.size()));
   put(file, unpacked);
   return file + packed;
@@ -109,8 +125,10 @@ TEST(ReadPcd, CompressedDataIsFieldAfterField) {
   ASSERT_EQ(r.cloud.size(), 10U);
   EXPECT_EQ(r.cloud.position(3), Eigen::Vector3d(3, 103, 203));
   EXPECT_EQ(r.cloud.values<float>("intensity")[9], 9);
-  EXPECT_THAT(error_of([&] { read(compressed_pcd(4'000'000'000U, lzf_literals(data)), "a.pcd"); }), HasSubstr("for 10 points"));
-  EXPECT_THAT(error_of([&] { read(compressed_pcd(130, lzf_literals(data).substr(0, 60)), "a.pcd"); }), HasSubstr("damaged"));
+  EXPECT_THAT(error_of([&] { read(compressed_pcd(4'000'000'000U, lzf_literals(data)), "a.pcd"); }),
+              HasSubstr("for 10 points"));
+  EXPECT_THAT(error_of([&] { read(compressed_pcd(130, lzf_literals(data).substr(0, 60)), "a.pcd"); }),
+              HasSubstr("damaged"));
 }
 
 TEST(Lzf, ReferencesOverlapTheirOwnOutput) {
@@ -124,7 +142,9 @@ TEST(Lzf, ReferencesOverlapTheirOwnOutput) {
 }
 
 TEST(ReadPcd, BinaryThatIsCutOffGivesWhatIsThere) {
-  std::string file = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 4\nWIDTH 1000000000\nHEIGHT 1000000000\nPOINTS 1000000000000000000\nDATA binary\n";
+  std::string file =
+      "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 4\nWIDTH 1000000000\nHEIGHT "
+      "1000000000\nPOINTS 1000000000000000000\nDATA binary\n";
   for (int i = 0; i < 5; ++i) put(file, static_cast<float>(i)), put(file, 2.F), put(file, 3.F), put(file, 0U);
   file += "xyz";
   const auto r = read(file, "a.pcd");
@@ -226,7 +246,8 @@ TEST(ReadCloud, AnOutlierDoesNotTakeTheOrigin) {
 
 TEST(ReadCloud, OtherFilesGetASentence) {
   EXPECT_THAT(error_of([] { read("ASTM-E57 and so on", "a.e57"); }), HasSubstr("E57"));
-  EXPECT_THAT(error_of([] { read(std::string("\xD4\xC3\xB2\xA1", 4) + std::string(20, '\0'), "a.pcap"); }), HasSubstr("io.read_scan"));
+  EXPECT_THAT(error_of([] { read(std::string("\xD4\xC3\xB2\xA1", 4) + std::string(20, '\0'), "a.pcap"); }),
+              HasSubstr("io.read_scan"));
   EXPECT_THAT(error_of([] { read(std::string("\x1F\x8B\x08\x00", 4), "a.xyz.gz"); }), HasSubstr("Unpack"));
   EXPECT_THAT(error_of([] { read("", "a.xyz"); }), HasSubstr("empty"));
   EXPECT_THAT(error_of([] { read(std::string(100, '\1'), "a.dat"); }), HasSubstr("no point cloud file"));
@@ -304,7 +325,8 @@ TEST(ReadCloud, TheSameCloudFromFourFormatsAgrees) {
     SCOPED_TRACE(name);
     const auto other = read_cloud(shared("readers/loaders.gl/" + std::string(name))).cloud;
     ASSERT_EQ(other.size(), first.size());
-    Eigen::Vector3d sum_first = Eigen::Vector3d::Zero(), sum_other = Eigen::Vector3d::Zero(), low = sum_first, high = sum_first, low_other = sum_first, high_other = sum_first;
+    Eigen::Vector3d sum_first = Eigen::Vector3d::Zero(), sum_other = Eigen::Vector3d::Zero(), low = sum_first,
+                    high = sum_first, low_other = sum_first, high_other = sum_first;
     for (std::size_t i = 0; i < first.size(); ++i) {
       sum_first += first.position(i), sum_other += other.position(i);
       low = low.cwiseMin(first.position(i)), high = high.cwiseMax(first.position(i));

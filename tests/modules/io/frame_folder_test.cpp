@@ -21,8 +21,11 @@ std::vector<Eigen::Vector3f> ring_ordered(std::vector<std::uint16_t>& ring) {
   std::vector<Eigen::Vector3f> points;
   for (int r = rings - 1; r >= 0; --r)
     for (int c = 0; c < columns; ++c) {
-      const double azimuth = 2 * std::numbers::pi * (c + 0.5) / columns, elevation = (-15 + 2.0 * r) * std::numbers::pi / 180;
-      points.emplace_back(static_cast<float>(10 * std::cos(elevation) * std::cos(azimuth)), static_cast<float>(10 * std::cos(elevation) * std::sin(azimuth)), static_cast<float>(10 * std::sin(elevation)));
+      const double azimuth = 2 * std::numbers::pi * (c + 0.5) / columns,
+                   elevation = (-15 + 2.0 * r) * std::numbers::pi / 180;
+      points.emplace_back(static_cast<float>(10 * std::cos(elevation) * std::cos(azimuth)),
+                          static_cast<float>(10 * std::cos(elevation) * std::sin(azimuth)),
+                          static_cast<float>(10 * std::sin(elevation)));
       ring.push_back(static_cast<std::uint16_t>(r));
     }
   return points;
@@ -30,7 +33,8 @@ std::vector<Eigen::Vector3f> ring_ordered(std::vector<std::uint16_t>& ring) {
 
 std::string bin_of(const std::vector<Eigen::Vector3f>& points) {
   std::string out;
-  for (std::size_t i = 0; i < points.size(); ++i) put(out, points[i].x()), put(out, points[i].y()), put(out, points[i].z()), put(out, static_cast<float>(i % 256));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    put(out, points[i].x()), put(out, points[i].y()), put(out, points[i].z()), put(out, static_cast<float>(i % 256));
   return out;
 }
 
@@ -86,7 +90,8 @@ TEST(FrameFolder, KittiFramesWithNothingBeside) {
 TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   const TempDir dir;
   std::string times, rings_text;
-  for (int i = 0; i < 2; ++i) put(times, 0.01F * static_cast<float>(i)), put(rings_text, static_cast<std::uint16_t>(7 - i));
+  for (int i = 0; i < 2; ++i)
+    put(times, 0.01F * static_cast<float>(i)), put(rings_text, static_cast<std::uint16_t>(7 - i));
   for (const char* name : {"000000", "000001"}) {
     write_file(dir / (std::string(name) + ".bin"), bin_of({{3, 0, 0}, {0, 4, 0}}));
     write_file(dir / (std::string(name) + ".time"), times);
@@ -112,8 +117,10 @@ TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
 
 TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
   const TempDir dir;
-  for (const char* name : {"velodyne_points/data/0.bin", "velodyne_points/data/1.bin", "velodyne_points/data/2.bin"}) write_file(dir / name, bin_of({{3, 0, 0}, {0, 4, 0}}));
-  write_file(dir / "velodyne_points/timestamps.txt", "2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n2011-09-26 13:02:26.164389445\n");
+  for (const char* name : {"velodyne_points/data/0.bin", "velodyne_points/data/1.bin", "velodyne_points/data/2.bin"})
+    write_file(dir / name, bin_of({{3, 0, 0}, {0, 4, 0}}));
+  write_file(dir / "velodyne_points/timestamps.txt",
+             "2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n2011-09-26 13:02:26.164389445\n");
   const auto source = open_frame_source(dir.path());
   ScanFrame frame;
   source->read(0, frame);

@@ -29,7 +29,9 @@ std::string utm32() {
 
 class GdalWriter : public testing::Test {
  protected:
-  GdalWriter() : folder_(std::filesystem::temp_directory_path() / ("bole_gdal_writer_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+  GdalWriter()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("bole_gdal_writer_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     GDALAllRegister();
@@ -153,9 +155,13 @@ TEST_F(GdalWriter, LayersThatCannotBeWritten) {
   layer = point_layer("stems", stems(), "");
   layer.shapes[0][0].x() = nan;
   EXPECT_THROW(write_geopackage(folder_ / "a.gpkg", {layer}), Error);
-  EXPECT_THROW(write_geopackage(folder_ / "a.gpkg", {VectorLayer{"crown", GeometryKind::polygon, {{{0, 0, 0}, {1, 1, 1}}}, {}, ""}}), Error);
+  EXPECT_THROW(write_geopackage(folder_ / "a.gpkg",
+                                {VectorLayer{"crown", GeometryKind::polygon, {{{0, 0, 0}, {1, 1, 1}}}, {}, ""}}),
+               Error);
   EXPECT_THROW(write_geopackage(folder_ / "a.gpkg", {point_layer("stems", stems(), "nonsense")}), Error);
-  EXPECT_THROW(write_geopackage(folder_ / "a.gpkg", {point_layer("stems", stems(), ""), point_layer("stems", stems(), "")}), Error);
+  EXPECT_THROW(
+      write_geopackage(folder_ / "a.gpkg", {point_layer("stems", stems(), ""), point_layer("stems", stems(), "")}),
+      Error);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 

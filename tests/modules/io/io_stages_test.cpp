@@ -43,7 +43,9 @@ TEST(IoStages, ReadWhatTheirOptionsName) {
   const auto path = run("io.read_trajectory", {{"file", (dir / "t.tum").string()}});
   EXPECT_EQ(path.report.metrics.at("length").value, 3);
   write_file(dir / "t.kitti", "1 0 0 0 0 1 0 0 0 0 1 0\n");
-  EXPECT_EQ(run("io.read_trajectory", {{"file", (dir / "t.kitti").string()}}).outputs.trajectory("trajectory").poses.size(), 1U);
+  EXPECT_EQ(
+      run("io.read_trajectory", {{"file", (dir / "t.kitti").string()}}).outputs.trajectory("trajectory").poses.size(),
+      1U);
 }
 
 TEST(IoStages, ErrorsCarryTheStageAndSayWhatToDo) {
@@ -52,7 +54,10 @@ TEST(IoStages, ErrorsCarryTheStageAndSayWhatToDo) {
     EXPECT_THAT(text, HasSubstr(name));
     EXPECT_THAT(text, HasSubstr("Set the option file"));
   }
-  EXPECT_THAT(error_of([] { run("io.read_scan", {{"file", "/nowhere"}, {"min_range", "10"}, {"max_range", "5"}}); }), HasSubstr("min_range below max_range"));
+  EXPECT_THAT(error_of([] {
+                run("io.read_scan", {{"file", "/nowhere"}, {"min_range", "10"}, {"max_range", "5"}});
+              }),
+              HasSubstr("min_range below max_range"));
 }
 
 TEST(IoStages, EveryOptionHasADefaultThatItAccepts) {

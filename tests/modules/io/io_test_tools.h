@@ -16,16 +16,23 @@
 
 namespace bole::testing_io {
 
-inline std::filesystem::path shared(const std::string& relative) { return std::filesystem::path(BOLE_SHARED_DATA_DIR) / relative; }
+inline std::filesystem::path shared(const std::string& relative) {
+  return std::filesystem::path(BOLE_SHARED_DATA_DIR) / relative;
+}
 
 // Skips the test when a folder of real files is absent.
-#define BOLE_NEEDS_SHARED(folder) \
-  if (!std::filesystem::exists(bole::testing_io::shared(folder))) GTEST_SKIP() << "the real files of shared/data/" << (folder) << " are absent"
+#define BOLE_NEEDS_SHARED(folder)                                 \
+  if (!std::filesystem::exists(bole::testing_io::shared(folder))) \
+  GTEST_SKIP() << "the real files of shared/data/" << (folder) << " are absent"
 
 // A folder of its own that goes away with the object.
 class TempDir {
  public:
-  TempDir() : path_(std::filesystem::temp_directory_path() / ("bole_io_" + std::to_string(::getpid()) + "_" + std::to_string(counter()++))) { std::filesystem::create_directories(path_); }
+  TempDir()
+      : path_(std::filesystem::temp_directory_path() /
+              ("bole_io_" + std::to_string(::getpid()) + "_" + std::to_string(counter()++))) {
+    std::filesystem::create_directories(path_);
+  }
   ~TempDir() {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
@@ -41,7 +48,9 @@ class TempDir {
   std::filesystem::path path_;
 };
 
-inline Bytes bytes_of(const std::string& text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+inline Bytes bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 template <class T>
 void put(std::string& out, T value) {

@@ -54,7 +54,8 @@ struct LasFile {
       las::store(&out[247], std::uint64_t{points});
     else
       las::store(&out[107], static_cast<std::uint32_t>(points));
-    for (std::size_t k = 0; k < 3; ++k) las::store(&out[131 + 8 * k], scale), las::store(&out[155 + 8 * k], offset[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < 3; ++k)
+      las::store(&out[131 + 8 * k], scale), las::store(&out[155 + 8 * k], offset[static_cast<Eigen::Index>(k)]);
     out.insert(out.end(), records.begin(), records.end());
     return out;
   }

@@ -28,7 +28,8 @@ std::string error_of(const std::vector<std::uint8_t>& bytes) {
 LasFile small_file(int minor = 2, int format = 1, int points = 10) {
   LasFile file;
   file.minor = minor, file.format = format;
-  for (int i = 0; i < points; ++i) file.add(100 * i, 200 - i, 7 * i)[las::field::intensity] = static_cast<std::uint8_t>(i + 1);
+  for (int i = 0; i < points; ++i)
+    file.add(100 * i, 200 - i, 7 * i)[las::field::intensity] = static_cast<std::uint8_t>(i + 1);
   return file;
 }
 
@@ -123,7 +124,8 @@ TEST(LasReader, ScalarExtraBytesBecomeColumns) {
   file.format = 0, file.extra = 4 + 2 + 6 + 8;
   std::vector<std::uint8_t> descriptors(4 * 192);
   const auto describe = [&](std::size_t i, int type, int options, const std::string& name) {
-    descriptors[i * 192 + 2] = static_cast<std::uint8_t>(type), descriptors[i * 192 + 3] = static_cast<std::uint8_t>(options);
+    descriptors[i * 192 + 2] = static_cast<std::uint8_t>(type),
+                          descriptors[i * 192 + 3] = static_cast<std::uint8_t>(options);
     las::store_text(&descriptors[i * 192 + 4], 32, name);
   };
   describe(0, 6, 0, "tree_id");

@@ -38,12 +38,24 @@ TEST_P(LasSample, CountBoxAndClasses) {
 }
 
 const Eigen::Vector3d simple_min(635619.85, 848899.7, 406.59), simple_max(638982.55, 853535.43, 586.38);
-INSTANTIATE_TEST_SUITE_P(Manifest, LasSample,
-                         testing::Values(Sample{"readers/PDAL/simple.las", 1065, simple_min, simple_max, 276}, Sample{"readers/PDAL/simple.laz", 1065, simple_min, simple_max, 276},
-                                         Sample{"readers/PDAL/extrabytes.las", 1065, simple_min, simple_max, 276}, Sample{"readers/PDAL/1.2-with-color.copc.laz", 1065, simple_min, simple_max, 276},
-                                         Sample{"readers/PDAL/test1_4.las", 1000, {1694038.446, 1816492.706, 5592.75}, {1694539.677, 1816497.976, 5599.07}, 1000},
-                                         Sample{"readers/PDAL/100-points.las", 100, {635717.85, 848953.74, 409.19}, {638944.95, 853483.3, 530.61}, 27},
-                                         Sample{"readers/PDAL/autzen_trim.laz", 110000, {636001.76, 848935.2, 406.26}, {637179.22, 849497.9, 520.51}, 26107}));
+INSTANTIATE_TEST_SUITE_P(
+    Manifest, LasSample,
+    testing::Values(
+        Sample{"readers/PDAL/simple.las", 1065, simple_min, simple_max, 276},
+        Sample{"readers/PDAL/simple.laz", 1065, simple_min, simple_max, 276},
+        Sample{"readers/PDAL/extrabytes.las", 1065, simple_min, simple_max, 276},
+        Sample{"readers/PDAL/1.2-with-color.copc.laz", 1065, simple_min, simple_max, 276},
+        Sample{"readers/PDAL/test1_4.las",
+               1000,
+               {1694038.446, 1816492.706, 5592.75},
+               {1694539.677, 1816497.976, 5599.07},
+               1000},
+        Sample{"readers/PDAL/100-points.las", 100, {635717.85, 848953.74, 409.19}, {638944.95, 853483.3, 530.61}, 27},
+        Sample{"readers/PDAL/autzen_trim.laz",
+               110000,
+               {636001.76, 848935.2, 406.26},
+               {637179.22, 849497.9, 520.51},
+               26107}));
 
 TEST(LasSamples, EmptyFileIsAnEmptyCloud) {
   const auto path = data / "readers/PDAL/no-points.las";
@@ -59,7 +71,8 @@ TEST(LasSamples, CompressedEqualsUncompressed) {
     const PointCloud plain = read_las(data / (name + ".las")), packed = read_las(data / (name + ".laz"));
     EXPECT_EQ(plain.positions(), packed.positions()) << name;
     EXPECT_EQ(plain.origin, packed.origin) << name;
-    for (const auto& [column, values] : plain.columns()) EXPECT_EQ(*values, packed.column(column)) << name << " " << column;
+    for (const auto& [column, values] : plain.columns())
+      EXPECT_EQ(*values, packed.column(column)) << name << " " << column;
   }
 }
 

@@ -17,7 +17,9 @@ using testing::HasSubstr;
 
 class LasWriter : public testing::Test {
  protected:
-  LasWriter() : folder_(std::filesystem::temp_directory_path() / ("bole_las_writer_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
+  LasWriter()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("bole_las_writer_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }
@@ -50,10 +52,13 @@ PointCloud mapped_cloud(std::size_t count, const Eigen::Vector3d& origin) {
   for (std::size_t i = 0; i < count; ++i) {
     tree[i] = static_cast<int>(i % 50), pass[i] = static_cast<int>(i % 3);
     range[i] = uniform(random), height[i] = uniform(random), sensor[i] = uniform(random);
-    intensity[i] = static_cast<float>(i % 256), time[i] = 1e9 + 1e-4 * static_cast<double>(i), ring[i] = static_cast<std::uint16_t>(i % 32);
+    intensity[i] = static_cast<float>(i % 256), time[i] = 1e9 + 1e-4 * static_cast<double>(i),
+    ring[i] = static_cast<std::uint16_t>(i % 32);
   }
-  cloud.set_column(arrays::tree_id, tree), cloud.set_column(arrays::pass, pass), cloud.set_column(arrays::range, range), cloud.set_column(arrays::height_above_ground, height);
-  cloud.set_column(arrays::intensity, intensity), cloud.set_column(arrays::time, time), cloud.set_column(arrays::ring, ring);
+  cloud.set_column(arrays::tree_id, tree), cloud.set_column(arrays::pass, pass), cloud.set_column(arrays::range, range),
+      cloud.set_column(arrays::height_above_ground, height);
+  cloud.set_column(arrays::intensity, intensity), cloud.set_column(arrays::time, time),
+      cloud.set_column(arrays::ring, ring);
   cloud.set_column(arrays::sensor_x, sensor);
   return cloud;
 }
@@ -65,11 +70,14 @@ TEST_F(LasWriter, AUtmCloudComesBackWithAllItsColumns) {
   const PointCloud back = read_las(path(), {}, {}, &report);
   EXPECT_TRUE(report.warnings.empty()) << report.warnings.front();
   ASSERT_EQ(back.size(), cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_LT((exact_position(back, i) - cloud.position(i)).cwiseAbs().maxCoeff(), 0.5001e-4);
-  for (const auto* info : {&arrays::tree_id, &arrays::pass, &arrays::range, &arrays::height_above_ground, &arrays::intensity, &arrays::time, &arrays::ring})
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    ASSERT_LT((exact_position(back, i) - cloud.position(i)).cwiseAbs().maxCoeff(), 0.5001e-4);
+  for (const auto* info : {&arrays::tree_id, &arrays::pass, &arrays::range, &arrays::height_above_ground,
+                           &arrays::intensity, &arrays::time, &arrays::ring})
     EXPECT_EQ(back.column(info->name), cloud.column(info->name)) << info->name;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    ASSERT_NEAR(back.origin.x() + static_cast<double>(back.values<float>(arrays::sensor_x)[i]), cloud.origin.x() + static_cast<double>(cloud.values<float>(arrays::sensor_x)[i]), 1e-4);
+    ASSERT_NEAR(back.origin.x() + static_cast<double>(back.values<float>(arrays::sensor_x)[i]),
+                cloud.origin.x() + static_cast<double>(cloud.values<float>(arrays::sensor_x)[i]), 1e-4);
   // Written once more, not a byte of the points changes.
   write_las(path("again.las"), back);
   EXPECT_EQ(records_of(path("again.las")), records_of(path()));
@@ -102,7 +110,8 @@ TEST_F(LasWriter, GridOfTheSourceIsKeptToTheLastStep) {
     const std::uint8_t* written = &bytes[info.data_offset + i * static_cast<std::size_t>(info.record_length)];
     const std::uint8_t* original = &file.records[i * file.stride()];
     for (int k = 0; k < 3; ++k) {
-      const double a = las::load<std::int32_t>(written + 4 * k) * info.scale[k] + info.offset[k], b = las::load<std::int32_t>(original + 4 * k) * file.scale + file.offset[k];
+      const double a = las::load<std::int32_t>(written + 4 * k) * info.scale[k] + info.offset[k],
+                   b = las::load<std::int32_t>(original + 4 * k) * file.scale + file.offset[k];
       ASSERT_NEAR(a, b, 1e-9) << "point " << i;
     }
     ASSERT_EQ(std::memcmp(written + 12, original + 12, file.stride() - 12), 0) << "point " << i;

@@ -46,7 +46,8 @@ std::uint64_t fnv1a(const std::vector<std::uint8_t>& bytes) {
 
 // All records, chunk by chunk.
 std::vector<std::uint8_t> records_of(Bytes file, const LasInfo& info) {
-  const auto packing = laz::parse_packing(las::vlr_data(file, *las::find_vlr(info, "laszip encoded", 22204)), info.record_length);
+  const auto packing =
+      laz::parse_packing(las::vlr_data(file, *las::find_vlr(info, "laszip encoded", 22204)), info.record_length);
   const auto table = laz::read_chunk_table(file, info.data_offset, info.points, packing, info.record_length);
   if (!table) return {};
   std::vector<std::uint8_t> out;
@@ -100,7 +101,8 @@ TEST_P(LazFixture, ReadsAsItsUncompressedTwin) {
   for (const auto& text : report.warnings) EXPECT_THAT(text, testing::HasSubstr("withheld"));
 }
 
-// Without its chunk table a file is read chunk after chunk; only pointwise chunks of varying size cannot be told apart then.
+// Without its chunk table a file is read chunk after chunk; only pointwise chunks of varying size cannot be told apart
+// then.
 TEST_P(LazFixture, ReadsWithoutItsChunkTable) {
   const MappedFile file(folder + GetParam().file);
   std::vector<std::uint8_t> broken(file.bytes().begin(), file.bytes().end());
@@ -126,7 +128,8 @@ TEST_P(LazFixture, CutFilesGiveWhatIsThere) {
       EXPECT_LE(cloud.size(), GetParam().points);
       last = cloud.size();
       for (std::size_t i = 0; i < cloud.size(); i += 13) {
-        const double x = las::load<std::int32_t>(&whole[i * GetParam().record_length]) * info.scale.x() + info.offset.x();
+        const double x =
+            las::load<std::int32_t>(&whole[i * GetParam().record_length]) * info.scale.x() + info.offset.x();
         ASSERT_NEAR(exact_position(cloud, i).x(), x, 1e-6) << "point " << i << " of a file cut at " << length;
       }
       if (cloud.size() < GetParam().points) {
@@ -140,7 +143,8 @@ TEST_P(LazFixture, CutFilesGiveWhatIsThere) {
   EXPECT_GT(last, 0U);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LazFixture, testing::ValuesIn(all_expected()), [](const auto& test) { return test.param.file.substr(0, test.param.file.find('.')); });
+INSTANTIATE_TEST_SUITE_P(All, LazFixture, testing::ValuesIn(all_expected()),
+                         [](const auto& test) { return test.param.file.substr(0, test.param.file.find('.')); });
 
 }  // namespace
 }  // namespace bole

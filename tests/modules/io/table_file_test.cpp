@@ -16,7 +16,8 @@ using testing::HasSubstr;
 Table read(const std::string& text) { return read_table(bytes_of(text), "t.csv"); }
 
 TEST(TableFile, TypesFollowTheCells) {
-  const auto t = read("tree_id,dbh_cm,state,note,height_m\n1,20.5,auto,\"said \"\"big\"\", twice\",\n2,,edited,\"two\nlines\",\n");
+  const auto t =
+      read("tree_id,dbh_cm,state,note,height_m\n1,20.5,auto,\"said \"\"big\"\", twice\",\n2,,edited,\"two\nlines\",\n");
   EXPECT_EQ(t.rows(), 2U);
   EXPECT_THAT(t.integers("tree_id"), ElementsAre(1, 2));
   EXPECT_EQ(t.numbers("dbh_cm")[0], 20.5);

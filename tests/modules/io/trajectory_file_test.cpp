@@ -14,7 +14,9 @@ Trajectory read(const std::string& text) { return read_tum(bytes_of(text), "t.tu
 
 TEST(TrajectoryFile, TumComesBack) {
   Trajectory t;
-  for (int i = 0; i < 20; ++i) t.poses.push_back({1.7e9 + 0.1 * i, se3_exp((Vector6d() << 0.1 * i, -0.05 * i, 0.2 * i, i, -2 * i, 0.5).finished())});
+  for (int i = 0; i < 20; ++i)
+    t.poses.push_back(
+        {1.7e9 + 0.1 * i, se3_exp((Vector6d() << 0.1 * i, -0.05 * i, 0.2 * i, i, -2 * i, 0.5).finished())});
   const TempDir dir;
   write_tum(dir / "t.tum", t);
   const auto back = read_tum(dir / "t.tum");
@@ -27,7 +29,8 @@ TEST(TrajectoryFile, TumComesBack) {
   std::vector<double> times;
   for (const auto& p : t.poses) times.push_back(p.time_s);
   const auto kitti = read_kitti_poses(dir / "t.kitti", times);
-  for (std::size_t i = 0; i < t.poses.size(); ++i) EXPECT_LT((kitti.poses[i].T_target_sensor.matrix() - t.poses[i].T_target_sensor.matrix()).norm(), 1e-7);
+  for (std::size_t i = 0; i < t.poses.size(); ++i)
+    EXPECT_LT((kitti.poses[i].T_target_sensor.matrix() - t.poses[i].T_target_sensor.matrix()).norm(), 1e-7);
 }
 
 TEST(TrajectoryFile, QuaternionsAreNormalised) {
@@ -36,12 +39,14 @@ TEST(TrajectoryFile, QuaternionsAreNormalised) {
 }
 
 TEST(TrajectoryFile, ErrorsNameTheLine) {
-  EXPECT_THAT(error_of([] { read("1 0 0 0 0 0 0 1\n# c\n1 0 0 0 0 0 0 1\n"); }), HasSubstr("'t.tum' line 3 has time 1 after 1"));
+  EXPECT_THAT(error_of([] { read("1 0 0 0 0 0 0 1\n# c\n1 0 0 0 0 0 0 1\n"); }),
+              HasSubstr("'t.tum' line 3 has time 1 after 1"));
   EXPECT_THAT(error_of([] { read("1 0 0 0 0 0 0\n"); }), HasSubstr("line 1 has 7 values"));
   EXPECT_THAT(error_of([] { read("1 0 0 nan 0 0 0 1\n"); }), HasSubstr("'nan'"));
   EXPECT_THAT(error_of([] { read("1 0 0 0 0 0 0 0\n"); }), HasSubstr("length 0"));
   EXPECT_THAT(error_of([] { read("# nothing\n"); }), HasSubstr("no poses"));
-  EXPECT_THAT(error_of([] { read_kitti_poses(bytes_of("2 0 0 0 0 1 0 0 0 0 1 0\n"), "k.txt"); }), HasSubstr("'k.txt' line 1 is no rotation"));
+  EXPECT_THAT(error_of([] { read_kitti_poses(bytes_of("2 0 0 0 0 1 0 0 0 0 1 0\n"), "k.txt"); }),
+              HasSubstr("'k.txt' line 1 is no rotation"));
 }
 
 TEST(TrajectoryFile, RealFiles) {

@@ -28,7 +28,8 @@ struct Recorder {
 
   std::vector<std::pair<VelodyneEncoder::Bytes, double>> packets(double seconds) const {
     std::vector<std::pair<VelodyneEncoder::Bytes, double>> out;
-    VelodyneEncoder encoder(model, mode, [&](const VelodyneEncoder::Bytes& bytes, double time_s) { out.emplace_back(bytes, time_s); });
+    VelodyneEncoder encoder(
+        model, mode, [&](const VelodyneEncoder::Bytes& bytes, double time_s) { out.emplace_back(bytes, time_s); });
     const std::vector<LaserEcho> echoes(model.channels.size(), {10.F, 50}), far(model.channels.size(), {20.F, 20});
     const auto sequences = static_cast<std::int64_t>(seconds / model.sequence_period_s);
     for (std::int64_t s = 0; s < sequences; ++s) {
@@ -39,14 +40,18 @@ struct Recorder {
   }
 };
 
-std::filesystem::path write_pcap(const std::filesystem::path& path, const std::vector<std::pair<VelodyneEncoder::Bytes, double>>& packets, double capture_shift_s = 0) {
+std::filesystem::path write_pcap(const std::filesystem::path& path,
+                                 const std::vector<std::pair<VelodyneEncoder::Bytes, double>>& packets,
+                                 double capture_shift_s = 0) {
   PcapWriter writer(path);
   for (const auto& [bytes, time_s] : packets) writer.write(bytes, time_s + capture_shift_s);
   writer.close();
   return path;
 }
 
-double azimuth_deg(const Eigen::Vector3f& p) { return std::fmod(std::atan2(-p.y(), p.x()) * 180 / std::numbers::pi + 360, 360); }
+double azimuth_deg(const Eigen::Vector3f& p) {
+  return std::fmod(std::atan2(-p.y(), p.x()) * 180 / std::numbers::pi + 360, 360);
+}
 
 TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
   const TempDir dir;
@@ -65,7 +70,8 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
       source.read(i, frame);
       EXPECT_NEAR(frame.start_time_s, recorder.start_time_s + 0.025 + 0.1 * static_cast<double>(i), 2e-4);
       EXPECT_NEAR(frame.end_time_s - frame.start_time_s, 0.1, 3e-4);
-      EXPECT_NEAR(static_cast<double>(frame.size()), 0.1 / recorder.model.sequence_period_s * recorder.model.rings(), 3.0 * recorder.model.rings());
+      EXPECT_NEAR(static_cast<double>(frame.size()), 0.1 / recorder.model.sequence_period_s * recorder.model.rings(),
+                  3.0 * recorder.model.rings());
       points += frame.size();
       for (std::size_t k = 0; k < frame.size(); ++k) {
         EXPECT_NEAR(frame.positions[k].norm(), 10, 0.003);
@@ -73,7 +79,8 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
         const double rotor = std::fmod(90 + 3600 * frame.time_offset_s[k], 360);
         EXPECT_LT(std::abs(std::remainder(azimuth_deg(frame.positions[k]) - rotor, 360)), 4.3 + 0.5);
       }
-      EXPECT_TRUE(std::ranges::is_sorted(frame.time_offset_s.begin(), frame.time_offset_s.end(), [](float a, float b) { return a < b - 1e-4F; }));
+      EXPECT_TRUE(std::ranges::is_sorted(frame.time_offset_s.begin(), frame.time_offset_s.end(),
+                                         [](float a, float b) { return a < b - 1e-4F; }));
     }
     EXPECT_EQ(source.report().counts.at("lost_packets"), 0);
     EXPECT_TRUE(source.report().warnings.empty());
@@ -110,7 +117,8 @@ TEST(VelodynePcap, TheHourRollsOver) {
   Recorder recorder{load_sensor_model("vlp16")};
   recorder.start_time_s = std::floor(1.7e9 / 3600) * 3600 + 3599.5;
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", recorder.packets(1)), {}, {});
-  for (std::size_t i = 1; i < source.size(); ++i) EXPECT_NEAR(source.frame_time_s(i) - source.frame_time_s(i - 1), 0.1, 1e-3);
+  for (std::size_t i = 1; i < source.size(); ++i)
+    EXPECT_NEAR(source.frame_time_s(i) - source.frame_time_s(i - 1), 0.1, 1e-3);
   EXPECT_TRUE(source.report().warnings.empty());
   ScanFrame frame;
   for (std::size_t i = 0; i < source.size(); ++i) {
@@ -132,7 +140,9 @@ TEST(VelodynePcap, GapsAreCountedAndFramesGoOn) {
   const Recorder recorder{load_sensor_model("vlp32c")};
   auto packets = recorder.packets(3);
   const std::size_t before = packets.size();
-  std::erase_if(packets, [&](const auto& p) { return p.second > recorder.start_time_s + 1.02 && p.second < recorder.start_time_s + 2.03; });
+  std::erase_if(packets, [&](const auto& p) {
+    return p.second > recorder.start_time_s + 1.02 && p.second < recorder.start_time_s + 2.03;
+  });
   const auto gone = static_cast<std::int64_t>(before - packets.size());
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", packets), {}, {});
   EXPECT_EQ(source.report().counts.at("lost_packets"), gone);
@@ -144,11 +154,15 @@ TEST(VelodynePcap, GapsAreCountedAndFramesGoOn) {
   }
   // Half a turn is lost within a frame: it stays one frame.
   packets = recorder.packets(1);
-  std::erase_if(packets, [&](const auto& p) { return p.second > recorder.start_time_s + 0.46 && p.second < recorder.start_time_s + 0.51; });
+  std::erase_if(packets, [&](const auto& p) {
+    return p.second > recorder.start_time_s + 0.46 && p.second < recorder.start_time_s + 0.51;
+  });
   EXPECT_EQ(VelodynePcapSource(write_pcap(dir / "b.pcap", packets), {}, {}).size(), 9U);
   // The cut lies within the gap: the next frame begins behind it.
   packets = recorder.packets(1);
-  std::erase_if(packets, [&](const auto& p) { return p.second > recorder.start_time_s + 0.43 && p.second < recorder.start_time_s + 0.53; });
+  std::erase_if(packets, [&](const auto& p) {
+    return p.second > recorder.start_time_s + 0.43 && p.second < recorder.start_time_s + 0.53;
+  });
   const VelodynePcapSource cut(write_pcap(dir / "c.pcap", packets), {}, {});
   EXPECT_EQ(cut.size(), 9U);
   EXPECT_EQ(cut.report().counts.at("incomplete_frames"), 2);
@@ -184,7 +198,8 @@ TEST(VelodynePcap, DualReturns) {
   ScanFrame frame;
   source.read(1, frame);
   EXPECT_NEAR(static_cast<double>(frame.size()), 2 * 32 * 0.1 / recorder.model.sequence_period_s, 4 * 32);
-  for (std::size_t i = 0; i < frame.size(); ++i) EXPECT_NEAR(frame.positions[i].norm(), frame.return_number[i] == 1 ? 10 : 20, 0.003);
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    EXPECT_NEAR(frame.positions[i].norm(), frame.return_number[i] == 1 ? 10 : 20, 0.003);
   EXPECT_EQ(source.report().facts.at("return_mode"), "dual");
   EXPECT_EQ(source.report().counts.at("lost_packets"), 0);
 }
@@ -231,7 +246,8 @@ TEST(VelodynePcap, ErrorsSayWhatTheFileIs) {
     writer.write(std::vector<std::uint8_t>(100), 1);
     writer.close();
   }
-  EXPECT_THAT(error_of([&] { open_frame_source(dir / "c.pcap"); }), HasSubstr("1 UDP datagram but no Velodyne data packet"));
+  EXPECT_THAT(error_of([&] { open_frame_source(dir / "c.pcap"); }),
+              HasSubstr("1 UDP datagram but no Velodyne data packet"));
   {
     PcapWriter writer(dir / "d.pcap");
     VelodynePacket packet;
@@ -257,7 +273,8 @@ TEST(VelodynePcap, ACancelledIndexStops) {
   stop.request_stop();
   bole::Run run;
   run.cancel = stop.get_token();
-  EXPECT_THAT(error_of([&] { open_frame_source(write_pcap(dir / "a.pcap", recorder.packets(1)), {}, run); }), HasSubstr("cancelled"));
+  EXPECT_THAT(error_of([&] { open_frame_source(write_pcap(dir / "a.pcap", recorder.packets(1)), {}, run); }),
+              HasSubstr("cancelled"));
 }
 
 TEST(VelodynePcap, RealCaptures) {
@@ -278,7 +295,8 @@ TEST(VelodynePcap, RealCaptures) {
 // The raw packets of a ROS recording (velodyne_msgs/VelodyneScan), made a capture by the script beside this file.
 std::filesystem::path capture_of_recording(const TempDir& dir, const std::string& folder) {
   const auto out = dir / "recording.pcap";
-  const std::string command = "python3 " BOLE_SOURCE_DIR "/tests/modules/io/ros_recording_to_pcap.py '" + shared(folder).string() + "' '" + out.string() + "' 2>/dev/null";
+  const std::string command = "python3 " BOLE_SOURCE_DIR "/tests/modules/io/ros_recording_to_pcap.py '" +
+                              shared(folder).string() + "' '" + out.string() + "' 2>/dev/null";
   return std::system(command.c_str()) == 0 ? out : std::filesystem::path{};
 }
 
@@ -302,9 +320,9 @@ TEST(VelodynePcap, AgreesWithAnotherDecoderOnAVlp32c) {
   }
   const auto truth = read_cloud(shared("NEBULA_velodyne/vlp32/1713492677464078412.pcd")).cloud;
   ASSERT_EQ(truth.size(), 26216U);
-  // The other decoder lets the 32 lasers fire one after the other, 2.304 us apart, which takes longer than a firing sequence;
-  // the manual has them fire by pairs. Until the last pair the rotor (10 Hz) turns by 0.13 degrees more in that decoder. In
-  // the last block of each packet it does not turn at all.
+  // The other decoder lets the 32 lasers fire one after the other, 2.304 us apart, which takes longer than a firing
+  // sequence; the manual has them fire by pairs. Until the last pair the rotor (10 Hz) turns by 0.13 degrees more in
+  // that decoder. In the last block of each packet it does not turn at all.
   const auto model = load_sensor_model("vlp32c");
   std::vector<double> ahead_deg(32), still_deg(32);
   for (std::size_t c = 0; c < model.channels.size(); ++c) {
@@ -315,7 +333,9 @@ TEST(VelodynePcap, AgreesWithAnotherDecoderOnAVlp32c) {
   std::size_t k = 0, ahead = 0, still = 0;
   for (const auto& p : truth.positions()) {
     const auto end = ours.begin() + static_cast<std::ptrdiff_t>(std::min(k + 64, ours.size()));
-    const auto match = std::find_if(ours.begin() + static_cast<std::ptrdiff_t>(k), end, [&](const Eigen::Vector3f& q) { return std::abs(q.norm() - p.norm()) + std::abs(q.z() - p.z()) < 2e-3F; });
+    const auto match = std::find_if(ours.begin() + static_cast<std::ptrdiff_t>(k), end, [&](const Eigen::Vector3f& q) {
+      return std::abs(q.norm() - p.norm()) + std::abs(q.z() - p.z()) < 2e-3F;
+    });
     if (match == end) continue;
     const auto at = static_cast<std::size_t>(match - ours.begin());
     const double difference_deg = std::remainder(azimuth_deg(p) - azimuth_deg(*match), 360);

@@ -55,11 +55,16 @@ TEST(Document, ErrorsNameThePlaceAndTheRemedy) {
   EXPECT_THAT(error_of("[]"), HasSubstr("no list of stages"));
   EXPECT_THAT(error_of(R"({"stages": []})"), HasSubstr("no stage"));
   EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slcie"}]})"), HasSubstr("Did you mean toy.slice"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "opts": {}}]})"), HasSubstr("unknown key 'opts'"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"heigth": 1}}]})"), HasSubstr("Did you mean height"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": 99}}]})"), HasSubstr("a number from 0.1 to 5 m"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": [1]}}]})"), HasSubstr("option height is [1]"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.scan"}, {"id": "a", "type": "toy.scan"}]})"), HasSubstr("two stages have the id 'a'"));
+  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "opts": {}}]})"),
+              HasSubstr("unknown key 'opts'"));
+  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"heigth": 1}}]})"),
+              HasSubstr("Did you mean height"));
+  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": 99}}]})"),
+              HasSubstr("a number from 0.1 to 5 m"));
+  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": [1]}}]})"),
+              HasSubstr("option height is [1]"));
+  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.scan"}, {"id": "a", "type": "toy.scan"}]})"),
+              HasSubstr("two stages have the id 'a'"));
 }
 
 TEST(Document, SetTakesStageDotOption) {
@@ -72,7 +77,8 @@ TEST(Document, SetTakesStageDotOption) {
 }
 
 TEST(Document, PathsAreTakenFromTheDocumentsFolder) {
-  const auto document = PipelineDocument::parse(R"({"stages": [{"id": "a", "type": "toy.read", "options": {"file": "data/x.las"}}]})", registry(), "/plots/one");
+  const auto document = PipelineDocument::parse(
+      R"({"stages": [{"id": "a", "type": "toy.read", "options": {"file": "data/x.las"}}]})", registry(), "/plots/one");
   EXPECT_EQ(document.at("a").options.as<testing::ReadOptions>().file, "/plots/one/data/x.las");
 }
 
@@ -98,16 +104,29 @@ TEST(Validate, FindsWhatCannotRun) {
     for (const auto& p : validate(PipelineDocument::parse(text, registry()))) all += p.stage + ": " + p.message + "\n";
     return all;
   };
-  EXPECT_THAT(problems_of(R"({"stages": [{"id": "s", "type": "toy.slice"}]})"), HasSubstr("input 'points' is not joined"));
-  EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.scan"}, {"id": "s", "type": "toy.slice", "inputs": {"points": "r.points"}}]})"), HasSubstr("needs the array 'height_above_ground'"));
-  EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.scan"}, {"id": "s", "type": "toy.height", "inputs": {"points": "r.cloud"}}]})"), HasSubstr("needed: one of points"));
-  EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.scan", "inputs": {"frames": "h.points"}}, {"id": "h", "type": "toy.height", "inputs": {"points": "r.points"}}]})"), HasSubstr("takes a frames"));
+  EXPECT_THAT(problems_of(R"({"stages": [{"id": "s", "type": "toy.slice"}]})"),
+              HasSubstr("input 'points' is not joined"));
+  EXPECT_THAT(
+      problems_of(
+          R"({"stages": [{"id": "r", "type": "toy.scan"}, {"id": "s", "type": "toy.slice", "inputs": {"points": "r.points"}}]})"),
+      HasSubstr("needs the array 'height_above_ground'"));
+  EXPECT_THAT(
+      problems_of(
+          R"({"stages": [{"id": "r", "type": "toy.scan"}, {"id": "s", "type": "toy.height", "inputs": {"points": "r.cloud"}}]})"),
+      HasSubstr("needed: one of points"));
+  EXPECT_THAT(
+      problems_of(
+          R"({"stages": [{"id": "r", "type": "toy.scan", "inputs": {"frames": "h.points"}}, {"id": "h", "type": "toy.height", "inputs": {"points": "r.points"}}]})"),
+      HasSubstr("takes a frames"));
   EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.read"}]})"), HasSubstr("--set r.file=PATH"));
-  EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.read", "options": {"file": "/no/such"}}]})"), HasSubstr("there is no file"));
+  EXPECT_THAT(problems_of(R"({"stages": [{"id": "r", "type": "toy.read", "options": {"file": "/no/such"}}]})"),
+              HasSubstr("there is no file"));
 }
 
 TEST(Validate, ACircleIsFound) {
-  const auto document = PipelineDocument::parse(R"({"stages": [{"id": "a", "type": "toy.height", "inputs": {"points": "b.points"}}, {"id": "b", "type": "toy.height", "inputs": {"points": "a.points"}}]})", registry());
+  const auto document = PipelineDocument::parse(
+      R"({"stages": [{"id": "a", "type": "toy.height", "inputs": {"points": "b.points"}}, {"id": "b", "type": "toy.height", "inputs": {"points": "a.points"}}]})",
+      registry());
   EXPECT_THAT(validate(document), ::testing::Not(IsEmpty()));
 }
 

@@ -25,7 +25,8 @@ class RunStage : public ::testing::Test {
 
 TEST_F(RunStage, MissingInputsAndArraysAreNamed) {
   DataSet inputs;
-  EXPECT_THAT(error_of([&] { run_stage(slice, inputs, options, {}); }), HasSubstr("toy.slice: input 'points' is not connected"));
+  EXPECT_THAT(error_of([&] { run_stage(slice, inputs, options, {}); }),
+              HasSubstr("toy.slice: input 'points' is not connected"));
   inputs.set("points", PointCloud({{0, 0, 0}}));
   EXPECT_THAT(error_of([&] { run_stage(slice, inputs, options, {}); }), HasSubstr("no array 'height_above_ground'"));
   inputs.set("points", Table{});

@@ -44,14 +44,16 @@ int pixels_near(const Image& image, const Color& color, double tolerance = 0.08)
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const auto c = image.pixel(x, y);
-      count += std::abs(c.r - color.r) < tolerance && std::abs(c.g - color.g) < tolerance && std::abs(c.b - color.b) < tolerance;
+      count += std::abs(c.r - color.r) < tolerance && std::abs(c.g - color.g) < tolerance &&
+               std::abs(c.b - color.b) < tolerance;
     }
   return count;
 }
 
 Table one_stem(double dbh_cm, const std::string& quality) {
   Table t;
-  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}), t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh_cm}),
+  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}),
+      t.set("y_m", std::vector<double>{0}), t.set("dbh_cm", std::vector<double>{dbh_cm}),
       t.set("quality", std::vector<std::string>{quality});
   return t;
 }
@@ -60,8 +62,10 @@ TEST(StemMap, StemsAreTrueToScale) {
   const PlotArea area{PlotArea::Shape::rectangle, {0, 0}, 20, 20};
   const auto thick = one_stem(200, "poor"), thin = one_stem(100, "poor");
   const auto color = mix(ink::paper, ink::poor, 0.85);
-  const auto big = pixels_near(figure_image(stem_map({&thick, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
-  const auto small = pixels_near(figure_image(stem_map({&thin, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
+  const auto big =
+      pixels_near(figure_image(stem_map({&thick, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
+  const auto small =
+      pixels_near(figure_image(stem_map({&thin, area, nullptr, nullptr, nullptr, true}, 100), 200), color);
   // A disc of 2 m on 23 m of map (6 % and 0.3 m around the plot) over 83.5 mm; the legend has a disc of 2.2 mm.
   const double disc = std::numbers::pi * std::pow(1.0 / 23 * 83.5 / 25.4 * 200, 2);
   EXPECT_NEAR(big - small, 0.75 * disc, 0.06 * disc);

@@ -1,5 +1,5 @@
-// Draws a red sphere and white text on blue with DISPLAY unset, and looks at the colours. --open-display opens a display on
-// purpose, to show that the guard of this test can fail.
+// Draws a red sphere and white text on blue with DISPLAY unset, and looks at the colours. --open-display opens a
+// display on purpose, to show that the guard of this test can fail.
 #include <dlfcn.h>
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -39,7 +39,8 @@ int count_white(vtkUnsignedCharArray* pixels) {
 }
 
 int draw() {
-  if (bole::use_backend(bole::Backend::automatic) != bole::Backend::osmesa) return check(false, "automatic chose another backend");
+  if (bole::use_backend(bole::Backend::automatic) != bole::Backend::osmesa)
+    return check(false, "automatic chose another backend");
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);
   sphere->SetPhiResolution(32);

@@ -22,7 +22,8 @@ PointCloud copies(int times) {
   PointCloud::Positions positions;
   for (int k = 0; k < times; ++k)
     for (int i = 0; i < 100; ++i)
-      for (int j = 0; j < 100; ++j) positions.emplace_back(0.05F * static_cast<float>(i) + 0.001F, 0.05F * static_cast<float>(j) + 0.001F, 0.001F);
+      for (int j = 0; j < 100; ++j)
+        positions.emplace_back(0.05F * static_cast<float>(i) + 0.001F, 0.05F * static_cast<float>(j) + 0.001F, 0.001F);
   return PointCloud(std::move(positions));
 }
 
@@ -35,7 +36,9 @@ TEST(Thin, KeepsTheBudgetAndTheWindow) {
   EXPECT_EQ(thin_for_drawing(cloud, {}, 1000000).size(), cloud.size());
 }
 
-TEST(Thin, PlacesScannedOftenAreDrawnOnce) { EXPECT_NEAR(static_cast<double>(thin_for_drawing(copies(5), {}, 12000).size()), 10000, 100); }
+TEST(Thin, PlacesScannedOftenAreDrawnOnce) {
+  EXPECT_NEAR(static_cast<double>(thin_for_drawing(copies(5), {}, 12000).size()), 10000, 100);
+}
 
 TEST(Thin, DropsWhatIsNotANumber) {
   PointCloud cloud(PointCloud::Positions{{0, 0, 0}, {std::nanf(""), 0, 0}});
@@ -55,7 +58,8 @@ TEST(EyeDome, DarkensTheFarSideOfAStepWithinItsBound) {
   std::vector<std::uint8_t> rgb(3 * w * h, 200);
   std::vector<float> depth(w * h, 5);
   for (int y = 0; y < h; ++y)
-    for (int x = 20; x < w; ++x) depth[static_cast<std::size_t>(y * w + x)] = x == 39 ? std::numeric_limits<float>::infinity() : 8;
+    for (int x = 20; x < w; ++x)
+      depth[static_cast<std::size_t>(y * w + x)] = x == 39 ? std::numeric_limits<float>::infinity() : 8;
   shade_eye_dome(rgb, depth, w, h, {2, 0.5, 0.6});
   const auto at = [&](int x) { return rgb[static_cast<std::size_t>(3 * (5 * w + x))]; };
   EXPECT_EQ(at(5), 200);
@@ -92,7 +96,8 @@ TEST(Stems, ShapesFollowSectionsElseLeanAndTaper) {
 TEST(Map, ShowsGroundStemsAndPaper) {
   use_backend(Backend::automatic);
   const auto s = testing_data::make_small_survey();
-  const MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
+  const MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20},
+                     true,      nullptr};
   MapOptions options;
   options.dpi = 60;
   options.view = MapView::top;
@@ -133,10 +138,12 @@ TEST(Map, LargeCoordinatesDrawTheSame) {
   auto s = testing_data::make_small_survey();
   MapOptions options;
   options.dpi = 40, options.furniture = false;
-  const auto at_origin = figure_image(map_figure({&s.points, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
+  const auto at_origin =
+      figure_image(map_figure({&s.points, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
   auto far = s.points;
   far.origin = {512345, 5412345, 300};
-  const auto far_away = figure_image(map_figure({&far, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
+  const auto far_away =
+      figure_image(map_figure({&far, nullptr, nullptr, nullptr, {}, true, nullptr}, options, 100), 40);
   ASSERT_EQ(at_origin.rgba.size(), far_away.rgba.size());
   double difference = 0;
   for (std::size_t i = 0; i < at_origin.rgba.size(); ++i) difference += std::abs(at_origin.rgba[i] - far_away.rgba[i]);
@@ -157,12 +164,17 @@ TEST(Map, WriteThemForTheEye) {
   size.points_per_tree = 40000;
   size.ground_points = 800000;
   const auto s = testing_data::make_small_survey(size);
-  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
+  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, {PlotArea::Shape::rectangle, {0, 0}, 20, 20},
+                     true,      nullptr};
   MapOptions options;
-  const auto write = [&](const Figure& f) { write_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi)); };
+  const auto write = [&](const Figure& f) {
+    write_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi));
+  };
   options.dpi = 200;
   const auto start = std::chrono::steady_clock::now();
-  const auto lap = [&](const char* what) { std::printf("%s %.2f s\n", what, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()); };
+  const auto lap = [&](const char* what) {
+    std::printf("%s %.2f s\n", what, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  };
   write(map_figure(data, options, 180));
   lap("height");
   options.color = PointColor::tree;

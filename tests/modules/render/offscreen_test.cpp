@@ -13,7 +13,8 @@ namespace bole {
 namespace {
 
 TEST(Offscreen, NamesRoundTrip) {
-  for (const auto backend : {Backend::automatic, Backend::osmesa, Backend::egl, Backend::glx}) EXPECT_EQ(backend_from_name(backend_name(backend)), backend);
+  for (const auto backend : {Backend::automatic, Backend::osmesa, Backend::egl, Backend::glx})
+    EXPECT_EQ(backend_from_name(backend_name(backend)), backend);
   EXPECT_THROW(backend_from_name("opengl"), Error);
 }
 

@@ -1,4 +1,5 @@
-// Whether elements of an XML or XHTML-like text open and close in order; scripts, comments and void elements are stepped over.
+// Whether elements of an XML or XHTML-like text open and close in order; scripts, comments and void elements are
+// stepped over.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,8 @@ inline std::string markup_trouble(const std::string& text) {
     const bool closes = tag[0] == '/', alone = tag.back() == '/';
     const std::string name = tag.substr(closes, tag.find_first_of(" \n\t/", closes) - (closes ? 1U : 0U));
     if (closes) {
-      if (open.empty() || open.back() != name) return "</" + name + "> closes <" + (open.empty() ? "" : open.back()) + ">";
+      if (open.empty() || open.back() != name)
+        return "</" + name + "> closes <" + (open.empty() ? "" : open.back()) + ">";
       open.pop_back();
     } else if (!alone && std::find(empty_elements.begin(), empty_elements.end(), name) == empty_elements.end()) {
       open.push_back(name);

@@ -31,7 +31,8 @@ std::string contents(const std::filesystem::path& path) {
 DataSet inputs_of(const testing_data::SmallSurvey& s) {
   DataSet inputs;
   inputs.set("stems", s.stems), inputs.set("points", s.points), inputs.set("slice", s.slice), inputs.set("dem", s.dem);
-  inputs.set("trajectory", s.trajectory), inputs.set("reference_trajectory", s.reference), inputs.set("sections", s.sections), inputs.set("rejected", s.rejected);
+  inputs.set("trajectory", s.trajectory), inputs.set("reference_trajectory", s.reference),
+      inputs.set("sections", s.sections), inputs.set("rejected", s.rejected);
   inputs.set("targets", s.targets), inputs.set("matches", s.matches), inputs.set("summary", s.summary);
   return inputs;
 }
@@ -54,7 +55,8 @@ class MakeReport : public testing::Test {
  protected:
   void SetUp() override {
     const char* kept = std::getenv("BOLE_FIGURES_DIR");
-    dir_ = (kept != nullptr ? std::filesystem::path(kept) : std::filesystem::path(testing::TempDir())) / testing::UnitTest::GetInstance()->current_test_info()->name();
+    dir_ = (kept != nullptr ? std::filesystem::path(kept) : std::filesystem::path(testing::TempDir())) /
+           testing::UnitTest::GetInstance()->current_test_info()->name();
     keep_ = kept != nullptr;
     std::filesystem::remove_all(dir_);
     run_.output_dir = dir_;
@@ -76,7 +78,8 @@ class MakeReport : public testing::Test {
 
 std::string without_pictures(std::string html) {
   const std::string begin = "src=\"data:";
-  for (auto at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 5)) html.erase(at + 5, html.find('"', at + 5) - at - 5);
+  for (auto at = html.find(begin); at != std::string::npos; at = html.find(begin, at + 5))
+    html.erase(at + 5, html.find('"', at + 5) - at - 5);
   return html;
 }
 
@@ -109,7 +112,8 @@ TEST_F(MakeReport, WritesEverything) {
                            "figures/trajectory.svg",
                            "figures/slices_01.png"})
     EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_)) EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_))
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
   EXPECT_EQ(read_table(dir_ / "stems.csv").rows(), s.stems.rows());
   EXPECT_EQ(read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
 
@@ -144,7 +148,8 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
 TEST_F(MakeReport, AutoTakesNoPlotOutsidePlotAxes) {
   ReportOptions o;
   EXPECT_EQ(plot_area(o, Axes::plot).area_m2(), 32.0 * 32.0);
-  for (const auto axes : {Axes::unknown, Axes::global, Axes::map}) EXPECT_EQ(plot_area(o, axes).shape, PlotArea::Shape::none);
+  for (const auto axes : {Axes::unknown, Axes::global, Axes::map})
+    EXPECT_EQ(plot_area(o, axes).shape, PlotArea::Shape::none);
   o.plot_shape = "rectangle", o.plot_size = 10;
   EXPECT_EQ(plot_area(o, Axes::global).area_m2(), 100.0);
   o.plot_shape = "none";
@@ -161,7 +166,8 @@ TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
   auto s = testing_data::make_small_survey();
   auto x = s.stems.numbers("x_m");
   std::vector<std::int64_t> seen(x.size(), 0);
-  std::vector<std::string> state(x.size(), "check"), reasons(x.size(), "wide interval: +-5.4 cm; only 90 deg of the bark seen");
+  std::vector<std::string> state(x.size(), "check"),
+      reasons(x.size(), "wide interval: +-5.4 cm; only 90 deg of the bark seen");
   for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] = 100;
   s.stems.set("x_m", x), s.stems.set("height_seen", seen), s.stems.set("state", state), s.stems.set("reasons", reasons);
   DataSet inputs;
@@ -249,7 +255,8 @@ TEST_F(MakeReport, NeedsAFolder) {
 Table summary_of(const std::vector<std::tuple<std::string, double, std::string, std::string>>& rows) {
   std::vector<std::string> measure, unit, published;
   std::vector<double> value;
-  for (const auto& [m, v, u, p] : rows) measure.push_back(m), value.push_back(v), unit.push_back(u), published.push_back(p);
+  for (const auto& [m, v, u, p] : rows)
+    measure.push_back(m), value.push_back(v), unit.push_back(u), published.push_back(p);
   Table t;
   t.set("measure", measure), t.set("value", value), t.set("unit", unit), t.set("published", published);
   return t;
@@ -270,7 +277,10 @@ TEST(Evaluation, NamesForPeople) {
   EXPECT_THAT(html, HasSubstr("<td>DBH RMSE</td><td class=\"n\">0.61</td><td>cm</td><td class=\"n\">1.03</td>"));
   EXPECT_THAT(html, HasSubstr("\u22120.048"));
   EXPECT_THAT(html, HasSubstr("<td>new measure</td>"));
-  EXPECT_THAT(html, HasSubstr("<td>20–24</td><td class=\"n\">7</td><td class=\"n\"></td><td class=\"n\"></td><td class=\"n\">0.13</td>"));
+  EXPECT_THAT(
+      html,
+      HasSubstr(
+          "<td>20–24</td><td class=\"n\">7</td><td class=\"n\"></td><td class=\"n\"></td><td class=\"n\">0.13</td>"));
   EXPECT_THAT(html, HasSubstr("<td>0–5</td><td class=\"n\">9</td>"));
   EXPECT_LT(html.find("Found"), html.find("Mean error in x"));
   EXPECT_LT(html.find("Mean error in x"), html.find("DBH RMSE"));

@@ -73,7 +73,8 @@ TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
     const auto m = plot_metrics(line_of_stems(n, seen), rectangle, 7);
     EXPECT_FALSE(m.heights_known);
     EXPECT_TRUE(std::isnan(m.mean_height_m) && std::isnan(m.lorey_height_m) && std::isnan(m.dominant_height_m));
-    EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) + " stems: heights are lower bounds"));
+    EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) +
+                                            " stems: heights are lower bounds"));
     EXPECT_THAT(told(m), testing::Not(testing::HasSubstr("Lorey")));
   }
   EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle, 7).heights_known);
@@ -117,7 +118,8 @@ TEST(PlotMetrics, ShiftedPlotGivesTheSameNumbers) {
   for (auto& v : x) v += 512345;
   for (auto& v : y) v += 5412345;
   shifted.set("x_m", x), shifted.set("y_m", y);
-  const auto a = plot_metrics(stems(), rectangle, 7), b = plot_metrics(shifted, {PlotArea::Shape::rectangle, {512345, 5412345}, 20, 25}, 7);
+  const auto a = plot_metrics(stems(), rectangle, 7),
+             b = plot_metrics(shifted, {PlotArea::Shape::rectangle, {512345, 5412345}, 20, 25}, 7);
   EXPECT_EQ(a.stems, b.stems);
   EXPECT_DOUBLE_EQ(a.basal_area_m2_per_ha, b.basal_area_m2_per_ha);
   EXPECT_DOUBLE_EQ(a.lorey_height_m, b.lorey_height_m);

@@ -24,7 +24,8 @@ std::string error_of(F&& f) {
 }
 
 nlohmann::json small_model() {
-  return nlohmann::json::parse(R"({"elevation_deg": [1, -1], "azimuth_offset_deg": [0, 0], "firing_time_us": [0, 2], "sequence_period_us": 50, "rotation_hz": 10,
+  return nlohmann::json::parse(
+      R"({"elevation_deg": [1, -1], "azimuth_offset_deg": [0, 0], "firing_time_us": [0, 2], "sequence_period_us": 50, "rotation_hz": 10,
     "range_quantum_m": 0.002, "min_range_m": 0.5, "max_range_m": 100, "range_sigma_m": 0.02, "beam_divergence_horizontal_mrad": 3, "beam_divergence_vertical_mrad": 1.5,
     "aperture_horizontal_mm": 9.5, "aperture_vertical_mm": 12.7})");
 }

@@ -28,7 +28,9 @@ struct Recording {
 
 Recording record(const SensorModel& model, VelodyneReturnMode mode, int sequences, double start_azimuth_rad = 6.2) {
   Recording out;
-  VelodyneEncoder encoder(model, mode, [&](const VelodyneEncoder::Bytes& bytes, double time_s) { out.packets.emplace_back(*parse_velodyne_packet(bytes), time_s); });
+  VelodyneEncoder encoder(model, mode, [&](const VelodyneEncoder::Bytes& bytes, double time_s) {
+    out.packets.emplace_back(*parse_velodyne_packet(bytes), time_s);
+  });
   std::mt19937 random(7);
   std::uniform_real_distribution<double> range(1, 60);
   for (int s = 0; s < sequences; ++s) {
@@ -40,7 +42,8 @@ Recording record(const SensorModel& model, VelodyneReturnMode mode, int sequence
       const double r = range(random);
       strongest.push_back({static_cast<float>(r), static_cast<std::uint8_t>(c)});
       last.push_back({static_cast<float>(c % 2 == 0 ? r : r + 1), 9});  // even channels: the same return again
-      out.shots[{s, c}] = {azimuth_rad + rate_rad_s * channel.firing_time_s + channel.azimuth_offset_rad, r, time_s + channel.firing_time_s, c};
+      out.shots[{s, c}] = {azimuth_rad + rate_rad_s * channel.firing_time_s + channel.azimuth_offset_rad, r,
+                           time_s + channel.firing_time_s, c};
     }
     encoder.add(time_s, azimuth_rad, strongest, last);
   }

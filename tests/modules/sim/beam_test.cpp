@@ -77,8 +77,10 @@ TEST(Beam, lasers_have_biases_of_their_own) {
 TEST(Beam, an_edge_before_a_near_wall_gives_mixed_pixels) {
   // The beam is half on the edge of a wall 0.3 m in front of another: ranges in between. 3 m apart: one or the other.
   int between_near = 0, between_far = 0;
-  for (const auto& e : Shot{{wall(8, 0, 5), wall(8.3f, -5, 5)}}.fire(200)) between_near += e.range_m > 8.02f && e.range_m < 8.28f;
-  for (const auto& e : Shot{{wall(8, 0, 5), wall(11, -5, 5)}}.fire(200)) between_far += e.range_m > 8.02f && e.range_m < 10.98f;
+  for (const auto& e : Shot{{wall(8, 0, 5), wall(8.3f, -5, 5)}}.fire(200))
+    between_near += e.range_m > 8.02f && e.range_m < 8.28f;
+  for (const auto& e : Shot{{wall(8, 0, 5), wall(11, -5, 5)}}.fire(200))
+    between_far += e.range_m > 8.02f && e.range_m < 10.98f;
   EXPECT_GT(between_near, 150);
   EXPECT_EQ(between_far, 0);
 }

@@ -12,7 +12,9 @@
 namespace bole::sim {
 namespace {
 
-Forest shipped(const std::string& plot, std::uint64_t seed) { return make_forest(read_recipe(resource_path("plots/" + plot + ".json")), seed); }
+Forest shipped(const std::string& plot, std::uint64_t seed) {
+  return make_forest(read_recipe(resource_path("plots/" + plot + ".json")), seed);
+}
 
 TEST(Forest, has_the_count_mean_and_spread_of_its_recipe) {
   for (const char* plot : {"plot1", "plot2", "plot3", "plot4", "mixed"}) {
@@ -39,7 +41,8 @@ TEST(Forest, trees_stand_apart_and_on_their_side_of_the_boundary) {
     EXPECT_NEAR(a.stem.foot.z(), forest.terrain.height(a.stem.foot.x(), a.stem.foot.y()), 1e-9);
     for (const auto& b : forest.trees) {
       if (a.id >= b.id) continue;
-      const double gap = (a.taped.centre - b.taped.centre).head<2>().norm() - 0.5 * (a.taped.diameter_m + b.taped.diameter_m);
+      const double gap =
+          (a.taped.centre - b.taped.centre).head<2>().norm() - 0.5 * (a.taped.diameter_m + b.taped.diameter_m);
       EXPECT_GT(gap, 0.02) << a.id << " and " << b.id;
     }
   }
@@ -68,7 +71,8 @@ TEST(Forest, too_many_trees_are_an_error_with_a_remedy) {
     make_forest(recipe, 1);
     FAIL();
   } catch (const Error& e) {
-    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("400 trees do not fit"), testing::HasSubstr("Lower trees.count")));
+    EXPECT_THAT(e.what(),
+                testing::AllOf(testing::HasSubstr("400 trees do not fit"), testing::HasSubstr("Lower trees.count")));
   }
 }
 
@@ -87,7 +91,10 @@ TEST(Terrain, raster_equals_the_ground) {
   EXPECT_EQ(terrain.height(0, 0), 0);
   const Raster dem = terrain.raster(5, 0.25);
   for (int iy = 0; iy < dem.ny; iy += 7)
-    for (int ix = 0; ix < dem.nx; ix += 5) EXPECT_NEAR(dem.at(ix, iy), terrain.height(dem.origin.x() + (ix + 0.5) * dem.cell_m, dem.origin.y() + (iy + 0.5) * dem.cell_m), 1e-6);
+    for (int ix = 0; ix < dem.nx; ix += 5)
+      EXPECT_NEAR(dem.at(ix, iy),
+                  terrain.height(dem.origin.x() + (ix + 0.5) * dem.cell_m, dem.origin.y() + (iy + 0.5) * dem.cell_m),
+                  1e-6);
   EXPECT_NEAR(dem.sample(1.2, -3.4), terrain.height(1.2, -3.4), 0.01);
 }
 

@@ -28,7 +28,8 @@ TEST(Recipe, plots_of_the_source_have_its_figures) {
     const char* name;
     int count;
     double mean, sd;
-  } plots[] = {{"plot1", 74, 20.30, 5.14}, {"plot2", 58, 27.10, 2.65}, {"plot3", 78, 16.86, 4.64}, {"plot4", 72, 18.25, 2.30}};
+  } plots[] = {
+      {"plot1", 74, 20.30, 5.14}, {"plot2", 58, 27.10, 2.65}, {"plot3", 78, 16.86, 4.64}, {"plot4", 72, 18.25, 2.30}};
   for (const auto& p : plots) {
     const PlotRecipe recipe = read_recipe(resource_path(std::string("plots/") + p.name + ".json"));
     EXPECT_EQ(recipe.size_m, 32);
@@ -62,9 +63,12 @@ TEST(Recipe, what_is_written_reads_back) {
 }
 
 TEST(Recipe, errors_name_the_field_the_value_and_the_need) {
-  EXPECT_THAT(error_of({{"trees", {{"count", -3}}}}), testing::AllOf(HasSubstr("trees.count"), HasSubstr("-3"), HasSubstr("whole number from 0 to 5000")));
-  EXPECT_THAT(error_of({{"trees", {{"dbh_mean_cm", "thick"}}}}), testing::AllOf(HasSubstr("trees.dbh_mean_cm"), HasSubstr("thick")));
-  EXPECT_THAT(error_of({{"terrain", {{"slop_deg", 3}}}}), testing::AllOf(HasSubstr("terrain.slop_deg"), HasSubstr("Did you mean 'slope_deg'")));
+  EXPECT_THAT(error_of({{"trees", {{"count", -3}}}}),
+              testing::AllOf(HasSubstr("trees.count"), HasSubstr("-3"), HasSubstr("whole number from 0 to 5000")));
+  EXPECT_THAT(error_of({{"trees", {{"dbh_mean_cm", "thick"}}}}),
+              testing::AllOf(HasSubstr("trees.dbh_mean_cm"), HasSubstr("thick")));
+  EXPECT_THAT(error_of({{"terrain", {{"slop_deg", 3}}}}),
+              testing::AllOf(HasSubstr("terrain.slop_deg"), HasSubstr("Did you mean 'slope_deg'")));
   EXPECT_THAT(error_of({{"layout", {{"kind", "spiral"}}}}), HasSubstr("\"natural\" or \"rows\""));
   EXPECT_THAT(error_of({{"trees", {{"dbh_sd_cm", 40}}}}), HasSubstr("dbh_sd_cm"));
   EXPECT_THAT(error_of(json::array()), HasSubstr("an object"));

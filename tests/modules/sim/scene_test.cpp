@@ -16,7 +16,8 @@ namespace {
 RayHit cast(const RayScene& scene, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
   RayBundle bundle;
   for (int i = 0; i < RayBundle::size; ++i)
-    for (int d = 0; d < 3; ++d) bundle.origin[d][i] = static_cast<float>(from[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
+    for (int d = 0; d < 3; ++d)
+      bundle.origin[d][i] = static_cast<float>(from[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
   RayHit hits[RayBundle::size];
   scene.intersect(bundle, hits);
   return hits[0];
@@ -42,7 +43,8 @@ TEST(Scene, rays_meet_stems_on_their_analytic_surface) {
     const RayScene scene(alone);
     for (int i = 0; i < 200; ++i) {
       const double h = random.uniform(0.5, 2.4), a = random.angle();
-      const Eigen::Vector3d to = tree.stem.axis(h), from = to + Eigen::Vector3d(3 * std::cos(a), 3 * std::sin(a), random.uniform(-1, 1));
+      const Eigen::Vector3d to = tree.stem.axis(h),
+                            from = to + Eigen::Vector3d(3 * std::cos(a), 3 * std::sin(a), random.uniform(-1, 1));
       const Eigen::Vector3d direction = (to - from).normalized();
       const RayHit hit = cast(scene, from, direction);
       ASSERT_EQ(hit.tree_id, tree.id);
@@ -80,7 +82,8 @@ TEST(Scene, placed_copies_turn_their_normals) {
   sheet.reflectivity = 0.7f;
   model.archetypes.push_back({{sheet}});
   // Stood upright facing x, 2 m away.
-  model.placements.push_back({0, Eigen::Translation3f(2, 0, 0) * Eigen::Affine3f(Eigen::AngleAxisf(1.5707963f, Eigen::Vector3f::UnitY()))});
+  model.placements.push_back(
+      {0, Eigen::Translation3f(2, 0, 0) * Eigen::Affine3f(Eigen::AngleAxisf(1.5707963f, Eigen::Vector3f::UnitY()))});
   const RayScene scene(model);
   const RayHit hit = cast(scene, {0, 0, 0}, Eigen::Vector3d(1, 0, 0));
   EXPECT_NEAR(hit.range_m, 2, 1e-5);

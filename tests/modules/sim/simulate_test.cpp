@@ -25,7 +25,8 @@ using testing::HasSubstr;
 class Simulation : public testing::Test {
  protected:
   void SetUp() override {
-    dir_ = fs::temp_directory_path() / ("bole_sim_" + std::to_string(::getpid()) + "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
+    dir_ = fs::temp_directory_path() / ("bole_sim_" + std::to_string(::getpid()) + "_" +
+                                        testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(dir_);
     recipe_ = sim::bare_plot(3);
     options_.plot = (dir_ / "bare.json").string();
@@ -77,7 +78,8 @@ std::vector<Point> points_of(const std::string& pcap, const Trajectory& trajecto
   std::vector<Point> points;
   std::vector<VelodyneReturn> returns;
   const double hour = 3600 * std::floor(simulation_epoch_s / 3600);
-  for (std::size_t at = 24; at + 16 + 42 + velodyne_packet_bytes <= pcap.size(); at += 16 + 42 + velodyne_packet_bytes) {
+  for (std::size_t at = 24; at + 16 + 42 + velodyne_packet_bytes <= pcap.size();
+       at += 16 + 42 + velodyne_packet_bytes) {
     const auto* payload = reinterpret_cast<const std::uint8_t*>(pcap.data()) + at + 16 + 42;
     const auto packet = parse_velodyne_packet({payload, velodyne_packet_bytes});
     if (!packet) continue;
@@ -103,8 +105,10 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
   const sim::Forest forest = sim::make_forest(recipe_, 1);
   const sim::Terrain& terrain = forest.terrain;
   const auto beside_something = [&](const Eigen::Vector3d& p) {
-    return std::ranges::any_of(forest.trees, [&](const auto& t) { return (t.stem.foot - p).template head<2>().norm() < 0.6; }) ||
-           std::ranges::any_of(forest.targets, [&](const auto& t) { return (t.middle - p).template head<2>().norm() < 0.3; });
+    return std::ranges::any_of(forest.trees,
+                               [&](const auto& t) { return (t.stem.foot - p).template head<2>().norm() < 0.6; }) ||
+           std::ranges::any_of(forest.targets,
+                               [&](const auto& t) { return (t.middle - p).template head<2>().norm() < 0.3; });
   };
   double n = 0, sum = 0, squares = 0;
   for (const auto& p : points) {
@@ -113,7 +117,8 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
     const double above = p.in_plot.z() - terrain.height(p.in_plot.x(), p.in_plot.y());
     // Turned into an error of range: the ground is a plane here.
     const Eigen::Vector3d ray = (p.in_plot - p.sensor) / p.range_m;
-    const double error = -above / std::abs(ray.dot(terrain.normal(p.in_plot.x(), p.in_plot.y()))) * terrain.normal(0, 0).z();
+    const double error =
+        -above / std::abs(ray.dot(terrain.normal(p.in_plot.x(), p.in_plot.y()))) * terrain.normal(0, 0).z();
     n += 1, sum += error, squares += error * error;
   }
   ASSERT_GT(n, 20000);
@@ -128,7 +133,8 @@ TEST_F(Simulation, the_same_seed_gives_the_same_bytes_at_any_thread_count) {
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     run("b");
   }
-  for (const char* file : {"walk.pcap", "trees.csv", "trajectory.tum", "dem.tif", "targets.csv", "saplings.csv", "recipe.json"}) {
+  for (const char* file :
+       {"walk.pcap", "trees.csv", "trajectory.tum", "dem.tif", "targets.csv", "saplings.csv", "recipe.json"}) {
     const std::string a = bytes(std::string("a/") + file), b = bytes(std::string("b/") + file);
     EXPECT_FALSE(a.empty()) << file;
     EXPECT_TRUE(a == b) << file;
@@ -144,7 +150,8 @@ TEST_F(Simulation, reports_and_writes_its_truth) {
   EXPECT_EQ(report.counts.at("trees"), 3);
   EXPECT_GT(report.counts.at("returns"), 10000);
   EXPECT_EQ(report.counts.at("pulses") % 32, 0);
-  EXPECT_THAT(bytes("out/trees.csv"), testing::StartsWith("tree_id,x_m,y_m,z_m,dbh_cm,height_m,lean_deg,lean_azimuth_deg,state,in_plot,species,base_x_m,base_y_m,twin_of\n1,"));
+  EXPECT_THAT(bytes("out/trees.csv"), testing::StartsWith("tree_id,x_m,y_m,z_m,dbh_cm,height_m,lean_deg,lean_azimuth_"
+                                                          "deg,state,in_plot,species,base_x_m,base_y_m,twin_of\n1,"));
   EXPECT_THAT(bytes("out/targets.csv"), HasSubstr("\ncentre,0.0000,0.0000,1.5000,"));
   EXPECT_THAT(bytes("out/targets.csv"), HasSubstr("\nnorth,0.0000,5.0000,"));
   const auto recipe = nlohmann::json::parse(bytes("out/recipe.json"));
@@ -161,13 +168,16 @@ TEST_F(Simulation, targets_shine_where_they_stand) {
   int bright = 0, elsewhere = 0;
   std::vector<VelodyneReturn> returns;
   for (std::size_t at = 24 + 58; at + velodyne_packet_bytes <= pcap.size(); at += 58 + velodyne_packet_bytes) {
-    const auto packet = parse_velodyne_packet({reinterpret_cast<const std::uint8_t*>(pcap.data()) + at, velodyne_packet_bytes});
+    const auto packet =
+        parse_velodyne_packet({reinterpret_cast<const std::uint8_t*>(pcap.data()) + at, velodyne_packet_bytes});
     ASSERT_TRUE(packet);
     returns.clear();
     decoder.decode(*packet, returns);
     for (const auto& r : returns) {
       if (r.intensity < 150) continue;
-      const Eigen::Vector3d p = trajectory.at(3600 * std::floor(simulation_epoch_s / 3600) + 1e-6 * packet->time_us + static_cast<double>(r.time_offset_s)) * r.position.cast<double>();
+      const Eigen::Vector3d p = trajectory.at(3600 * std::floor(simulation_epoch_s / 3600) + 1e-6 * packet->time_us +
+                                              static_cast<double>(r.time_offset_s)) *
+                                r.position.cast<double>();
       const double d = std::min((p - Eigen::Vector3d(0, 0, 1.5)).norm(), (p - Eigen::Vector3d(0, 5, 1.5)).norm());
       (d < 0.25 ? bright : elsewhere) += 1;
     }
@@ -179,7 +189,8 @@ TEST_F(Simulation, targets_shine_where_they_stand) {
 TEST_F(Simulation, ring_sensors_give_frames_with_times_and_rings) {
   options_.sensor = "os1_64";
   const Report report = run("out");
-  const std::string points = bytes("out/frames/000001.bin"), times = bytes("out/frames/000001.time"), rings = bytes("out/frames/000001.ring");
+  const std::string points = bytes("out/frames/000001.bin"), times = bytes("out/frames/000001.time"),
+                    rings = bytes("out/frames/000001.ring");
   ASSERT_GT(points.size(), 16u * 5000);
   const std::size_t n = points.size() / 16;
   EXPECT_EQ(times.size(), 4 * n);
@@ -242,7 +253,8 @@ TEST_F(Simulation, wrong_options_are_explained) {
     }
     return "";
   };
-  EXPECT_THAT(error([](auto& o) { o.plot = "plot9"; }), testing::AllOf(HasSubstr("plot9"), HasSubstr("demo"), HasSubstr("plot1")));
+  EXPECT_THAT(error([](auto& o) { o.plot = "plot9"; }),
+              testing::AllOf(HasSubstr("plot9"), HasSubstr("demo"), HasSubstr("plot1")));
   EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.sensor = "vlp99"; }), HasSubstr("vlp99"));
   EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.walk = "/nowhere.csv"; }), HasSubstr("/nowhere.csv"));
   EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.most_time = 0.01; }), HasSubstr("most_time"));

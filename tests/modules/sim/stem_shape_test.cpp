@@ -44,7 +44,8 @@ TEST(Tape, spans_hollows) {
   stem.amplitude = {0, 0.2, 0, 0};  // three ridges with hollows between
   const double taped = tape(stem, level_ground()).diameter_m;
   double contour = 0;
-  for (int i = 0; i < 3600; ++i) contour += (stem.surface(1.3, 2 * pi * (i + 1) / 3600) - stem.surface(1.3, 2 * pi * i / 3600)).norm();
+  for (int i = 0; i < 3600; ++i)
+    contour += (stem.surface(1.3, 2 * pi * (i + 1) / 3600) - stem.surface(1.3, 2 * pi * i / 3600)).norm();
   EXPECT_LT(taped, contour / pi - 1e-3);
   EXPECT_GT(taped, 0.4);
 }
@@ -52,7 +53,8 @@ TEST(Tape, spans_hollows) {
 TEST(Tape, reads_an_ellipse_as_ramanujan_does) {
   const double a = 0.22, b = 0.18;
   std::vector<Eigen::Vector2d> ellipse;
-  for (int i = 0; i < 2000; ++i) ellipse.emplace_back(3 + a * std::cos(2 * pi * i / 2000), -1 + b * std::sin(2 * pi * i / 2000));
+  for (int i = 0; i < 2000; ++i)
+    ellipse.emplace_back(3 + a * std::cos(2 * pi * i / 2000), -1 + b * std::sin(2 * pi * i / 2000));
   const double h = std::pow((a - b) / (a + b), 2);
   const Girth girth = hull_girth(ellipse);
   EXPECT_NEAR(girth.length_m, pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h))), 1e-5);
@@ -78,7 +80,8 @@ TEST(StemShape, a_section_is_perpendicular_to_the_axis) {
   stem.lean = {0.1, -0.05};
   stem.bow = {0.2, 0.1};
   for (const double h : {0.3, 1.3, 4.0})
-    for (const double theta : {0.0, 1.0, 4.0}) EXPECT_NEAR((stem.surface(h, theta) - stem.axis(h)).dot(stem.tangent(h)), 0, 1e-12);
+    for (const double theta : {0.0, 1.0, 4.0})
+      EXPECT_NEAR((stem.surface(h, theta) - stem.axis(h)).dot(stem.tangent(h)), 0, 1e-12);
 }
 
 TEST(StemShape, flare_widens_the_foot_alone) {

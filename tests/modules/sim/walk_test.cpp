@@ -31,7 +31,8 @@ TEST(SurveyPattern, goes_from_the_centre_over_the_north_west_to_the_south_east_a
 struct PlotWalk {
   Forest forest;
   std::vector<Eigen::Vector2d> route;
-  explicit PlotWalk(const char* plot, std::uint64_t seed = 1) : forest(make_forest(read_recipe(resource_path(std::string("plots/") + plot + ".json")), seed)) {
+  explicit PlotWalk(const char* plot, std::uint64_t seed = 1)
+      : forest(make_forest(read_recipe(resource_path(std::string("plots/") + plot + ".json")), seed)) {
     const PlotScene scene = build_scene(forest, seed);
     route = plan_route(survey_pattern(forest.recipe.size_m, 6), forest, scene.vegetation.obstacles, Walk::step_m);
   }
@@ -44,7 +45,8 @@ TEST(Route, keeps_clear_of_stems) {
   for (double t = 0; t < walk.duration_s(); t += 0.1)
     for (const auto& tree : plot.forest.trees) {
       const Eigen::Vector3d p = walk.pose(t).translation();
-      EXPECT_GT((p - tree.stem.axis(1.0)).head<2>().norm() - tree.stem.mean_radius(1.0), 0.42) << "tree " << tree.id << " at " << t;
+      EXPECT_GT((p - tree.stem.axis(1.0)).head<2>().norm() - tree.stem.mean_radius(1.0), 0.42)
+          << "tree " << tree.id << " at " << t;
     }
 }
 
@@ -62,7 +64,8 @@ TEST(Walk, stands_still_then_moves_smoothly_and_comes_back) {
   // No jump of velocity: a person's accelerations stay below 1.5 g.
   const double d = 0.01;
   for (double t = d; t < walk.duration_s() - d; t += 0.037) {
-    const Eigen::Vector3d a = (walk.pose(t + d).translation() - 2 * walk.pose(t).translation() + walk.pose(t - d).translation()) / (d * d);
+    const Eigen::Vector3d a =
+        (walk.pose(t + d).translation() - 2 * walk.pose(t).translation() + walk.pose(t - d).translation()) / (d * d);
     EXPECT_LT(a.norm(), 15) << t;
     const Eigen::Vector3d v = (walk.pose(t + d).translation() - walk.pose(t - d).translation()) / (2 * d);
     EXPECT_LT(v.norm(), 1.8) << t;
@@ -94,7 +97,8 @@ TEST(Walk, gait_bobs_and_tilts) {
   const PlotWalk plot("demo");
   const Walk walk = plot.walk();
   double most_tilt = 0;
-  for (double t = 5; t < 20; t += 0.02) most_tilt = std::max(most_tilt, std::acos(std::min(1.0, walk.pose(t).linear()(2, 2))));
+  for (double t = 5; t < 20; t += 0.02)
+    most_tilt = std::max(most_tilt, std::acos(std::min(1.0, walk.pose(t).linear()(2, 2))));
   EXPECT_GT(most_tilt, 0.02);
   EXPECT_LT(most_tilt, 0.15);
 }

@@ -18,7 +18,8 @@ std::vector<Eigen::Vector3d> points_on_plane(const Eigen::Vector3d& normal, doub
   std::normal_distribution<double> along(0, noise_m);
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 4000; ++i) points.push_back(far_away + across(random) * u + across(random) * v + along(random) * normal);
+  for (int i = 0; i < 4000; ++i)
+    points.push_back(far_away + across(random) * u + across(random) * v + along(random) * normal);
   return points;
 }
 

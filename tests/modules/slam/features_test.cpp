@@ -23,7 +23,8 @@ Scan one_line(const std::function<double(double azimuth_rad)>& range, int points
   scan.line_begin = {0, static_cast<std::uint32_t>(points)};
   for (int i = 0; i < points; ++i) {
     const double a = (i - points / 2) * 0.01, r = range(a);
-    scan.points.push_back({Eigen::Vector3d(r * std::cos(a), r * std::sin(a), 0).cast<float>(), static_cast<float>(i) / static_cast<float>(points), static_cast<float>(r)});
+    scan.points.push_back({Eigen::Vector3d(r * std::cos(a), r * std::sin(a), 0).cast<float>(),
+                           static_cast<float>(i) / static_cast<float>(points), static_cast<float>(r)});
   }
   return scan;
 }
@@ -31,7 +32,8 @@ Scan one_line(const std::function<double(double azimuth_rad)>& range, int points
 TEST(Scan, KeepsUsableReturnsInLinesAndOrder) {
   ScanFrame frame;
   const auto add = [&](const Eigen::Vector3f& p, std::uint16_t ring, float t, std::uint8_t echo) {
-    frame.positions.push_back(p), frame.ring.push_back(ring), frame.time_offset_s.push_back(t), frame.intensity.push_back(1), frame.return_number.push_back(echo);
+    frame.positions.push_back(p), frame.ring.push_back(ring), frame.time_offset_s.push_back(t),
+        frame.intensity.push_back(1), frame.return_number.push_back(echo);
   };
   frame.start_time_s = 5, frame.end_time_s = 5.1;
   add({2, 0, 0}, 1, 0.00f, 1);

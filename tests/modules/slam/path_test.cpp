@@ -35,8 +35,10 @@ TEST(Path, MeetsItsNodesAndGoesOnBeyondTheEnds) {
   const Path path = sampled_walk(0.25);
   for (const auto& n : path.nodes()) EXPECT_LT((path.at(n.time_s).matrix() - n.T_target_sensor.matrix()).norm(), 1e-9);
   const auto& nodes = path.nodes();
-  const Eigen::Vector3d step = nodes.back().T_target_sensor.translation() - nodes[nodes.size() - 2].T_target_sensor.translation();
-  EXPECT_LT((path.at(path.end_s() + 0.25).translation() - nodes.back().T_target_sensor.translation() - step).norm(), 1e-9);
+  const Eigen::Vector3d step =
+      nodes.back().T_target_sensor.translation() - nodes[nodes.size() - 2].T_target_sensor.translation();
+  EXPECT_LT((path.at(path.end_s() + 0.25).translation() - nodes.back().T_target_sensor.translation() - step).norm(),
+            1e-9);
 }
 
 TEST(Path, InfluenceIsTheDerivativeByTheNodes) {

@@ -37,11 +37,13 @@ FrameMotion truth_of(const SyntheticScan& source, std::size_t frame_index, doubl
 
 // A map of frames with their true motion.
 void fill(FeatureMaps& maps, const SyntheticScan& source, std::size_t first, std::size_t last) {
-  for (std::size_t k = first; k <= last; ++k) insert_keyframe(make_keyframe(k, 0, features_of(source, k).map, truth_of(source, k)), maps);
+  for (std::size_t k = first; k <= last; ++k)
+    insert_keyframe(make_keyframe(k, 0, features_of(source, k).map, truth_of(source, k)), maps);
 }
 
 SyntheticScan walk(std::size_t frames, double gait = 1) {
-  return {synthetic::trunks(10, 3.5), SpinningSensor::even(32, -25, 15, 450), [gait](double t) { return synthetic::walk_on_circle(t, 5, 1, gait, 0); }, frames};
+  return {synthetic::trunks(10, 3.5), SpinningSensor::even(32, -25, 15, 450),
+          [gait](double t) { return synthetic::walk_on_circle(t, 5, 1, gait, 0); }, frames};
 }
 
 double distance(const Pose& a, const Pose& b) { return (a.translation() - b.translation()).norm(); }
@@ -65,7 +67,8 @@ TEST(Registration, PoseEquationsAreTheDerivativesOfTheCost) {
     };
     const auto e = pose_equations(target, T * p, T.linear() * p, kernel);
     const double h = 1e-6;
-    for (int i = 0; i < 6; ++i) EXPECT_NEAR(e.g[i], (cost(h * Vector6d::Unit(i)) - cost(-h * Vector6d::Unit(i))) / (2 * h), 1e-5 * e.g.norm());
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR(e.g[i], (cost(h * Vector6d::Unit(i)) - cost(-h * Vector6d::Unit(i))) / (2 * h), 1e-5 * e.g.norm());
     EXPECT_LT((e.H - e.H.transpose()).norm(), 1e-9 * e.H.norm());
     EXPECT_GE(e.H.eigenvalues().real().minCoeff(), -1e-9 * e.H.norm());
   }
@@ -91,7 +94,8 @@ TEST(Registration, ARigidShiftOfSixteenCentimetresIsFoundToOne) {
   const Pose off = se3_exp((Vector6d() << 0.01, -0.015, 0.03, 0.12, -0.1, 0.05).finished());
   RegistrationSettings settings;
   settings.rounds = 25;
-  const auto r = register_frame(features_of(source, 5).query, maps, {off * truth.T_map_begin, off * truth.T_map_end}, settings, {});
+  const auto r = register_frame(features_of(source, 5).query, maps, {off * truth.T_map_begin, off * truth.T_map_end},
+                                settings, {});
   EXPECT_LT(distance(r.motion.T_map_end, truth.T_map_end), 0.01);
   EXPECT_LT(angle(r.motion.T_map_end, truth.T_map_end), 0.004);
   EXPECT_GT(r.overlap, 0.5);
@@ -113,7 +117,8 @@ TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
   const auto elastic = register_frame(query, maps, guess, settings, {});
   EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end), 0.012);
   EXPECT_LT(distance(elastic.motion.T_map_begin, truth.T_map_begin), 0.012);
-  EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end), 0.5 * distance(rigid.motion.T_map_end, truth.T_map_end));
+  EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end),
+            0.5 * distance(rigid.motion.T_map_end, truth.T_map_end));
   EXPECT_LT(elastic.rms_m, rigid.rms_m);
 }
 
@@ -127,7 +132,9 @@ TEST(Registration, TheResultDoesNotDependOnTheNumberOfThreads) {
   settings.model = MotionModel::elastic;
   const auto solve = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return register_frame(query, maps, {truth.T_map_begin, truth.T_map_begin}, settings, {}).motion.T_map_end.matrix().eval();
+    return register_frame(query, maps, {truth.T_map_begin, truth.T_map_begin}, settings, {})
+        .motion.T_map_end.matrix()
+        .eval();
   };
   EXPECT_EQ(solve(1), solve(4));
 }

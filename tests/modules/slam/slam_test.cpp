@@ -22,7 +22,8 @@ using testing::HasSubstr;
 SyntheticScan small_walk(std::size_t frames, double noise_m = 0.01) {
   auto sensor = SpinningSensor::even(32, -25, 15, 360);
   sensor.range_noise_m = noise_m;
-  return {synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, frames};
+  return {synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); },
+          frames};
 }
 
 SlamOptions preset(const char* name) {
@@ -34,19 +35,24 @@ SlamOptions preset(const char* name) {
 
 // Largest distance of the estimated from the true positions, the first poses laid on each other.
 double worst_m(const Trajectory& estimate, const SyntheticScan& source) {
-  const Pose T_truth_map = source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
+  const Pose T_truth_map =
+      source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
   double worst = 0;
-  for (const auto& p : estimate.poses) worst = std::max(worst, ((T_truth_map * p.T_target_sensor).translation() - source.truth(p.time_s).translation()).norm());
+  for (const auto& p : estimate.poses)
+    worst = std::max(worst,
+                     ((T_truth_map * p.T_target_sensor).translation() - source.truth(p.time_s).translation()).norm());
   return worst;
 }
 
-void write_truth(const std::filesystem::path& file, const SyntheticScan& source, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
+void write_truth(const std::filesystem::path& file, const SyntheticScan& source,
+                 const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
   std::ofstream out(file);
   out.precision(12);
   for (const auto& p : source.true_trajectory(200).poses) {
     const Eigen::Quaterniond q(p.T_target_sensor.linear());
     const Eigen::Vector3d t = p.T_target_sensor.translation() + shift;
-    out << p.time_s << ' ' << t.x() << ' ' << t.y() << ' ' << t.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w() << '\n';
+    out << p.time_s << ' ' << t.x() << ' ' << t.y() << ' ' << t.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z()
+        << ' ' << q.w() << '\n';
   }
 }
 
@@ -119,7 +125,9 @@ TEST(Slam, WithTruePosesTheMapLiesOnTheSurfaces) {
       EXPECT_NEAR(range[i], ray.norm(), 1e-3);
       EXPECT_LT((result.points.origin - shift + Eigen::Vector3d(x[i], y[i], z[i]) - sensor).norm(), 1e-3);
     }
-    EXPECT_LT((result.trajectory.poses.front().T_target_sensor.translation() - shift - source.truth(0).translation()).norm(), 1e-3);
+    EXPECT_LT(
+        (result.trajectory.poses.front().T_target_sensor.translation() - shift - source.truth(0).translation()).norm(),
+        1e-3);
   }
 }
 
@@ -220,7 +228,10 @@ TEST(Slam, AGapInTheRecordingIsBridged) {
   for (int i = 0; i < 24; ++i) source.start_times_s.push_back(0.1 * i + (i < 14 ? 0 : 1.0));
   const auto result = run_slam(source, preset("best"), {});
   EXPECT_EQ(result.report.counts.at("frames"), 24);
-  EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() - (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation()).norm(), 0.06);
+  EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() -
+             (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation())
+                .norm(),
+            0.06);
 }
 
 TEST(Slam, AScanWithoutFramesOrReturnsIsRefused) {
@@ -300,13 +311,15 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
     auto keyframe = make_keyframe(k, t + 0.1, features.map, {source.truth(t), source.truth(t + 0.1)});
     truth.push_back(keyframe.T_map_keyframe);
     const double s = static_cast<double>(k) / 52;
-    keyframe.T_map_keyframe = se3_exp((Vector6d() << 0, 0, 0.035 * s, 0.3 * s, 0.2 * s, 0.15 * s).finished()) * keyframe.T_map_keyframe;
+    keyframe.T_map_keyframe =
+        se3_exp((Vector6d() << 0, 0, 0.035 * s, 0.3 * s, 0.2 * s, 0.15 * s).finished()) * keyframe.T_map_keyframe;
     keyframe.path_m = 0.5 * static_cast<double>(k);
     keyframes.push_back(std::move(keyframe));
   }
   const auto search = find_loops(keyframes, options, {});
   ASSERT_FALSE(search.loops.empty());
-  for (const auto& l : search.loops) EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(), 0.05);
+  for (const auto& l : search.loops)
+    EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(), 0.05);
   const auto graph = optimise_pose_graph(keyframes, search.loops, {});
   EXPECT_LT(graph.final_cost, graph.initial_cost);
   EXPECT_EQ(graph.doubted_loops, 0u);

@@ -31,7 +31,8 @@ TEST(HyperCircle, IsExactOnExactPoints) {
 
 TEST(HyperCircle, HasLessBiasThanHalfAMillimetreOnAHalfRing) {
   double sum = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) sum += hyper_circle(ring({{0, 0}, 0.15}, 0, std::numbers::pi, 100, 0.01, seed))->radius - 0.15;
+  for (unsigned seed = 1; seed <= 200; ++seed)
+    sum += hyper_circle(ring({{0, 0}, 0.15}, 0, std::numbers::pi, 100, 0.01, seed))->radius - 0.15;
   EXPECT_LT(std::abs(sum / 200), 0.0005);
 }
 

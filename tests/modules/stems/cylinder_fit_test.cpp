@@ -9,7 +9,8 @@ namespace bole {
 namespace {
 
 // Points of a tapered, tilted cylinder as seen by rays from several sides; pass k is displaced by offset[k].
-std::vector<BarkPoint> rays_at(const TaperedCylinder& c, double noise, unsigned seed, const std::vector<Eigen::Vector2d>& offset = {{0, 0}, {0, 0}, {0, 0}}) {
+std::vector<BarkPoint> rays_at(const TaperedCylinder& c, double noise, unsigned seed,
+                               const std::vector<Eigen::Vector2d>& offset = {{0, 0}, {0, 0}, {0, 0}}) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal(0, 1);
   std::vector<BarkPoint> points;
@@ -19,7 +20,8 @@ std::vector<BarkPoint> rays_at(const TaperedCylinder& c, double noise, unsigned 
     for (int section = -6; section <= 6; ++section)
       for (int k = -20; k <= 20; ++k) {
         const double z = 0.1 * section, across = c.radius * k / 20.5;
-        const Eigen::Vector3d target(c.x + c.slope_x * z - across * std::sin(side), c.y + c.slope_y * z + across * std::cos(side), z);
+        const Eigen::Vector3d target(c.x + c.slope_x * z - across * std::sin(side),
+                                     c.y + c.slope_y * z + across * std::cos(side), z);
         BarkPoint p;
         p.ray = (target - sensor).normalized();
         p.pass = static_cast<int>(pass), p.section = section;
@@ -119,7 +121,9 @@ TEST(CylinderFit, TheEvidenceOfDriftIsLikeliestNearTheTruth) {
       for (int k = 0; k < 3; ++k) offset.emplace_back(normal(random), normal(random));
       CylinderFitOptions o;
       o.along_rays = true;
-      if (const auto fit = fit_tapered_cylinder(rays_at(truth, 0.012, seed, offset), {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o)) all.push_back(fit->drift);
+      if (const auto fit =
+              fit_tapered_cylinder(rays_at(truth, 0.012, seed, offset), {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o))
+        all.push_back(fit->drift);
     }
     double best = 0, highest = -1e300;
     for (double s = 0.001; s < 0.1; s *= 1.1) {

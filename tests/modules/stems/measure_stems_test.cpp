@@ -28,7 +28,9 @@ StemCloudOptions coarse() {
   return o;
 }
 
-StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) { return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {}); }
+StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
+  return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {});
+}
 
 struct Errors {
   std::size_t missed = 0, extra = 0, covered = 0;
@@ -41,14 +43,17 @@ Errors compare(const StemCloud& cloud, const StemSurvey& survey) {
   double n = 0;
   for (const auto& t : cloud.stems) {
     const Eigen::Vector2d at = t.base + 1.3 * t.direction().head<2>();
-    const auto it = std::ranges::find_if(survey.stems, [&](const Stem& s) { return (s.breast_height.head<2>() - at).norm() < 0.05 && !used.contains(s.id); });
+    const auto it = std::ranges::find_if(survey.stems, [&](const Stem& s) {
+      return (s.breast_height.head<2>() - at).norm() < 0.05 && !used.contains(s.id);
+    });
     if (it == survey.stems.end()) {
       ++e.missed;
       continue;
     }
     used.insert(it->id);
     const double error = 200 * it->radius - 100 * t.dbh;
-    n += 1, e.bias += error, e.rmse += error * error, e.covered += t.dbh >= 2 * it->radius_low && t.dbh <= 2 * it->radius_high;
+    n += 1, e.bias += error, e.rmse += error * error,
+        e.covered += t.dbh >= 2 * it->radius_low && t.dbh <= 2 * it->radius_high;
   }
   e.extra = survey.stems.size() - used.size();
   e.bias /= n, e.rmse = std::sqrt(e.rmse / n);
@@ -170,7 +175,8 @@ TEST(MeasureStems, TheDirectionOfNorthDoesNotMatter) {
   ASSERT_EQ(a.stems.size(), b.stems.size());
   for (const auto& s : a.stems) {
     const Eigen::Vector3d at = turn.cast<double>() * s.breast_height;
-    const auto twin = std::ranges::min_element(b.stems, {}, [&](const Stem& o) { return (o.breast_height - at).norm(); });
+    const auto twin =
+        std::ranges::min_element(b.stems, {}, [&](const Stem& o) { return (o.breast_height - at).norm(); });
     EXPECT_LT((twin->breast_height - at).norm(), 0.005);
     EXPECT_NEAR(twin->radius, s.radius, 0.001);
   }
@@ -221,7 +227,8 @@ TEST(MeasureStems, NothingToMeasureIsExplained) {
   high.search_bottom_m = 15, high.search_top_m = 20;
   const auto nothing = measure(cloud, high);
   EXPECT_EQ(stem_table(nothing).rows(), 0U);
-  EXPECT_THAT(nothing.report.warnings, testing::Contains(testing::HasSubstr("no point lies 15.0 to 20.0 m above ground")));
+  EXPECT_THAT(nothing.report.warnings,
+              testing::Contains(testing::HasSubstr("no point lies 15.0 to 20.0 m above ground")));
   EXPECT_EQ(nothing.points.values<std::int32_t>(arrays::tree_id).size(), cloud.points.size());
 }
 
@@ -229,8 +236,10 @@ TEST(MeasureStems, PointsThatAreNotNumbersAreLeftOut) {
   auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
   auto positions = cloud.points.positions();
   auto heights = cloud.points.values<float>(arrays::height_above_ground);
-  for (std::size_t i = 0; i < positions.size(); i += 50) positions[i].x() = std::nanf(""), heights[i + 1] = std::nanf("");
-  cloud.points.set_positions(std::move(positions)), cloud.points.set_column(arrays::height_above_ground, std::move(heights));
+  for (std::size_t i = 0; i < positions.size(); i += 50)
+    positions[i].x() = std::nanf(""), heights[i + 1] = std::nanf("");
+  cloud.points.set_positions(std::move(positions)),
+      cloud.points.set_column(arrays::height_above_ground, std::move(heights));
   const auto survey = measure(cloud);
   ASSERT_EQ(survey.stems.size(), 1U);
   EXPECT_NEAR(2 * survey.stems[0].radius, cloud.stems[0].dbh, 0.005);
@@ -242,7 +251,8 @@ TEST(MeasureStems, ThinStemsAreListedAsRejectedWithTheReason) {
   o.min_dbh_m = 0.15;
   const auto survey = measure(cloud, o);
   EXPECT_TRUE(survey.stems.empty());
-  EXPECT_THAT(rejected_table(survey).texts("reason"), testing::Contains(testing::HasSubstr("below min_dbh of 15.0 cm")));
+  EXPECT_THAT(rejected_table(survey).texts("reason"),
+              testing::Contains(testing::HasSubstr("below min_dbh of 15.0 cm")));
 }
 
 TEST(MeasureStems, ACancelIsHeeded) {

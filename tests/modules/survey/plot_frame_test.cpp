@@ -43,7 +43,9 @@ FrameError frame_error(const PlotFrame& frame, const Pose& T_map_plot) {
   return e;
 }
 
-PlotFrame find(const TargetPlot& plot, const FrameOptions& options = {}, bool with_trajectory = true) { return find_plot_frame(plot.cloud, with_trajectory ? &plot.trajectory : nullptr, options, bole::Run{}); }
+PlotFrame find(const TargetPlot& plot, const FrameOptions& options = {}, bool with_trajectory = true) {
+  return find_plot_frame(plot.cloud, with_trajectory ? &plot.trajectory : nullptr, options, bole::Run{});
+}
 
 TEST(PlotFrame, TiltedMapsOfSlopingPlotsAreSetRight) {
   for (const unsigned seed : {1U, 2U, 3U}) {
@@ -51,7 +53,8 @@ TEST(PlotFrame, TiltedMapsOfSlopingPlotsAreSetRight) {
     r.seed = seed;
     const auto frame = find(TargetPlotMaker(r).make(tilted_map()));
     const auto e = frame_error(frame, tilted_map());
-    printf("seed %u: tilt %.3f deg, heading %.3f deg, origin (%.3f, %.3f, %.3f) m; %s\n", seed, e.tilt_deg, e.heading_deg, e.origin_m.x(), e.origin_m.y(), e.origin_m.z(), frame.report.message.c_str());
+    printf("seed %u: tilt %.3f deg, heading %.3f deg, origin (%.3f, %.3f, %.3f) m; %s\n", seed, e.tilt_deg,
+           e.heading_deg, e.origin_m.x(), e.origin_m.y(), e.origin_m.z(), frame.report.message.c_str());
     EXPECT_EQ(frame.axes, Axes::plot);
     EXPECT_EQ(frame.report.facts.at("axes"), "plot");
     EXPECT_EQ(frame.report.facts.at("level"), "stems");
@@ -205,14 +208,18 @@ TEST(MoveCloud, SensorPositionsAndTrajectoryMoveAlong) {
   EXPECT_EQ(moved.axes, Axes::plot);
   for (const std::size_t i : {std::size_t{0}, plot.cloud.size() / 2, plot.cloud.size() - 1}) {
     EXPECT_LT((moved.position(i) - T * plot.cloud.position(i)).norm(), 1e-5);
-    const Eigen::Vector3d before(plot.cloud.values<float>(arrays::sensor_x)[i], plot.cloud.values<float>(arrays::sensor_y)[i], plot.cloud.values<float>(arrays::sensor_z)[i]);
-    const Eigen::Vector3d after(moved.values<float>(arrays::sensor_x)[i], moved.values<float>(arrays::sensor_y)[i], moved.values<float>(arrays::sensor_z)[i]);
+    const Eigen::Vector3d before(plot.cloud.values<float>(arrays::sensor_x)[i],
+                                 plot.cloud.values<float>(arrays::sensor_y)[i],
+                                 plot.cloud.values<float>(arrays::sensor_z)[i]);
+    const Eigen::Vector3d after(moved.values<float>(arrays::sensor_x)[i], moved.values<float>(arrays::sensor_y)[i],
+                                moved.values<float>(arrays::sensor_z)[i]);
     EXPECT_LT((moved.origin + after - T * before).norm(), 1e-5);
   }
   // Other columns are shared, not copied.
   EXPECT_EQ(moved.columns().at("intensity").get(), plot.cloud.columns().at("intensity").get());
   const auto path = move_trajectory(plot.trajectory, T, Axes::plot);
-  EXPECT_LT((path.poses[7].T_target_sensor.matrix() - (T * plot.trajectory.poses[7].T_target_sensor).matrix()).norm(), 1e-12);
+  EXPECT_LT((path.poses[7].T_target_sensor.matrix() - (T * plot.trajectory.poses[7].T_target_sensor).matrix()).norm(),
+            1e-12);
 }
 
 }  // namespace

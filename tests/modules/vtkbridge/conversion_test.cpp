@@ -21,7 +21,8 @@ namespace bole {
 namespace {
 
 std::shared_ptr<PointCloud> sample_cloud() {
-  auto cloud = std::make_shared<PointCloud>(PointCloud::Positions{{1, 2, 3}, {-4, 5.5F, 6}}, Eigen::Vector3d(512345.678, 5601234.5, 101.25));
+  auto cloud = std::make_shared<PointCloud>(PointCloud::Positions{{1, 2, 3}, {-4, 5.5F, 6}},
+                                            Eigen::Vector3d(512345.678, 5601234.5, 101.25));
   cloud->axes = Axes::global;
   cloud->crs_wkt = "PROJCS[\"somewhere\"]";
   cloud->scale = {0.001, 0.001, 0.01};
@@ -136,7 +137,8 @@ TEST(CloudConversion, AnArrayOfAnotherLengthIsNamed) {
     cloud_from_vtk(poly);
     FAIL();
   } catch (const Error& e) {
-    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("too_short"), testing::HasSubstr("1 values"), testing::HasSubstr("2, one per point")));
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("too_short"), testing::HasSubstr("1 values"),
+                                         testing::HasSubstr("2, one per point")));
   }
 }
 

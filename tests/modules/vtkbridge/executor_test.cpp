@@ -35,7 +35,9 @@ class Executor : public testing::Test {
     toy::register_toys();
     settings_.output_dir = out_.path() / "out";
   }
-  static PipelineDocument document(const std::string& text = chain) { return PipelineDocument::parse(text, StageRegistry::global()); }
+  static PipelineDocument document(const std::string& text = chain) {
+    return PipelineDocument::parse(text, StageRegistry::global());
+  }
   static int total_runs() {
     int n = 0;
     for (const auto& [name, count] : toy::runs()) n += count;
@@ -57,7 +59,9 @@ class Executor : public testing::Test {
 
 TEST_F(Executor, RunsADocumentAndTellsAboutIt) {
   std::vector<std::string> heard;
-  settings_.progress = [&](const std::string& stage, double, std::string_view text) { heard.push_back(stage + ": " + std::string(text)); };
+  settings_.progress = [&](const std::string& stage, double, std::string_view text) {
+    heard.push_back(stage + ": " + std::string(text));
+  };
   const auto outcome = run_pipeline(document(), settings_);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
   EXPECT_EQ(total_runs(), 5);
@@ -105,7 +109,8 @@ TEST_F(Executor, StagesKnowWhatRanBefore) {
   PipelineExecutor executor(document());
   ASSERT_EQ(executor.run(settings_).exit_code, 0);
   executor.stage("c")->FillOutputs();
-  EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(1, "value").ToDouble(), 2);  // a and b
+  EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(1, "value").ToDouble(),
+            2);  // a and b
 }
 
 TEST_F(Executor, ResultsComeBackFromTheCacheAsTheyWere) {
@@ -121,7 +126,8 @@ TEST_F(Executor, ResultsComeBackFromTheCacheAsTheyWere) {
   ASSERT_EQ(poly->GetNumberOfPoints(), 10);
   EXPECT_EQ(poly->GetPoint(3)[0], 1.5);
   ASSERT_TRUE(executor.stage("c")->FillOutputs());
-  EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(0, "value").ToDouble(), 10);
+  EXPECT_EQ(vtkTable::SafeDownCast(executor.stage("c")->GetOutputDataObject(0))->GetValueByName(0, "value").ToDouble(),
+            10);
   EXPECT_EQ(total_runs(), 5);
 }
 
@@ -196,21 +202,26 @@ TEST_F(Executor, AFailureTakesOnlyWhatNeedsIt) {
 
 TEST_F(Executor, AnOutputThatAStageDoesNotGiveIsNoInput) {
   std::string text = chain;
-  const std::string maker = R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
+  const std::string maker =
+      R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
   text.replace(text.find(maker), maker.size(), R"({"id": "e", "type": "toy.nothing"})");
   for (int round = 0; round < 2; ++round) {  // the second from the cache
     const auto outcome = run_pipeline(document(text), settings_);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
     EXPECT_EQ(written(), "10");
   }
-  const auto outcome = run_pipeline(document(R"({"stages": [{"id": "n", "type": "toy.nothing"}, {"id": "l", "type": "toy.lift", "inputs": {"points": "n.points"}}]})"), settings_);
+  const auto outcome = run_pipeline(
+      document(
+          R"({"stages": [{"id": "n", "type": "toy.nothing"}, {"id": "l", "type": "toy.lift", "inputs": {"points": "n.points"}}]})"),
+      settings_);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.error, testing::AllOf(HasSubstr("input 'points'"), HasSubstr("gave nothing")));
 }
 
 TEST_F(Executor, AnOptionalStageWithoutItsFileIsSkipped) {
   std::string text = chain;
-  const std::string maker = R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
+  const std::string maker =
+      R"({"id": "e", "type": "toy.lift", "inputs": {"points": "a.points"}, "options": {"by": 2.0}})";
   text.replace(text.find(maker), maker.size(), R"({"id": "e", "type": "toy.points", "optional": true})");
   const auto outcome = run_pipeline(document(text), settings_);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -222,7 +233,10 @@ TEST_F(Executor, AnOptionalStageWithoutItsFileIsSkipped) {
 }
 
 TEST_F(Executor, ADocumentThatCannotRunIsRefusedBefore) {
-  const auto outcome = run_pipeline(document(R"({"stages": [{"id": "a", "type": "toy.points"}, {"id": "c", "type": "toy.count", "inputs": {"points": "a.points"}}, {"id": "l", "type": "toy.lift"}]})"), settings_);
+  const auto outcome = run_pipeline(
+      document(
+          R"({"stages": [{"id": "a", "type": "toy.points"}, {"id": "c", "type": "toy.count", "inputs": {"points": "a.points"}}, {"id": "l", "type": "toy.lift"}]})"),
+      settings_);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.error, testing::AllOf(HasSubstr("'l'"), HasSubstr("not joined")));
   EXPECT_EQ(total_runs(), 0);
@@ -269,7 +283,8 @@ TEST_F(Executor, FinishEndsOneStageAndIsNotCached) {
 }
 
 TEST_F(Executor, FramesAreReopenedOnlyWhenNeeded) {
-  const auto scan = document(R"({"stages": [{"id": "f", "type": "toy.frames"}, {"id": "u", "type": "toy.use_frames", "inputs": {"frames": "f.frames"}}]})");
+  const auto scan = document(
+      R"({"stages": [{"id": "f", "type": "toy.frames"}, {"id": "u", "type": "toy.use_frames", "inputs": {"frames": "f.frames"}}]})");
   run_pipeline(scan, settings_);
   PipelineExecutor again(scan);
   again.run(settings_);

@@ -140,7 +140,8 @@ TEST_F(Stage, AMissingArrayIsNamedAndOutputsAreEmpty) {
   count->Update();
   EXPECT_EQ(count->GetExitCode(), 2);
   EXPECT_NE(count->GetErrorCode(), 0U);
-  EXPECT_THAT(count->GetErrorText(), testing::AllOf(HasSubstr("toy.count"), HasSubstr("height_above_ground"), HasSubstr("range")));
+  EXPECT_THAT(count->GetErrorText(),
+              testing::AllOf(HasSubstr("toy.count"), HasSubstr("height_above_ground"), HasSubstr("range")));
   EXPECT_EQ(vtkTable::SafeDownCast(count->GetOutputDataObject(0))->GetNumberOfRows(), 0);
   EXPECT_EQ(toy::runs()["toy.count"], 0);
 }
@@ -151,7 +152,9 @@ TEST_F(Stage, AnErrorReachesObserversAndGoesAwayWhenMended) {
   std::string heard;
   vtkNew<vtkCallbackCommand> listen;
   listen->SetClientData(&heard);
-  listen->SetCallback([](vtkObject*, unsigned long, void* client, void* text) { *static_cast<std::string*>(client) = static_cast<const char*>(text); });
+  listen->SetCallback([](vtkObject*, unsigned long, void* client, void* text) {
+    *static_cast<std::string*>(client) = static_cast<const char*>(text);
+  });
   lift->AddObserver(vtkCommand::ErrorEvent, listen);
   lift->ConnectInput("points", points, "points");
   lift->SetOption("fail", "true");
@@ -220,7 +223,8 @@ TEST_P(Cancelled, ReturnsWithinHalfASecond) {
   EXPECT_EQ(vtkPolyData::SafeDownCast(points->GetOutputDataObject(0))->GetNumberOfPoints(), 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, Cancelled, testing::Bool(), [](const auto& way) { return way.param ? "FromAThread" : "FromAnObserver"; });
+INSTANTIATE_TEST_SUITE_P(Ways, Cancelled, testing::Bool(),
+                         [](const auto& way) { return way.param ? "FromAThread" : "FromAnObserver"; });
 
 TEST_F(Stage, FinishKeepsTheBestSoFar) {
   const auto points = make("toy.points");
@@ -259,7 +263,8 @@ TEST_F(Stage, FramesStreamToTheNextStage) {
   use->ConnectInput("frames", frames, "frames");
   use->Update();
   ASSERT_EQ(use->GetExitCode(), 0) << use->GetErrorText();
-  EXPECT_EQ(vtkPolyData::SafeDownCast(use->GetOutputDataObject(use->FindOutputPort("trajectory")))->GetNumberOfPoints(), 4);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(use->GetOutputDataObject(use->FindOutputPort("trajectory")))->GetNumberOfPoints(),
+            4);
   auto* dem = vtkImageData::SafeDownCast(use->GetOutputDataObject(use->FindOutputPort("dem")));
   EXPECT_EQ(dem->GetNumberOfPoints(), 6);
   EXPECT_EQ(toy::runs()["toy.frames"], 1);

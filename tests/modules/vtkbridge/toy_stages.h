@@ -30,7 +30,8 @@ inline const OptionTable& points_options() {
   static const OptionTable table = make_option_table<S>({
       Option<S, int>{"count", &S::count, Unit::none, {0, 1000000}, Tier::basic, "Number of points."},
       Option<S, double>{"spacing", &S::spacing, Unit::metre, {0.001, 10}, Tier::basic, "Distance between points."},
-      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::advanced, "A file whose size is added to the count."},
+      Option<S, std::string>{
+          "file", &S::file, TextKind::input_path, {}, Tier::advanced, "A file whose size is added to the count."},
   });
   return table;
 }
@@ -96,9 +97,11 @@ inline StageResult count(const DataSet& inputs, const OptionSet&, const Run& run
   Table table;
   const auto& cloud = inputs.cloud("points");
   double mean = 0;
-  for (const auto h : cloud.values<float>(arrays::height_above_ground)) mean += static_cast<double>(h) / static_cast<double>(cloud.size());
+  for (const auto h : cloud.values<float>(arrays::height_above_ground))
+    mean += static_cast<double>(h) / static_cast<double>(cloud.size());
   table.set("name", std::vector<std::string>{"points", "stages before"});
-  table.set("value", std::vector<double>{static_cast<double>(cloud.size()), run.record ? static_cast<double>(run.record->stages.size()) : -1});
+  table.set("value", std::vector<double>{static_cast<double>(cloud.size()),
+                                         run.record ? static_cast<double>(run.record->stages.size()) : -1});
   table.set("mean_height", std::vector<double>{mean, std::nan("")});
   table.facts["axes"] = axes_name(cloud.axes);
   StageResult result;
@@ -111,7 +114,8 @@ inline StageResult write(const DataSet& inputs, const OptionSet&, const Run& run
   ++runs()["toy.write"];
   if (run.output_dir.empty()) throw bad_input("no output folder", "--out DIR");
   std::filesystem::create_directories(run.output_dir / "figures");
-  std::ofstream(run.output_dir / "figures" / "count.txt") << inputs.table("table").text("value", 0) << (inputs.has("extra") ? " extra" : "") << "\n";
+  std::ofstream(run.output_dir / "figures" / "count.txt")
+      << inputs.table("table").text("value", 0) << (inputs.has("extra") ? " extra" : "") << "\n";
   return {};
 }
 
@@ -179,7 +183,8 @@ inline StageResult use_frames(const DataSet& inputs, const OptionSet&, const Run
   return result;
 }
 
-inline StageType stage_type(std::string name, std::vector<Port> inputs, std::vector<Port> outputs, const OptionTable& options, decltype(StageType::run) run) {
+inline StageType stage_type(std::string name, std::vector<Port> inputs, std::vector<Port> outputs,
+                            const OptionTable& options, decltype(StageType::run) run) {
   StageType type;
   type.name = std::move(name);
   type.title = type.name;
@@ -195,17 +200,25 @@ inline void register_toys() {
   auto& registry = StageRegistry::global();
   const Port cloud{"points", DataKind::cloud, "Points.", false, {}};
   const Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
-  registry.add(stage_type("toy.points", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}}, points_options(), make_points));
+  registry.add(stage_type("toy.points", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}},
+                          points_options(), make_points));
   registry.add(stage_type("toy.lift", {cloud}, {with_height}, lift_options(), lift));
-  registry.add(stage_type("toy.count", {with_height}, {{"table", DataKind::table, "Counts.", false, {}}}, no_options(), count));
-  auto sink = stage_type("toy.write", {{"table", DataKind::table, "Counts.", false, {}}, {"extra", DataKind::cloud, "More.", true, {}}}, {}, no_options(), write);
+  registry.add(
+      stage_type("toy.count", {with_height}, {{"table", DataKind::table, "Counts.", false, {}}}, no_options(), count));
+  auto sink = stage_type(
+      "toy.write", {{"table", DataKind::table, "Counts.", false, {}}, {"extra", DataKind::cloud, "More.", true, {}}},
+      {}, no_options(), write);
   sink.writes_files = true;
   registry.add(std::move(sink));
-  registry.add(stage_type("toy.nothing", {}, {cloud}, no_options(), [](const DataSet&, const OptionSet&, const Run&) { return StageResult(); }));
+  registry.add(stage_type("toy.nothing", {}, {cloud}, no_options(),
+                          [](const DataSet&, const OptionSet&, const Run&) { return StageResult(); }));
   registry.add(stage_type("toy.slow", {cloud}, {cloud}, no_options(), slow));
-  registry.add(stage_type("toy.frames", {}, {{"frames", DataKind::frames, "Frames.", false, {}}}, no_options(), open_frames));
-  registry.add(stage_type("toy.use_frames", {{"frames", DataKind::frames, "Frames.", false, {}}}, {{"trajectory", DataKind::trajectory, "Path.", false, {}}, {"dem", DataKind::raster, "Grid.", false, {}}}, no_options(),
-                          use_frames));
+  registry.add(
+      stage_type("toy.frames", {}, {{"frames", DataKind::frames, "Frames.", false, {}}}, no_options(), open_frames));
+  registry.add(stage_type(
+      "toy.use_frames", {{"frames", DataKind::frames, "Frames.", false, {}}},
+      {{"trajectory", DataKind::trajectory, "Path.", false, {}}, {"dem", DataKind::raster, "Grid.", false, {}}},
+      no_options(), use_frames));
   for (auto& [name, n] : runs()) n = 0;
 }
 
@@ -214,7 +227,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     static std::atomic<int> counter{0};
-    path_ = std::filesystem::temp_directory_path() / ("bole_bridge_" + std::to_string(::getpid()) + "_" + std::to_string(counter++));
+    path_ = std::filesystem::temp_directory_path() /
+            ("bole_bridge_" + std::to_string(::getpid()) + "_" + std::to_string(counter++));
     std::filesystem::create_directories(path_);
   }
   ~TemporaryFolder() {
