@@ -66,7 +66,7 @@ void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   add_points("targets", d.targets);
   add_points("rejected", d.rejected);
   add_points("sections", d.sections);
-  if (!d.area.outline().empty()) layers.push_back(boundary_layer(d.area, crs));
+  if (!d.rule.area.outline().empty()) layers.push_back(boundary_layer(d.rule.area, crs));
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
   write_geopackage(path, layers);
 }

@@ -24,7 +24,7 @@ constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a sc
 class Writer {
  public:
   Writer(const DataSet& inputs, const ReportOptions& options, const Run& run)
-      : data_(survey_data(inputs, options)), o_(options), run_(run) {}
+      : data_(survey_data(inputs)), o_(options), run_(run) {}
 
   StageResult write() {
     write_exports(run_.part(0, 0.3));
@@ -112,17 +112,6 @@ class Writer {
                          plan.wide});
   }
 
-  std::string area_text() const {
-    switch (data_.area.shape) {
-      case PlotArea::Shape::rectangle:
-        return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
-      case PlotArea::Shape::circle:
-        return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
-      default:
-        return "no boundary";
-    }
-  }
-
   // Whether a stage before this one took the walk from a file in place of computing it.
   bool poses_given() const {
     if (run_.record == nullptr) return false;
@@ -135,14 +124,13 @@ class Writer {
   void write_page() {
     ReportContent content;
     content.title = o_.title;
-    content.facts = {{"Plot", area_text()}, {"Axes", axes_text()}};
+    content.facts = {{"Plot", describe(data_.rule.area)}, {"Axes", axes_text()}};
     if (run_.record != nullptr && !run_.record->document.empty())
       content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
-    content.metrics = plot_metrics(*data_.stems, data_.area, o_.min_dbh, o_.class_width);
-    content.least_dbh_cm = o_.min_dbh;
+    content.metrics = plot_metrics(*data_.stems, data_.rule, o_.class_width);
     content.stems = data_.stems, content.rejected = data_.rejected, content.summary = data_.summary;
-    content.area = data_.area, content.poses_given = poses_given();
+    content.rule = data_.rule, content.poses_given = poses_given();
     content.pictures = std::move(pictures_);
     content.record = run_.record;
     if (run_.record != nullptr)

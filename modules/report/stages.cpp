@@ -15,6 +15,7 @@ void register_report_stages(StageRegistry& registry) {
       "with every option and the time and memory of each stage. Inputs that are not connected are left out.";
   type.source = "Bole";
   type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
+                 {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},
                  {"points",
                   DataKind::cloud,
                   "The map, coloured by height_above_ground, intensity and tree_id where it has them.",

@@ -36,7 +36,7 @@ std::string cards(const PlotMetrics& m) {
 
 std::string metrics_section(const ReportContent& c) {
   HtmlTable table{{{"Measure"}, {"Value", true}, {"Unit"}, {"How"}}, {}, false};
-  for (const auto& row : metric_rows(c.metrics, c.least_dbh_cm))
+  for (const auto& row : metric_rows(c.metrics, c.rule.min_dbh_cm))
     table.rows.push_back({row.name, row.value, row.unit, row.how});
   std::string body = table.html();
   if (!std::isfinite(c.metrics.area_m2))
@@ -120,7 +120,7 @@ std::string outside_note(std::size_t outside, const std::pair<std::string, std::
 
 std::string stems_section(const ReportContent& c) {
   if (c.stems == nullptr) return {};
-  const auto rows = rows_inside(*c.stems, c.area);
+  const auto rows = rows_inside(*c.stems, c.rule.area);
   std::string text = "Diameters at breast height with their 95 % interval.";
   const auto seen = numbers_or_nan(*c.stems, "height_seen");
   if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; }))
@@ -151,7 +151,7 @@ std::string trees_to_check(const ReportContent& c) {
   std::size_t outside = 0;
   for (std::size_t i = 0; i < c.stems->rows(); ++i) {
     if (state[i] != "check" && quality[i] != "poor") continue;
-    if (!c.area.contains(x[i], y[i]))
+    if (!c.rule.area.contains(x[i], y[i]))
       ++outside;
     else
       table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1),
@@ -165,7 +165,7 @@ std::string trees_to_check(const ReportContent& c) {
 
 std::string rejected_candidates(const ReportContent& c) {
   if (c.rejected == nullptr || c.rejected->rows() == 0) return {};
-  const auto rows = rows_inside(*c.rejected, c.area);
+  const auto rows = rows_inside(*c.rejected, c.rule.area);
   HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
   const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"),
              points = numbers_or_nan(*c.rejected, "points");

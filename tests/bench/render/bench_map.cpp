@@ -33,7 +33,7 @@ void map_180_mm_300_dpi(benchmark::State& state) {
                                                     &survey.stems,
                                                     &survey.sections,
                                                     &survey.trajectory,
-                                                    {PlotArea::Shape::rectangle, {0, 0}, 32, 32},
+                                                    rectangle_area({0, 0}, 32, 32),
                                                     true},
                                                    {}, 180),
                                         300));
@@ -53,7 +53,7 @@ void stem_map_of_80_trees(benchmark::State& state) {
   const auto survey = survey_of(10'000);
   for (auto _ : state)
     benchmark::DoNotOptimize(figure_svg(stem_map({&survey.stems,
-                                                  {PlotArea::Shape::rectangle, {0, 0}, 32, 32},
+                                                  rectangle_area({0, 0}, 32, 32),
                                                   &survey.targets,
                                                   &survey.trajectory,
                                                   &survey.matches,

@@ -22,7 +22,7 @@ const testing_data::SmallSurvey& survey() {
 
 StemMapData map_data() {
   const auto& s = survey();
-  return {&s.stems, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, &s.targets, &s.trajectory, &s.matches, true};
+  return {&s.stems, rectangle_area({0, 0}, 20, 20), &s.targets, &s.trajectory, &s.matches, true};
 }
 
 std::vector<Figure> all_charts() {
@@ -59,7 +59,7 @@ Table one_stem(double dbh_cm, const std::string& quality) {
 }
 
 TEST(StemMap, StemsAreTrueToScale) {
-  const PlotArea area{PlotArea::Shape::rectangle, {0, 0}, 20, 20};
+  const PlotArea area = rectangle_area({0, 0}, 20, 20);
   const auto thick = one_stem(200, "poor"), thin = one_stem(100, "poor");
   const auto color = mix(ink::paper, ink::poor, 0.85);
   const auto big =
