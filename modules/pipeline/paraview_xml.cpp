@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/markup.h"
+
 namespace bole {
 namespace {
 
@@ -21,29 +23,6 @@ constexpr std::array<Row, 12> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"
                                            {"stems.measure", "vtkBoleMeasureStems"},
                                            {"evaluation.plot", "vtkBoleEvaluatePlot"},
                                            {"report.plot", "vtkBolePlotReport"}};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + escaped(value) + "\"";

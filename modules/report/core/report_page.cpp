@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/markup.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "report/core/evaluation_section.h"

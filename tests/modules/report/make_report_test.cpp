@@ -293,8 +293,6 @@ TEST(ReportStage, IsRegistered) {
   EXPECT_FALSE(type.input("stems")->optional);
 }
 
-TEST(Html, Escapes) { EXPECT_EQ(escaped("<a href=\"x\">'&'\x01"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;"); }
-
 TEST(Html, Base64) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
