@@ -11,7 +11,7 @@ namespace bole {
 namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
-constexpr std::array<Row, 12> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
+constexpr std::array<Row, 13> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
                                            {"io.read_cloud", "vtkBoleReadCloud"},
                                            {"io.read_table", "vtkBoleReadTable"},
                                            {"io.read_trajectory", "vtkBoleReadTrajectory"},
@@ -21,6 +21,7 @@ constexpr std::array<Row, 12> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"
                                            {"ground.model", "vtkBoleGroundModel"},
                                            {"stems.slice", "vtkBoleBreastHeightSlice"},
                                            {"stems.measure", "vtkBoleMeasureStems"},
+                                           {"stems.edit", "vtkBoleEditStems"},
                                            {"evaluation.plot", "vtkBoleEvaluatePlot"},
                                            {"report.plot", "vtkBolePlotReport"}};
 

@@ -84,6 +84,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
+  if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});

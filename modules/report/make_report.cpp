@@ -129,7 +129,8 @@ class Writer {
       content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
     content.metrics = plot_metrics(*data_.stems, data_.rule, o_.class_width);
-    content.stems = data_.stems, content.rejected = data_.rejected, content.summary = data_.summary;
+    content.stems = data_.stems, content.rejected = data_.rejected, content.edits = data_.edits,
+    content.summary = data_.summary;
     content.rule = data_.rule, content.poses_given = poses_given();
     content.pictures = std::move(pictures_);
     content.record = run_.record;

@@ -27,6 +27,7 @@ void register_report_stages(StageRegistry& registry) {
                  {"reference_trajectory", DataKind::trajectory, "The true walk, in the same axes.", true, {}},
                  {"sections", DataKind::table, "Fitted cross-sections.", true, {}},
                  {"rejected", DataKind::table, "Candidates that are no stems, with their reasons.", true, {}},
+                 {"edits", DataKind::table, "What a person changed, from stems.edit.", true, {}},
                  {"targets", DataKind::table, "Reflective targets of the plot frame.", true, {}},
                  {"matches", DataKind::table, "Stems matched with a reference.", true, {}},
                  {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}}};

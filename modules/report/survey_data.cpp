@@ -25,6 +25,7 @@ SurveyData survey_data(const DataSet& inputs) {
   data.reference_trajectory = optional_input<Trajectory>(inputs, "reference_trajectory");
   data.sections = optional_input<Table>(inputs, "sections");
   data.rejected = optional_input<Table>(inputs, "rejected");
+  data.edits = optional_input<Table>(inputs, "edits");
   data.targets = optional_input<Table>(inputs, "targets");
   data.matches = optional_input<Table>(inputs, "matches");
   data.summary = optional_input<Table>(inputs, "summary");

@@ -16,6 +16,7 @@ struct SurveyData {
   const Trajectory* reference_trajectory = nullptr;
   const Table* sections = nullptr;
   const Table* rejected = nullptr;
+  const Table* edits = nullptr;
   const Table* targets = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;

@@ -177,6 +177,28 @@ std::string rejected_candidates(const ReportContent& c) {
          outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") + "</details>\n";
 }
 
+std::string edits_by_hand(const ReportContent& c) {
+  if (c.edits == nullptr || c.edits->rows() == 0) return {};
+  HtmlTable table{{{"Edit", true},
+                   {"What", false},
+                   {"Tree", true},
+                   {"Outcome", false},
+                   {"Who", false},
+                   {"When", false},
+                   {"Why", false}},
+                  {},
+                  true};
+  const auto number = numbers_or_nan(*c.edits, "edit"), tree = numbers_or_nan(*c.edits, "tree_id");
+  const auto action = texts_or_empty(*c.edits, "action"), outcome = texts_or_empty(*c.edits, "outcome"),
+             message = texts_or_empty(*c.edits, "message"), author = texts_or_empty(*c.edits, "author"),
+             time = texts_or_empty(*c.edits, "time"), reason = texts_or_empty(*c.edits, "reason");
+  for (std::size_t i = 0; i < c.edits->rows(); ++i)
+    table.rows.push_back({fixed(number[i], 0), action[i], tree[i] > 0 ? fixed(tree[i], 0) : "",
+                          outcome[i] + (message[i].empty() ? "" : ": " + typeset(message[i])), author[i], time[i],
+                          reason[i]});
+  return "<h3>Edits by hand (" + std::to_string(c.edits->rows()) + ")</h3>\n" + table.html();
+}
+
 std::string check_section(const ReportContent& c) {
   std::string body;
   if (!c.warnings.empty()) {
@@ -184,7 +206,7 @@ std::string check_section(const ReportContent& c) {
     for (const auto& w : c.warnings) body += "<li>" + escaped(w) + "</li>\n";
     body += "</ul>\n";
   }
-  body += trees_to_check(c) + rejected_candidates(c);
+  body += trees_to_check(c) + edits_by_hand(c) + rejected_candidates(c);
   if (body.empty()) body = paragraph("Nothing: no warnings, no tree asks to be checked.");
   return section("check", "What to look at", body);
 }

@@ -25,6 +25,7 @@ struct ReportContent {
   CountingRule rule;  // stems outside are counted and not listed
   const Table* stems = nullptr;
   const Table* rejected = nullptr;
+  const Table* edits = nullptr;
   const Table* summary = nullptr;  // evaluation
   bool poses_given = false;        // the walk was an input of the run
   std::vector<ReportPicture> pictures;
