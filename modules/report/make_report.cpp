@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "base/atomic_file.h"
 #include "base/version.h"
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
@@ -95,7 +96,7 @@ class Writer {
     run_.check_cancel();
     const auto path = run_.output_dir / "figures" / figure.name;
     const auto put = [&](const char* ending, const std::string& bytes) {
-      write_file(path.string() + ending, bytes);
+      write_text_file(path.string() + ending, bytes);
       files_.push_back("figures/" + figure.name + ending);
     };
     const std::string png = figure_png(figure, plan.dpi > 0 ? plan.dpi : o_.dpi);
@@ -142,7 +143,7 @@ class Writer {
     for (auto& library : library_versions()) content.versions.push_back(std::move(library));
     content.versions.emplace_back("Cairo", cairo_version_string());
     content.files = files_;
-    write_file(run_.output_dir / "report.html", report_html(content));
+    write_text_file(run_.output_dir / "report.html", report_html(content));
     files_.push_back("report.html");
     pictures_ = std::move(content.pictures);
   }

@@ -9,7 +9,8 @@ void register_report_stages(StageRegistry& registry) {
   type.name = "report.plot";
   type.title = "Write the report";
   type.help =
-      "Writes what a survey has found into the output folder: stems.csv and the other tables, trajectory.tum, "
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
+      "trajectory.tum, "
       "cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
       "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
       "with every option and the time and memory of each stage. Inputs that are not connected are left out.";

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "base/atomic_file.h"
 #include "modules/render/small_survey.h"
 #include "modules/render/well_formed.h"
 #include "render/charts/dbh_charts.h"
@@ -135,9 +136,9 @@ TEST(Charts, WriteThemForTheEye) {
   const char* dir = std::getenv("BOLE_FIGURES_DIR");
   if (dir == nullptr) GTEST_SKIP() << "BOLE_FIGURES_DIR is not set";
   for (const auto& figure : all_charts()) {
-    write_file(std::filesystem::path(dir) / (figure.name + ".png"), figure_png(figure, 200));
-    write_file(std::filesystem::path(dir) / (figure.name + ".svg"), figure_svg(figure));
-    write_file(std::filesystem::path(dir) / (figure.name + ".pdf"), figure_pdf(figure));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".png"), figure_png(figure, 200));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".svg"), figure_svg(figure));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".pdf"), figure_pdf(figure));
   }
 }
 

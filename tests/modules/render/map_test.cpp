@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "modules/render/small_survey.h"
 #include "render/offscreen/offscreen.h"
@@ -166,7 +167,7 @@ TEST(Map, WriteThemForTheEye) {
   const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, rectangle_area({0, 0}, 20, 20), true, nullptr};
   MapOptions options;
   const auto write = [&](const Figure& f) {
-    write_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi));
+    write_text_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi));
   };
   options.dpi = 200;
   const auto start = std::chrono::steady_clock::now();
