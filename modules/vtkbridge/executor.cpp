@@ -144,6 +144,10 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
     outcome.record.report.message = "Skipped: no file is given.";
     return outcome;
   }
+  if (!settings.sinks && node.type->writes_files) {
+    outcome.record.report.message = "Left out: nothing is written.";
+    return outcome;
+  }
   std::vector<std::string> left_out;
   for (const auto& port : node.type->inputs) {
     const auto joint = node.inputs.find(port.name);
