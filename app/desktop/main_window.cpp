@@ -20,6 +20,7 @@
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "views/scene_view.h"
+#include "views/slice_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -55,6 +56,7 @@ MainWindow::MainWindow()
       pipeline_(new PipelinePanel(session_, this)),
       properties_(new PropertiesPanel(session_, this)),
       scene_(new SceneView(this)),
+      slice_(new SliceView(this)),
       stems_(new TablePanel(this)),
       log_(new QPlainTextEdit(this)),
       progress_(new QProgressBar(this)) {
@@ -77,6 +79,7 @@ MainWindow::MainWindow()
   });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
   connect(stems_, &TablePanel::tree_selected, scene_, &SceneView::highlight_tree);
+  connect(stems_, &TablePanel::tree_selected, slice_, &SliceView::show_tree);
   connect(stems_, &TablePanel::edit_requested, this,
           [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
@@ -96,6 +99,7 @@ void MainWindow::make_docks() {
   dock(tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
   dock(tr("Options"), properties_, Qt::LeftDockWidgetArea);
   dock(tr("Stems"), stems_, Qt::BottomDockWidgetArea);
+  dock(tr("Slice"), slice_, Qt::BottomDockWidgetArea);
   dock(tr("Log"), log_, Qt::BottomDockWidgetArea);
 }
 
@@ -175,6 +179,7 @@ void MainWindow::open(const QString& path) {
     session_.open(path);
   scene_->show_survey(nullptr, nullptr, nullptr, nullptr);
   stems_->show_table(nullptr);
+  slice_->show_survey(nullptr, nullptr);
   setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
 }
 
@@ -215,6 +220,7 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
   auto stems = latest<Table>(outcome, results, "stems");
   scene_->show_survey(latest<PointCloud>(outcome, results, "points"), stems,
                       latest<Table>(outcome, results, "sections"), latest<Trajectory>(outcome, results, "trajectory"));
+  slice_->show_survey(stems, latest<PointCloud>(outcome, results, "slice"));
   const auto selected = stems_->selected_tree();
   stems_->show_table(std::move(stems));
   if (selected) stems_->select_tree(*selected);

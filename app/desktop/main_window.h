@@ -17,6 +17,7 @@ namespace bole::desktop {
 class PipelinePanel;
 class PropertiesPanel;
 class SceneView;
+class SliceView;
 class TablePanel;
 
 class MainWindow : public QMainWindow {
@@ -56,6 +57,7 @@ class MainWindow : public QMainWindow {
   PipelinePanel* pipeline_;
   PropertiesPanel* properties_;
   SceneView* scene_;
+  SliceView* slice_;
   TablePanel* stems_;
   bool refresh_again_ = false;
   QPlainTextEdit* log_;

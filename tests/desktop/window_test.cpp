@@ -87,6 +87,7 @@ class WindowTest : public QObject {
     QVERIFY(finished.wait(60000));
     QCOMPARE(window.findChild<TablePanel*>()->model()->rowCount(), 9);
     QVERIFY(window.scene().actor_count() >= 2);
+    window.findChild<TablePanel*>()->select_tree(5);
     if (const auto picture = qEnvironmentVariable("BOLE_SCREENSHOT"); !picture.isEmpty()) {
       QTest::qWait(500);
       QVERIFY(window.grab().save(picture));
