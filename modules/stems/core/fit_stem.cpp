@@ -58,14 +58,15 @@ struct Attempt {
 class StemFitter {
  public:
   StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
-             const Eigen::Vector3d& origin, double breast_height, double drift_sd, const MeasureOptions& options)
+             const Eigen::Vector3d& origin, double breast_height, const ProjectPriors& priors,
+             const MeasureOptions& options)
       : candidate_(candidate),
         layer_(layer),
         rays_(rays),
         dem_(dem),
         origin_(origin),
         breast_height_(breast_height),
-        drift_sd_(drift_sd),
+        priors_(priors),
         options_(options) {}
 
   StemFitResult run() {
@@ -111,11 +112,11 @@ class StemFitter {
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
     gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
-    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
     gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
     gather.highest = options_.search_top_m - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap_s);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_));
     const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
@@ -141,10 +142,10 @@ class StemFitter {
     }
     TaperedCylinder start{a.line.x, a.line.y, a.line.slope_x, a.line.slope_y, a.line.radius, a.line.taper, {}};
     CylinderFitOptions o;
-    o.max_sigma_m = options_.max_sigma_m, o.drift_sd_m = drift_sd_, o.ray_gate = options_.ray_gate;
+    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate;
     auto fit = fit_tapered_cylinder(used, start, 0.03, o);
-    if (!fit || options_.model != "ray" || !rays_.has_sensor()) return fit;
-    o.along_rays = true;
+    if (!fit || !fits_along_rays(rays_, options_)) return fit;
+    o.along_rays = true, o.range_offset = priors_.range_offset;
     if (auto with_rays = fit_tapered_cylinder(used, fit->cylinder, 0.02, o);
         with_rays && std::abs(with_rays->cylinder.radius - fit->cylinder.radius) < 0.03 + 0.3 * fit->cylinder.radius)
       return with_rays;
@@ -162,7 +163,8 @@ class StemFitter {
   const CloudRays& rays_;
   const Raster& dem_;
   const Eigen::Vector3d& origin_;
-  double breast_height_, drift_sd_;
+  double breast_height_;
+  const ProjectPriors& priors_;
   const MeasureOptions& options_;
 };
 
@@ -170,12 +172,12 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   Stem s;
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
-  s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
   const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m),
                half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
-  s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;
+  s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
   std::vector<double> errors, angles;
@@ -211,11 +213,15 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
 
 }  // namespace
 
+bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
+  return rays.has_sensor() && options.model != "surface";
+}
+
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
-                       const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                        const MeasureOptions& options) {
   try {
-    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, drift_sd_m, options).run();
+    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).run();
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }

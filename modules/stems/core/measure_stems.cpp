@@ -9,13 +9,14 @@
 
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/project_priors.h"
 #include "stems/core/ray_test.h"
 #include "stems/core/stem_quality.h"
 
 namespace bole {
 namespace {
 
-constexpr double first_drift_sd_m = 0.010, least_drift_sd_m = 0.001, most_drift_sd_m = 0.05;
+constexpr double all_round_rad = 6.0;
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -43,11 +44,10 @@ class Survey {
 
   StemSurvey measure() {
     detect();
-    fit_all(0.30, 0.55, first_drift_sd_m);
-    if (const double drift = estimate_drift(); has_passes_) {
-      out_.report.metrics["drift_between_passes"] = {100 * drift, Unit::centimetre};
-      fit_all(0.55, 0.75, drift);
-    }
+    ProjectPriors priors;
+    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    fit_all(0.30, 0.55, priors);
+    if (learn(priors)) fit_all(0.55, 0.75, priors);
     accept();
     label();
     summarise();
@@ -92,7 +92,7 @@ class Survey {
     }
   }
 
-  void fit_all(double from, double to, double drift_sd) {
+  void fit_all(double from, double to, const ProjectPriors& priors) {
     fits_.assign(candidates_.size(), {});
     constexpr std::size_t batch = 16;  // progress comes from this thread alone, between batches
     for (std::size_t first = 0; first < candidates_.size(); first += batch) {
@@ -100,28 +100,32 @@ class Survey {
                   fmt::format("stem {} of {}", first + 1, candidates_.size()));
       tbb::parallel_for(first, std::min(first + batch, candidates_.size()), [&](std::size_t i) {
         if (!run_.cancelled())
-          fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, drift_sd, options_);
+          fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
       });
       run_.check_cancel();
     }
   }
 
-  // Empirical Bayes: the spread of the passes that makes the evidence of all stems likeliest is the prior of the second
-  // round. The sum over stems is of bounded terms, so that few wild ones do not open it for all.
-  double estimate_drift() {
-    std::vector<const DriftEvidence*> evidence;
-    for (const auto& f : fits_)
-      if (f.stem && f.stem->passes > 1 && f.stem->drift.target.size() > 0 && !objection(*f.stem, options_))
-        evidence.push_back(&f.stem->drift);
-    has_passes_ = !evidence.empty();
-    double best = first_drift_sd_m, highest = -std::numeric_limits<double>::infinity();
-    for (double sd = least_drift_sd_m; has_passes_ && sd <= most_drift_sd_m; sd *= 1.1) {
-      double sum = 0;
-      for (const auto* e : evidence)
-        sum += std::max(-50.0, drift_log_likelihood(*e, sd) - drift_log_likelihood(*e, most_drift_sd_m));
-      if (sum > highest) highest = sum, best = sd;
+  // Empirical Bayes: what all stems share is the prior of a second round. False when there is nothing to learn.
+  bool learn(ProjectPriors& priors) {
+    std::vector<const DriftEvidence*> drift;
+    std::vector<RangeOffsetEvidence> offsets;
+    for (const auto& f : fits_) {
+      if (!f.stem || objection(*f.stem, options_)) continue;
+      if (f.stem->drift.target.size() > 0) drift.push_back(&f.stem->drift);
+      // Rays that all come from one side cannot tell their offset from the place of the stem.
+      if (f.stem->range_offset.sd_m > 0 && f.stem->arc_rad > all_round_rad) offsets.push_back(f.stem->range_offset);
     }
-    return best;
+    if (!drift.empty()) {
+      priors.drift = likeliest_drift(drift);
+      out_.report.metrics["drift_between_passes"] = {100 * priors.drift.pass_sd_m, Unit::centimetre};
+      out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
+    }
+    if (!offsets.empty() && options_.estimate_range_offset) {
+      priors.range_offset = mean_range_offset(std::move(offsets));
+      out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
+    }
+    return !drift.empty() || !offsets.empty();
   }
 
   void accept() {
@@ -210,7 +214,7 @@ class Survey {
     r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()),
     r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
-    r.facts["fit"] = rays_.has_sensor() && options_.model == "ray" ? "along rays" : "surface distance";
+    r.facts["fit"] = fits_along_rays(rays_, options_) ? "along rays" : "surface distance";
     const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
     r.message =
         fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
