@@ -56,8 +56,9 @@ class JointFit {
 
   bool solve(TaperedCylinder& c, double& scale) {
     double damping = 1e-4;
+    evaluate(c);
     for (int i = 0; i < 40; ++i) {
-      choose_active(c);
+      choose_active();
       Eigen::MatrixXd normal;
       Eigen::VectorXd gradient;
       const double cost = assemble(c, scale, normal, gradient);
@@ -76,7 +77,8 @@ class JointFit {
           damping *= 10;
         }
       }
-      const double found = robust_scale(c, scale);
+      if (moved) evaluate(c);
+      const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
       const double shrunk =
           std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
@@ -93,11 +95,19 @@ class JointFit {
  private:
   // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger
   // one.
-  void choose_active(const TaperedCylinder& c) {
+  void choose_active() {
     active_.assign(points_.size(), true);
     if (!options_.along_rays) return;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
+      active_[i] = values_[i].usable && values_[i].impact < options_.ray_gate;
+  }
+
+  void evaluate(const TaperedCylinder& c) {
+    values_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto e = value(c, points_[i]);
+      values_[i] = {e.value, e.impact, e.usable};
+    }
   }
 
   PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const {
@@ -218,17 +228,24 @@ class JointFit {
     return c;
   }
 
-  double robust_scale(const TaperedCylinder& c, double scale) const {
+  double robust_scale(double scale) const {
     std::vector<double> errors;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
+    errors.reserve(values_.size());
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (const auto& e = values_[i]; active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
     return 1.4826 * median_of(errors);
   }
 
+  struct Value {
+    double value = 0, impact = 0;
+    bool usable = false;
+  };
+
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
   std::vector<bool> active_;
+  std::vector<Value> values_;  // at the present cylinder
   std::vector<int> pass_of_view_;
   std::size_t views_;
   std::size_t size_;

@@ -88,6 +88,7 @@ struct CylinderFit {
 struct PointResidual {
   double value = 0;
   Eigen::Matrix<double, 7, 1> jacobian = Eigen::Matrix<double, 7, 1>::Zero();
+  double impact = 0;  // distance of the ray from the axis, in radii; 0 for the surface
   bool usable = false;
 };
 PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);

@@ -62,7 +62,7 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   if (q >= 1 && width <= 0) return out;  // a ray that would miss
   const LitDepth lit = lit_depth(q, width);
   const double across = along + radius * lit.depth;
-  out.value = across / m - c.range_offset, out.usable = true;
+  out.value = across / m - c.range_offset, out.impact = std::sqrt(q), out.usable = true;
   if (!derivatives) return out;
 
   const double by_radius = lit.depth - 2 * q * lit.by_impact2 - width * lit.by_width,

@@ -46,8 +46,9 @@ class Survey {
     detect();
     ProjectPriors priors;
     if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
-    fit_all(0.30, 0.55, priors);
-    if (learn(priors)) fit_all(0.55, 0.75, priors);
+    fit_all(priors);
+    test_rays();
+    if (learn(priors)) refit_all(priors);
     accept();
     label();
     summarise();
@@ -92,29 +93,56 @@ class Survey {
     }
   }
 
-  void fit_all(double from, double to, const ProjectPriors& priors) {
-    fits_.assign(candidates_.size(), {});
-    constexpr std::size_t batch = 16;  // progress comes from this thread alone, between batches
-    for (std::size_t first = 0; first < candidates_.size(); first += batch) {
-      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(candidates_.size()),
-                  fmt::format("stem {} of {}", first + 1, candidates_.size()));
-      tbb::parallel_for(first, std::min(first + batch, candidates_.size()), [&](std::size_t i) {
-        if (!run_.cancelled())
-          fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+  // Calls f(i) in threads for i below n, in batches: progress comes from this thread alone, between them.
+  template <class F>
+  void in_batches(double from, double to, std::size_t n, F&& f) {
+    constexpr std::size_t batch = 16;
+    for (std::size_t first = 0; first < n; first += batch) {
+      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(n),
+                  fmt::format("stem {} of {}", first + 1, n));
+      tbb::parallel_for(first, std::min(first + batch, n), [&](std::size_t i) {
+        if (!run_.cancelled()) f(i);
       });
       run_.check_cancel();
     }
+  }
+
+  void fit_all(const ProjectPriors& priors) {
+    std::vector<StemFitResult> fits(candidates_.size());
+    in_batches(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
+      fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+    });
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const auto& c = candidates_[i];
+      if (fits[i].stem)
+        fitted_.push_back(std::move(*fits[i].stem));
+      else
+        out_.rejected.push_back({{c.x, c.y, c.ground_z}, 2 * c.radius, c.points, fits[i].rejected});
+    }
+  }
+
+  // What is no stem after the first round needs no second.
+  void refit_all(const ProjectPriors& priors) {
+    in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
+      auto& s = fitted_[i];
+      if (objection(s, options_)) return;
+      auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+      if (!again.stem) return;
+      again.stem->ray_through = s.ray_through;
+      s = std::move(*again.stem);
+      judge(s, breast_height_);
+    });
   }
 
   // Empirical Bayes: what all stems share is the prior of a second round. False when there is nothing to learn.
   bool learn(ProjectPriors& priors) {
     std::vector<const DriftEvidence*> drift;
     std::vector<RangeOffsetEvidence> offsets;
-    for (const auto& f : fits_) {
-      if (!f.stem || objection(*f.stem, options_)) continue;
-      if (f.stem->drift.target.size() > 0) drift.push_back(&f.stem->drift);
+    for (const auto& s : fitted_) {
+      if (objection(s, options_)) continue;
+      if (s.drift.target.size() > 0) drift.push_back(&s.drift);
       // Rays that all come from one side cannot tell their offset from the place of the stem.
-      if (f.stem->range_offset.sd_m > 0 && f.stem->arc_rad > all_round_rad) offsets.push_back(f.stem->range_offset);
+      if (s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad) offsets.push_back(s.range_offset);
     }
     if (!drift.empty()) {
       priors.drift = likeliest_drift(drift);
@@ -129,18 +157,6 @@ class Survey {
   }
 
   void accept() {
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      auto& f = fits_[i];
-      if (f.stem)
-        fitted_.push_back(std::move(*f.stem));
-      else
-        out_.rejected.push_back({{candidates_[i].x, candidates_[i].y, candidates_[i].ground_z},
-                                 2 * candidates_[i].radius,
-                                 candidates_[i].points,
-                                 f.rejected});
-    }
-    test_rays();
-    for (auto& s : fitted_) judge(s, breast_height_);
     std::ranges::stable_sort(fitted_,
                              [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
     for (auto& s : fitted_) {
@@ -168,13 +184,13 @@ class Survey {
   }
 
   void test_rays() {
-    if (!rays_.has_sensor()) {
-      for (auto& s : fitted_) s.ray_through = std::numeric_limits<double>::quiet_NaN();
-      return;
+    run_.report(0.60, "rays through the candidates");
+    const auto counts =
+        rays_.has_sensor() ? count_rays(fitted_, points_, sensor_of_point(), run_) : std::vector<RayCount>();
+    for (std::size_t k = 0; k < fitted_.size(); ++k) {
+      fitted_[k].ray_through = counts.empty() ? std::numeric_limits<double>::quiet_NaN() : share_through(counts[k]);
+      judge(fitted_[k], breast_height_);
     }
-    run_.report(0.78, "rays through the candidates");
-    const auto counts = count_rays(fitted_, points_, sensor_of_point(), run_);
-    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
   }
 
   // Null when no sensor positions are known.
@@ -257,10 +273,8 @@ class Survey {
   StemLayer layer_;
   CloudRays rays_;
   std::vector<StemCandidate> candidates_;
-  std::vector<StemFitResult> fits_;
   std::vector<Stem> fitted_;
   std::size_t circles_ = 0;
-  bool has_passes_ = false;
   StemSurvey out_;
 };
 
