@@ -39,10 +39,10 @@ StageType measure_stage() {
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
       "Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
-      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per "
-      "pass of the walk whose spread is estimated over all stems. Where sensor positions are known, "
-      "the error along the ray can be fitted instead of the distance from the surface (model), and candidates that "
-      "rays pass through are rejected. Every point gets the id of its tree.";
+      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per "
+      "pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the "
+      "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
+      "surface (model); candidates that rays pass through are rejected. Every point gets the id of its tree.";
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,
