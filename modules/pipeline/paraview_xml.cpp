@@ -11,13 +11,14 @@ namespace bole {
 namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
-constexpr std::array<Row, 13> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
+constexpr std::array<Row, 14> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
                                            {"io.read_cloud", "vtkBoleReadCloud"},
                                            {"io.read_table", "vtkBoleReadTable"},
                                            {"io.read_trajectory", "vtkBoleReadTrajectory"},
                                            {"slam.run", "vtkBoleSlam"},
                                            {"survey.frame", "vtkBoleSurveyFrame"},
                                            {"survey.plot", "vtkBoleSurveyPlot"},
+                                           {"geo.project", "vtkBoleProjectTable"},
                                            {"ground.model", "vtkBoleGroundModel"},
                                            {"stems.slice", "vtkBoleBreastHeightSlice"},
                                            {"stems.measure", "vtkBoleMeasureStems"},
