@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "slam/core/observability.h"
 #include "slam/core/stopwatch.h"
 
 namespace bole {
@@ -146,8 +147,8 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   return r;
 }
 
-std::string Odometry::objection(const Registration& r, const FrameMotion& prediction, double begin_s,
-                                double end_s) const {
+std::string Odometry::objection(const Registration& r, const Observability& seen, const FrameMotion& prediction,
+                                double begin_s, double end_s) const {
   if (r.overlap < options_.lost_overlap)
     return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
   if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite())
@@ -155,7 +156,8 @@ std::string Odometry::objection(const Registration& r, const FrameMotion& predic
   const double speed =
       (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
-  if (r.conditioning < least_conditioning) return "the surroundings leave a direction of motion open";
+  if (r.conditioning < least_conditioning || seen.weakest < options_.least_observability)
+    return "the surroundings leave a direction of motion open: " + seen.motion_text();
   const double elapsed_s = end_s - frames_.back().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
@@ -185,7 +187,9 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     const Registration r = registered(guess, begin_s, end_s, features, run);
     times_.register_s += watch.lap_s();
     frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds, frame.conditioning = r.conditioning;
-    const auto why = objection(r, prediction, begin_s, end_s);
+    const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
+    frame.observability = seen.weakest;
+    const auto why = objection(r, seen, prediction, begin_s, end_s);
     frame.ok = why.empty();
     if (frame.ok)
       frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end)};

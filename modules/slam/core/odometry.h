@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "slam/core/keyframes.h"
+#include "slam/core/observability.h"
 #include "slam/core/options.h"
 
 namespace bole {
@@ -16,7 +17,8 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last key frame up to and with this frame
   bool ok = true;
   double overlap = 1, rms_m = 0;
-  double conditioning = 1;  // see Registration
+  double conditioning = 1;   // see Registration
+  double observability = 1;  // see Observability; of the first frame it is not known
   int rounds = 0;
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
@@ -59,7 +61,8 @@ class Odometry {
   Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                           const Run& run);
   // Empty when the frame is credible, else why not.
-  std::string objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const;
+  std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
+                        double end_s) const;
   void add_keyframe(const Features& features, const TrackedFrame& frame);
   bool keyframe_due(const TrackedFrame& frame) const;
 

@@ -235,6 +235,13 @@ const OptionTable& option_table(const SlamOptions*) {
             {1, 1000},
             Tier::advanced,
             "Failed frames in a row after which the track is lost and the map ends."},
+          D{"least_observability",
+            &S::least_observability,
+            Unit::none,
+            {0, 1000},
+            Tier::expert,
+            "Least information about the weakest motion of a frame, over what the noise of normals alone would give; "
+            "with less the motion is open and the frame counts as failed."},
           D{"speed_max",
             &S::speed_max_m_s,
             Unit::metre_per_second,

@@ -172,20 +172,31 @@ double shift_conditioning(const Matrix6d& H) {
 
 }  // namespace
 
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
+                                         int first_level, int least_lines) {
+  for (int level = first_level; level < DistributionMap::levels; ++level) {
+    auto surface = map.surface(point_in_map, level);
+    if (surface && surface->lines >= least_lines &&
+        (line ? surface->linearity() >= least_linearity : surface->planarity() >= least_planarity))
+      return surface;
+  }
+  return std::nullopt;
+}
+
+Target as_target(const LocalSurface& surface, bool line, double sigma_m) {
+  const double thickness_m = surface.deviations_m[line ? 1 : 0];
+  Target target;
+  target.mean = surface.mean;
+  target.axis = surface.axes.col(line ? 2 : 0);
+  target.variance_m2 = thickness_m * thickness_m + sigma_m * sigma_m;
+  target.kind = line ? Target::Kind::line : Target::Kind::plane;
+  return target;
+}
+
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
                    double sigma_m) {
-  Target target;
-  for (int level = first_level; level < DistributionMap::levels; ++level) {
-    const auto surface = map.surface(point_in_map, level);
-    if (!surface || (line ? surface->linearity() < least_linearity : surface->planarity() < least_planarity)) continue;
-    const double thickness_m = surface->deviations_m[line ? 1 : 0];
-    target.mean = surface->mean;
-    target.axis = surface->axes.col(line ? 2 : 0);
-    target.variance_m2 = thickness_m * thickness_m + sigma_m * sigma_m;
-    target.kind = line ? Target::Kind::line : Target::Kind::plane;
-    break;
-  }
-  return target;
+  const auto surface = find_surface(map, point_in_map, line, first_level);
+  return surface ? as_target(*surface, line, sigma_m) : Target{};
 }
 
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
@@ -197,6 +208,7 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   out.squared_m2 = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
   out.inlier = out.squared_m2 < k2 * target.variance_m2;
   const double robust = k2 / (k2 + out.squared_m2 / target.variance_m2), weight = robust * robust / target.variance_m2;
+  out.weight = weight;
   if (!line) {
     Vector6d a;
     a << lever.cross(target.axis), target.axis;

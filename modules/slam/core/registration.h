@@ -26,8 +26,12 @@ struct Target {
   enum class Kind : std::uint8_t { none, plane, line } kind = Kind::none;
 };
 
-// The plane (or line) about the place on the finest level from `first_level` that has one; Kind::none where there is
-// none.
+// The surface about the place that is plane (or line) enough, on the finest level from `first_level` that has one made
+// of at least so many scan lines.
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
+                                         int first_level, int least_lines = 0);
+Target as_target(const LocalSurface& surface, bool line, double sigma_m);
+// Both in one; Kind::none where there is none.
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
                    double sigma_m);
 
@@ -37,6 +41,7 @@ struct PoseEquations {
   Matrix6d H = Matrix6d::Zero();
   Vector6d g = Vector6d::Zero();
   double squared_m2 = 0;  // squared distance to the target
+  double weight = 0;      // 1 / m2, kernel included
   bool inlier = false;    // within the kernel
 };
 // Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.

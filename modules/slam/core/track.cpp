@@ -212,9 +212,10 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, overlap = 0, rounds = 0, weakest = 1;
+  double squared = 0, overlap = 0, rounds = 0, weakest = 1, least_seen = pass.frames[1].observability;
   for (const auto& f : pass.frames) {
     weakest = std::min(weakest, f.conditioning);
+    if (&f != &pass.frames.front()) least_seen = std::min(least_seen, f.observability);
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
     squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
@@ -227,6 +228,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
   report.metrics["registration_rounds"] = {rounds / n, Unit::none};
   report.metrics["weakest_conditioning"] = {weakest, Unit::none};
+  report.metrics["weakest_observability"] = {least_seen, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }
