@@ -12,26 +12,38 @@ void register_slam_stages(StageRegistry& registry) {
       "registered against a local map of the nearest key frames, with the motion inside the frame taken out; "
       "revisits close loops in a pose graph; a final adjustment fits the whole path to the whole map. Presets set the "
       "options that differ between published systems. With a given trajectory only the map is made.";
-  type.source = "Zhang and Singh 2014 (LOAM); SPEC A 1-8; Dellenbach et al. 2022 (elastic frames); Bole";
+  type.source =
+      "Zhang and Singh 2014 (LOAM); SPEC A 1-8 and D; Shan and Englot 2018 (LeGO-LOAM); Kim and Kim 2018 (Scan "
+      "Context); Dellenbach et al. 2022 (elastic frames); Bole";
   type.inputs = {{.name = "frames",
                   .kind = DataKind::frames,
                   .help = "Revolutions of a spinning multi-line sensor.",
                   .arrays = {}}};
-  type.outputs = {{.name = "points",
-                   .kind = DataKind::cloud,
-                   .help = "The map, with the history of each point.",
-                   .arrays = {arrays::time, arrays::range, arrays::ring, arrays::intensity, arrays::pass,
-                              arrays::keyframe, arrays::sensor_x, arrays::sensor_y, arrays::sensor_z}},
-                  {.name = "trajectory",
-                   .kind = DataKind::trajectory,
-                   .help = "Poses of the sensor in the axes of the map.",
-                   .arrays = {}}};
+  type.outputs = {
+      {.name = "points",
+       .kind = DataKind::cloud,
+       .help = "The map, with the history of each point.",
+       .arrays = {arrays::time, arrays::range, arrays::ring, arrays::intensity, arrays::pass, arrays::keyframe,
+                  arrays::sensor_x, arrays::sensor_y, arrays::sensor_z}},
+      {.name = "trajectory",
+       .kind = DataKind::trajectory,
+       .help = "Poses of the sensor in the axes of the map.",
+       .arrays = {}},
+      {.name = "odometry",
+       .kind = DataKind::table,
+       .help = "Per frame: agreement with the map, observability, sigma0 and standard deviations of the "
+               "pose (SPEC A7); empty with a given trajectory.",
+       .arrays = {}},
+      {.name = "loops", .kind = DataKind::table, .help = "Revisits that were accepted, by their times.", .arrays = {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
     StageResult out;
     out.outputs.set("points", std::move(result.points));
     out.outputs.set("trajectory", std::move(result.trajectory));
+    out.outputs.set("odometry", std::move(result.odometry));
+    out.outputs.set("loops", std::move(result.loops));
     out.report = std::move(result.report);
     return out;
   };

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "evaluation/core/evaluate_loops.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "io/core/table_file.h"
@@ -69,12 +70,20 @@ void add_evaluate(Program& program) {
             .summary,
         args.json);
   });
-  add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw)", [](const Arguments& args) {
-    print_summary(
-        evaluate_trajectory(read_tum(args.estimate), read_tum(args.reference), args.options.as<EvaluationOptions>())
-            .summary,
-        args.json);
-  });
+  add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw; or KITTI)",
+                 [](const Arguments& args) {
+                   print_summary(evaluate_trajectory(read_trajectory(args.estimate), read_trajectory(args.reference),
+                                                     args.options.as<EvaluationOptions>())
+                                     .summary,
+                                 args.json);
+                 });
+  add_comparison(*command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory",
+                 [](const Arguments& args) {
+                   print_summary(evaluate_loops(read_table(args.estimate), read_trajectory(args.reference),
+                                                args.options.as<EvaluationOptions>())
+                                     .summary,
+                                 args.json);
+                 });
 }
 
 }  // namespace bole::cli

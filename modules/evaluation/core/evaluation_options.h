@@ -15,6 +15,8 @@ struct EvaluationOptions {
   std::string align_trajectory = "se3";
   double most_time_gap_s = 0.5;
   double rpe_step_s = 1.0;
+  double segment_m = 100;
+  double loop_radius_m = 3, loop_path_m = 25;
   std::string published_plot = "none";
 };
 

@@ -1,6 +1,7 @@
 #include "slam/core/distribution_map.h"
 
 #include <Eigen/Eigenvalues>
+#include <bit>
 #include <cmath>
 
 #include "slam/core/grid_key.h"
@@ -53,18 +54,19 @@ void DistributionMap::Level::grow() {
   }
 }
 
-void DistributionMap::insert(const Eigen::Vector3d& point) {
-  for (auto& level : levels_) insert_into(level, point);
+void DistributionMap::insert(const Eigen::Vector3d& point, std::uint16_t line_bit) {
+  for (auto& level : levels_) insert_into(level, point, line_bit);
 }
 
-void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point) {
+void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point, std::uint16_t line_bit) {
   const Eigen::Vector3d in_cells = point / level.cell_m;
   Cell& cell = level.find_or_add(grid_key(in_cells));
   if (cell.count >= most_per_cell) return;
   const Eigen::Vector3d corner(std::floor(in_cells.x()), std::floor(in_cells.y()), std::floor(in_cells.z()));
   const Eigen::Vector3f d =
       ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(level.cell_m);
-  cell.count += 1;
+  ++cell.count;
+  cell.lines |= line_bit;
   cell.sum += d;
   cell.second[0] += d.x() * d.x(), cell.second[1] += d.x() * d.y(), cell.second[2] += d.x() * d.z();
   cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
@@ -80,6 +82,7 @@ std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& poin
              cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)),
              cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
   double n = 0;
+  unsigned lines = 0;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (int k = 0; k < 8; ++k) {
@@ -91,6 +94,7 @@ std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& poin
     const double m = cell->count;
     const Eigen::Vector3d moved = s + m * o;
     n += m;
+    lines |= cell->lines;
     sum += moved;
     const float* q = cell->second;
     Eigen::Matrix3d own;
@@ -109,6 +113,7 @@ std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& poin
   surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   surface.axes = solver.eigenvectors();
   surface.points = static_cast<int>(n);
+  surface.lines = std::popcount(lines);
   surface.level = level_index;
   return surface;
 }

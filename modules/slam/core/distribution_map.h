@@ -5,6 +5,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,6 +20,7 @@ struct LocalSurface {
   Eigen::Matrix3d axes =
       Eigen::Matrix3d::Identity();  // eigenvectors in columns: column 0 is the normal, column 2 the direction
   int points = 0;
+  int lines = 0;  // scan lines that they come from, as far as those were told; at most 16
   int level = 0;
 
   // 0 to 1: how plane and how line-like (Demantke et al. 2011, dimensionality features).
@@ -33,7 +36,8 @@ class DistributionMap {
   explicit DistributionMap(double finest_cell_m);
 
   void clear();
-  void insert(const Eigen::Vector3d& point);
+  // `line_bit`: one bit for the scan line that the point comes from (see line_bit()), or 0.
+  void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
   // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
   std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
 
@@ -45,7 +49,7 @@ class DistributionMap {
   // Moments about the centre of the cell; float32 holds them well because they are small there.
   struct Cell {
     std::uint64_t key = ~0ull;
-    float count = 0;
+    std::uint16_t count = 0, lines = 0;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float second[6] = {0, 0, 0, 0, 0, 0};  // xx xy xz yy yz zz
   };
@@ -58,9 +62,16 @@ class DistributionMap {
     const Cell* find(std::uint64_t key) const;
     void grow();
   };
-  static void insert_into(Level& level, const Eigen::Vector3d& point);
+  static void insert_into(Level& level, const Eigen::Vector3d& point, std::uint16_t line_bit);
 
   std::vector<Level> levels_;
 };
+
+// A bit for the elevation (in bins of a third of a degree, sixteen in turn) at which a sensor at the origin sees a
+// point.
+inline std::uint16_t line_bit(const Eigen::Vector3f& point_in_sensor) {
+  const float slope = point_in_sensor.z() / std::max(point_in_sensor.head<2>().norm(), 1e-3f);
+  return static_cast<std::uint16_t>(1u << (static_cast<unsigned>(static_cast<int>(std::floor(172 * slope))) & 15u));
+}
 
 }  // namespace bole

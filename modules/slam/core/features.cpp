@@ -28,7 +28,7 @@ void thin_on_grid(std::vector<FeaturePoint>& points, double voxel_m) {
 void FeatureExtractor::extract(const Scan& scan, Features& features) {
   features.query.clear();
   features.map.clear();
-  if (options_.features == "curvature") return extract_curvature(scan, features);
+  if (options_.features != "sampled") return extract_curvature(scan, features);
 
   features.map.planes.reserve(scan.points.size());
   for (const auto& p : scan.points) features.map.planes.push_back(as_feature(p));
@@ -38,7 +38,15 @@ void FeatureExtractor::extract(const Scan& scan, Features& features) {
 }
 
 void FeatureExtractor::extract_curvature(const Scan& scan, Features& features) {
-  for (std::size_t r = 0; r < scan.lines(); ++r) extract_line(scan.line(r), features);
+  std::vector<ScanLabel> labels;
+  if (options_.features == "ground") labels = label_scan(scan);
+  for (std::size_t r = 0; r < scan.lines(); ++r) {
+    const auto line = scan.line(r);
+    extract_line(
+        line,
+        labels.empty() ? std::span<const ScanLabel>() : std::span(labels).subspan(scan.line_begin[r], line.size()),
+        features);
+  }
   thin_on_grid(features.map.edges, options_.map_spacing_m);
   thin_on_grid(features.map.planes, options_.map_spacing_m);
   thin_on_grid(features.query.planes, options_.query_spacing_m);
@@ -71,10 +79,12 @@ void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
   }
 }
 
-void FeatureExtractor::extract_line(std::span<const ScanPoint> line, Features& features) {
+void FeatureExtractor::extract_line(std::span<const ScanPoint> line, std::span<const ScanLabel> labels,
+                                    Features& features) {
   const auto n = line.size();
   if (n < 2 * half_window + 1) return;
   mark_unreliable(line);
+  const auto is = [&](std::size_t i, ScanLabel label) { return labels.empty() || labels[i] == label; };
   curvature_.assign(n, 0);
   const std::size_t first = half_window, last = n - half_window;
   for (std::size_t i = first; i < last; ++i) {
@@ -97,7 +107,7 @@ void FeatureExtractor::extract_line(std::span<const ScanPoint> line, Features& f
     for (std::size_t o = order_.size(); o-- > 0 && edges < edges_map;) {
       const auto i = order_[o];
       if (curvature_[i] < edge_curvature) break;
-      if (unusable_[i] & no_edge) continue;
+      if ((unusable_[i] & no_edge) || !is(i, ScanLabel::thing)) continue;
       if (edges < edges_query) features.query.edges.push_back(as_feature(line[i]));
       features.map.edges.push_back(as_feature(line[i]));
       ++edges;
@@ -106,9 +116,10 @@ void FeatureExtractor::extract_line(std::span<const ScanPoint> line, Features& f
     int planes = 0;
     for (const auto i : order_) {
       if (curvature_[i] > plane_curvature) break;
-      if (unusable_[i] & no_plane) continue;
+      if ((unusable_[i] & no_plane) || (!labels.empty() && labels[i] == ScanLabel::loose)) continue;
       features.map.planes.push_back(as_feature(line[i]));
-      if (planes < planes_query * 4) features.query.planes.push_back(as_feature(line[i])), ++planes;
+      if (planes < planes_query * 4 && is(i, ScanLabel::ground))
+        features.query.planes.push_back(as_feature(line[i])), ++planes;
     }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "slam/core/ground.h"
 #include "slam/core/options.h"
 #include "slam/core/scan.h"
 
@@ -26,7 +27,9 @@ struct Features {
 };
 
 // By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
-// options.occlusion) or "sampled" (points thinned on a voxel grid, all of them plane candidates).
+// options.occlusion), "ground" (the same, but the planes to be registered lie on the ground, edges on things that stand
+// on it, and what is loose is left out: Shan and Englot 2018) or "sampled" (points thinned on a voxel grid, all of them
+// plane candidates).
 class FeatureExtractor {
  public:
   explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}
@@ -34,7 +37,7 @@ class FeatureExtractor {
 
  private:
   void extract_curvature(const Scan& scan, Features& features);
-  void extract_line(std::span<const ScanPoint> line, Features& features);
+  void extract_line(std::span<const ScanPoint> line, std::span<const ScanLabel> labels, Features& features);
   void mark_unreliable(std::span<const ScanPoint> line);
 
   const SlamOptions options_;

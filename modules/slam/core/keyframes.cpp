@@ -20,8 +20,8 @@ Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& featu
 }
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps) {
-  for (const auto& p : keyframe.edges) maps.edges.insert(keyframe.T_map_keyframe * p.cast<double>());
-  for (const auto& p : keyframe.planes) maps.planes.insert(keyframe.T_map_keyframe * p.cast<double>());
+  for (const auto& p : keyframe.edges) maps.edges.insert(keyframe.T_map_keyframe * p.cast<double>(), line_bit(p));
+  for (const auto& p : keyframe.planes) maps.planes.insert(keyframe.T_map_keyframe * p.cast<double>(), line_bit(p));
 }
 
 void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved) {

@@ -6,6 +6,7 @@
 #include "slam/core/features.h"
 #include "slam/core/motion.h"
 #include "slam/core/registration.h"
+#include "slam/core/scan_context.h"
 
 namespace bole {
 
@@ -15,6 +16,7 @@ struct Keyframe {
   double path_m = 0;                           // way walked until here
   Pose T_map_keyframe = Pose::Identity();      // at the end of its frame
   std::vector<Eigen::Vector3f> edges, planes;  // in key-frame axes, de-skewed
+  ScanContext context;                         // empty unless loops are looked for by appearance
 };
 
 // `features` brought to the end pose of `motion`.

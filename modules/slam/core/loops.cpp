@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "slam/core/context_index.h"
+#include "slam/core/loop_registration.h"
+
 namespace bole {
 namespace {
 
@@ -10,6 +13,7 @@ constexpr double trial_spacing_m = 1.5;  // way between key frames that are trie
 constexpr std::size_t stretch_half = 8;  // key frames on each side of the partner that make its map
 constexpr double least_conditioning = 1e-3;
 constexpr double largest_correction_m = 2.0;
+constexpr double context_offset_m = 3.0;  // of a place that looks alike
 
 std::optional<std::size_t> partner_of(const std::vector<Keyframe>& keyframes, std::size_t k,
                                       const SlamOptions& options) {
@@ -23,50 +27,75 @@ std::optional<std::size_t> partner_of(const std::vector<Keyframe>& keyframes, st
   return best;
 }
 
-FeatureSet thinned(const Keyframe& keyframe, double spacing_m) {
-  FeatureSet out;
-  for (const auto& p : keyframe.edges) out.edges.push_back({p, 1});
-  for (const auto& p : keyframe.planes) out.planes.push_back({p, 1});
-  thin_on_grid(out.edges, spacing_m);
-  thin_on_grid(out.planes, spacing_m);
-  return out;
+// A key frame, and where a revisit would put it.
+struct Candidate {
+  std::size_t from = 0, to = 0;
+  Pose T_map_to = Pose::Identity();
+  double most_correction_m = 0;
+  std::string found_by;
+};
+
+std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, const Candidate& c, const SlamOptions& options,
+                             const Run& run) {
+  const std::size_t first = c.from > stretch_half ? c.from - stretch_half : 0,
+                    last = std::min({c.from + stretch_half, keyframes.size() - 1, c.to - 1});
+  const LoopTarget target(keyframes, first, last, options);
+  const auto r = target.registered(keyframes[c.to], c.T_map_to, run);
+  const Pose& T_odometry = keyframes[c.to].T_map_keyframe;
+  const double correction_m = (r.motion.T_map_end.translation() - T_odometry.translation()).norm();
+  if (r.overlap < options.loop_overlap || r.conditioning < least_conditioning || correction_m > c.most_correction_m)
+    return std::nullopt;
+  return Loop{c.from,        c.to,      keyframes[c.from].T_map_keyframe.inverse() * r.motion.T_map_end,
+              r.information, r.overlap, correction_m,
+              c.found_by};
 }
 
-std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, std::size_t from, std::size_t to,
-                             const SlamOptions& options, FeatureMaps& maps, const Run& run) {
-  maps.clear();
-  const std::size_t first = from > stretch_half ? from - stretch_half : 0,
-                    last = std::min({from + stretch_half, keyframes.size() - 1, to - 1});
-  for (std::size_t k = first; k <= last; ++k) insert_keyframe(keyframes[k], maps);
+std::optional<Candidate> by_odometry(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                     const SlamOptions& options) {
+  const auto partner = partner_of(keyframes, k, options);
+  if (!partner) return std::nullopt;
+  return Candidate{*partner, k, keyframes[k].T_map_keyframe, largest_correction_m, "odometry"};
+}
 
-  RegistrationSettings settings;
-  settings.rounds = 30;
-  settings.coarse_rounds = 6;
-  settings.sigma_m = options.range_sigma_m;
-  settings.kernel_sigmas = options.kernel_sigmas;
-  const Pose& guess = keyframes[to].T_map_keyframe;
-  const auto r = register_frame(thinned(keyframes[to], options.query_spacing_m), maps, {guess, guess}, settings, run);
-  const double correction_m = (r.motion.T_map_end.translation() - guess.translation()).norm();
-  if (r.overlap < options.loop_overlap || r.conditioning < least_conditioning || correction_m > largest_correction_m)
-    return std::nullopt;
-  return Loop{from, to, keyframes[from].T_map_keyframe.inverse() * r.motion.T_map_end, r.information, r.overlap};
+std::optional<Candidate> by_context(const std::vector<Keyframe>& keyframes, const ContextIndex& index, std::size_t k,
+                                    const SlamOptions& options) {
+  const auto found =
+      index.best(keyframes, k, {options.context_candidates, options.context_tau, options.loops == "both"});
+  if (!found) return std::nullopt;
+  const Pose& T_map_k = keyframes[k].T_map_keyframe;
+  const Pose T_level_k = levelled(T_map_k).inverse() * T_map_k;
+  const Pose T_map_to = levelled(keyframes[found->keyframe].T_map_keyframe) * found->T_from_to * T_level_k;
+  const double way_m = keyframes[k].path_m - keyframes[found->keyframe].path_m,
+               most_m = context_offset_m + options.loop_drift * way_m;
+  if ((T_map_to.translation() - T_map_k.translation()).norm() > most_m) return std::nullopt;
+  return Candidate{found->keyframe, k, T_map_to, most_m, "context"};
 }
 
 }  // namespace
 
 LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run) {
   LoopSearch out;
-  FeatureMaps maps(options.cell_m);
+  const bool near = options.loops != "context", alike = options.loops == "context" || options.loops == "both";
+  ContextIndex index(
+      {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m});
+  std::size_t indexed = 0;
   double last_trial_m = -trial_spacing_m;
-  for (std::size_t k = 0; k < keyframes.size(); ++k) {
+  for (std::size_t k = 0; k < keyframes.size() && !run.asked_to_finish(); ++k) {
+    while (alike && keyframes[k].path_m - keyframes[indexed].path_m >= options.loop_path_m)
+      index.add(keyframes, indexed++);
     if (keyframes[k].path_m - last_trial_m < trial_spacing_m) continue;
-    const auto partner = partner_of(keyframes, k, options);
-    if (!partner) continue;
+    std::vector<Candidate> candidates;
+    if (near)
+      if (auto c = by_odometry(keyframes, k, options)) candidates.push_back(std::move(*c));
+    if (alike)
+      if (auto c = by_context(keyframes, index, k, options)) candidates.push_back(std::move(*c));
+    if (candidates.empty()) continue;
     last_trial_m = keyframes[k].path_m;
-    ++out.candidates;
-    if (auto loop = verified(keyframes, *partner, k, options, maps, run)) out.loops.push_back(*loop);
+    for (const auto& c : candidates) {
+      ++out.candidates;
+      if (auto loop = verified(keyframes, c, options, run)) out.loops.push_back(std::move(*loop));
+    }
     run.report(static_cast<double>(k) / static_cast<double>(keyframes.size()), "loops");
-    if (run.asked_to_finish()) break;
   }
   return out;
 }

@@ -2,6 +2,7 @@
 // gives.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "slam/core/keyframes.h"
@@ -14,6 +15,8 @@ struct Loop {
   Pose T_from_to = Pose::Identity();
   Matrix6d information = Matrix6d::Zero();  // (turn, shift) of `to`, map axes
   double overlap = 0;
+  double correction_m = 0;  // against the odometry
+  std::string found_by;     // "odometry" or "context"
 };
 
 struct LoopSearch {
@@ -21,8 +24,10 @@ struct LoopSearch {
   std::size_t candidates = 0;
 };
 
-// Candidates lie within loop_radius and at least loop_path apart along the way. Each is verified by registering the key
-// frame against the map of the stretch about its partner; enough overlap and no open direction make it a loop.
+// Candidates are at least loop_path apart along the way. By odometry they lie within loop_radius; by context they look
+// alike (scan_context.h; with loops "both" the cart context is asked as well) and lie no farther off than the odometry
+// may have drifted. Each is verified by registering the key frame against the map of the stretch about its partner;
+// enough overlap and no open direction make it a loop.
 LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run);
 
 }  // namespace bole

@@ -51,6 +51,7 @@ class PoseGrid {
     const auto [i, f] = locate(s);
     return (1 - f) * translations_[i] + f * translations_[i + 1];
   }
+  const Eigen::Matrix3d& rotation(float s) const { return rotations_[locate(s).first]; }
   Eigen::Vector3d in_map(const Eigen::Vector3f& point, float s) const { return turned(point, s) + translation(s); }
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "slam/core/observability.h"
 #include "slam/core/stopwatch.h"
 
 namespace bole {
@@ -82,8 +83,17 @@ FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, dou
                               const Run& run) {
   if (options_.deskew == "none") return {prediction.at(0.5), prediction.at(0.5)};
   if (options_.first_guess != "last_frame") return prediction;
-  const auto r = register_frame(features.query, last_frame_map_, prediction, base_settings(), run);
+  auto settings = base_settings();
+  const auto& last = frames_.back();
+  if (settings.priors) {
+    // De-skewing takes the priors of all points; those of the first frame have an exact pose.
+    settings.priors->reference_points = true;
+    settings.priors->reference_covariance = last.covariance;
+    settings.priors->reference_position = last.motion.T_map_end.translation();
+  }
+  const auto r = register_frame(features.query, last_frame_map_, prediction, settings, run);
   if (r.overlap < options_.lost_overlap || r.conditioning < least_conditioning) return prediction;
+  motion_covariance_ = r.covariance;
   return with_speed_found(r.motion, begin_s, end_s);
 }
 
@@ -102,6 +112,10 @@ RegistrationSettings Odometry::base_settings() const {
   settings.rounds = options_.rounds;
   settings.sigma_m = options_.range_sigma_m;
   settings.kernel_sigmas = options_.kernel_sigmas;
+  settings.two_step = options_.solve == "two_step";
+  if (options_.weights == "priors")
+    settings.priors = AdjustmentPriors{.sensor = {options_.range_sigma_m, rad(options_.angle_sigma_deg)},
+                                       .motion_covariance = motion_covariance_};
   return settings;
 }
 
@@ -140,14 +154,15 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   if (options_.deskew == "twice") {
     // SPEC A5: the motion that was found replaces the guess, and the raw frame is registered again.
     settings.coarse_rounds = 0;
+    if (settings.priors) settings.priors->motion_covariance = r.covariance + frames_.back().covariance;
     r = register_frame(features.query, local_map_.maps(), with_speed_found(r.motion, begin_s, end_s), settings, run);
   }
   r.motion = with_speed_found(r.motion, begin_s, end_s);
   return r;
 }
 
-std::string Odometry::objection(const Registration& r, const FrameMotion& prediction, double begin_s,
-                                double end_s) const {
+std::string Odometry::objection(const Registration& r, const Observability& seen, const FrameMotion& prediction,
+                                double begin_s, double end_s) const {
   if (r.overlap < options_.lost_overlap)
     return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
   if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite())
@@ -155,7 +170,8 @@ std::string Odometry::objection(const Registration& r, const FrameMotion& predic
   const double speed =
       (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
-  if (r.conditioning < least_conditioning) return "the surroundings leave a direction of motion open";
+  if (r.conditioning < least_conditioning || seen.weakest < options_.least_observability)
+    return "the surroundings leave a direction of motion open: " + seen.motion_text();
   const double elapsed_s = end_s - frames_.back().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
@@ -174,6 +190,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   }
 
   Stopwatch watch;
+  motion_covariance_.setZero();
   const FrameMotion prediction = predicted(begin_s, end_s);
   frame.motion = prediction;
   if (features.query.size() < least_features) {
@@ -184,8 +201,11 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     times_.guess_s += watch.lap_s();
     const Registration r = registered(guess, begin_s, end_s, features, run);
     times_.register_s += watch.lap_s();
+    frame.sigma0 = r.sigma0, frame.covariance = r.covariance;
     frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds, frame.conditioning = r.conditioning;
-    const auto why = objection(r, prediction, begin_s, end_s);
+    const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
+    frame.observability = seen.weakest;
+    const auto why = objection(r, seen, prediction, begin_s, end_s);
     frame.ok = why.empty();
     if (frame.ok)
       frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end)};

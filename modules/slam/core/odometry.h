@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "slam/core/keyframes.h"
+#include "slam/core/observability.h"
 #include "slam/core/options.h"
 
 namespace bole {
@@ -16,7 +17,10 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last key frame up to and with this frame
   bool ok = true;
   double overlap = 1, rms_m = 0;
-  double conditioning = 1;  // see Registration
+  double conditioning = 1;                 // see Registration
+  double observability = 1;                // see Observability; of the first frame it is not known
+  double sigma0 = 0;                       // of the last adjustment, see Registration
+  Matrix6d covariance = Matrix6d::Zero();  // of the pose; zero for the first frame, which is exact
   int rounds = 0;
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
@@ -35,6 +39,8 @@ class Odometry {
 
   const std::vector<TrackedFrame>& frames() const { return frames_; }
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
+  // Hands the last key frame its look of the surroundings.
+  void set_context(ScanContext context) { keyframes_.back().context = std::move(context); }
   std::vector<TrackedFrame> take_frames() { return std::move(frames_); }
   std::vector<Keyframe> take_keyframes() { return std::move(keyframes_); }
   const OdometryTimes& times() const { return times_; }
@@ -59,7 +65,8 @@ class Odometry {
   Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                           const Run& run);
   // Empty when the frame is credible, else why not.
-  std::string objection(const Registration& r, const FrameMotion& prediction, double begin_s, double end_s) const;
+  std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
+                        double end_s) const;
   void add_keyframe(const Features& features, const TrackedFrame& frame);
   bool keyframe_due(const TrackedFrame& frame) const;
 
@@ -68,6 +75,7 @@ class Odometry {
   std::vector<Keyframe> keyframes_;
   LocalMap local_map_;
   FeatureMaps last_frame_map_;
+  Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the motion guessed for the frame in work
   double path_m_ = 0;
   int failed_in_a_row_ = 0;
   std::string why_failed_;

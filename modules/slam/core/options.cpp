@@ -16,7 +16,7 @@ struct Preset {
   std::vector<PresetValue> values;
 };
 
-// SPEC A calls the first two "LOAM" and "improved LOAM".
+// SPEC A calls the first two "LOAM" and "improved LOAM"; SPEC D compares the next two.
 const std::vector<Preset>& presets() {
   static const std::vector<Preset> table{
       {"loam",
@@ -32,6 +32,9 @@ const std::vector<Preset>& presets() {
         {"keyframe_distance", 0.3},
         {"keyframe_angle", 10.0},
         {"loops", "none"},
+        {"loop_registration", "features"},
+        {"weights", "thickness"},
+        {"solve", "joint"},
         {"refine_rounds", std::int64_t{-1}}}},
       {"forest",
        {{"features", "curvature"},
@@ -39,13 +42,50 @@ const std::vector<Preset>& presets() {
         {"occlusion_step", 0.3},
         {"query_spacing", 0.4},
         {"map_spacing", 0.2},
-        {"first_guess", "velocity"},
+        {"first_guess", "last_frame"},
         {"deskew", "twice"},
         {"rounds", std::int64_t{12}},
         {"neighbour_keyframes", std::int64_t{60}},
         {"keyframe_distance", 0.3},
         {"keyframe_angle", 10.0},
+        {"loops", "both"},
+        {"loop_registration", "features"},
+        {"weights", "priors"},
+        {"solve", "joint"},
+        {"refine_rounds", std::int64_t{-1}}}},
+      {"lego_loam",
+       {{"features", "ground"},
+        {"occlusion", "far_side"},
+        {"occlusion_step", 0.3},
+        {"query_spacing", 0.4},
+        {"map_spacing", 0.2},
+        {"first_guess", "velocity"},
+        {"deskew", "once"},
+        {"rounds", std::int64_t{12}},
+        {"neighbour_keyframes", std::int64_t{60}},
+        {"keyframe_distance", 0.3},
+        {"keyframe_angle", 10.0},
         {"loops", "odometry"},
+        {"loop_registration", "icp"},
+        {"weights", "thickness"},
+        {"solve", "two_step"},
+        {"refine_rounds", std::int64_t{-1}}}},
+      {"orchard",
+       {{"features", "ground"},
+        {"occlusion", "far_side"},
+        {"occlusion_step", 0.3},
+        {"query_spacing", 0.4},
+        {"map_spacing", 0.2},
+        {"first_guess", "velocity"},
+        {"deskew", "once"},
+        {"rounds", std::int64_t{12}},
+        {"neighbour_keyframes", std::int64_t{60}},
+        {"keyframe_distance", 0.3},
+        {"keyframe_angle", 10.0},
+        {"loops", "context"},
+        {"loop_registration", "ndt_icp"},
+        {"weights", "thickness"},
+        {"solve", "two_step"},
         {"refine_rounds", std::int64_t{-1}}}},
       {"best",
        {{"features", "sampled"},
@@ -60,6 +100,9 @@ const std::vector<Preset>& presets() {
         {"keyframe_distance", 0.3},
         {"keyframe_angle", 10.0},
         {"loops", "odometry"},
+        {"loop_registration", "features"},
+        {"weights", "thickness"},
+        {"solve", "joint"},
         {"refine_rounds", std::int64_t{3}}}},
   };
   return table;
@@ -78,6 +121,9 @@ void check(const SlamOptions& o) {
   if (o.map_range_min_m >= o.map_range_max_m)
     throw bad_input("map_range_min is " + number_text(o.map_range_min_m) + " m",
                     "less than map_range_max, " + number_text(o.map_range_max_m) + " m");
+  if (o.deskew == "elastic" && o.solve == "two_step")
+    throw bad_input("solve is two_step with deskew elastic", "joint with elastic frames",
+                    "Set solve to joint, or deskew to once");
 }
 
 }  // namespace
@@ -90,8 +136,10 @@ const OptionTable& option_table(const SlamOptions*) {
   static const OptionTable table = make_option_table<S>(
       {
           T{"preset", &S::preset, TextKind::choice, preset_names(), Tier::basic,
-            "Which system: loam (baseline), forest (improved LOAM for forest plots), best (elastic frames and a final "
-            "adjustment of the whole path)."},
+            "Which system: loam (baseline), forest (improved LOAM for forest plots), lego_loam (ground-aware "
+            "baseline), "
+            "orchard (the same with loops by Scan Context and NDT-ICP), best (elastic frames and a final adjustment of "
+            "the whole path)."},
           T{"trajectory",
             &S::trajectory,
             TextKind::input_path,
@@ -114,10 +162,11 @@ const OptionTable& option_table(const SlamOptions*) {
           T{"features",
             &S::features,
             TextKind::choice,
-            {"preset", "curvature", "sampled"},
+            {"preset", "curvature", "ground", "sampled"},
             Tier::advanced,
-            "Points that are registered: edges and planes by curvature along the scan line, or all points thinned on a "
-            "grid."},
+            "Points that are registered: edges and planes by curvature along the scan line, the same with planes from "
+            "the "
+            "ground and edges from things that stand on it (LeGO-LOAM), or all points thinned on a grid."},
           T{"occlusion",
             &S::occlusion,
             TextKind::choice,
@@ -183,9 +232,32 @@ const OptionTable& option_table(const SlamOptions*) {
           T{"loops",
             &S::loops,
             TextKind::choice,
-            {"preset", "none", "odometry"},
+            {"preset", "none", "odometry", "context", "both"},
             Tier::advanced,
-            "Where to look for revisits: nowhere, or where the estimated path comes near itself."},
+            "Where to look for revisits: nowhere, where the estimated path comes near itself, where the surroundings "
+            "look "
+            "alike (Scan Context), or both."},
+          T{"loop_registration",
+            &S::loop_registration,
+            TextKind::choice,
+            {"preset", "features", "icp", "ndt_icp"},
+            Tier::advanced,
+            "How the relative pose of a revisit is found: by edges and planes, by closest points, or by normal "
+            "distributions and then closest points."},
+          T{"weights",
+            &S::weights,
+            TextKind::choice,
+            {"preset", "thickness", "priors"},
+            Tier::advanced,
+            "What weighs a match: the thickness of the surface and the scatter of ranges, or the covariances of the "
+            "points, from the sensor and from the poses that placed them (SPEC A7)."},
+          T{"solve",
+            &S::solve,
+            TextKind::choice,
+            {"preset", "joint", "two_step"},
+            Tier::advanced,
+            "All six unknowns from all features, or height, roll and pitch from planes and the others from edges "
+            "(LeGO-LOAM; not with elastic frames)."},
           I{"refine_rounds",
             &S::refine_rounds,
             Unit::none,
@@ -205,6 +277,12 @@ const OptionTable& option_table(const SlamOptions*) {
             {0.001, 0.5},
             Tier::expert,
             "Standard deviation of a range, added to the thickness of a map surface."},
+          D{"angle_sigma",
+            &S::angle_sigma_deg,
+            Unit::degree,
+            {0.001, 5},
+            Tier::expert,
+            "Standard deviation of azimuth and elevation of a return (weights by priors)."},
           D{"kernel_sigmas",
             &S::kernel_sigmas,
             Unit::none,
@@ -235,6 +313,13 @@ const OptionTable& option_table(const SlamOptions*) {
             {1, 1000},
             Tier::advanced,
             "Failed frames in a row after which the track is lost and the map ends."},
+          D{"least_observability",
+            &S::least_observability,
+            Unit::none,
+            {0, 1000},
+            Tier::expert,
+            "Least information about the weakest motion of a frame, over what the noise of normals alone would give; "
+            "with less the motion is open and the frame counts as failed."},
           D{"speed_max",
             &S::speed_max_m_s,
             Unit::metre_per_second,
@@ -260,6 +345,27 @@ const OptionTable& option_table(const SlamOptions*) {
             {0, 1},
             Tier::expert,
             "Share of points that must agree for a revisit to be accepted."},
+          D{"loop_drift",
+            &S::loop_drift,
+            Unit::none,
+            {0, 1},
+            Tier::expert,
+            "Share of the way between two key frames by which a revisit found by appearance may correct it, and 3 m."},
+          I{"context_rings", &S::context_rings, Unit::none, {2, 200}, Tier::expert, "Rings of a scan context."},
+          I{"context_sectors", &S::context_sectors, Unit::none, {4, 720}, Tier::expert, "Sectors of a scan context."},
+          D{"context_range", &S::context_range_m, Unit::metre, {2, 200}, Tier::advanced, "Range of a scan context."},
+          D{"context_tau",
+            &S::context_tau,
+            Unit::none,
+            {0, 1},
+            Tier::advanced,
+            "Largest distance of two scan contexts that are tried as a revisit."},
+          I{"context_candidates",
+            &S::context_candidates,
+            Unit::none,
+            {1, 1000},
+            Tier::expert,
+            "Nearest ring keys whose contexts are compared."},
 
           D{"map_range_min",
             &S::map_range_min_m,

@@ -29,22 +29,33 @@ struct SlamOptions {
   double keyframe_distance_m = 0;
   double keyframe_angle_deg = 0;
   std::string loops = "preset";
+  std::string loop_registration = "preset";
+  std::string weights = "preset";
+  std::string solve = "preset";
   int refine_rounds = 0;
 
   // Registration.
   double cell_m = 0.1;
   double range_sigma_m = 0.02;
+  double angle_sigma_deg = 0.06;
   double kernel_sigmas = 3;
   double continuity_sigma_m = 0.004;
   double continuity_sigma_deg = 0.05;
   double lost_overlap = 0.25;
   int lost_frames = 5;
+  double least_observability = 3;
   double speed_max_m_s = 5;
 
   // Loops.
   double loop_radius_m = 5;
   double loop_path_m = 25;
   double loop_overlap = 0.6;
+  double loop_drift = 0.05;
+  int context_rings = 20;
+  int context_sectors = 60;
+  double context_range_m = 40;
+  double context_tau = 0.5;
+  int context_candidates = 10;
 
   // The dense map.
   double map_range_min_m = 0.8;

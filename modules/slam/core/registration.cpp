@@ -20,12 +20,12 @@ struct Sums {
   Matrix12d H = Matrix12d::Zero();  // blocks: begin, end
   Vector12d g = Vector12d::Zero();
   Matrix6d H_data = Matrix6d::Zero();  // every point at full weight on one pose
-  double squared_m2 = 0;
+  double squared_m2 = 0, weighted = 0;
   std::size_t matched = 0, inliers = 0;
 
   void operator+=(const Sums& o) {
     H += o.H, g += o.g, H_data += o.H_data;
-    squared_m2 += o.squared_m2, matched += o.matched, inliers += o.inliers;
+    squared_m2 += o.squared_m2, weighted += o.weighted, matched += o.matched, inliers += o.inliers;
   }
 };
 
@@ -40,6 +40,35 @@ std::pair<double, double> shares(MotionModel model, double s) {
       break;
   }
   return {1 - s, s};
+}
+
+// SPEC A7: the variance of a condition is A Q A^T, of the model (the thickness that the target came with), of the point
+// and, for de-skewing, of the points that make the surface. A surface through many points moves with the scatter of
+// each by its share, so that sum is their variance times the leverage.
+void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, const FeaturePoint& p,
+                        const Eigen::Vector3d& lever, const Eigen::Vector3d& x, Target& target) {
+  Eigen::Vector3d axis = target.axis;
+  if (target.kind == Target::Kind::line) {
+    const Eigen::Vector3d error = x - target.mean, across = error - target.axis.dot(error) * target.axis;
+    axis = across.norm() > 1e-6 ? Eigen::Vector3d(across.normalized()) : target.axis.unitOrthogonal();
+  }
+  const Eigen::Vector3d axis_in_sensor = poses.rotation(p.s).transpose() * axis;
+  const double of_point =
+      axis_in_sensor.dot(point_covariance(p.position.cast<double>(), priors.sensor) * axis_in_sensor);
+  const double share = 1 - static_cast<double>(p.s);  // points are brought to the end of the frame
+  target.variance_m2 += of_point + share * share * pose_variance(axis, lever, priors.motion_covariance);
+  if (priors.reference_points)
+    target.variance_m2 +=
+        target.leverage * of_point + pose_variance(axis, x - priors.reference_position, priors.reference_covariance);
+}
+
+// Planes: turn about x and y, shift along z; lines: the others.
+void keep_own_unknowns(bool line, PoseEquations& e) {
+  Vector6d own;
+  own << 1, 1, 0, 0, 0, 1;
+  if (line) own = Vector6d::Ones() - own;
+  e.H = (own.asDiagonal() * e.H * own.asDiagonal()).eval();
+  e.g = e.g.cwiseProduct(own);
 }
 
 // Matching costs more than summing, so targets are kept for a round.
@@ -74,12 +103,15 @@ class FrameEquations {
     const Eigen::Vector3d x = lever + poses.translation(p.s);
     Target& target = targets_[i];
     if (first_level >= 0)
-      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.sigma_m);
+      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level,
+                           settings_.priors ? 0 : settings_.sigma_m);
     if (target.kind == Target::Kind::none) return;
+    if (settings_.priors && first_level >= 0) add_prior_variance(*settings_.priors, poses, p, lever, x, target);
 
-    const auto e = pose_equations(target, x, lever, kernel);
+    auto e = pose_equations(target, x, lever, kernel);
     ++sums.matched;
-    if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;
+    if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2, sums.weighted += e.squared_m2 / target.variance_m2;
+    if (settings_.two_step) keep_own_unknowns(line, e);
     sums.H_data += e.H;
     const auto [at_begin, at_end] = shares(settings_.model, p.s);
     if (at_begin != 0) {
@@ -172,20 +204,34 @@ double shift_conditioning(const Matrix6d& H) {
 
 }  // namespace
 
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
+                                         int first_level, int least_lines) {
+  for (int level = first_level; level < DistributionMap::levels; ++level) {
+    auto surface = map.surface(point_in_map, level);
+    if (surface && surface->lines >= least_lines &&
+        (line ? surface->linearity() >= least_linearity : surface->planarity() >= least_planarity))
+      return surface;
+  }
+  return std::nullopt;
+}
+
+Target as_target(const LocalSurface& surface, bool line, double sigma_m) {
+  // Points are spread evenly about the place, more or less: one share for the mean and one for each tilt.
+  const double leverage = (line ? 2.0 : 3.0) / std::max(surface.points, 3);
+  const double thickness_m = surface.deviations_m[line ? 1 : 0];
+  Target target;
+  target.mean = surface.mean;
+  target.axis = surface.axes.col(line ? 2 : 0);
+  target.variance_m2 = std::max(thickness_m * thickness_m, 1e-6) + sigma_m * sigma_m;
+  target.leverage = leverage;
+  target.kind = line ? Target::Kind::line : Target::Kind::plane;
+  return target;
+}
+
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
                    double sigma_m) {
-  Target target;
-  for (int level = first_level; level < DistributionMap::levels; ++level) {
-    const auto surface = map.surface(point_in_map, level);
-    if (!surface || (line ? surface->linearity() < least_linearity : surface->planarity() < least_planarity)) continue;
-    const double thickness_m = surface->deviations_m[line ? 1 : 0];
-    target.mean = surface->mean;
-    target.axis = surface->axes.col(line ? 2 : 0);
-    target.variance_m2 = thickness_m * thickness_m + sigma_m * sigma_m;
-    target.kind = line ? Target::Kind::line : Target::Kind::plane;
-    break;
-  }
-  return target;
+  const auto surface = find_surface(map, point_in_map, line, first_level);
+  return surface ? as_target(*surface, line, sigma_m) : Target{};
 }
 
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
@@ -197,6 +243,7 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   out.squared_m2 = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
   out.inlier = out.squared_m2 < k2 * target.variance_m2;
   const double robust = k2 / (k2 + out.squared_m2 / target.variance_m2), weight = robust * robust / target.variance_m2;
+  out.weight = weight;
   if (!line) {
     Vector6d a;
     a << lever.cross(target.axis), target.axis;
@@ -244,6 +291,11 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.rms_m = sums.inliers ? std::sqrt(sums.squared_m2 / static_cast<double>(sums.inliers)) : 0;
   out.information = sums.H_data;
   out.conditioning = shift_conditioning(sums.H_data);
+  if (sums.inliers > 6) {
+    out.sigma0 = std::sqrt(sums.weighted / static_cast<double>(sums.inliers - 6));
+    const Matrix6d H = sums.H_data + 1e-9 * sums.H_data.trace() * Matrix6d::Identity();
+    out.covariance = out.sigma0 * out.sigma0 * H.inverse();
+  }
   return out;
 }
 

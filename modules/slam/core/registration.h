@@ -2,14 +2,15 @@
 // over its begin and end pose.
 #pragma once
 
+#include <optional>
+
 #include "base/run.h"
 #include "slam/core/distribution_map.h"
 #include "slam/core/features.h"
 #include "slam/core/motion.h"
+#include "slam/core/priors.h"
 
 namespace bole {
-
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 // What the features of a frame are registered against: edges to lines of one map, planes to planes of the other.
 struct FeatureMaps {
@@ -23,11 +24,16 @@ struct Target {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // normal of the plane, direction of the line
   double variance_m2 = 1;                           // thickness of the surface and scatter of the range
+  double leverage = 0;  // how much the scatter of the surface's points moves it at the place, 0 to 1
   enum class Kind : std::uint8_t { none, plane, line } kind = Kind::none;
 };
 
-// The plane (or line) about the place on the finest level from `first_level` that has one; Kind::none where there is
-// none.
+// The surface about the place that is plane (or line) enough, on the finest level from `first_level` that has one made
+// of at least so many scan lines.
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
+                                         int first_level, int least_lines = 0);
+Target as_target(const LocalSurface& surface, bool line, double sigma_m);
+// Both in one; Kind::none where there is none.
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
                    double sigma_m);
 
@@ -37,6 +43,7 @@ struct PoseEquations {
   Matrix6d H = Matrix6d::Zero();
   Vector6d g = Vector6d::Zero();
   double squared_m2 = 0;  // squared distance to the target
+  double weight = 0;      // 1 / m2, kernel included
   bool inlier = false;    // within the kernel
 };
 // Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.
@@ -55,6 +62,9 @@ struct RegistrationSettings {
   int coarse_rounds = 2;  // rounds that start on coarser levels and with a wider kernel
   double sigma_m = 0.02;
   double kernel_sigmas = 3;
+  // Planes give height, roll and pitch, lines the rest (rigid only): Shan and Englot 2018.
+  bool two_step = false;
+  std::optional<AdjustmentPriors> priors;  // instead of sigma_m
   // Elastic: standard deviations of the begin against the prediction, and of the motion over the frame against it.
   double begin_sigma_m = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma_m = 0.05, motion_sigma_rad = 0.02;
@@ -70,6 +80,9 @@ struct Registration {
   double rms_m = 0;                         // of the inliers, along their normals
   Matrix6d information = Matrix6d::Zero();  // of the end pose (turn, shift), data only
   double conditioning = 0;                  // least over largest eigenvalue of the shift part, turn eliminated
+  // Of unit weight, 1 when the weights are right; and sigma0^2 information^-1 (turn rad, shift m; map axes).
+  double sigma0 = 0;
+  Matrix6d covariance = Matrix6d::Zero();
 };
 
 // `guess` is where the search starts; for MotionModel::elastic also the prediction that the priors hold to.

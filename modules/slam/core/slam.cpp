@@ -92,6 +92,7 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
     out.report.facts["trajectory"] = options.trajectory;
   }
   out.points = map_frames(source, track, options, out.report, options.trajectory.empty() ? run.part(0.75, 1) : run);
+  out.odometry = std::move(track.frame_table), out.loops = std::move(track.loop_table);
   out.points.origin = origin;
   out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
   shift(out.trajectory.poses, origin);

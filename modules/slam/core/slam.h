@@ -5,6 +5,7 @@
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 #include "cloud/scan_frame.h"
+#include "cloud/table.h"
 #include "cloud/trajectory.h"
 #include "slam/core/options.h"
 
@@ -14,6 +15,8 @@ struct SlamResult {
   PointCloud points;  // map axes: where the sensor was at the start of the first frame; with a given trajectory, the
                       // axes of that
   Trajectory trajectory;  // the same axes, at an even rate
+  Table odometry;         // per frame: time, overlap, residual, observability, sigma0, standard deviations of the pose
+  Table loops;            // revisits that were accepted: times, way between, correction, overlap, how found
   Report report;
 };
 

@@ -1,8 +1,11 @@
 #include "slam/core/track.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
+#include "slam/core/context_index.h"
 #include "slam/core/loops.h"
 #include "slam/core/pose_graph.h"
 #include "slam/core/refine.h"
@@ -45,11 +48,22 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
+ScanContext context_of(const Scan& scan, const FrameMotion& motion, const SlamOptions& options) {
+  const Pose T_level_map = levelled(motion.T_map_end).inverse();
+  const PoseGrid poses(motion);
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(scan.points.size());
+  for (const auto& p : scan.points) points.push_back((T_level_map * poses.in_map(p.position, p.s)).cast<float>());
+  return make_scan_context(
+      points, {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m});
+}
+
 FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
   FeatureExtractor extractor(options);
   Odometry odometry(options);
   FrameWarnings warnings(report);
+  const bool by_context = options.loops == "context" || options.loops == "both";
   ScanFrame frame;
   Scan scan;
   Features features;
@@ -79,10 +93,12 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     prepare_scan(frame, gate, scan);
     extractor.extract(scan, features);
     features_s += watch.lap_s();
-    const auto before = odometry.frames().size();
+    const auto before = odometry.frames().size(), keyframes = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
     if (odometry.frames().size() == before) continue;  // nothing to begin with yet
     if (before == 0) start_s = scan.begin_time_s;
+    if (by_context && odometry.keyframes().size() > keyframes)
+      odometry.set_context(context_of(scan, odometry.frames().back().motion, options));
     ++used, points += features.query.size();
     if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
@@ -129,11 +145,50 @@ void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>
   }
 }
 
-void close_loops(FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
+  std::vector<double> from_s, to_s, way_m, correction_m, overlap;
+  std::vector<std::string> found_by;
+  for (const auto& l : loops) {
+    from_s.push_back(keyframes[l.from].time_s), to_s.push_back(keyframes[l.to].time_s);
+    way_m.push_back(keyframes[l.to].path_m - keyframes[l.from].path_m);
+    correction_m.push_back(l.correction_m), overlap.push_back(l.overlap), found_by.push_back(l.found_by);
+  }
+  Table t;
+  t.set("from_time_s", from_s), t.set("to_time_s", to_s), t.set("way_m", way_m);
+  t.set("correction_m", correction_m), t.set("overlap", overlap), t.set("found_by", found_by);
+  return t;
+}
+
+// What the odometry found for each frame; standard deviations are those of the adjustment of that frame alone.
+Table table_of(const std::vector<TrackedFrame>& frames) {
+  std::vector<std::int64_t> index, ok, keyframe;
+  std::vector<double> time_s, overlap, rms_m, observability, sigma0;
+  std::array<std::vector<double>, 6> sd;
+  for (const auto& f : frames) {
+    index.push_back(static_cast<std::int64_t>(f.index)), ok.push_back(f.ok);
+    keyframe.push_back(static_cast<std::int64_t>(f.keyframe));
+    time_s.push_back(f.end_s), overlap.push_back(f.overlap), rms_m.push_back(f.rms_m);
+    observability.push_back(f.observability), sigma0.push_back(f.sigma0);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      sd[k].push_back(std::sqrt(std::max(0.0, f.covariance(i, i))) * (k < 3 ? 180 / std::numbers::pi : 1));
+    }
+  }
+  Table t;
+  t.set("frame", index), t.set("time_s", time_s), t.set("ok", ok), t.set("keyframe", keyframe);
+  t.set("overlap", overlap), t.set("rms_m", rms_m), t.set("observability", observability), t.set("sigma0", sigma0);
+  t.set("sd_x_m", sd[3]), t.set("sd_y_m", sd[4]), t.set("sd_z_m", sd[5]);
+  t.set("sd_turn_x_deg", sd[0]), t.set("sd_turn_y_deg", sd[1]), t.set("sd_turn_z_deg", sd[2]);
+  return t;
+}
+
+Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
   report.counts["loops"] = static_cast<std::int64_t>(search.loops.size());
+  auto table = table_of(search.loops, pass.keyframes);
+  report.counts["loops_by_context"] = std::ranges::count(search.loops, "context", &Loop::found_by);
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
@@ -146,6 +201,7 @@ void close_loops(FirstPass& pass, const SlamOptions& options, Report& report, co
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
   report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
+  return table;
 }
 
 // Elastic frames know their begin and end. Of the others the middle is what the registration has found.
@@ -205,18 +261,23 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
     throw bad_input(
         std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used",
         "at least 2 frames with returns that fit together", report.warnings.empty() ? "" : report.warnings.front());
-  if (options.loops == "odometry" && !run.asked_to_finish()) close_loops(pass, options, report, run.part(0.7, 0.8));
-
   Track track;
+  track.frame_table = table_of(pass.frames);
+  track.loop_table = table_of(std::vector<Loop>{}, pass.keyframes);
+  if (options.loops != "none" && !run.asked_to_finish())
+    track.loop_table = close_loops(pass, options, report, run.part(0.7, 0.8));
   const bool elastic = options.deskew == "elastic";
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, overlap = 0, rounds = 0, weakest = 1;
+  double squared = 0, sigma0 = 0, variance_m2 = 0, overlap = 0, rounds = 0, weakest = 1,
+         least_seen = pass.frames[1].observability;
   for (const auto& f : pass.frames) {
     weakest = std::min(weakest, f.conditioning);
+    if (&f != &pass.frames.front()) least_seen = std::min(least_seen, f.observability);
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
+    sigma0 += f.sigma0, variance_m2 += f.covariance.bottomRightCorner<3, 3>().trace();
     squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
   }
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
@@ -225,8 +286,11 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - track.frames.size());
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
+  report.metrics["sigma0"] = {sigma0 / n, Unit::none};
+  report.metrics["pose_sigma"] = {1000 * std::sqrt(variance_m2 / n), Unit::millimetre};
   report.metrics["registration_rounds"] = {rounds / n, Unit::none};
   report.metrics["weakest_conditioning"] = {weakest, Unit::none};
+  report.metrics["weakest_observability"] = {least_seen, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }
@@ -234,6 +298,8 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
 Track given_track(const FrameSource& source, const std::vector<StampedPose>& poses, Report& report, const Run& run) {
   Track track;
   track.path = Path(poses);
+  track.frame_table = table_of(std::vector<TrackedFrame>{});
+  track.loop_table = table_of(std::vector<Loop>{}, {});
   constexpr double margin_s = 0.05;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const double begin_s = source.frame_time_s(i),

@@ -6,6 +6,7 @@
 
 #include "base/report.h"
 #include "cloud/scan_frame.h"
+#include "cloud/table.h"
 #include "slam/core/odometry.h"
 #include "slam/core/path.h"
 
@@ -21,6 +22,8 @@ struct Track {
   std::vector<Frame> frames;
   bool own_motion = false;
   std::vector<double> keyframe_times_s;
+  Table frame_table;  // what the odometry found for each frame
+  Table loop_table;   // revisits that were accepted
 };
 
 // Odometry, loops, pose graph and final adjustment as the options say; writes counts, metrics and warnings to `report`.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace bole {
 namespace {
@@ -74,6 +75,22 @@ TEST(EvaluateTrajectory, PosesAreInterpolatedToTheEstimatesTimes) {
   EXPECT_LT(value(e.summary, "ate_max"), 1e-9);
   coarse.poses.erase(coarse.poses.begin() + 4, coarse.poses.begin() + 8);  // a gap of 5 s: nothing is compared inside
   EXPECT_EQ(evaluate_trajectory(estimate, coarse, o).poses, 81U - 19U);
+}
+
+TEST(EvaluateTrajectory, SegmentsAsKittiTakesThem) {
+  // A path whose scale is 2 % too large and that turns 0.01 deg too much per metre.
+  Trajectory truth, estimate;
+  for (int i = 0; i <= 3000; ++i) {
+    Pose T = Pose::Identity(), E = T;
+    T.translation().x() = 0.1 * i, E.translation().x() = 0.102 * i;
+    E.linear() = rotation_from_rpy(0.001 * i * std::numbers::pi / 180, 0, 0);
+    truth.poses.push_back({0.1 * i, T}), estimate.poses.push_back({0.1 * i, E});
+  }
+  const auto e = evaluate_trajectory(estimate, truth, {});
+  EXPECT_NEAR(value(e.summary, "kitti_translation"), 2, 0.01);
+  EXPECT_NEAR(value(e.summary, "kitti_rotation"), 0.01, 1e-4);
+  EXPECT_THAT(evaluate_trajectory(walk(), walk(), {}).summary.texts("measure"),
+              testing::Not(testing::Contains("kitti_translation")));  // 20 m are too short
 }
 
 TEST(EvaluateTrajectory, DifferentClocksAreExplained) {

@@ -1,0 +1,102 @@
+#include "slam/core/observability.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace bole {
+namespace {
+
+// Neighbouring points of a scan line share errors, and a cell is seldom filled evenly: of many points in a cell only so
+// many tell something of their own about its tilt.
+constexpr double most_independent_points = 8;
+// Ghosts, planes that are none, are few but strong: groups vote.
+constexpr std::size_t most_groups = 15, group_points = 40;
+constexpr int least_lines = 4;             // one scan line that bends round a corner looks like a plane across it
+constexpr double least_scatter_m = 0.002;  // no surface is smoother
+constexpr double most_scatter_sigmas = 5;  // what is thicker is neither plane nor line
+
+// Covariance of the unit vector that the surface hands on: of its normal, or of its direction.
+Eigen::Matrix3d tilt_covariance(const LocalSurface& s, bool line) {
+  const double n = std::min<double>(s.points, most_independent_points);
+  const auto& d = s.deviations_m;
+  const auto variance = [&](int of, int against) {
+    const double scatter = std::max(d[of], least_scatter_m), extent = std::max(d[against], scatter);
+    return scatter * scatter / (n * extent * extent);
+  };
+  const auto outer = [&](int k) -> Eigen::Matrix3d { return s.axes.col(k) * s.axes.col(k).transpose(); };
+  if (!line) return variance(0, 1) * outer(1) + variance(0, 2) * outer(2);
+  // What is across the line counts; a tilt lets a share of what is along it pass for across.
+  return (variance(0, 2) + variance(1, 2)) * outer(2);
+}
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", v.x(), v.y(), v.z());
+  return text;
+}
+
+struct Information {
+  Matrix6d signal = Matrix6d::Zero(), noise = Matrix6d::Zero();
+  std::size_t points = 0;
+
+  void operator+=(const Information& o) { signal += o.signal, noise += o.noise, points += o.points; }
+};
+
+Observability weakest_of(const Information& sums) {
+  Observability out;
+  if (sums.points < 12 || !(sums.noise.trace() > 0)) return out;
+  const Matrix6d noise = sums.noise + 1e-9 * sums.noise.trace() * Matrix6d::Identity();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6d> solver(sums.signal, noise);
+  if (solver.info() != Eigen::Success) return out;
+  out.weakest = std::max(0.0, solver.eigenvalues()[0]);
+  out.motion = solver.eigenvectors().col(0).normalized();
+  return out;
+}
+
+}  // namespace
+
+std::string Observability::motion_text() const {
+  const Eigen::Vector3d turn = motion.head<3>(), shift = motion.tail<3>();
+  const bool turns = turn.norm() * 5 > shift.norm();  // at a lever of 5 m
+  return (turns ? "a turn about " : "a shift along ") + vector_text((turns ? turn : shift).normalized());
+}
+
+Observability observability(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& motion,
+                            const RegistrationSettings& settings, const Run& run) {
+  const PoseGrid poses(motion);
+  const std::size_t edges = features.edges.size();
+  std::array<Information, most_groups> dealt;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    if (i % 1024 == 0) run.check_cancel();
+    const bool line = i < edges;
+    const FeaturePoint& p = line ? features.edges[i] : features.planes[i - edges];
+    const Eigen::Vector3d lever = poses.turned(p.position, p.s), x = lever + poses.translation(p.s);
+    const auto surface = find_surface(line ? maps.edges : maps.planes, x, line, 0, least_lines);
+    if (!surface || surface->deviations_m[line ? 1 : 0] > most_scatter_sigmas * settings.sigma_m) continue;
+    const auto e = pose_equations(as_target(*surface, line, settings.sigma_m), x, lever, settings.kernel_sigmas);
+    if (!e.inlier) continue;
+    Eigen::Matrix<double, 3, 6> J;
+    J << -skew(lever), Eigen::Matrix3d::Identity();
+    auto& group = dealt[used++ % most_groups];
+    group.signal += e.H;
+    group.noise += e.weight * J.transpose() * tilt_covariance(*surface, line) * J;
+    ++group.points;
+  }
+  const std::size_t groups = std::clamp(used / group_points, std::size_t{1}, most_groups);
+  std::vector<Observability> found(groups);
+  for (std::size_t g = 0; g < groups; ++g) {
+    Information sum;
+    for (std::size_t d = g; d < most_groups; d += groups) sum += dealt[d];
+    found[g] = weakest_of(sum);
+  }
+  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(groups / 2);
+  std::ranges::nth_element(found, middle, {}, &Observability::weakest);
+  return *middle;
+}
+
+}  // namespace bole
