@@ -161,6 +161,18 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   return r;
 }
 
+// One sparse frame may look open by chance; surroundings that are open stay so. So the last frames speak together, by
+// their geometric mean. The first frame has nothing to be seen against, and
+// empty ones were not registered.
+double Odometry::recent_observability(double of_this_frame) const {
+  constexpr std::size_t most = 4;
+  double sum = std::log(std::max(of_this_frame, 1e-6));
+  std::size_t n = 1;
+  for (std::size_t k = frames_.size(); n < most && k-- > 1;)
+    if (frames_[k].rounds > 0) sum += std::log(std::max(frames_[k].observability, 1e-6)), ++n;
+  return std::exp(sum / static_cast<double>(n));
+}
+
 std::string Odometry::objection(const Registration& r, const Observability& seen, const FrameMotion& prediction,
                                 double begin_s, double end_s) const {
   if (r.overlap < options_.lost_overlap)
@@ -170,7 +182,7 @@ std::string Odometry::objection(const Registration& r, const Observability& seen
   const double speed =
       (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
-  if (r.conditioning < least_conditioning || seen.weakest < options_.least_observability)
+  if (r.conditioning < least_conditioning || recent_observability(seen.weakest) < options_.least_observability)
     return "the surroundings leave a direction of motion open: " + seen.motion_text();
   const double elapsed_s = end_s - frames_.back().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();

@@ -18,7 +18,7 @@ struct TrackedFrame {
   bool ok = true;
   double overlap = 1, rms_m = 0;
   double conditioning = 1;                 // see Registration
-  double observability = 1;                // see Observability; of the first frame it is not known
+  double observability = 1;                // see Observability; not known where `rounds` is 0
   double sigma0 = 0;                       // of the last adjustment, see Registration
   Matrix6d covariance = Matrix6d::Zero();  // of the pose; zero for the first frame, which is exact
   int rounds = 0;
@@ -64,6 +64,7 @@ class Odometry {
                       const Run& run);
   Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                           const Run& run);
+  double recent_observability(double of_this_frame) const;
   // Empty when the frame is credible, else why not.
   std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
                         double end_s) const;

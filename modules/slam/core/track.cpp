@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "slam/core/context_index.h"
@@ -271,10 +272,10 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
   double squared = 0, sigma0 = 0, variance_m2 = 0, overlap = 0, rounds = 0, weakest = 1,
-         least_seen = pass.frames[1].observability;
+         least_seen = std::numeric_limits<double>::infinity();
   for (const auto& f : pass.frames) {
     weakest = std::min(weakest, f.conditioning);
-    if (&f != &pass.frames.front()) least_seen = std::min(least_seen, f.observability);
+    if (f.rounds > 0) least_seen = std::min(least_seen, f.observability);
     if (!f.ok) continue;
     track.frames.push_back({f.index, f.motion});
     sigma0 += f.sigma0, variance_m2 += f.covariance.bottomRightCorner<3, 3>().trace();
@@ -290,7 +291,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   report.metrics["pose_sigma"] = {1000 * std::sqrt(variance_m2 / n), Unit::millimetre};
   report.metrics["registration_rounds"] = {rounds / n, Unit::none};
   report.metrics["weakest_conditioning"] = {weakest, Unit::none};
-  report.metrics["weakest_observability"] = {least_seen, Unit::none};
+  report.metrics["weakest_observability"] = {std::isfinite(least_seen) ? least_seen : 0, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
   return track;
 }
