@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
+#include "stems/core/ring_density.h"
 #include "stems/core/stem_points.h"
 #include "stems/core/stem_sections.h"
 
@@ -24,28 +25,6 @@ double student_975(double freedom) {
   const double z3 = z * z * z, z5 = z3 * z * z;
   return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
-
-// How much denser the points lie on the surface than beside it: bark stands out, leaves do not.
-class RingDensity {
- public:
-  explicit RingDensity(double radius) : radius_(radius) {}
-  void add(double distance) {
-    on_ += std::abs(distance) < ring_m;
-    beside_ += distance >= outer_low_m && distance < outer_high_m;
-    beside_ += distance <= -outer_low_m && distance > -outer_high_m;
-  }
-  double contrast() const {
-    const auto area = [&](double from, double to) { return std::numbers::pi * (to * to - from * from); };
-    const double on_area = area(std::max(0.0, radius_ - ring_m), radius_ + ring_m);
-    const double beside_area = area(radius_ + outer_low_m, radius_ + outer_high_m) +
-                               area(std::max(0.0, radius_ - outer_high_m), std::max(0.0, radius_ - outer_low_m));
-    return (on_ / on_area) / ((beside_ + 1) / beside_area);
-  }
-
- private:
-  static constexpr double ring_m = 0.025, outer_low_m = 0.05, outer_high_m = 0.08;
-  double radius_, on_ = 0, beside_ = 0;
-};
 
 struct Attempt {
   StemAxes axes;

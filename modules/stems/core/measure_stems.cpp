@@ -121,11 +121,18 @@ class Survey {
     }
   }
 
+  // An interval that is wide before the priors are known is no reason to give a stem up.
+  bool hopeless(Stem s) const {
+    s.radius_low = s.radius_high = s.radius;
+    judge(s, breast_height_);
+    return objection(s, options_).has_value();
+  }
+
   // What is no stem after the first round needs no second.
   void refit_all(const ProjectPriors& priors) {
     in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
       auto& s = fitted_[i];
-      if (objection(s, options_)) return;
+      if (hopeless(s)) return;
       auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
       if (!again.stem) return;
       again.stem->ray_through = s.ray_through;

@@ -86,6 +86,17 @@ std::vector<int> match(const std::vector<Tree>& trees, const Table& stems) {
   return found;
 }
 
+void print_missed(const Tree& tree, const StemSurvey& survey) {
+  fmt::print("  missed: {:.1f} cm at {:.2f}, {:.2f};", tree.dbh_cm, tree.x, tree.y);
+  const Eigen::Vector2d at = Eigen::Vector2d(tree.x, tree.y) - survey.points.origin.head<2>();
+  for (const auto& r : survey.rejected)
+    if ((r.position.head<2>() - at).norm() < 0.3) fmt::print(" rejected {:.1f} cm: {};", 100 * r.dbh_m, r.reason);
+  for (const auto& s : survey.stems)
+    if (const double d = (s.breast_height.head<2>() - at).norm(); d < 0.6)
+      fmt::print(" {:.1f} cm at {:.2f} m;", 200 * s.radius, d);
+  fmt::print("\n");
+}
+
 void measure(const Plot& plot, const MeasureOptions& options, const std::string& name, bool list, Errors& errors,
              std::vector<Stem>& stems_of_tree) {
   const auto start = std::chrono::steady_clock::now();
@@ -102,6 +113,7 @@ void measure(const Plot& plot, const MeasureOptions& options, const std::string&
   for (std::size_t t = 0; t < plot.trees.size(); ++t) {
     if (found[t] < 0) {
       ++errors.missed;
+      print_missed(plot.trees[t], survey);
       continue;
     }
     const auto s = static_cast<std::size_t>(found[t]);
