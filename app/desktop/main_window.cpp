@@ -90,17 +90,20 @@ MainWindow::MainWindow()
 }
 
 void MainWindow::make_docks() {
-  const auto dock = [this](const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
+  QDockWidget* below = nullptr;
+  const auto dock = [&, this](const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
     auto* d = new QDockWidget(title, this);
     d->setObjectName(title);
     d->setWidget(widget);
     addDockWidget(area, d);
+    if (area == Qt::BottomDockWidgetArea) below = d;
   };
   dock(tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
   dock(tr("Options"), properties_, Qt::LeftDockWidgetArea);
   dock(tr("Stems"), stems_, Qt::BottomDockWidgetArea);
   dock(tr("Slice"), slice_, Qt::BottomDockWidgetArea);
   dock(tr("Log"), log_, Qt::BottomDockWidgetArea);
+  resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
 }
 
 void MainWindow::make_actions() {

@@ -53,6 +53,8 @@ TablePanel::TablePanel(QWidget* parent) : QTableView(parent), model_(this) {
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setAlternatingRowColors(true);
   verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  sortByColumn(0, Qt::AscendingOrder);
   setSelectionMode(QAbstractItemView::SingleSelection);
   make_actions();
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {

@@ -97,7 +97,7 @@ void SceneView::reset_camera() {
   camera->SetPosition(-0.5, -1.0, 0.55);
   camera->SetViewUp(0, 0, 1);
   renderer_->ResetCamera();
-  camera->Zoom(1.6);
+  camera->Zoom(1.2);
   renderWindow()->Render();
 }
 

@@ -20,7 +20,7 @@ class SliceView : public QWidget {
   void show_survey(std::shared_ptr<const Table> stems, std::shared_ptr<const PointCloud> slice);
   void show_tree(std::int64_t id);
 
-  QSize sizeHint() const override { return {320, 380}; }
+  QSize sizeHint() const override { return {240, 260}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
