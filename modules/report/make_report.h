@@ -10,7 +10,7 @@ namespace bole {
 // warnings of the report and does not end the run. Throws Error{bad_input} without an output folder, Error{cancelled}.
 StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run);
 
-// Adds the stage report.plot.
+// Adds the stages report.plot and report.rows.
 void register_report_stages(StageRegistry& registry);
 
 }  // namespace bole

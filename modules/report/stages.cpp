@@ -1,6 +1,7 @@
-// Registers report.plot. It lives in bole_report and not with the stages of the core modules, because it draws with
-// VTK.
+// Registers report.plot and report.rows. They live in bole_report and not with the stages of the core modules, because
+// they draw.
 #include "report/make_report.h"
+#include "report/rows_report.h"
 
 namespace bole {
 
@@ -38,6 +39,7 @@ void register_report_stages(StageRegistry& registry) {
     return make_report(inputs, options.as<ReportOptions>(), run);
   };
   registry.add(std::move(type));
+  registry.add(rows_report_stage());
 }
 
 }  // namespace bole

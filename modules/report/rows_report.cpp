@@ -1,0 +1,165 @@
+#include "report/rows_report.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "io/core/gdal_writer.h"
+#include "io/core/table_file.h"
+#include "render/charts/row_map.h"
+
+namespace bole {
+
+const OptionTable& option_table(const RowsReportOptions*) {
+  using S = RowsReportOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the row map and write it as PNG, SVG and PDF."},
+      Option<S, double>{
+          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the map."},
+      Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG."},
+  });
+  return table;
+}
+
+namespace {
+
+// Tenths of a millimetre and thousandths of a degree.
+const Decimals& decimals() {
+  static const Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
+                          {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
+                          {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
+                          {"to_next_m", 4},    {"length_m", 3},     {"rms_m", 4},     {"sagitta_m", 3},
+                          {"across_m", 4}};
+  return d;
+}
+
+std::string fact(const Table& table, const std::string& name) {
+  const auto it = table.facts.find(name);
+  return it == table.facts.end() ? std::string() : it->second;
+}
+
+// Guidance lines with the attributes of their rows, in the order of `lines`.
+VectorLayer guidance_layer(const Table& rows, const Table& lines, const std::string& crs) {
+  VectorLayer layer{"rows", GeometryKind::line, {}, {}, crs};
+  const auto x = lines.numbers("x_m"), y = lines.numbers("y_m");
+  std::map<std::string, std::size_t> row_of;
+  for (std::size_t i = 0; i < rows.rows(); ++i) row_of[rows.text("row_id", i)] = i;
+  std::vector<std::size_t> picked;
+  std::string last;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto id = lines.text("row_id", i);
+    if (layer.shapes.empty() || id != last) layer.shapes.emplace_back(), picked.push_back(row_of.at(id)), last = id;
+    layer.shapes.back().emplace_back(x[i], y[i], 0);
+  }
+  layer.attributes = rows.subset(picked);
+  return layer;
+}
+
+// A-B lines: from the first end of the row to the last.
+VectorLayer ab_layer(const Table& rows, const std::string& crs) {
+  VectorLayer layer{"ab_lines", GeometryKind::line, {}, {}, crs};
+  const auto x0 = rows.numbers("x0_m"), y0 = rows.numbers("y0_m"), x1 = rows.numbers("x1_m"), y1 = rows.numbers("y1_m");
+  const auto plants = rows.integers("plants");
+  std::vector<std::size_t> picked;
+  for (std::size_t i = 0; i < rows.rows(); ++i) {
+    if (plants[i] < 2) continue;
+    layer.shapes.push_back({{x0[i], y0[i], 0}, {x1[i], y1[i], 0}}), picked.push_back(i);
+  }
+  Table attributes;
+  const Table kept = rows.subset(picked);
+  attributes.set("row_id", *kept.find("row_id"));
+  attributes.set("angle_deg", *kept.find("angle_deg"));
+  layer.attributes = std::move(attributes);
+  return layer;
+}
+
+class Writer {
+ public:
+  Writer(const DataSet& inputs, const RowsReportOptions& options, const Run& run)
+      : rows_(inputs.table("rows")),
+        plants_(inputs.table("plants")),
+        lines_(inputs.table("lines")),
+        strays_(inputs.has("strays") ? &inputs.table("strays") : nullptr),
+        o_(options),
+        run_(run) {}
+
+  StageResult write() {
+    attempt("rows.csv", [&](const auto& path) { write_table(path, rows_, decimals()); });
+    attempt("plants.csv", [&](const auto& path) { write_table(path, plants_, decimals()); });
+    if (strays_ != nullptr) attempt("strays.csv", [&](const auto& path) { write_table(path, *strays_, decimals()); });
+    const std::string crs = fact(rows_, "crs");
+    const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
+    attempt("rows.gpkg", [&](const auto& path) {
+      std::vector<VectorLayer> layers{guidance, ab, point_layer("plants", plants_, crs)};
+      if (strays_ != nullptr && strays_->rows() > 0) layers.push_back(point_layer("strays", *strays_, crs));
+      write_geopackage(path, layers);
+    });
+    attempt("rows.geojson", [&](const auto& path) { write_geojson(path, guidance); });
+    attempt("ab_lines.geojson", [&](const auto& path) { write_geojson(path, ab); });
+    if (o_.figures) draw();
+    auto& r = result_.report;
+    r.counts["files"] = files_;
+    r.message = fmt::format("{} files in {}", files_, run_.output_dir.string());
+    return std::move(result_);
+  }
+
+ private:
+  template <class Part>
+  void attempt(const std::string& file, Part part) {
+    run_.check_cancel();
+    try {
+      part(run_.output_dir / file);
+      ++files_;
+    } catch (const std::exception& e) {
+      result_.report.warn(file + ": " + e.what());
+    }
+  }
+
+  void draw() {
+    const auto axes = fact(rows_, "axes");
+    const bool north_known = axes.empty() || axes == "plot" || axes == "global";
+    const auto figure = row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width);
+    attempt("figures/row_map.png", [&](const auto& path) { write_file(path, figure_png(figure, o_.dpi)); });
+    attempt("figures/row_map.svg", [&](const auto& path) { write_file(path, figure_svg(figure)); });
+    attempt("figures/row_map.pdf", [&](const auto& path) { write_file(path, figure_pdf(figure)); });
+  }
+
+  const Table &rows_, &plants_, &lines_;
+  const Table* strays_;
+  const RowsReportOptions& o_;
+  const Run& run_;
+  StageResult result_;
+  std::int64_t files_ = 0;
+};
+
+}  // namespace
+
+StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run) {
+  if (run.output_dir.empty())
+    throw bad_input("there is no folder to write the rows into", "an output folder", "Give --out DIR");
+  return Writer(inputs, options, run).write();
+}
+
+StageType rows_report_stage() {
+  StageType type;
+  type.name = "report.rows";
+  type.title = "Write the rows";
+  type.help =
+      "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "
+      "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, and the row map as PNG, "
+      "SVG "
+      "and PDF.";
+  type.source = "Bole";
+  type.inputs = {{"rows", DataKind::table, "Rows with their ends and directions.", false, {}},
+                 {"plants", DataKind::table, "Plants in their rows.", false, {}},
+                 {"lines", DataKind::table, "Vertices of the guidance lines.", false, {}},
+                 {"strays", DataKind::table, "Plants in no row.", true, {}}};
+  type.options = &option_table(static_cast<const RowsReportOptions*>(nullptr));
+  type.writes_files = true;
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
+    return write_rows_report(inputs, options.as<RowsReportOptions>(), run);
+  };
+  return type;
+}
+
+}  // namespace bole

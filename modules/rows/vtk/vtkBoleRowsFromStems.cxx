@@ -1,0 +1,5 @@
+#include "vtkBoleRowsFromStems.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleRowsFromStems)
