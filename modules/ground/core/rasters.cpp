@@ -37,7 +37,8 @@ double gradient(const Raster& dem, int ix, int iy, int dx, int dy) {
     double d = (after - before) / 2;
     if (std::isnan(d)) d = std::isnan(after - here) ? here - before : after - here;
     if (std::isnan(d)) continue;
-    const double w = weights[static_cast<std::size_t>(side + 1)];
+    const int k = side + 1;
+    const double w = weights[static_cast<std::size_t>(k)];
     sum += w * d, weight += w;
   }
   return weight > 0 ? sum / weight / dem.cell_m : std::nan("");

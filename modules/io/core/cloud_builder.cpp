@@ -171,7 +171,7 @@ double source_value(SourceType type, const std::uint8_t* p, bool swap_bytes) {
 }
 
 std::string array_name(std::string_view file_name) {
-  const std::string plain = letters(file_name);
+  std::string plain = letters(file_name);
   for (const auto& info : array_vocabulary())
     if (letters(info.name) == plain) return std::string(info.name);
   for (const auto& alias : aliases)

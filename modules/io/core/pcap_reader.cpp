@@ -83,7 +83,7 @@ PcapReader::PcapReader(const std::filesystem::path& path) {
   open(file, path.string());
 }
 
-PcapReader::PcapReader(Bytes capture, std::string name) {
+PcapReader::PcapReader(Bytes capture, const std::string& name) {
   std::FILE* file =
       capture.empty() ? nullptr : ::fmemopen(const_cast<std::uint8_t*>(capture.data()), capture.size(), "rb");
   if (file == nullptr) throw bad_input("'" + name + "' is empty", "a pcap or pcapng capture");

@@ -25,7 +25,7 @@ class PcapReader {
   // Throws Error{bad_input} when the file cannot be opened, is no capture, or has a link type without IP packets.
   explicit PcapReader(const std::filesystem::path& path);
   // The same of a buffer, which must outlive the reader.
-  PcapReader(Bytes capture, std::string name);
+  PcapReader(Bytes capture, const std::string& name);
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
   // IPv6. Fragments and everything else is skipped and counted. False at the end, also when the file is cut off or
