@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "base/atomic_file.h"
 #include "io/core/gdal_writer.h"
 #include "io/core/table_file.h"
 #include "render/charts/row_map.h"
@@ -119,9 +120,9 @@ class Writer {
     const auto axes = fact(rows_, "axes");
     const bool north_known = axes.empty() || axes == "plot" || axes == "global";
     const auto figure = row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width);
-    attempt("figures/row_map.png", [&](const auto& path) { write_file(path, figure_png(figure, o_.dpi)); });
-    attempt("figures/row_map.svg", [&](const auto& path) { write_file(path, figure_svg(figure)); });
-    attempt("figures/row_map.pdf", [&](const auto& path) { write_file(path, figure_pdf(figure)); });
+    attempt("figures/row_map.png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
+    attempt("figures/row_map.svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
+    attempt("figures/row_map.pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
   }
 
   const Table &rows_, &plants_, &lines_;
