@@ -11,7 +11,7 @@ namespace bole {
 namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
-constexpr std::array<Row, 14> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
+constexpr std::array<Row, 16> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
                                            {"io.read_cloud", "vtkBoleReadCloud"},
                                            {"io.read_table", "vtkBoleReadTable"},
                                            {"io.read_trajectory", "vtkBoleReadTrajectory"},
@@ -24,7 +24,9 @@ constexpr std::array<Row, 14> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"
                                            {"stems.measure", "vtkBoleMeasureStems"},
                                            {"stems.edit", "vtkBoleEditStems"},
                                            {"evaluation.plot", "vtkBoleEvaluatePlot"},
-                                           {"report.plot", "vtkBolePlotReport"}};
+                                           {"rows.from_stems", "vtkBoleRowsFromStems"},
+                                           {"report.plot", "vtkBolePlotReport"},
+                                           {"report.rows", "vtkBoleRowsReport"}};
 
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + escaped(value) + "\"";
