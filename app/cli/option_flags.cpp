@@ -6,9 +6,9 @@
 
 namespace bole::cli {
 
-void add_option_flags(CLI::App& app, OptionSet& options) {
+void add_option_flags(CLI::App& app, OptionSet& options, const std::string& prefix) {
   for (const auto& spec : options.table().specs) {
-    std::string flag = "--" + spec.name;
+    std::string flag = "--" + prefix + spec.name;
     std::ranges::replace(flag, '_', '-');
     const auto set = [&options, name = spec.name](const std::string& text) { options.set_text(name, text); };
     const auto unit = unit_symbol(spec.unit);

@@ -7,7 +7,7 @@
 
 namespace bole::cli {
 
-// Adds --NAME for every option (underscores become dashes); parsing sets `options`, which must outlive `app`.
-void add_option_flags(CLI::App& app, OptionSet& options);
+// Adds --PREFIXNAME for every option (underscores become dashes); parsing sets `options`, which must outlive `app`.
+void add_option_flags(CLI::App& app, OptionSet& options, const std::string& prefix = "");
 
 }  // namespace bole::cli

@@ -14,11 +14,13 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolBar>
+#include <utility>
 
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "views/scene_view.h"
+#include "views/slice_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -50,9 +52,11 @@ StageState panel_state(const StageOutcome& stage) {
 
 MainWindow::MainWindow()
     : run_(new RunBehavior(session_, this)),
+      edit_(new EditBehavior(session_, this)),
       pipeline_(new PipelinePanel(session_, this)),
       properties_(new PropertiesPanel(session_, this)),
       scene_(new SceneView(this)),
+      slice_(new SliceView(this)),
       stems_(new TablePanel(this)),
       log_(new QPlainTextEdit(this)),
       progress_(new QProgressBar(this)) {
@@ -74,6 +78,15 @@ MainWindow::MainWindow()
     statusBar()->showMessage(stage + ": " + what);
   });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
+  connect(stems_, &TablePanel::tree_selected, scene_, &SceneView::highlight_tree);
+  connect(stems_, &TablePanel::tree_selected, slice_, &SliceView::show_tree);
+  connect(stems_, &TablePanel::edit_requested, this,
+          [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
+  connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
+    // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
+    if (session_.document().at(stage.toStdString()).type->name == "stems.edit" && scene_->has_survey())
+      guarded([&] { refresh(); });
+  });
 }
 
 void MainWindow::make_docks() {
@@ -86,6 +99,7 @@ void MainWindow::make_docks() {
   dock(tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
   dock(tr("Options"), properties_, Qt::LeftDockWidgetArea);
   dock(tr("Stems"), stems_, Qt::BottomDockWidgetArea);
+  dock(tr("Slice"), slice_, Qt::BottomDockWidgetArea);
   dock(tr("Log"), log_, Qt::BottomDockWidgetArea);
 }
 
@@ -98,6 +112,14 @@ void MainWindow::make_actions() {
         if (!path.isEmpty()) guarded([&] { open(path); });
       },
       QKeySequence::Open);
+  file->addAction(
+      tr("Save pipeline"), this,
+      [this] {
+        guarded([&] {
+          if (session_.has_document()) save(session_.path());
+        });
+      },
+      QKeySequence::Save);
   file->addAction(
       tr("Save pipeline as…"), this,
       [this] {
@@ -148,13 +170,29 @@ void MainWindow::say(const QString& text) {
 }
 
 void MainWindow::open(const QString& path) {
-  session_.open(path);
+  const bool lost = QFileInfo::exists(Session::recovery_path(path));
+  if (lost && QMessageBox::question(this, tr("Changes were not saved"),
+                                    tr("The program ended before changes to %1 were saved. Take them up again?")
+                                        .arg(QFileInfo(path).fileName())) == QMessageBox::Yes)
+    session_.recover(path);
+  else
+    session_.open(path);
+  scene_->show_survey(nullptr, nullptr, nullptr, nullptr);
+  stems_->show_table(nullptr);
+  slice_->show_survey(nullptr, nullptr);
   setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
 }
 
 void MainWindow::save(const QString& path) { session_.save(path); }
 
-void MainWindow::run() {
+void MainWindow::run() { start(true); }
+
+void MainWindow::refresh() {
+  refresh_again_ = run_->running();
+  if (!refresh_again_) start(false);
+}
+
+void MainWindow::start(bool sinks) {
   if (!session_.has_document() || run_->running()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
   const QString out =
@@ -164,7 +202,7 @@ void MainWindow::run() {
   cancel_action_->setEnabled(true);
   progress_->setRange(0, 1000);
   progress_->show();
-  run_->start(out);
+  run_->start(out, sinks);
 }
 
 void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results) {
@@ -182,15 +220,30 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
   auto stems = latest<Table>(outcome, results, "stems");
   scene_->show_survey(latest<PointCloud>(outcome, results, "points"), stems,
                       latest<Table>(outcome, results, "sections"), latest<Trajectory>(outcome, results, "trajectory"));
+  slice_->show_survey(stems, latest<PointCloud>(outcome, results, "slice"));
+  const auto selected = stems_->selected_tree();
   stems_->show_table(std::move(stems));
+  if (selected) stems_->select_tree(*selected);
+  if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (run_->running() &&
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
+  if (session_.has_document() && !session_.undo_stack().isClean() && !may_lose_changes()) return event->ignore();
   run_->cancel();
   event->accept();
+}
+
+// Asks what to do with changes that are not saved; false: stay.
+bool MainWindow::may_lose_changes() {
+  const auto answer =
+      QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) guarded([&] { save(session_.path()); });
+  if (answer == QMessageBox::Discard) session_.discard_recovery();
+  return answer == QMessageBox::Discard || session_.undo_stack().isClean();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

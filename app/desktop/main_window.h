@@ -3,6 +3,7 @@
 
 #include <QMainWindow>
 
+#include "behaviors/edit_behavior.h"
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
 
@@ -16,6 +17,7 @@ namespace bole::desktop {
 class PipelinePanel;
 class PropertiesPanel;
 class SceneView;
+class SliceView;
 class TablePanel;
 
 class MainWindow : public QMainWindow {
@@ -26,10 +28,12 @@ class MainWindow : public QMainWindow {
 
   void open(const QString& path);
   void save(const QString& path);
-  void run();
+  void run();      // the whole pipeline
+  void refresh();  // all but what writes files; after the run under way, when there is one
 
   Session& session() { return session_; }
   RunBehavior& runner() { return *run_; }
+  EditBehavior& editor() { return *edit_; }
   SceneView& scene() { return *scene_; }
 
  protected:
@@ -38,6 +42,8 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void start(bool sinks);
+  bool may_lose_changes();
   void make_docks();
   void make_actions();
   void show_outcome(const RunOutcome& outcome, const Results& results);
@@ -47,10 +53,13 @@ class MainWindow : public QMainWindow {
 
   Session session_;
   RunBehavior* run_;
+  EditBehavior* edit_;
   PipelinePanel* pipeline_;
   PropertiesPanel* properties_;
   SceneView* scene_;
+  SliceView* slice_;
   TablePanel* stems_;
+  bool refresh_again_ = false;
   QPlainTextEdit* log_;
   QProgressBar* progress_;
   QAction *run_action_ = nullptr, *finish_action_ = nullptr, *cancel_action_ = nullptr;

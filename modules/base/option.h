@@ -121,7 +121,7 @@ class OptionSet {
  public:
   explicit OptionSet(const OptionTable& table) : table_(&table), values_(table.make()) {}
   OptionSet(const OptionSet& other) : table_(other.table_), values_(other.table_->copy(other.values_.get())) {}
-  OptionSet& operator=(const OptionSet& other) {
+  OptionSet& operator=(const OptionSet& other) {  // NOLINT(bugprone-unhandled-self-assignment): copied first
     table_ = other.table_;
     values_ = table_->copy(other.values_.get());
     return *this;

@@ -32,12 +32,13 @@ void copy_metrics(const Table& summary, Report& report) {
 
 StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
   const auto& options = set.as<EvaluationOptions>();
+  const CountingRule rule = in.has("plot") ? counting_rule(in.table("plot")) : CountingRule{};
   StageResult result;
-  Table matches = evaluate_stems(Table(in.table("stems")).subset({}), in.table("stems").subset({}), options).matches;
+  Table matches = evaluate_stems(in.table("stems").subset({}), in.table("stems").subset({}), options, rule).matches;
   Table summary = SummaryRows("none").table();
   std::string message;
   if (in.has("reference_stems")) {
-    auto stems = evaluate_stems(in.table("stems"), in.table("reference_stems"), options);
+    auto stems = evaluate_stems(in.table("stems"), in.table("reference_stems"), options, rule);
     auto& r = result.report;
     r.counts["matched"] = static_cast<std::int64_t>(stems.matched),
     r.counts["missed"] = static_cast<std::int64_t>(stems.missed),
@@ -78,6 +79,7 @@ void register_evaluation_stages(StageRegistry& registry) {
       "error of the trajectory. Without a reference the tables are empty.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},
+              {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},
               {"trajectory", DataKind::trajectory, "The sensor path to be judged.", true, {}},
               {"reference_stems", DataKind::table, "Reference trees: tree_id, x_m, y_m, dbh_cm.", true, {}},
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};

@@ -5,44 +5,26 @@
 #include <cmath>
 #include <utility>
 
+#include "base/markup.h"
+
 namespace bole {
 namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
-constexpr std::array<Row, 11> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
+constexpr std::array<Row, 14> thin_classes{Row{"io.read_scan", "vtkBoleReadScan"},
                                            {"io.read_cloud", "vtkBoleReadCloud"},
                                            {"io.read_table", "vtkBoleReadTable"},
                                            {"io.read_trajectory", "vtkBoleReadTrajectory"},
                                            {"slam.run", "vtkBoleSlam"},
                                            {"survey.frame", "vtkBoleSurveyFrame"},
+                                           {"survey.plot", "vtkBoleSurveyPlot"},
+                                           {"geo.project", "vtkBoleProjectTable"},
                                            {"ground.model", "vtkBoleGroundModel"},
                                            {"stems.slice", "vtkBoleBreastHeightSlice"},
                                            {"stems.measure", "vtkBoleMeasureStems"},
+                                           {"stems.edit", "vtkBoleEditStems"},
                                            {"evaluation.plot", "vtkBoleEvaluatePlot"},
                                            {"report.plot", "vtkBolePlotReport"}};
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + escaped(value) + "\"";

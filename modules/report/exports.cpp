@@ -4,34 +4,11 @@
 #include "io/core/las_writer.h"
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
+#include "report/table_decimals.h"
+#include "report/workbook.h"
 
 namespace bole {
 namespace {
-
-// Digits that mean something: a tenth of a millimetre in position, a tenth of a millimetre in diameter.
-const Decimals& table_decimals() {
-  static const Decimals decimals{{"x_m", 4},
-                                 {"y_m", 4},
-                                 {"z_m", 4},
-                                 {"ref_x_m", 4},
-                                 {"ref_y_m", 4},
-                                 {"dx_m", 4},
-                                 {"dy_m", 4},
-                                 {"dbh_cm", 2},
-                                 {"ref_dbh_cm", 2},
-                                 {"dbh_error_cm", 2},
-                                 {"dbh_lo_cm", 2},
-                                 {"dbh_hi_cm", 2},
-                                 {"diameter_cm", 2},
-                                 {"height_m", 3},
-                                 {"lean_deg", 2},
-                                 {"lean_azimuth_deg", 1},
-                                 {"taper_cm_per_m", 2},
-                                 {"arc_deg", 1},
-                                 {"pass_spread_cm", 2},
-                                 {"sigma_cm", 2}};
-  return decimals;
-}
 
 std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outline) {
   std::vector<Eigen::Vector3d> points;
@@ -66,7 +43,7 @@ void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   add_points("targets", d.targets);
   add_points("rejected", d.rejected);
   add_points("sections", d.sections);
-  if (!d.area.outline().empty()) layers.push_back(boundary_layer(d.area, crs));
+  if (!d.rule.area.outline().empty()) layers.push_back(boundary_layer(d.rule.area, crs));
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
   write_geopackage(path, layers);
 }
@@ -84,11 +61,15 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
+  if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
   if (o.tables && d.dem != nullptr)
     exports.push_back({"dem.tif", [&d](const auto& path, const Run&, Report&) { write_geotiff(path, *d.dem); }});
+  if (o.tables)
+    exports.push_back(
+        {"survey.xlsx", [&d, &o](const auto& path, const Run& run, Report&) { write_workbook(path, d, o, run); }});
   if (o.tables)
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
   if (o.cloud && d.points != nullptr)

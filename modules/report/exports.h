@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/run.h"
+#include "report/report_options.h"
 #include "report/survey_data.h"
 
 namespace bole {

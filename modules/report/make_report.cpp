@@ -8,6 +8,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "base/atomic_file.h"
 #include "base/version.h"
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
@@ -24,7 +25,7 @@ constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a sc
 class Writer {
  public:
   Writer(const DataSet& inputs, const ReportOptions& options, const Run& run)
-      : data_(survey_data(inputs, options)), o_(options), run_(run) {}
+      : data_(survey_data(inputs)), o_(options), run_(run) {}
 
   StageResult write() {
     write_exports(run_.part(0, 0.3));
@@ -95,7 +96,7 @@ class Writer {
     run_.check_cancel();
     const auto path = run_.output_dir / "figures" / figure.name;
     const auto put = [&](const char* ending, const std::string& bytes) {
-      write_file(path.string() + ending, bytes);
+      write_text_file(path.string() + ending, bytes);
       files_.push_back("figures/" + figure.name + ending);
     };
     const std::string png = figure_png(figure, plan.dpi > 0 ? plan.dpi : o_.dpi);
@@ -112,17 +113,6 @@ class Writer {
                          plan.wide});
   }
 
-  std::string area_text() const {
-    switch (data_.area.shape) {
-      case PlotArea::Shape::rectangle:
-        return fmt::format("{} m × {} m", fixed(data_.area.width_m, 1), fixed(data_.area.height_m, 1));
-      case PlotArea::Shape::circle:
-        return fmt::format("circle, {} m across", fixed(data_.area.width_m, 1));
-      default:
-        return "no boundary";
-    }
-  }
-
   // Whether a stage before this one took the walk from a file in place of computing it.
   bool poses_given() const {
     if (run_.record == nullptr) return false;
@@ -135,14 +125,14 @@ class Writer {
   void write_page() {
     ReportContent content;
     content.title = o_.title;
-    content.facts = {{"Plot", area_text()}, {"Axes", axes_text()}};
+    content.facts = {{"Plot", describe(data_.rule.area)}, {"Axes", axes_text()}};
     if (run_.record != nullptr && !run_.record->document.empty())
       content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
-    content.metrics = plot_metrics(*data_.stems, data_.area, o_.min_dbh, o_.class_width);
-    content.least_dbh_cm = o_.min_dbh;
-    content.stems = data_.stems, content.rejected = data_.rejected, content.summary = data_.summary;
-    content.area = data_.area, content.poses_given = poses_given();
+    content.metrics = plot_metrics(*data_.stems, data_.rule, o_.class_width);
+    content.stems = data_.stems, content.rejected = data_.rejected, content.edits = data_.edits,
+    content.summary = data_.summary;
+    content.rule = data_.rule, content.poses_given = poses_given();
     content.pictures = std::move(pictures_);
     content.record = run_.record;
     if (run_.record != nullptr)
@@ -153,7 +143,7 @@ class Writer {
     for (auto& library : library_versions()) content.versions.push_back(std::move(library));
     content.versions.emplace_back("Cairo", cairo_version_string());
     content.files = files_;
-    write_file(run_.output_dir / "report.html", report_html(content));
+    write_text_file(run_.output_dir / "report.html", report_html(content));
     files_.push_back("report.html");
     pictures_ = std::move(content.pictures);
   }

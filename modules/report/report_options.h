@@ -9,10 +9,6 @@ namespace bole {
 
 struct ReportOptions {
   std::string title = "Forest plot survey";
-  std::string plot_shape = "auto";
-  double plot_size = 32;
-  double plot_x = 0, plot_y = 0;
-  double min_dbh = 7.5;
   double class_width = 4;
   double figure_width = 180;
   double dpi = 300;

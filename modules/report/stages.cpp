@@ -9,12 +9,14 @@ void register_report_stages(StageRegistry& registry) {
   type.name = "report.plot";
   type.title = "Write the report";
   type.help =
-      "Writes what a survey has found into the output folder: stems.csv and the other tables, trajectory.tum, "
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
+      "trajectory.tum, "
       "cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
       "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
       "with every option and the time and memory of each stage. Inputs that are not connected are left out.";
   type.source = "Bole";
   type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
+                 {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},
                  {"points",
                   DataKind::cloud,
                   "The map, coloured by height_above_ground, intensity and tree_id where it has them.",
@@ -26,6 +28,7 @@ void register_report_stages(StageRegistry& registry) {
                  {"reference_trajectory", DataKind::trajectory, "The true walk, in the same axes.", true, {}},
                  {"sections", DataKind::table, "Fitted cross-sections.", true, {}},
                  {"rejected", DataKind::table, "Candidates that are no stems, with their reasons.", true, {}},
+                 {"edits", DataKind::table, "What a person changed, from stems.edit.", true, {}},
                  {"targets", DataKind::table, "Reflective targets of the plot frame.", true, {}},
                  {"matches", DataKind::table, "Stems matched with a reference.", true, {}},
                  {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}}};

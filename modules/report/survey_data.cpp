@@ -15,15 +15,7 @@ Axes axes_of(const SurveyData& data) {
 
 }  // namespace
 
-PlotArea plot_area(const ReportOptions& options, Axes axes) {
-  if (options.plot_shape == "none" || (options.plot_shape == "auto" && axes != Axes::plot)) return {};
-  return {options.plot_shape == "circle" ? PlotArea::Shape::circle : PlotArea::Shape::rectangle,
-          {options.plot_x, options.plot_y},
-          options.plot_size,
-          options.plot_size};
-}
-
-SurveyData survey_data(const DataSet& inputs, const ReportOptions& options) {
+SurveyData survey_data(const DataSet& inputs) {
   SurveyData data;
   data.stems = &inputs.table("stems");
   data.points = optional_input<PointCloud>(inputs, "points");
@@ -33,11 +25,12 @@ SurveyData survey_data(const DataSet& inputs, const ReportOptions& options) {
   data.reference_trajectory = optional_input<Trajectory>(inputs, "reference_trajectory");
   data.sections = optional_input<Table>(inputs, "sections");
   data.rejected = optional_input<Table>(inputs, "rejected");
+  data.edits = optional_input<Table>(inputs, "edits");
   data.targets = optional_input<Table>(inputs, "targets");
   data.matches = optional_input<Table>(inputs, "matches");
   data.summary = optional_input<Table>(inputs, "summary");
   data.axes = axes_of(data);
-  data.area = plot_area(options, data.axes);
+  if (inputs.has("plot")) data.rule = counting_rule(inputs.table("plot"));
   return data;
 }
 

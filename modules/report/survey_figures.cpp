@@ -19,7 +19,7 @@ constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_p
 class MapSource {
  public:
   MapSource(const SurveyData& d, const ReportOptions& o, const Run& run)
-      : data_{d.points, d.stems, d.sections, d.trajectory, d.area, d.north_known(), nullptr},
+      : data_{d.points, d.stems, d.sections, d.trajectory, d.rule.area, d.north_known(), nullptr},
         budget_(static_cast<std::size_t>(o.point_budget)),
         run_(run) {}
 
@@ -69,7 +69,7 @@ Table stems_inside(const SurveyData& d) {
   const auto x = d.stems->numbers("x_m"), y = d.stems->numbers("y_m");
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < x.size(); ++i)
-    if (d.area.contains(x[i], y[i])) inside.push_back(i);
+    if (d.rule.area.contains(x[i], y[i])) inside.push_back(i);
   return d.stems->subset(inside);
 }
 
@@ -85,10 +85,10 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
     add("stem map", true, [&d, wide] {
-      return stem_map({d.stems, d.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
+      return stem_map({d.stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
     });
-    add("diameter distribution", false, [&d, half, min_dbh = o.min_dbh, width = o.class_width] {
-      return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.area, min_dbh)).numbers("dbh_cm"), half, width);
+    add("diameter distribution", false, [&d, half, width = o.class_width] {
+      return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
     });
   }
   if (has_matches(d)) {

@@ -7,6 +7,7 @@
 
 #include "base/run.h"
 #include "render/draw/figure.h"
+#include "report/report_options.h"
 #include "report/survey_data.h"
 
 namespace bole {

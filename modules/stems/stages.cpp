@@ -1,4 +1,8 @@
+#include <fstream>
+#include <sstream>
+
 #include "pipeline/stage.h"
+#include "stems/core/apply_edits.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/measure_stems.h"
 
@@ -35,10 +39,10 @@ StageType measure_stage() {
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
       "Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is "
-      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with one offset per "
-      "pass of the walk whose spread is estimated over all stems. Where sensor positions are known, "
-      "the error along the ray can be fitted instead of the distance from the surface (model), and candidates that "
-      "rays pass through are rejected. Every point gets the id of its tree.";
+      "fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per "
+      "pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the "
+      "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
+      "surface (model); candidates that rays pass through are rejected. Every point gets the id of its tree.";
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,
@@ -72,11 +76,67 @@ StageType measure_stage() {
   return t;
 }
 
+std::vector<StemEdit> edits_of(const EditOptions& options) {
+  std::vector<StemEdit> edits;
+  if (!options.file.empty()) {
+    std::ifstream file(options.file);
+    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
+    std::stringstream text;
+    text << file.rdbuf();
+    try {
+      edits = parse_stem_edits(text.str());
+    } catch (const Error& e) {
+      throw e.at(options.file);
+    }
+  }
+  const auto more = parse_stem_edits(options.edits);
+  edits.insert(edits.end(), more.begin(), more.end());
+  return edits;
+}
+
+StageType edit_stage() {
+  StageType t;
+  t.name = "stems.edit";
+  t.title = "Edit stems";
+  t.help =
+      "Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
+      "each with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied "
+      "anew after every run, by place. What no longer fits is a conflict: it changes nothing and is listed.";
+  t.source = "Bole";
+  t.inputs = {{"stems", DataKind::table, "Stems as measured.", false, {}},
+              {"sections", DataKind::table, "Circles along the stems.", true, {}},
+              {"points", DataKind::cloud, "The cloud with tree ids.", true, {arrays::tree_id}},
+              {"slice", DataKind::cloud, "Points at breast height: an added stem is fitted to them.", true, {}}};
+  t.outputs = {{"stems", DataKind::table, "Stems after the edits.", false, {}},
+               {"sections", DataKind::table, "Circles along the stems that are left.", false, {}},
+               {"points", DataKind::cloud, "The cloud with the changed tree ids.", true, {arrays::tree_id}},
+               {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};
+  t.options = &option_table(static_cast<const EditOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
+    const auto& options = set.as<EditOptions>();
+    EditInputs inputs;
+    inputs.stems = &in.table("stems");
+    if (in.has("sections")) inputs.sections = &in.table("sections");
+    if (in.has("points")) inputs.points = &in.cloud("points");
+    if (in.has("slice")) inputs.slice = &in.cloud("slice");
+    auto edited = apply_stem_edits(inputs, edits_of(options), options, run);
+    StageResult result;
+    result.outputs.set("stems", std::move(edited.stems));
+    result.outputs.set("sections", std::move(edited.sections));
+    if (edited.points) result.outputs.set("points", std::move(*edited.points));
+    result.outputs.set("log", std::move(edited.log));
+    result.report = std::move(edited.report);
+    return result;
+  };
+  return t;
+}
+
 }  // namespace
 
 void register_stems_stages(StageRegistry& registry) {
   registry.add(slice_stage());
   registry.add(measure_stage());
+  registry.add(edit_stage());
 }
 
 }  // namespace bole

@@ -2,6 +2,7 @@
 #include "pipeline/stage.h"
 #include "survey/core/move_cloud.h"
 #include "survey/core/plot_frame.h"
+#include "survey/core/plot_options.h"
 
 namespace bole {
 namespace {
@@ -22,9 +23,27 @@ StageResult run_frame(const DataSet& inputs, const OptionSet& options, const Run
   return result;
 }
 
-}  // namespace
+// Of the first input that says so.
+Axes axes_of(const DataSet& inputs) {
+  if (inputs.has("points")) return inputs.cloud("points").axes;
+  if (!inputs.has("stems")) return Axes::unknown;
+  const auto& facts = inputs.table("stems").facts;
+  const auto it = facts.find("axes");
+  return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
+}
 
-void register_survey_stages(StageRegistry& registry) {
+StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run&) {
+  const Table* vertices = inputs.has("vertices") ? &inputs.table("vertices") : nullptr;
+  const auto rule = survey::counting_rule_for(options.as<survey::PlotOptions>(), axes_of(inputs), vertices);
+  StageResult result;
+  result.report.message = describe(rule.area) + ", trees from " + number_text(rule.min_dbh_cm) + " cm";
+  if (rule.area.shape != PlotArea::Shape::none)
+    result.report.metrics["area"] = {rule.area.area_m2(), Unit::square_metre};
+  result.outputs.set("plot", to_table(rule));
+  return result;
+}
+
+void register_frame(StageRegistry& registry) {
   StageType type;
   type.name = "survey.frame";
   type.title = "Find the plot frame";
@@ -44,6 +63,32 @@ void register_survey_stages(StageRegistry& registry) {
   type.options = &option_table(static_cast<const survey::FrameOptions*>(nullptr));
   type.run = run_frame;
   registry.add(std::move(type));
+}
+
+void register_plot(StageRegistry& registry) {
+  StageType type;
+  type.name = "survey.plot";
+  type.title = "Say which trees count";
+  type.help =
+      "The boundary of the plot and the least diameter, for all stages that count trees: a tree counts when its centre "
+      "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
+      "horizontal.";
+  type.source = "SPEC A13";
+  type.inputs = {{"points", DataKind::cloud, "The map; tells the axes for shape auto.", true, {}},
+                 {"stems", DataKind::table, "Stems; tell the axes where no map is connected.", true, {}},
+                 {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};
+  type.outputs = {
+      {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and least diameter are facts.", false, {}}};
+  type.options = &option_table(static_cast<const survey::PlotOptions*>(nullptr));
+  type.run = run_plot;
+  registry.add(std::move(type));
+}
+
+}  // namespace
+
+void register_survey_stages(StageRegistry& registry) {
+  register_frame(registry);
+  register_plot(registry);
 }
 
 }  // namespace bole

@@ -11,6 +11,7 @@
 #include <mutex>
 #include <set>
 
+#include "base/atomic_file.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/stage_control.h"
 #include "vtkbridge/stage_execution.h"
@@ -143,6 +144,10 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
     outcome.record.report.message = "Skipped: no file is given.";
     return outcome;
   }
+  if (!settings.sinks && node.type->writes_files) {
+    outcome.record.report.message = "Left out: nothing is written.";
+    return outcome;
+  }
   std::vector<std::string> left_out;
   for (const auto& port : node.type->inputs) {
     const auto joint = node.inputs.find(port.name);
@@ -215,7 +220,7 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
   try {
     outcome.summary_json = summary_json(document_, outcome, seconds, settings.output_dir);
     if (!settings.output_dir.empty() && fs::is_directory(settings.output_dir))
-      write_atomically(settings.output_dir / "summary.json", outcome.summary_json);
+      write_text_file(settings.output_dir / "summary.json", outcome.summary_json);
   } catch (const std::exception& e) {
     note_first_error(outcome, 1, e.what());
   }

@@ -26,6 +26,7 @@ struct RunSettings {
   std::filesystem::path output_dir;                // where sinks and summary.json go; empty: nothing is written
   std::optional<std::filesystem::path> cache_dir;  // default: output_dir/cache
   bool use_cache = true;
+  bool sinks = true;  // false: stages that write files (report) are left out, for a quick look after an edit
   std::uintmax_t cache_bytes = std::uintmax_t{20} << 30;  // results not used for longest go when the cache is larger
   std::filesystem::path scratch_dir;
   std::function<void(const std::string& stage, double fraction, std::string_view what)> progress;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/content_hash.h"
 #include "base/error.h"
 
@@ -18,23 +19,6 @@ std::int64_t change_time_ns(const fs::path& path) {
   std::error_code ignored;
   return std::chrono::duration_cast<std::chrono::nanoseconds>(fs::last_write_time(path, ignored).time_since_epoch())
       .count();
-}
-
-void write_atomically(const fs::path& path, std::string_view text) {
-  static std::atomic<unsigned> counter{0};
-  const fs::path draft = path.string() + "." + std::to_string(getpid()) + "-" + std::to_string(counter++) + ".tmp";
-  fs::create_directories(path.parent_path());
-  {
-    std::ofstream out(draft, std::ios::binary);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) {
-      std::error_code ignored;
-      fs::remove(draft, ignored);
-      throw failure("cannot write " + path.string(), "a folder that can be written, with space on the disk");
-    }
-  }
-  fs::rename(draft, path);
 }
 
 FileKeys::FileKeys(fs::path memo_file) : memo_file_(std::move(memo_file)) {
@@ -54,7 +38,7 @@ void FileKeys::save() {
   nlohmann::json j = nlohmann::json::object();
   for (const auto& [path, known] : known_)
     j[path] = {{"size", known.size}, {"changed_ns", known.changed_ns}, {"key", known.key}};
-  write_atomically(memo_file_, j.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+  write_text_file(memo_file_, j.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
   changed_ = false;
 }
 

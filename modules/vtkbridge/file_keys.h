@@ -32,7 +32,4 @@ class FileKeys {
 
 std::int64_t change_time_ns(const std::filesystem::path& path);
 
-// Writes a file so that a reader sees the old one or the whole new one. Throws Error{failed}.
-void write_atomically(const std::filesystem::path& path, std::string_view text);
-
 }  // namespace bole

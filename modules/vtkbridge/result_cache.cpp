@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/atomic_file.h"
 #include "base/content_hash.h"
 #include "pipeline/report_json.h"
 
@@ -107,7 +108,7 @@ std::string ResultCache::put(std::span<const std::byte> bytes) {
   const fs::path path = blob_path(id);
   std::error_code ignored;
   if (fs::file_size(path, ignored) != bytes.size())
-    write_atomically(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    write_text_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return id;
 }
 
@@ -156,7 +157,7 @@ std::map<std::string, std::string> ResultCache::store(const std::string& key, co
     ordered_json file{{"format", entry_format},
                       {"checksum", content_hash(std::as_bytes(std::span(body)))},
                       {"entry", std::move(entry)}};
-    write_atomically(result_path(key), file.dump(1));
+    write_text_file(result_path(key), file.dump(1));
     return stored;
   } catch (const nlohmann::json::exception& e) {
     throw failure(std::string("a result cannot be stored: ") + e.what());

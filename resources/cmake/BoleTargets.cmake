@@ -32,7 +32,7 @@ if(TARGET bole AND BOLE_VTK)
     demo
     COMMAND bole simulate --plot demo --seed 1 --out ${demo}/scan
     COMMAND bole run ${CMAKE_SOURCE_DIR}/pipelines/forest_plot.json --out ${demo} --set scan.file=${demo}/scan/walk.pcap --set reference_trees.file=${demo}/scan/trees.csv
-            --set reference_path.file=${demo}/scan/trajectory.tum
+            --set reference_path.file=${demo}/scan/trajectory.tum --set plot.width=16 --set plot.length=16
     VERBATIM USES_TERMINAL)
 endif()
 

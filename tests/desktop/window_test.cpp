@@ -1,12 +1,15 @@
 // Drives the real window: open, edit, undo, run, save, reopen.
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QProcess>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
 #include <cmath>
+#include <csignal>
 #include <fstream>
 
 #include "main_window.h"
@@ -41,7 +44,8 @@ void write_pipeline(const std::string& path) {
     {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
     {"id": "ground", "type": "ground.model", "inputs": {"points": "scan.points"}},
     {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
-    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}}]})";
+    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
+    {"id": "edit", "type": "stems.edit", "inputs": {"stems": "stems.stems", "sections": "stems.sections", "points": "stems.points", "slice": "slice.slice"}}]})";
 }
 
 }  // namespace
@@ -53,6 +57,8 @@ class WindowTest : public QObject {
   void initTestCase() {
     register_all_stages(StageRegistry::global());
     register_report_stages(StageRegistry::global());
+    qRegisterMetaType<RunOutcome>("RunOutcome");
+    qRegisterMetaType<Results>("Results");
     QVERIFY(folder_.isValid());
     write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
@@ -64,7 +70,7 @@ class WindowTest : public QObject {
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     window.open(folder_.filePath("plot.json"));
     auto* tree = window.findChild<QTreeWidget*>();
-    QCOMPARE(tree->topLevelItemCount(), 4);
+    QCOMPARE(tree->topLevelItemCount(), 5);
 
     // An option is edited in the form, undone, and done again.
     tree->setCurrentItem(tree->topLevelItem(2));
@@ -81,6 +87,7 @@ class WindowTest : public QObject {
     QVERIFY(finished.wait(60000));
     QCOMPARE(window.findChild<TablePanel*>()->model()->rowCount(), 9);
     QVERIFY(window.scene().actor_count() >= 2);
+    window.findChild<TablePanel*>()->select_tree(5);
     if (const auto picture = qEnvironmentVariable("BOLE_SCREENSHOT"); !picture.isEmpty()) {
       QTest::qWait(500);
       QVERIFY(window.grab().save(picture));
@@ -96,7 +103,69 @@ class WindowTest : public QObject {
     MainWindow window;
     window.open(folder_.filePath("plot.json"));
     QVERIFY_EXCEPTION_THROWN(window.open(folder_.filePath("cloud.xyz")), Error);
-    QCOMPARE(window.session().document().stages().size(), std::size_t{4});
+    QCOMPARE(window.session().document().stages().size(), std::size_t{5});
+  }
+
+  void stems_are_edited_undone_and_seen_at_once() {
+    MainWindow window;
+    window.show();
+    window.open(folder_.filePath("plot.json"));
+    QSignalSpy finished(&window.runner(), &RunBehavior::finished);
+    const auto wait = [&] { return finished.wait(60000) && !window.runner().running(); };
+    window.run();
+    QVERIFY(wait());
+    auto* table = window.findChild<TablePanel*>();
+    QCOMPARE(table->model()->rowCount(), 9);
+
+    // The keys of the table act on the selected stem; the view keeps up.
+    table->select_tree(5);
+    QCOMPARE(table->selected_tree().value_or(0), std::int64_t{5});
+    const int actors = window.scene().actor_count();
+    QApplication::setActiveWindow(&window);  // no window manager does it under Xvfb
+    table->setFocus();
+    QTest::keyClick(table, Qt::Key_Delete);
+    QVERIFY(wait());
+    QCOMPARE(table->model()->rowCount(), 8);
+    QVERIFY(window.scene().actor_count() < actors);  // the ring about it is gone
+    window.session().undo_stack().undo();
+    QVERIFY(wait());
+    QCOMPARE(table->model()->rowCount(), 9);
+    window.session().undo_stack().redo();
+    QVERIFY(wait());
+
+    StemEdit add;
+    add.action = StemEdit::Action::add;
+    add.at = {4.52, 4.49};  // about where the deleted one stood: fitted to the slice
+    window.editor().apply(add);
+    QVERIFY(wait());
+    QCOMPARE(table->model()->rowCount(), 9);
+    const auto edits =
+        parse_stem_edits(std::get<std::string>(window.session().document().at("edit").options.get("edits")));
+    QCOMPARE(edits.size(), std::size_t{2});
+    QVERIFY(!edits[1].time.empty());
+    StemEdit nothing;
+    nothing.action = StemEdit::Action::resize;
+    QVERIFY_EXCEPTION_THROWN(window.editor().apply(nothing), Error);
+    window.session().discard_recovery();
+  }
+
+  void what_was_not_saved_survives_a_killed_program() {
+    const QString path = folder_.filePath("killed.json");
+    write_pipeline(path.toStdString());
+    QProcess victim;
+    victim.start(QCoreApplication::applicationFilePath(), {"--edit-and-die", path});
+    QVERIFY(victim.waitForFinished(30000));
+    QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
+    Session session;
+    session.open(path);
+    QCOMPARE(std::get<double>(session.document().at("slice").options.get("height")), 1.3);
+    session.recover(path);
+    QCOMPARE(std::get<double>(session.document().at("slice").options.get("height")), 1.7);
+    QVERIFY(!session.undo_stack().isClean());
+    session.save(path);
+    QVERIFY(!QFileInfo::exists(Session::recovery_path(path)));
+    session.open(path);
+    QCOMPARE(std::get<double>(session.document().at("slice").options.get("height")), 1.7);
   }
 
  private:
@@ -105,5 +174,18 @@ class WindowTest : public QObject {
 
 }  // namespace bole::desktop
 
-QTEST_MAIN(bole::desktop::WindowTest)
+// With --edit-and-die FILE this program is the victim of the test about killed programs.
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  if (argc == 3 && std::string(argv[1]) == "--edit-and-die") {
+    bole::register_all_stages(bole::StageRegistry::global());
+    bole::desktop::Session session;
+    session.open(argv[2]);
+    session.set_option("slice", "height", 1.6);
+    session.set_option("slice", "height", 1.7);
+    std::raise(SIGKILL);
+  }
+  bole::desktop::WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
 #include "window_test.moc"

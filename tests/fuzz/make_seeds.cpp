@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <numbers>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/core/atomic_file.h"
 #include "io/core/cloud_writer.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"

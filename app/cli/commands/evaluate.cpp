@@ -10,12 +10,14 @@
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
 #include "option_flags.h"
+#include "survey/core/plot_options.h"
 
 namespace bole::cli {
 namespace {
 
 struct Arguments {
   OptionSet options{option_table(static_cast<const EvaluationOptions*>(nullptr))};
+  OptionSet plot{option_table(static_cast<const survey::PlotOptions*>(nullptr))};
   std::string estimate, reference;
   bool json = false;
 };
@@ -47,8 +49,10 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
   command->add_option("reference", args->reference, "What it is held against")->required();
   command->add_flag("--json", args->json, "Print JSON");
   add_option_flags(*command, args->options);
+  add_option_flags(*command, args->plot, "plot-");
   command->callback([args, compare = std::move(compare)] {
     args->options.check_all();
+    args->plot.check_all();
     compare(*args);
   });
   return args;
@@ -61,7 +65,8 @@ void add_evaluate(Program& program) {
   command->require_subcommand(1);
   add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
     print_summary(
-        evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>())
+        evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>(),
+                       survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr))
             .summary,
         args.json);
   });

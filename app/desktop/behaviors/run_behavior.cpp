@@ -34,15 +34,16 @@ RunBehavior::~RunBehavior() {
   if (thread_.joinable()) thread_.join();
 }
 
-void RunBehavior::start(const QString& output_dir) {
+void RunBehavior::start(const QString& output_dir, bool sinks) {
   if (running_) return;
   if (thread_.joinable()) thread_.join();
   running_ = true;
   executor_ = std::make_unique<PipelineExecutor>(session_.document());
-  thread_ = std::jthread([this, output_dir](std::stop_token cancel_token) {
+  thread_ = std::jthread([this, output_dir, sinks](std::stop_token cancel_token) {
     RunSettings settings;
     settings.output_dir = output_dir.toStdString();
     settings.cancel = cancel_token;
+    settings.sinks = sinks;
     settings.progress = [this](const std::string& stage, double fraction, std::string_view what) {
       Q_EMIT progressed(QString::fromStdString(stage), fraction,
                         QString::fromUtf8(what.data(), static_cast<int>(what.size())));

@@ -24,7 +24,8 @@ class RunBehavior : public QObject {
   ~RunBehavior() override;  // cancels and waits
 
   bool running() const { return running_; }
-  void start(const QString& output_dir);
+  // `sinks`: stages that write files run too.
+  void start(const QString& output_dir, bool sinks = true);
   void finish();  // keep the best so far of the running stage
   void cancel();
 

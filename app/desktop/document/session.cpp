@@ -1,7 +1,9 @@
 #include "document/session.h"
 
-#include <QSaveFile>
+#include <QFile>
 #include <QUndoCommand>
+
+#include "base/atomic_file.h"
 
 namespace bole::desktop {
 
@@ -27,20 +29,33 @@ class EditOption : public QUndoCommand {
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const QString& path) {
-  auto document =
-      std::make_unique<PipelineDocument>(PipelineDocument::load(path.toStdString(), StageRegistry::global()));
-  document_ = std::move(document);
+  take(PipelineDocument::load(path.toStdString(), StageRegistry::global()), path);
+}
+
+void Session::recover(const QString& path) {
+  // Beside the document, so that relative paths hold.
+  take(PipelineDocument::load(recovery_path(path).toStdString(), StageRegistry::global()), path);
+  undo_.resetClean();
+}
+
+void Session::take(PipelineDocument document, const QString& path) {
+  document_ = std::make_unique<PipelineDocument>(std::move(document));
   path_ = path;
   undo_.clear();
   Q_EMIT document_replaced();
 }
 
+void Session::discard_recovery() {
+  if (!path_.isEmpty()) QFile::remove(recovery_path(path_));
+}
+
+void Session::journal() const {
+  if (!path_.isEmpty()) write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+}
+
 void Session::save(const QString& path) {
-  QSaveFile file(path);
-  const QByteArray text = QByteArray::fromStdString(document_->to_json());
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-    throw failure("cannot write '" + path.toStdString() + "': " + file.errorString().toStdString(),
-                  "a folder that can be written to");
+  write_text_file(path.toStdString(), document_->to_json());
+  discard_recovery();
   path_ = path;
   undo_.setClean();
 }
@@ -59,6 +74,7 @@ void Session::apply(const std::string& stage_id, const std::string& option, cons
       node.options.set(option, value);
       node.given.insert(option);
     }
+  journal();
   Q_EMIT option_changed(QString::fromStdString(stage_id), QString::fromStdString(option));
 }
 

@@ -16,9 +16,13 @@ class Session : public QObject {
  public:
   explicit Session(QObject* parent = nullptr);
 
-  // Throw bole::Error; the document in hand stays as it was.
+  // Throw bole::Error; the document in hand stays as it was. Every change is also written to recovery_path(), which
+  // save() and discard_recovery() remove: after a crash it holds what was not saved.
   void open(const QString& path);
-  void save(const QString& path);  // atomic
+  void recover(const QString& path);  // opens what a crash left of `path`; not saved yet
+  void save(const QString& path);     // atomic
+  static QString recovery_path(const QString& path) { return path + ".recovery"; }
+  void discard_recovery();
 
   bool has_document() const { return document_ != nullptr; }
   const PipelineDocument& document() const { return *document_; }
@@ -36,6 +40,8 @@ class Session : public QObject {
  private:
   friend class EditOption;
   void apply(const std::string& stage_id, const std::string& option, const OptionValue& value);
+  void take(PipelineDocument document, const QString& path);
+  void journal() const;
 
   std::unique_ptr<PipelineDocument> document_;
   QString path_;

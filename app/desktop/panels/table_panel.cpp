@@ -1,7 +1,12 @@
 #include "panels/table_panel.h"
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QInputDialog>
+#include <QMenu>
 #include <QSortFilterProxyModel>
+#include <algorithm>
 #include <cmath>
 
 namespace bole::desktop {
@@ -48,6 +53,83 @@ TablePanel::TablePanel(QWidget* parent) : QTableView(parent), model_(this) {
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setAlternatingRowColors(true);
   verticalHeader()->hide();
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  make_actions();
+  connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (const auto id = selected_tree()) Q_EMIT tree_selected(*id);
+  });
+}
+
+void TablePanel::make_actions() {
+  using Action = StemEdit::Action;
+  const auto add = [this](const QString& text, const QKeySequence& key, Action action) {
+    auto* a = new QAction(text, this);
+    a->setShortcut(key);
+    a->setShortcutContext(Qt::WidgetShortcut);
+    connect(a, &QAction::triggered, this, [this, action] { request(action); });
+    addAction(a);
+  };
+  add(tr("Set diameter…"), Qt::Key_D, Action::resize);
+  add(tr("Set height…"), Qt::Key_H, Action::set_height);
+  add(tr("Accept"), Qt::Key_A, Action::accept);
+  add(tr("Reject"), Qt::Key_R, Action::reject);
+  add(tr("Note…"), Qt::Key_N, Action::note);
+  add(tr("Delete"), QKeySequence::Delete, Action::remove);
+}
+
+void TablePanel::contextMenuEvent(QContextMenuEvent* event) {
+  if (selected_row()) QMenu::exec(actions(), event->globalPos(), nullptr, this);
+}
+
+std::optional<std::size_t> TablePanel::selected_row() const {
+  const auto rows = selectionModel()->selectedRows();
+  if (rows.isEmpty() || model_.table() == nullptr) return {};
+  const auto index = static_cast<QSortFilterProxyModel*>(model())->mapToSource(rows.front());
+  return static_cast<std::size_t>(index.row());
+}
+
+std::optional<std::int64_t> TablePanel::selected_tree() const {
+  const auto row = selected_row();
+  if (!row || !model_.table()->has("tree_id")) return {};
+  return model_.table()->integers("tree_id")[*row];
+}
+
+void TablePanel::select_tree(std::int64_t id) {
+  const auto* table = model_.table();
+  if (table == nullptr || !table->has("tree_id")) return;
+  const auto ids = table->integers("tree_id");
+  const auto it = std::ranges::find(ids, id);
+  if (it == ids.end()) return clearSelection();
+  const auto index =
+      static_cast<QSortFilterProxyModel*>(model())->mapFromSource(model_.index(static_cast<int>(it - ids.begin()), 0));
+  selectRow(index.row());
+  scrollTo(index);
+}
+
+std::optional<StemEdit> TablePanel::edit_of_selection(StemEdit::Action action) const {
+  const auto row = selected_row();
+  const auto* table = model_.table();
+  if (!row || !table->has("x_m") || !table->has("y_m") || !table->has("dbh_cm")) return {};
+  StemEdit edit;
+  edit.action = action;
+  edit.at = {table->numbers("x_m")[*row], table->numbers("y_m")[*row]};
+  edit.was_dbh_cm = table->numbers("dbh_cm")[*row];
+  return edit;
+}
+
+void TablePanel::request(StemEdit::Action action) {
+  auto edit = edit_of_selection(action);
+  if (!edit) return;
+  bool given = true;
+  if (action == StemEdit::Action::resize)
+    edit->dbh_cm = QInputDialog::getDouble(this, tr("Diameter"), tr("Diameter at breast height in cm"),
+                                           *edit->was_dbh_cm, 0.1, 2000, 1, &given);
+  if (action == StemEdit::Action::set_height)
+    edit->height_m =
+        QInputDialog::getDouble(this, tr("Height"), tr("Height of the tree in m"), 20, 0.1, 200, 1, &given);
+  if (action == StemEdit::Action::note)
+    edit->text = QInputDialog::getText(this, tr("Note"), tr("Note"), QLineEdit::Normal, {}, &given).toStdString();
+  if (given) Q_EMIT edit_requested(*edit);
 }
 
 }  // namespace bole::desktop

@@ -4,8 +4,10 @@
 #include <QAbstractTableModel>
 #include <QTableView>
 #include <memory>
+#include <optional>
 
 #include "cloud/table.h"
+#include "stems/core/stem_edits.h"
 
 namespace bole::desktop {
 
@@ -15,6 +17,7 @@ class TableModel : public QAbstractTableModel {
  public:
   using QAbstractTableModel::QAbstractTableModel;
   void show(std::shared_ptr<const Table> table);
+  const Table* table() const { return table_.get(); }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -25,6 +28,7 @@ class TableModel : public QAbstractTableModel {
   std::shared_ptr<const Table> table_;
 };
 
+// The stem table. Its menu and keys ask for edits; somebody else makes them.
 class TablePanel : public QTableView {
   Q_OBJECT
 
@@ -32,7 +36,23 @@ class TablePanel : public QTableView {
   explicit TablePanel(QWidget* parent);
   void show_table(std::shared_ptr<const Table> table) { model_.show(std::move(table)); }
 
+  void select_tree(std::int64_t id);
+  std::optional<std::int64_t> selected_tree() const;
+
+ Q_SIGNALS:
+  void edit_requested(const StemEdit& edit);
+  void tree_selected(std::int64_t id);
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
  private:
+  std::optional<std::size_t> selected_row() const;  // of the table, whatever the sorting
+  // An edit of the selected stem with its place and diameter; nothing when none is selected.
+  std::optional<StemEdit> edit_of_selection(StemEdit::Action action) const;
+  void make_actions();
+  void request(StemEdit::Action action);
+
   TableModel model_;
 };
 

@@ -56,21 +56,14 @@ std::vector<Tree> trees_of(const Table& t) {
   return out;
 }
 
-bool inside(const Eigen::Vector2d& p, const EvaluationOptions& o) {
-  const Eigen::Vector2d d = p - Eigen::Vector2d(o.plot_x_m, o.plot_y_m);
-  if (o.plot_shape == "rectangle")
-    return std::abs(d.x()) <= o.plot_width_m / 2 && std::abs(d.y()) <= o.plot_height_m / 2;
-  return o.plot_shape == "none" || d.norm() <= o.plot_radius_m;
-}
-
 std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
                            const EvaluationOptions& o) {
   std::vector<Pairing> offered;
   for (std::size_t e = 0; e < estimate.size(); ++e)
     for (std::size_t r = 0; r < reference.size(); ++r) {
       const double distance = (estimate[e].at - reference[r].at).norm(),
-                   dbh = std::abs(estimate[e].dbh - reference[r].dbh) / 100;
-      if (distance > o.match_distance_m || (o.dbh_gate_m > 0 && dbh > o.dbh_gate_m)) continue;
+                   dbh_cm = std::abs(estimate[e].dbh - reference[r].dbh), dbh = dbh_cm / 100;
+      if (distance > o.match_distance_m || (o.dbh_gate_cm > 0 && dbh_cm > o.dbh_gate_cm)) continue;
       // Where two stems stand within the gate of two trees, diameters help to tell them apart.
       offered.push_back({e, r, distance * distance + (std::isfinite(dbh) ? dbh * dbh : 0)});
     }
@@ -180,12 +173,11 @@ struct Part {
   DbhErrors dbh;
 };
 
-void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, SummaryRows& out) {
+void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const Eigen::Vector2d& centre,
+               SummaryRows& out) {
   std::map<int, Part> classes, rings;
-  const double width_cm = 100 * o.class_width_m;
-  const auto ring_of = [&](const Tree& t) {
-    return static_cast<int>((t.at - Eigen::Vector2d(o.plot_x_m, o.plot_y_m)).norm() / o.distance_step_m);
-  };
+  const double width_cm = o.class_width_cm;
+  const auto ring_of = [&](const Tree& t) { return static_cast<int>((t.at - centre).norm() / o.distance_step_m); };
   for (const auto& r : rows) {
     const auto& by = r.reference ? *r.reference : *r.estimate;
     for (auto* part : {&classes[static_cast<int>(std::floor(by.dbh / width_cm))], &rings[ring_of(by)]}) {
@@ -205,8 +197,8 @@ void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, Summary
 }
 
 std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
-                          const EvaluationOptions& o) {
-  const auto counts = [&](const Tree& t) { return inside(t.at, o) && t.dbh >= 100 * o.min_dbh_m; };
+                          const EvaluationOptions& o, const CountingRule& rule) {
+  const auto counts = [&](const Tree& t) { return rule.counts(t.at, t.dbh); };
   std::vector<const Tree*> partner_of_estimate(estimate.size(), nullptr),
       partner_of_reference(reference.size(), nullptr);
   for (const auto& p : match(estimate, reference, o))
@@ -224,11 +216,11 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
 }  // namespace
 
 StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
-                              const EvaluationOptions& options) {
+                              const EvaluationOptions& options, const CountingRule& rule) {
   auto estimate = trees_of(estimate_table);
   const auto reference = trees_of(reference_table);
   align(estimate, reference, options);
-  const auto rows = sort_out(estimate, reference, options);
+  const auto rows = sort_out(estimate, reference, options, rule);
   std::vector<Row> matched;
   std::ranges::copy_if(rows, std::back_inserter(matched), [](const Row& r) { return r.kind == "matched"; });
 
@@ -250,7 +242,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
     add_dbh_measures(dbh, summary);
     add_height_measures(matched, summary);
   }
-  add_parts(rows, options, summary);
+  add_parts(rows, options, rule.area.centre, summary);
   out.summary = summary.table();
   if (const auto axes = estimate_table.facts.find("axes"); axes != estimate_table.facts.end())
     out.matches.facts["axes"] = axes->second;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cloud/plot_area.h"
 #include "cloud/table.h"
 #include "evaluation/core/evaluation_options.h"
 
@@ -16,14 +17,14 @@ struct StemEvaluation {
 };
 
 // Both tables need tree_id, x_m, y_m, dbh_cm; dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one
-// matching within the distance and diameter gates. Reference trees count that lie inside the plot and reach min_dbh; a
-// stem is false when it matches no tree at all (counted or not), lies inside the plot and reaches min_dbh. Throws
-// Error{bad_input} when a column is absent.
+// matching within the distance and diameter gates. Reference trees count as `rule` says; a stem is false when it
+// matches no tree at all (counted or not) and counts itself. Throws Error{bad_input} when a column is absent.
 //
 // Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
 // root of the largest eigenvalue of Sigma, RMSE per axis. DBH errors: BIAS and RMSE in cm; relBIAS and relRMSE are the
 // mean and the root mean square of error / reference in %.
-StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, const EvaluationOptions& options);
+StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, const EvaluationOptions& options,
+                              const CountingRule& rule);
 
 // The columns of `summary`, for whoever adds measures.
 class SummaryRows {

@@ -9,12 +9,8 @@ namespace bole {
 
 struct EvaluationOptions {
   double match_distance_m = 0.5;
-  double dbh_gate_m = 0.15;
-  double min_dbh_m = 0.075;
-  std::string plot_shape = "rectangle";
-  double plot_width_m = 32, plot_height_m = 32, plot_radius_m = 15;
-  double plot_x_m = 0, plot_y_m = 0;
-  double class_width_m = 0.05, distance_step_m = 5;
+  double dbh_gate_cm = 15;
+  double class_width_cm = 5, distance_step_m = 5;
   std::string align_stems = "none";
   std::string align_trajectory = "se3";
   double most_time_gap_s = 0.5;

@@ -6,8 +6,8 @@
 #include <bit>
 #include <cstring>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/core/atomic_file.h"
 #include "io/core/las_writer.h"
 
 namespace bole {

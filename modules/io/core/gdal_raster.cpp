@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "io/core/gdal_support.h"
 #include "io/core/gdal_writer.h"
@@ -50,7 +51,7 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
                     "one value per cell and at least one cell");
   GDALDriver& driver = gdal::driver("GTiff");
   const gdal::Errors errors;
-  gdal::write_atomically(path, [&](const std::string& temporary) {
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
     const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", nullptr};
     gdal::Dataset set(
         driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));

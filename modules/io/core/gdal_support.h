@@ -30,9 +30,4 @@ class Errors {
   std::string last() const;
 };
 
-// Writes to a temporary name in the same folder (created when missing) and renames it to `path` when `write` returns;
-// removes it when it throws.
-void write_atomically(const std::filesystem::path& path,
-                      const std::function<void(const std::string& temporary)>& write);
-
 }  // namespace bole::gdal

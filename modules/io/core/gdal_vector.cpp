@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "io/core/gdal_support.h"
 #include "io/core/gdal_writer.h"
@@ -135,7 +136,7 @@ void write_vector(const std::filesystem::path& path, const char* driver_name, co
   for (const auto& layer : layers) check(layer);
   GDALDriver& driver = gdal::driver(driver_name);
   const gdal::Errors errors;
-  gdal::write_atomically(path, [&](const std::string& temporary) {
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
     gdal::Dataset set(driver.Create(temporary.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (set == nullptr)
       throw failure(fmt::format("'{}' cannot be written: {}", path.string(), errors.last()),

@@ -148,7 +148,7 @@ void read_all_vlrs(Bytes file, LasInfo& info) {
 
 std::string crs_of(Bytes file, const LasInfo& info, bool with_crs) {
   if (const auto* wkt = find_vlr(info, "LASF_Projection", 2112)) {
-    const std::string text = load_text(vlr_data(file, *wkt).data(), wkt->length);
+    std::string text = load_text(vlr_data(file, *wkt).data(), wkt->length);
     if (!text.empty()) return text;
   }
   const auto* directory = find_vlr(info, "LASF_Projection", 34735);

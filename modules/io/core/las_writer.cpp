@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "io/core/atomic_file.h"
+#include "base/atomic_file.h"
 #include "io/core/crs_geokeys.h"
 #include "io/core/las_records.h"
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/core/atomic_file.h"
 #include "io/core/line_reader.h"
 
 namespace bole {

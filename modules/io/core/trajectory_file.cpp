@@ -6,9 +6,9 @@
 
 #include <cmath>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/option.h"
-#include "io/core/atomic_file.h"
 #include "io/core/line_reader.h"
 
 namespace bole {

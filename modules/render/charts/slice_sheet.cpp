@@ -195,8 +195,9 @@ std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, do
     figure.height_mm = static_cast<double>(rows) * (height + gap_mm) - gap_mm + 0.4;
     figure.draw = [panels, page, side, height, columns = static_cast<std::size_t>(options.columns)](Canvas& canvas) {
       for (std::size_t i = 0; i < page.size(); ++i) {
-        const double x = 0.2 + static_cast<double>(i % columns) * (side + gap_mm),
-                     y = 0.2 + static_cast<double>(i / columns) * (height + gap_mm);
+        const std::size_t column = i % columns, row = i / columns;
+        const double x = 0.2 + static_cast<double>(column) * (side + gap_mm),
+                     y = 0.2 + static_cast<double>(row) * (height + gap_mm);
         draw_panel(canvas, (*panels)[page[i]], {x, y, x + side, y + height});
       }
     };

@@ -1,9 +1,9 @@
 // The stem map: every stem at its place and to scale.
 #pragma once
 
+#include "cloud/plot_area.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
-#include "render/charts/plot_area.h"
 #include "render/draw/figure.h"
 
 namespace bole {

@@ -160,22 +160,4 @@ std::string figure_pdf(const Figure& figure) {
   return bytes;
 }
 
-void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  auto partial = path;
-  partial += ".part";
-  try {
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-    std::ofstream file(partial, std::ios::binary | std::ios::trunc);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file) throw std::filesystem::filesystem_error("write", partial, std::make_error_code(std::errc::io_error));
-    std::filesystem::rename(partial, path);
-  } catch (const std::filesystem::filesystem_error& e) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-    throw failure("cannot write " + path.string() + " (" + e.code().message() + ")",
-                  "a folder that can be written to and free space");
-  }
-}
-
 }  // namespace bole

@@ -29,7 +29,4 @@ std::string figure_pdf(const Figure& figure);
 // A PNG of an image at a resolution.
 std::string image_png(const Image& image, double dpi);
 
-// Writes beside the target and renames, so that no reader sees half a file. Throws Error{failed} with the path.
-void write_file(const std::filesystem::path& path, std::string_view bytes);
-
 }  // namespace bole

@@ -152,7 +152,7 @@ vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vecto
       if (above_ground)
         c = mix(ground_grey, c, std::clamp((value - ground_below_m) / (plants_above_m - ground_below_m), 0.0, 1.0));
     }
-    for (const double v : {c.r, c.g, c.b}) *color++ = static_cast<unsigned char>(255 * v + 0.5);
+    for (const double v : {c.r, c.g, c.b}) *color++ = static_cast<unsigned char>(std::lround(255 * v));
   }
   vtkNew<vtkCellArray> cells;
   cells->AllocateEstimate(1, n);

@@ -48,7 +48,7 @@ void shade_eye_dome(std::span<std::uint8_t> rgb, const std::vector<float>& depth
         }
         const float light = 1 - strength * std::min(1.0F, 1.3F * hollow / static_cast<float>(around.size()));
         for (std::size_t c = 0; c < 3; ++c)
-          rgb[3 * at + c] = static_cast<std::uint8_t>(static_cast<float>(rgb[3 * at + c]) * light + 0.5F);
+          rgb[3 * at + c] = static_cast<std::uint8_t>(std::lround(static_cast<float>(rgb[3 * at + c]) * light));
       }
   });
 }

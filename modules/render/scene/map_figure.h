@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/run.h"
+#include "cloud/plot_area.h"
 #include "cloud/point_cloud.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
-#include "render/charts/plot_area.h"
 #include "render/draw/figure.h"
 #include "render/scene/point_color.h"
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/markup.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "report/core/html.h"

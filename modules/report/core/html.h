@@ -7,9 +7,6 @@
 
 namespace bole {
 
-// Text with & < > " ' made harmless, and control characters left out.
-std::string escaped(std::string_view text);
-
 std::string base64(std::string_view bytes);
 
 // "data:image/png;base64,..."

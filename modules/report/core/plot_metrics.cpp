@@ -108,20 +108,19 @@ std::vector<double> seen_heights(const Table& stems) {
   return height;
 }
 
-std::vector<std::size_t> counted_stems(const Table& stems, const PlotArea& area, double least_dbh_cm) {
+std::vector<std::size_t> counted_stems(const Table& stems, const CountingRule& rule) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm");
   const auto state = texts_or_empty(stems, "state");
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < dbh.size(); ++i)
-    if (!rejected(state, i) && std::isfinite(dbh[i]) && dbh[i] >= least_dbh_cm && area.contains(x[i], y[i]))
-      rows.push_back(i);
+    if (!rejected(state, i) && std::isfinite(dbh[i]) && rule.counts({x[i], y[i]}, dbh[i])) rows.push_back(i);
   return rows;
 }
 
-PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_dbh_cm, double class_cm) {
+PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   PlotMetrics m;
-  m.area_m2 = area.area_m2();
+  m.area_m2 = rule.area.area_m2();
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m =
       m.lorey_height_m = m.dominant_height_m = nan;
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
@@ -129,13 +128,13 @@ PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_
   const auto state = texts_or_empty(stems, "state");
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (rejected(state, i) || !std::isfinite(dbh[i])) continue;
-    if (!area.contains(x[i], y[i]))
+    if (!rule.area.contains(x[i], y[i]))
       ++m.outside;
-    else if (dbh[i] < least_dbh_cm)
+    else if (dbh[i] < rule.min_dbh_cm)
       ++m.too_thin;
   }
   std::vector<Counted> counted;
-  for (const auto i : counted_stems(stems, area, least_dbh_cm)) counted.push_back({dbh[i], height[i]});
+  for (const auto i : counted_stems(stems, rule)) counted.push_back({dbh[i], height[i]});
   m.stems = counted.size();
   if (!counted.empty()) {
     take_diameters(counted, m);
@@ -166,7 +165,7 @@ std::vector<MetricRow> height_rows(const PlotMetrics& m) {
 
 }  // namespace
 
-std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
+std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
   const std::string inside = std::isfinite(m.area_m2) ? " and centre at breast height inside the plot; " +
                                                             std::to_string(m.outside) + " outside, "
                                                       : "; ";
@@ -174,7 +173,7 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double least_dbh_cm) {
   if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
   rows.push_back(
       {"Stems", std::to_string(m.stems), "",
-       "DBH of at least " + fixed(least_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
+       "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
   if (std::isfinite(m.area_m2)) rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"});
   rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"});
   if (std::isfinite(m.area_m2))

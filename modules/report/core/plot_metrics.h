@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cloud/plot_area.h"
 #include "cloud/table.h"
-#include "render/charts/plot_area.h"
 
 namespace bole {
 
@@ -21,7 +21,7 @@ struct DiameterClass {
 // NaN where a number cannot be had: per-hectare values without a plot area, heights where too few tops were seen.
 struct PlotMetrics {
   double area_m2 = 0;        // horizontal
-  std::size_t stems = 0;     // centre at breast height inside the plot, at least the least diameter, not rejected
+  std::size_t stems = 0;     // centre at breast height inside the plot, thick enough, not rejected
   std::size_t outside = 0;   // measured stems that lie outside
   std::size_t too_thin = 0;  // inside, below the least diameter
   double stems_per_ha = 0;
@@ -50,15 +50,15 @@ bool enough_tops(std::size_t seen, std::size_t stems);
 std::vector<double> seen_heights(const Table& stems);
 
 // `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen and state where known.
-PlotMetrics plot_metrics(const Table& stems, const PlotArea& area, double least_dbh_cm, double class_cm = 4);
+PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm = 4);
 
 // The rows of `stems` that count in plot_metrics().
-std::vector<std::size_t> counted_stems(const Table& stems, const PlotArea& area, double least_dbh_cm);
+std::vector<std::size_t> counted_stems(const Table& stems, const CountingRule& rule);
 
 // The metrics as a person reads them.
 struct MetricRow {
   std::string name, value, unit, how;
 };
-std::vector<MetricRow> metric_rows(const PlotMetrics& metrics, double least_dbh_cm);
+std::vector<MetricRow> metric_rows(const PlotMetrics& metrics, double min_dbh_cm);
 
 }  // namespace bole

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/markup.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "report/core/evaluation_section.h"
@@ -36,7 +37,7 @@ std::string cards(const PlotMetrics& m) {
 
 std::string metrics_section(const ReportContent& c) {
   HtmlTable table{{{"Measure"}, {"Value", true}, {"Unit"}, {"How"}}, {}, false};
-  for (const auto& row : metric_rows(c.metrics, c.least_dbh_cm))
+  for (const auto& row : metric_rows(c.metrics, c.rule.min_dbh_cm))
     table.rows.push_back({row.name, row.value, row.unit, row.how});
   std::string body = table.html();
   if (!std::isfinite(c.metrics.area_m2))
@@ -120,7 +121,7 @@ std::string outside_note(std::size_t outside, const std::pair<std::string, std::
 
 std::string stems_section(const ReportContent& c) {
   if (c.stems == nullptr) return {};
-  const auto rows = rows_inside(*c.stems, c.area);
+  const auto rows = rows_inside(*c.stems, c.rule.area);
   std::string text = "Diameters at breast height with their 95 % interval.";
   const auto seen = numbers_or_nan(*c.stems, "height_seen");
   if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; }))
@@ -151,7 +152,7 @@ std::string trees_to_check(const ReportContent& c) {
   std::size_t outside = 0;
   for (std::size_t i = 0; i < c.stems->rows(); ++i) {
     if (state[i] != "check" && quality[i] != "poor") continue;
-    if (!c.area.contains(x[i], y[i]))
+    if (!c.rule.area.contains(x[i], y[i]))
       ++outside;
     else
       table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1),
@@ -165,7 +166,7 @@ std::string trees_to_check(const ReportContent& c) {
 
 std::string rejected_candidates(const ReportContent& c) {
   if (c.rejected == nullptr || c.rejected->rows() == 0) return {};
-  const auto rows = rows_inside(*c.rejected, c.area);
+  const auto rows = rows_inside(*c.rejected, c.rule.area);
   HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
   const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"),
              points = numbers_or_nan(*c.rejected, "points");
@@ -176,6 +177,28 @@ std::string rejected_candidates(const ReportContent& c) {
          outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") + "</details>\n";
 }
 
+std::string edits_by_hand(const ReportContent& c) {
+  if (c.edits == nullptr || c.edits->rows() == 0) return {};
+  HtmlTable table{{{"Edit", true},
+                   {"What", false},
+                   {"Tree", true},
+                   {"Outcome", false},
+                   {"Who", false},
+                   {"When", false},
+                   {"Why", false}},
+                  {},
+                  true};
+  const auto number = numbers_or_nan(*c.edits, "edit"), tree = numbers_or_nan(*c.edits, "tree_id");
+  const auto action = texts_or_empty(*c.edits, "action"), outcome = texts_or_empty(*c.edits, "outcome"),
+             message = texts_or_empty(*c.edits, "message"), author = texts_or_empty(*c.edits, "author"),
+             time = texts_or_empty(*c.edits, "time"), reason = texts_or_empty(*c.edits, "reason");
+  for (std::size_t i = 0; i < c.edits->rows(); ++i)
+    table.rows.push_back({fixed(number[i], 0), action[i], tree[i] > 0 ? fixed(tree[i], 0) : "",
+                          outcome[i] + (message[i].empty() ? "" : ": " + typeset(message[i])), author[i], time[i],
+                          reason[i]});
+  return "<h3>Edits by hand (" + std::to_string(c.edits->rows()) + ")</h3>\n" + table.html();
+}
+
 std::string check_section(const ReportContent& c) {
   std::string body;
   if (!c.warnings.empty()) {
@@ -183,7 +206,7 @@ std::string check_section(const ReportContent& c) {
     for (const auto& w : c.warnings) body += "<li>" + escaped(w) + "</li>\n";
     body += "</ul>\n";
   }
-  body += trees_to_check(c) + rejected_candidates(c);
+  body += trees_to_check(c) + edits_by_hand(c) + rejected_candidates(c);
   if (body.empty()) body = paragraph("Nothing: no warnings, no tree asks to be checked.");
   return section("check", "What to look at", body);
 }

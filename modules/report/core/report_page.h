@@ -22,10 +22,10 @@ struct ReportContent {
   std::string title;
   std::vector<std::pair<std::string, std::string>> facts;  // "Made on", "Axes", ...
   PlotMetrics metrics;
-  double least_dbh_cm = 0;
-  PlotArea area;  // stems outside are counted and not listed
+  CountingRule rule;  // stems outside are counted and not listed
   const Table* stems = nullptr;
   const Table* rejected = nullptr;
+  const Table* edits = nullptr;
   const Table* summary = nullptr;  // evaluation
   bool poses_given = false;        // the walk was an input of the run
   std::vector<ReportPicture> pictures;

@@ -142,7 +142,8 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<Vel
     if (partner != nullptr && !partner->valid()) partner = nullptr;
     for (std::size_t r = 0; r < velodyne_records; ++r) {
       const std::size_t beam = beams_.size() < velodyne_records ? r % beams_.size() : r;
-      const double sequence_time_s = static_cast<double>(r / beams_.size()) * model_.sequence_period_s;
+      const std::size_t sequence = r / beams_.size();
+      const double sequence_time_s = static_cast<double>(sequence) * model_.sequence_period_s;
       if (two_banks) {
         append(block.records[r], block.flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0, index, 1,
                out);

@@ -41,7 +41,8 @@ class CostGrid {
     return c(p.y()) * n_ + c(p.x());
   }
   Eigen::Vector2d point(int i) const {
-    return {(i % n_ + 0.5) * cell_m - reach_m_, (i / n_ + 0.5) * cell_m - reach_m_};
+    const int column = i % n_, row = i / n_;
+    return {(column + 0.5) * cell_m - reach_m_, (row + 0.5) * cell_m - reach_m_};
   }
   bool is_free(int i) const { return cost_[static_cast<std::size_t>(i)] < blocked; }
   double cost(int i) const { return cost_[static_cast<std::size_t>(i)]; }

@@ -13,22 +13,52 @@ namespace bole {
 namespace {
 
 constexpr double smallest_sigma = 0.001;
+constexpr double most_gate = 1.2;  // of rays that were let in at the start of a step
 
 double square(double v) { return v * v; }
 
+using Vector7 = Eigen::Matrix<double, 7, 1>;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
+
+// Inverse covariance of the offsets of all views, one axis: views of a pass share the displacement of the pass.
+struct DriftPrecision {
+  Eigen::MatrixXd matrix;
+  double log_determinant = 0;
+
+  DriftPrecision(const std::vector<int>& pass_of_view, const DriftPrior& prior) {
+    const auto n = static_cast<Eigen::Index>(pass_of_view.size());
+    matrix = Eigen::MatrixXd::Zero(n, n);
+    const double view = square(prior.view_sd_m), pass = square(prior.pass_sd_m);
+    for (Eigen::Index first = 0; first < n;) {
+      Eigen::Index last = first;  // views are in the order of their passes
+      while (last < n && pass_of_view[static_cast<std::size_t>(last)] == pass_of_view[static_cast<std::size_t>(first)])
+        ++last;
+      const Eigen::Index m = last - first;
+      const double together = view + static_cast<double>(m) * pass;
+      matrix.block(first, first, m, m).diagonal().array() = 1 / view;
+      matrix.block(first, first, m, m).array() -= pass / (view * together);
+      log_determinant -= static_cast<double>(m - 1) * std::log(view) + std::log(together);
+      first = last;
+    }
+  }
+};
+
 class JointFit {
  public:
-  JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::size_t passes)
+  JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::vector<int> pass_of_view)
       : points_(points),
         options_(options),
-        passes_(passes),
-        size_(6 + (passes > 1 ? 2 * passes : 0)),
+        pass_of_view_(std::move(pass_of_view)),
+        views_(pass_of_view_.size()),
+        size_(7 + (views_ > 1 ? 2 * views_ : 0)),
+        drift_(pass_of_view_, options.drift),
         information_(information_share()) {}
 
   bool solve(TaperedCylinder& c, double& scale) {
     double damping = 1e-4;
+    evaluate(c);
     for (int i = 0; i < 40; ++i) {
-      choose_active(c);
+      choose_active();
       Eigen::MatrixXd normal;
       Eigen::VectorXd gradient;
       const double cost = assemble(c, scale, normal, gradient);
@@ -47,7 +77,8 @@ class JointFit {
           damping *= 10;
         }
       }
-      const double found = robust_scale(c, scale);
+      if (moved) evaluate(c);
+      const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
       const double shrunk =
           std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
@@ -64,18 +95,26 @@ class JointFit {
  private:
   // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger
   // one.
-  void choose_active(const TaperedCylinder& c) {
+  void choose_active() {
     active_.assign(points_.size(), true);
     if (!options_.along_rays) return;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      active_[i] = ray_residual(c, points_[i], options_.ray_gate, false).usable;
+      active_[i] = values_[i].usable && values_[i].impact < options_.ray_gate;
+  }
+
+  void evaluate(const TaperedCylinder& c) {
+    values_.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto e = value(c, points_[i]);
+      values_[i] = {e.value, e.impact, e.usable};
+    }
   }
 
   PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const {
-    return options_.along_rays ? ray_residual(c, p, 0.998) : surface_residual(c, p);
+    return options_.along_rays ? ray_residual(c, p, most_gate) : surface_residual(c, p);
   }
   PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const {
-    return options_.along_rays ? ray_residual(c, p, 0.998, false) : surface_residual(c, p, false);
+    return options_.along_rays ? ray_residual(c, p, most_gate, false) : surface_residual(c, p, false);
   }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
@@ -96,9 +135,13 @@ class JointFit {
   }
 
   double prior_cost(const TaperedCylinder& c) const {
-    double cost = square((c.taper - options_.taper_mean) / options_.taper_sd);
-    if (passes_ > 1)
-      for (const auto& o : c.pass_offset) cost += o.squaredNorm() / (options_.drift_sd_m * options_.drift_sd_m);
+    double cost = square((c.taper - options_.taper_mean) / options_.taper_sd) +
+                  square((c.range_offset - options_.range_offset.mean_m) / options_.range_offset.sd_m);
+    if (views_ > 1)
+      for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::VectorXd o = offsets_of(c, axis);
+        cost += o.dot(drift_.matrix * o);
+      }
     return cost / 2;
   }
 
@@ -118,30 +161,38 @@ class JointFit {
 
   Eigen::VectorXd row_of(const PointResidual& e, const BarkPoint& p) const {
     Eigen::VectorXd j = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size_));
-    j.head<6>() = e.jacobian;
-    if (passes_ > 1) j.segment<2>(6 + 2 * p.pass) = e.jacobian.head<2>();
+    j.head<7>() = e.jacobian;
+    if (views_ > 1) j.segment<2>(7 + 2 * p.view) = e.jacobian.head<2>();
     return j;
   }
 
+  Eigen::VectorXd offsets_of(const TaperedCylinder& c, int axis) const {
+    Eigen::VectorXd o(static_cast<Eigen::Index>(views_));
+    for (std::size_t k = 0; k < views_; ++k) o[static_cast<Eigen::Index>(k)] = c.view_offset[k][axis];
+    return o;
+  }
+
   void add_prior(const TaperedCylinder& c, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient) const {
-    const double wt = 1 / (options_.taper_sd * options_.taper_sd);
+    const double wt = 1 / square(options_.taper_sd), wr = 1 / square(options_.range_offset.sd_m);
     normal(5, 5) += wt, gradient[5] += wt * (c.taper - options_.taper_mean);
-    if (passes_ < 2) return;
-    const double wd = 1 / (options_.drift_sd_m * options_.drift_sd_m);
-    for (std::size_t k = 0; k < passes_; ++k) {
-      const auto at = static_cast<Eigen::Index>(6 + 2 * k);
-      normal.diagonal().segment<2>(at).array() += wd;
-      gradient.segment<2>(at) += wd * c.pass_offset[k];
+    normal(6, 6) += wr, gradient[6] += wr * (c.range_offset - options_.range_offset.mean_m);
+    if (views_ < 2) return;
+    const auto n = static_cast<Eigen::Index>(views_);
+    for (int axis = 0; axis < 2; ++axis) {
+      const Eigen::VectorXd pull = drift_.matrix * offsets_of(c, axis);
+      for (Eigen::Index a = 0; a < n; ++a) {
+        gradient[7 + 2 * a + axis] += pull[a];
+        for (Eigen::Index b = 0; b < n; ++b) normal(7 + 2 * a + axis, 7 + 2 * b + axis) += drift_.matrix(a, b);
+      }
     }
   }
 
   double assemble(const TaperedCylinder& c, double scale, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient) const {
     const auto n = static_cast<Eigen::Index>(size_);
     normal = Eigen::MatrixXd::Zero(n, n), gradient = Eigen::VectorXd::Zero(n);
-    // Small blocks per pass: the offsets of two passes never meet in one point.
-    using Matrix6 = Eigen::Matrix<double, 6, 6>;
-    std::vector<Matrix6> by_pass(passes_, Matrix6::Zero());
-    std::vector<Eigen::Matrix<double, 6, 1>> rhs(passes_, Eigen::Matrix<double, 6, 1>::Zero());
+    // Small blocks per view: the offsets of two views never meet in one point.
+    std::vector<Matrix7> by_view(views_, Matrix7::Zero());
+    std::vector<Vector7> rhs(views_, Vector7::Zero());
     constexpr double k2 = 4.685 * 4.685;
     double sum = 0;
     const double factor = information_ / (scale * scale);
@@ -153,16 +204,16 @@ class JointFit {
       sum += rho(u2);
       if (u2 >= 1) continue;
       const double w = factor * (1 - u2) * (1 - u2);
-      const auto k = static_cast<std::size_t>(p.pass);
-      by_pass[k].noalias() += w * e.jacobian * e.jacobian.transpose();
+      const auto k = static_cast<std::size_t>(p.view);
+      by_view[k].noalias() += w * e.jacobian * e.jacobian.transpose();
       rhs[k] += w * e.value * e.jacobian;
     }
-    for (std::size_t k = 0; k < passes_; ++k) {
-      normal.topLeftCorner<6, 6>() += by_pass[k], gradient.head<6>() += rhs[k];
-      if (passes_ < 2) continue;
-      const auto at = static_cast<Eigen::Index>(6 + 2 * k);
-      normal.block<2, 6>(at, 0) += by_pass[k].topRows<2>(), normal.block<6, 2>(0, at) += by_pass[k].leftCols<2>();
-      normal.block<2, 2>(at, at) += by_pass[k].topLeftCorner<2, 2>(), gradient.segment<2>(at) += rhs[k].head<2>();
+    for (std::size_t k = 0; k < views_; ++k) {
+      normal.topLeftCorner<7, 7>() += by_view[k], gradient.head<7>() += rhs[k];
+      if (views_ < 2) continue;
+      const auto at = static_cast<Eigen::Index>(7 + 2 * k);
+      normal.block<2, 7>(at, 0) += by_view[k].topRows<2>(), normal.block<7, 2>(0, at) += by_view[k].leftCols<2>();
+      normal.block<2, 2>(at, at) += by_view[k].topLeftCorner<2, 2>(), gradient.segment<2>(at) += rhs[k].head<2>();
     }
     add_prior(c, normal, gradient);
     return information_ * sum * k2 / 6 + prior_cost(c);
@@ -170,40 +221,54 @@ class JointFit {
 
   TaperedCylinder moved_by(TaperedCylinder c, const Eigen::VectorXd& step) const {
     c.x += step[0], c.y += step[1], c.slope_x += step[2], c.slope_y += step[3], c.radius += step[4], c.taper += step[5];
-    if (passes_ > 1)
-      for (std::size_t k = 0; k < passes_; ++k)
-        c.pass_offset[k] += step.segment<2>(static_cast<Eigen::Index>(6 + 2 * k));
+    c.range_offset += step[6];
+    if (views_ > 1)
+      for (std::size_t k = 0; k < views_; ++k)
+        c.view_offset[k] += step.segment<2>(static_cast<Eigen::Index>(7 + 2 * k));
     return c;
   }
 
-  double robust_scale(const TaperedCylinder& c, double scale) const {
+  double robust_scale(double scale) const {
     std::vector<double> errors;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto e = value(c, points_[i]); active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
+    errors.reserve(values_.size());
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      if (const auto& e = values_[i]; active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
     return 1.4826 * median_of(errors);
   }
 
+  struct Value {
+    double value = 0, impact = 0;
+    bool usable = false;
+  };
+
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
   std::vector<bool> active_;
-  std::size_t passes_;
+  std::vector<Value> values_;  // at the present cylinder
+  std::vector<int> pass_of_view_;
+  std::size_t views_;
   std::size_t size_;
+  DriftPrecision drift_;
   double information_;
 };
 
 DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const {
-  const auto m = static_cast<Eigen::Index>(2 * passes_);
-  Eigen::MatrixXd base = normal.topLeftCorner(6, 6);
-  base(5, 5) += 1 / square(options_.taper_sd);
+  const auto m = static_cast<Eigen::Index>(2 * views_);
+  Eigen::MatrixXd base = normal.topLeftCorner(7, 7);
+  base(5, 5) += 1 / square(options_.taper_sd), base(6, 6) += 1 / square(options_.range_offset.sd_m);
   base.diagonal() *= 1 + 1e-9;
-  const Eigen::MatrixXd mixed = normal.block(0, 6, 6, m);
+  const Eigen::MatrixXd mixed = normal.block(0, 7, 7, m);
   DriftEvidence out;
+  out.pass_of_view = pass_of_view_;
   out.information = normal.bottomRightCorner(m, m) - mixed.transpose() * base.ldlt().solve(mixed);
   Eigen::VectorXd offset(m);
-  for (std::size_t k = 0; k < passes_; ++k) offset.segment<2>(static_cast<Eigen::Index>(2 * k)) = c.pass_offset[k];
+  for (int axis = 0; axis < 2; ++axis)
+    offset(Eigen::seqN(axis, static_cast<Eigen::Index>(views_), 2)) = offsets_of(c, axis);
   // At the optimum the prior and the data balance.
-  out.target = out.information * offset + offset / square(options_.drift_sd_m);
+  out.target = out.information * offset;
+  for (int axis = 0; axis < 2; ++axis)
+    out.target(Eigen::seqN(axis, static_cast<Eigen::Index>(views_), 2)) += drift_.matrix * offsets_of(c, axis);
   return out;
 }
 
@@ -250,30 +315,63 @@ void JointFit::describe(CylinderFit& fit) const {
   fit.blocks = static_cast<int>(section_wins ? by_section.size() : by_bearing.size());
   fit.radius_sd_m = std::sqrt(std::max(0.0, worse(4, 4)));
   fit.position_sd_m = std::sqrt(std::max({0.0, worse(0, 0), worse(1, 1)}));
-  if (passes_ > 1) fit.drift = drift_evidence(c, normal);
+  if (options_.along_rays) {
+    // What the prior of the offset has added to the estimate is taken out again.
+    const double posterior = worse(6, 6), prior_variance = square(options_.range_offset.sd_m);
+    if (posterior < 0.9 * prior_variance) {
+      const double variance = 1 / (1 / posterior - 1 / prior_variance);
+      fit.range_offset.sd_m = std::sqrt(variance);
+      fit.range_offset.value_m =
+          variance * (c.range_offset / posterior - options_.range_offset.mean_m / prior_variance);
+    }
+  }
+  if (views_ < 2) return;
+  fit.drift = drift_evidence(c, normal);
+  std::vector<int> views;
+  for (std::size_t k = 0; k < views_; ++k) {
+    const auto pass = static_cast<std::size_t>(pass_of_view_[k]);
+    if (views.size() <= pass) views.resize(pass + 1, 0), fit.pass_offset.resize(pass + 1, Eigen::Vector2d::Zero());
+    ++views[pass], fit.pass_offset[pass] += (c.view_offset[k] - fit.pass_offset[pass]) / views[pass];
+  }
 }
 
 }  // namespace
 
-double drift_log_likelihood(const DriftEvidence& evidence, double drift_sd_m) {
-  const auto n = evidence.target.size();
-  const double variance = square(drift_sd_m);
-  const Eigen::MatrixXd posterior = evidence.information + Eigen::MatrixXd::Identity(n, n) / variance;
+double drift_log_likelihood(const DriftEvidence& evidence, const DriftPrior& prior) {
+  const DriftPrecision drift(evidence.pass_of_view, prior);
+  const auto views = drift.matrix.rows();
+  Eigen::MatrixXd posterior = evidence.information;
+  for (int axis = 0; axis < 2; ++axis)
+    posterior(Eigen::seqN(axis, views, 2), Eigen::seqN(axis, views, 2)) += drift.matrix;
   const Eigen::LDLT<Eigen::MatrixXd> solver(posterior);
   return 0.5 * evidence.target.dot(solver.solve(evidence.target)) -
-         0.5 * (solver.vectorD().cwiseMax(1e-300).array().log().sum() + static_cast<double>(n) * std::log(variance));
+         0.5 * solver.vectorD().cwiseMax(1e-300).array().log().sum() + drift.log_determinant;
+}
+
+std::vector<int> number_views(std::vector<BarkPoint>& points, bool by_bearing) {
+  constexpr int sectors = 18;
+  std::map<std::pair<int, int>, int> numbers;
+  const auto key = [&](const BarkPoint& p) {
+    if (!by_bearing) return std::pair(p.pass, -1);
+    return std::pair(p.pass, static_cast<int>(std::floor((std::atan2(p.ray.y(), p.ray.x()) / std::numbers::pi + 1) *
+                                                         0.5 * sectors)));
+  };
+  for (const auto& p : points) numbers.emplace(key(p), 0);
+  std::vector<int> pass_of_view;
+  for (auto& [k, number] : numbers) number = static_cast<int>(pass_of_view.size()), pass_of_view.push_back(k.first);
+  for (auto& p : points) p.view = numbers[key(p)];
+  return pass_of_view;
 }
 
 std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start,
                                                 double start_error_m, const CylinderFitOptions& options) {
   if (points.size() < 12 || !(start.radius > 0)) return std::nullopt;
-  int passes = 1;
-  for (const auto& p : points) passes = std::max(passes, p.pass + 1);
-  if (passes > 1)
-    start.pass_offset.resize(static_cast<std::size_t>(passes), Eigen::Vector2d::Zero());
-  else
-    start.pass_offset.clear();
-  JointFit joint(points, options, static_cast<std::size_t>(passes));
+  std::vector<BarkPoint> numbered = points;
+  auto pass_of_view = number_views(numbered, options.along_rays);
+  const std::size_t offsets = pass_of_view.size() > 1 ? pass_of_view.size() : 0;
+  if (start.view_offset.size() != offsets) start.view_offset.assign(offsets, Eigen::Vector2d::Zero());
+  start.range_offset = options.along_rays ? options.range_offset.mean_m : 0;
+  JointFit joint(numbered, options, std::move(pass_of_view));
   CylinderFit fit;
   fit.cylinder = start, fit.along_rays = options.along_rays;
   fit.sigma_m = std::max(start_error_m / 2, options.max_sigma_m);

@@ -1,11 +1,12 @@
 #include <cmath>
 
+#include "stems/core/beam_depth.h"
 #include "stems/core/cylinder_fit.h"
 
 namespace bole {
 namespace {
 
-// What both residuals share: the point seen from the axis point of its pass, and the axis.
+// What both residuals share: the point seen from the axis point of its view, and the axis.
 struct Seen {
   Eigen::Vector3d q;  // from the axis point to the measured point
   Eigen::Vector3d a;  // axis direction
@@ -20,7 +21,7 @@ Seen look(const TaperedCylinder& c, const BarkPoint& point) {
   const Eigen::Vector3d axis(c.slope_x, c.slope_y, 1);
   seen.norm = axis.norm(), seen.a = axis / seen.norm;
   seen.q = point.p - Eigen::Vector3d(c.x, c.y, 0);
-  if (!c.pass_offset.empty()) seen.q.head<2>() -= c.pass_offset[static_cast<std::size_t>(point.pass)];
+  if (!c.view_offset.empty()) seen.q.head<2>() -= c.view_offset[static_cast<std::size_t>(point.view)];
   seen.s = seen.q.dot(seen.a);
   return seen;
 }
@@ -54,25 +55,23 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
   const double cos_axis = d.dot(seen.a), m2 = 1 - cos_axis * cos_axis;
   if (m2 < 0.1) return out;  // nearly parallel to the stem, or no ray
   const double m = std::sqrt(m2), qd = seen.q.dot(d), A = qd - seen.s * cos_axis, along = A / m;
-  const double impact2 = seen.q.squaredNorm() - seen.s * seen.s - along * along;
+  const double impact2 = std::max(0.0, seen.q.squaredNorm() - seen.s * seen.s - along * along);
   const double radius = c.radius + c.taper * seen.s;
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
-  const double root = std::sqrt(radius * radius - std::max(0.0, impact2));
-  const double across = along + root;
-  // The lit bark lies deeper than the middle of the beam by half the curvature of the section times the variance of the
-  // beam.
-  const double root2 = root * root, r2 = radius * radius, deeper = 0.5 * point.beam_variance * r2 / (root2 * root);
-  out.value = (across - deeper) / m, out.usable = true;
+  const double q = impact2 / (radius * radius), width = point.beam_sd / radius;
+  if (q >= 1 && width <= 0) return out;  // a ray that would miss
+  const LitDepth lit = lit_depth(q, width);
+  const double across = along + radius * lit.depth;
+  out.value = across / m - c.range_offset, out.impact = std::sqrt(q), out.usable = true;
   if (!derivatives) return out;
 
+  const double by_radius = lit.depth - 2 * q * lit.by_impact2 - width * lit.by_width,
+               by_impact2 = lit.by_impact2 / radius;
   const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {
     const double dm = -cos_axis * d_cos / m;
     const double d_along = dA / m - A * dm / m2;
     const double d_impact2 = d_q2 - 2 * seen.s * ds - 2 * along * d_along;
-    const double d_root = (radius * d_radius - d_impact2 / 2) / root;
-    const double d_deeper =
-        0.5 * point.beam_variance * (2 * radius * d_radius * root - 3 * r2 * d_root) / (root2 * root2);
-    return (d_along + d_root - d_deeper) / m - (across - deeper) * dm / m2;
+    return (d_along + by_radius * d_radius + by_impact2 * d_impact2) / m - across * dm / m2;
   };
   for (int k = 0; k < 2; ++k) {
     const double ds = -seen.a[k];
@@ -82,6 +81,7 @@ PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, dou
     out.jacobian[2 + k] = derivative(0, ds_a, -ds_a * cos_axis - seen.s * dc, dc, c.taper * ds_a);
   }
   out.jacobian[4] = derivative(0, 0, 0, 0, 1), out.jacobian[5] = derivative(0, 0, 0, 0, seen.s);
+  out.jacobian[6] = -1;
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
+#include "stems/core/ring_density.h"
 #include "stems/core/stem_points.h"
 #include "stems/core/stem_sections.h"
 
@@ -25,28 +26,6 @@ double student_975(double freedom) {
   return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }
 
-// How much denser the points lie on the surface than beside it: bark stands out, leaves do not.
-class RingDensity {
- public:
-  explicit RingDensity(double radius) : radius_(radius) {}
-  void add(double distance) {
-    on_ += std::abs(distance) < ring_m;
-    beside_ += distance >= outer_low_m && distance < outer_high_m;
-    beside_ += distance <= -outer_low_m && distance > -outer_high_m;
-  }
-  double contrast() const {
-    const auto area = [&](double from, double to) { return std::numbers::pi * (to * to - from * from); };
-    const double on_area = area(std::max(0.0, radius_ - ring_m), radius_ + ring_m);
-    const double beside_area = area(radius_ + outer_low_m, radius_ + outer_high_m) +
-                               area(std::max(0.0, radius_ - outer_high_m), std::max(0.0, radius_ - outer_low_m));
-    return (on_ / on_area) / ((beside_ + 1) / beside_area);
-  }
-
- private:
-  static constexpr double ring_m = 0.025, outer_low_m = 0.05, outer_high_m = 0.08;
-  double radius_, on_ = 0, beside_ = 0;
-};
-
 struct Attempt {
   StemAxes axes;
   std::vector<BarkPoint> points;
@@ -58,35 +37,47 @@ struct Attempt {
 class StemFitter {
  public:
   StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
-             const Eigen::Vector3d& origin, double breast_height, double drift_sd, const MeasureOptions& options)
+             const Eigen::Vector3d& origin, double breast_height, const ProjectPriors& priors,
+             const MeasureOptions& options)
       : candidate_(candidate),
         layer_(layer),
         rays_(rays),
         dem_(dem),
         origin_(origin),
         breast_height_(breast_height),
-        drift_sd_(drift_sd),
+        priors_(priors),
         options_(options) {}
 
-  StemFitResult run() {
-    StemFitResult result;
+  // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
+  StemFitResult first() const {
     AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z),
                   Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
                   candidate_.taper};
-    std::optional<CylinderFit> fit;
-    Attempt attempt;
-    // The axes of the stem depend on its lean and on the ground at its base: the second round starts from the first.
-    for (int round = 0; round < 2; ++round) {
-      attempt = prepare(axis);
-      if (!result_is_fit(attempt, result)) return result;
-      fit = joint_fit(attempt);
-      if (!fit) {
-        result.rejected = "no cylinder fits its points";
-        return result;
-      }
-      axis = line_of(attempt.axes, fit->cylinder);
-    }
-    result.stem = describe(attempt, *fit, axis);
+    StemFitResult result;
+    auto attempt = prepare(axis);
+    if (!has_sections(attempt, result)) return result;
+    auto fit = surface_fit(attempt, used_points(attempt));
+    if (!fit) return no_cylinder();
+    attempt = prepare(line_of(attempt.axes, fit->cylinder));
+    if (!has_sections(attempt, result)) return result;
+    const auto points = used_points(attempt);
+    fit = surface_fit(attempt, points);
+    if (!fit) return no_cylinder();
+    if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
+    result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
+    return result;
+  }
+
+  StemFitResult again(const Stem& before) const {
+    StemFitResult result;
+    const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
+    const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
+    if (!has_sections(attempt, result)) return result;
+    const auto points = used_points(attempt);
+    auto fit =
+        before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
+    if (!fit) return no_cylinder();
+    result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
     return result;
   }
 
@@ -111,11 +102,11 @@ class StemFitter {
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
     gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
-    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad;
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
     gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
     gather.highest = options_.search_top_m - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap_s);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_));
     const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
@@ -123,7 +114,7 @@ class StemFitter {
     return a;
   }
 
-  bool result_is_fit(const Attempt& a, StemFitResult& result) const {
+  bool has_sections(const Attempt& a, StemFitResult& result) const {
     if (a.line.sections >= options_.min_sections) return true;
     result.rejected = fmt::format(
         "only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections,
@@ -131,7 +122,9 @@ class StemFitter {
     return false;
   }
 
-  std::optional<CylinderFit> joint_fit(const Attempt& a) const {
+  static StemFitResult no_cylinder() { return {std::nullopt, "no cylinder fits its points"}; }
+
+  static std::vector<BarkPoint> used_points(const Attempt& a) {
     std::vector<BarkPoint> used;
     for (const auto& p : a.points)
       if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
@@ -139,16 +132,28 @@ class StemFitter {
       for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
       used.resize((used.size() - 1) / stride + 1);
     }
-    TaperedCylinder start{a.line.x, a.line.y, a.line.slope_x, a.line.slope_y, a.line.radius, a.line.taper, {}};
+    return used;
+  }
+
+  CylinderFitOptions fit_options() const {
     CylinderFitOptions o;
-    o.max_sigma_m = options_.max_sigma_m, o.drift_sd_m = drift_sd_, o.ray_gate = options_.ray_gate;
-    auto fit = fit_tapered_cylinder(used, start, 0.03, o);
-    if (!fit || options_.model != "ray" || !rays_.has_sensor()) return fit;
-    o.along_rays = true;
-    if (auto with_rays = fit_tapered_cylinder(used, fit->cylinder, 0.02, o);
-        with_rays && std::abs(with_rays->cylinder.radius - fit->cylinder.radius) < 0.03 + 0.3 * fit->cylinder.radius)
-      return with_rays;
-    return fit;
+    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate;
+    return o;
+  }
+
+  std::optional<CylinderFit> surface_fit(const Attempt& a, const std::vector<BarkPoint>& used) const {
+    const TaperedCylinder start{a.line.x, a.line.y, a.line.slope_x, a.line.slope_y, a.line.radius, a.line.taper, {}};
+    return fit_tapered_cylinder(used, start, 0.03, fit_options());
+  }
+
+  // Nothing when rays are not known or disagree widely with the start.
+  std::optional<CylinderFit> ray_fit(const std::vector<BarkPoint>& used, const TaperedCylinder& start) const {
+    if (!fits_along_rays(rays_, options_)) return std::nullopt;
+    auto o = fit_options();
+    o.along_rays = true, o.range_offset = priors_.range_offset;
+    auto fit = fit_tapered_cylinder(used, start, 0.02, o);
+    if (fit && std::abs(fit->cylinder.radius - start.radius) < 0.03 + 0.3 * start.radius) return fit;
+    return std::nullopt;
   }
 
   static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) {
@@ -162,7 +167,8 @@ class StemFitter {
   const CloudRays& rays_;
   const Raster& dem_;
   const Eigen::Vector3d& origin_;
-  double breast_height_, drift_sd_;
+  double breast_height_;
+  const ProjectPriors& priors_;
   const MeasureOptions& options_;
 };
 
@@ -170,12 +176,13 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   Stem s;
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
-  s.radius = fit.cylinder.radius, s.taper = fit.cylinder.taper;
+  s.along_rays = fit.along_rays;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
   const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m),
                half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
-  s.pass_offset = fit.cylinder.pass_offset, s.drift = fit.drift;
+  s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
   std::vector<double> errors, angles;
@@ -211,11 +218,25 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
 
 }  // namespace
 
+bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
+  return rays.has_sensor() && options.model != "surface";
+}
+
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
-                       const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                        const MeasureOptions& options) {
   try {
-    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, drift_sd_m, options).run();
+    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).first();
+  } catch (const std::exception& e) {
+    return {std::nullopt, std::string("the fit failed: ") + e.what()};
+  }
+}
+
+StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                         const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
+                         const MeasureOptions& options) {
+  try {
+    return StemFitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).again(before);
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }

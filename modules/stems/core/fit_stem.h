@@ -47,10 +47,11 @@ struct Stem {
   double height_m = 0;
   bool height_seen = false;
   int passes = 1, inliers = 0, sections_used = 0;
-  bool rays_known = false;
-  double lowest = 0, highest = 0;  // heights of the sections used
+  bool rays_known = false, along_rays = false;  // along_rays: fitted so
+  double lowest = 0, highest = 0;               // heights of the sections used
   std::vector<Eigen::Vector2d> pass_offset;
-  DriftEvidence drift;  // what the passes say about their displacements
+  DriftEvidence drift;  // what the views say about their displacements
+  RangeOffsetEvidence range_offset;
   int faults = 0;
   std::vector<Section> sections;
   StemCandidate candidate;
@@ -63,9 +64,20 @@ struct StemFitResult {
   std::string rejected;  // why, in words, when there is none
 };
 
-// `drift_sd_m`: prior of the offsets between passes. Never throws for a bad tree.
+// What all stems of a project share.
+struct ProjectPriors {
+  DriftPrior drift;
+  RangeOffsetPrior range_offset;
+};
+
+bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);
+
+// Neither throws for a bad tree. The second starts from a stem that was fitted before, with what was learnt since.
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
-                       const Eigen::Vector3d& cloud_origin, double breast_height_m, double drift_sd_m,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                        const MeasureOptions& options);
+StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                         const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
+                         const MeasureOptions& options);
 
 }  // namespace bole

@@ -9,13 +9,14 @@
 
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/project_priors.h"
 #include "stems/core/ray_test.h"
 #include "stems/core/stem_quality.h"
 
 namespace bole {
 namespace {
 
-constexpr double first_drift_sd_m = 0.010, least_drift_sd_m = 0.001, most_drift_sd_m = 0.05;
+constexpr double all_round_rad = 6.0;
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -43,11 +44,11 @@ class Survey {
 
   StemSurvey measure() {
     detect();
-    fit_all(0.30, 0.55, first_drift_sd_m);
-    if (const double drift = estimate_drift(); has_passes_) {
-      out_.report.metrics["drift_between_passes"] = {100 * drift, Unit::centimetre};
-      fit_all(0.55, 0.75, drift);
-    }
+    ProjectPriors priors;
+    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    fit_all(priors);
+    test_rays();
+    if (learn(priors)) refit_all(priors);
     accept();
     label();
     summarise();
@@ -92,51 +93,77 @@ class Survey {
     }
   }
 
-  void fit_all(double from, double to, double drift_sd) {
-    fits_.assign(candidates_.size(), {});
-    constexpr std::size_t batch = 16;  // progress comes from this thread alone, between batches
-    for (std::size_t first = 0; first < candidates_.size(); first += batch) {
-      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(candidates_.size()),
-                  fmt::format("stem {} of {}", first + 1, candidates_.size()));
-      tbb::parallel_for(first, std::min(first + batch, candidates_.size()), [&](std::size_t i) {
-        if (!run_.cancelled())
-          fits_[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, drift_sd, options_);
+  // Calls f(i) in threads for i below n, in batches: progress comes from this thread alone, between them.
+  template <class F>
+  void in_batches(double from, double to, std::size_t n, F&& f) {
+    constexpr std::size_t batch = 16;
+    for (std::size_t first = 0; first < n; first += batch) {
+      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(n),
+                  fmt::format("stem {} of {}", first + 1, n));
+      tbb::parallel_for(first, std::min(first + batch, n), [&](std::size_t i) {
+        if (!run_.cancelled()) f(i);
       });
       run_.check_cancel();
     }
   }
 
-  // Empirical Bayes: the spread of the passes that makes the evidence of all stems likeliest is the prior of the second
-  // round. The sum over stems is of bounded terms, so that few wild ones do not open it for all.
-  double estimate_drift() {
-    std::vector<const DriftEvidence*> evidence;
-    for (const auto& f : fits_)
-      if (f.stem && f.stem->passes > 1 && f.stem->drift.target.size() > 0 && !objection(*f.stem, options_))
-        evidence.push_back(&f.stem->drift);
-    has_passes_ = !evidence.empty();
-    double best = first_drift_sd_m, highest = -std::numeric_limits<double>::infinity();
-    for (double sd = least_drift_sd_m; has_passes_ && sd <= most_drift_sd_m; sd *= 1.1) {
-      double sum = 0;
-      for (const auto* e : evidence)
-        sum += std::max(-50.0, drift_log_likelihood(*e, sd) - drift_log_likelihood(*e, most_drift_sd_m));
-      if (sum > highest) highest = sum, best = sd;
+  void fit_all(const ProjectPriors& priors) {
+    std::vector<StemFitResult> fits(candidates_.size());
+    in_batches(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
+      fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+    });
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+      const auto& c = candidates_[i];
+      if (fits[i].stem)
+        fitted_.push_back(std::move(*fits[i].stem));
+      else
+        out_.rejected.push_back({{c.x, c.y, c.ground_z}, 2 * c.radius, c.points, fits[i].rejected});
     }
-    return best;
+  }
+
+  // An interval that is wide before the priors are known is no reason to give a stem up.
+  bool hopeless(Stem s) const {
+    s.radius_low = s.radius_high = s.radius;
+    judge(s, breast_height_);
+    return objection(s, options_).has_value();
+  }
+
+  // What is no stem after the first round needs no second.
+  void refit_all(const ProjectPriors& priors) {
+    in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
+      auto& s = fitted_[i];
+      if (hopeless(s)) return;
+      auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+      if (!again.stem) return;
+      again.stem->ray_through = s.ray_through;
+      s = std::move(*again.stem);
+      judge(s, breast_height_);
+    });
+  }
+
+  // Empirical Bayes: what all stems share is the prior of a second round. False when there is nothing to learn.
+  bool learn(ProjectPriors& priors) {
+    std::vector<const DriftEvidence*> drift;
+    std::vector<RangeOffsetEvidence> offsets;
+    for (const auto& s : fitted_) {
+      if (objection(s, options_)) continue;
+      if (s.drift.target.size() > 0) drift.push_back(&s.drift);
+      // Rays that all come from one side cannot tell their offset from the place of the stem.
+      if (s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad) offsets.push_back(s.range_offset);
+    }
+    if (!drift.empty()) {
+      priors.drift = likeliest_drift(drift);
+      out_.report.metrics["drift_between_passes"] = {100 * priors.drift.pass_sd_m, Unit::centimetre};
+      out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
+    }
+    if (!offsets.empty() && options_.estimate_range_offset) {
+      priors.range_offset = mean_range_offset(std::move(offsets));
+      out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
+    }
+    return !drift.empty() || !offsets.empty();
   }
 
   void accept() {
-    for (std::size_t i = 0; i < candidates_.size(); ++i) {
-      auto& f = fits_[i];
-      if (f.stem)
-        fitted_.push_back(std::move(*f.stem));
-      else
-        out_.rejected.push_back({{candidates_[i].x, candidates_[i].y, candidates_[i].ground_z},
-                                 2 * candidates_[i].radius,
-                                 candidates_[i].points,
-                                 f.rejected});
-    }
-    test_rays();
-    for (auto& s : fitted_) judge(s, breast_height_);
     std::ranges::stable_sort(fitted_,
                              [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
     for (auto& s : fitted_) {
@@ -164,13 +191,13 @@ class Survey {
   }
 
   void test_rays() {
-    if (!rays_.has_sensor()) {
-      for (auto& s : fitted_) s.ray_through = std::numeric_limits<double>::quiet_NaN();
-      return;
+    run_.report(0.60, "rays through the candidates");
+    const auto counts =
+        rays_.has_sensor() ? count_rays(fitted_, points_, sensor_of_point(), run_) : std::vector<RayCount>();
+    for (std::size_t k = 0; k < fitted_.size(); ++k) {
+      fitted_[k].ray_through = counts.empty() ? std::numeric_limits<double>::quiet_NaN() : share_through(counts[k]);
+      judge(fitted_[k], breast_height_);
     }
-    run_.report(0.78, "rays through the candidates");
-    const auto counts = count_rays(fitted_, points_, sensor_of_point(), run_);
-    for (std::size_t k = 0; k < fitted_.size(); ++k) fitted_[k].ray_through = share_through(counts[k]);
   }
 
   // Null when no sensor positions are known.
@@ -210,7 +237,7 @@ class Survey {
     r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()),
     r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
-    r.facts["fit"] = rays_.has_sensor() && options_.model == "ray" ? "along rays" : "surface distance";
+    r.facts["fit"] = fits_along_rays(rays_, options_) ? "along rays" : "surface distance";
     const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
     r.message =
         fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
@@ -253,10 +280,8 @@ class Survey {
   StemLayer layer_;
   CloudRays rays_;
   std::vector<StemCandidate> candidates_;
-  std::vector<StemFitResult> fits_;
   std::vector<Stem> fitted_;
   std::size_t circles_ = 0;
-  bool has_passes_ = false;
   StemSurvey out_;
 };
 

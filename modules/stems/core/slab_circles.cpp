@@ -65,25 +65,33 @@ VoxelLayer join(std::vector<std::vector<Voxel>>& by_cell) {
   return out;
 }
 
+// Voxels of the cells around v whose height is within `reach_height` of that of v; voxels of a cell are in the order of
+// their height steps.
 template <class F>
-void for_each_voxel_near(const StemLayer& grid, const VoxelLayer& thin, double x, double y, double radius, F&& f) {
-  const int x0 = grid.cell_x(x - radius), x1 = grid.cell_x(x + radius), y0 = grid.cell_y(y - radius),
-            y1 = grid.cell_y(y + radius);
-  for (int iy = y0; iy <= y1; ++iy) {
-    const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx);
-    for (auto k = thin.start[row + static_cast<std::size_t>(x0)];
-         k < thin.start[row + static_cast<std::size_t>(x1) + 1]; ++k)
-      f(thin.voxels[k]);
-  }
+void for_each_voxel_near(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v, double reach,
+                         double reach_height, F&& f) {
+  const auto step = [](double height) { return static_cast<int>(std::floor(height / voxel_height_m)); };
+  const int lowest = step(v.height - reach_height), highest = step(v.height + reach_height);
+  const int x0 = grid.cell_x(v.x - reach), x1 = grid.cell_x(v.x + reach), y0 = grid.cell_y(v.y - reach),
+            y1 = grid.cell_y(v.y + reach);
+  for (int iy = y0; iy <= y1; ++iy)
+    for (int ix = x0; ix <= x1; ++ix) {
+      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
+      const auto *first = thin.voxels.data() + thin.start[cell], *last = thin.voxels.data() + thin.start[cell + 1];
+      for (const auto* o = std::partition_point(first, last, [&](const Voxel& w) { return step(w.height) < lowest; });
+           o != last && step(o->height) <= highest; ++o)
+        f(*o);
+    }
 }
 
 bool is_upright(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v) {
   constexpr float reach = 0.10F;
+  constexpr float steepest = 3;  // heights of neighbours differ by more only on ground steeper than 60 degrees
   constexpr int enough = 8;
   int n = 0;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-  for_each_voxel_near(grid, thin, v.x, v.y, reach, [&](const Voxel& o) {
+  for_each_voxel_near(grid, thin, v, reach, steepest * reach, [&](const Voxel& o) {
     const Eigen::Vector3f d(o.x - v.x, o.y - v.y, o.z - v.z);
     if (d.squaredNorm() > reach * reach) return;
     ++n, sum += d, squares += d * d.transpose();

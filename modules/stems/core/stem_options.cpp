@@ -82,9 +82,9 @@ const OptionTable& option_table(const MeasureOptions*) {
               TextKind::choice,
               {"auto", "ray", "surface"},
               Tier::advanced,
-              "Residual of the joint fit: the distance to the bark surface, which auto takes too, or the error along "
-              "the ray, which needs sensor positions and exact poses: drifting poses make stems thin in it."
-              "round stem; ray is the error along the ray, for exact poses."},
+              "Residual of the joint fit: ray is the error along the ray with a beam of finite width, which needs "
+              "sensor "
+              "positions; surface is the distance to the bark; auto takes ray where sensor positions are known."},
           Option<S, double>{"window",
                             &S::window_m,
                             Unit::metre,
@@ -115,8 +115,26 @@ const OptionTable& option_table(const MeasureOptions*) {
                             Unit::none,
                             {0, 20},
                             Tier::expert,
-                            "Full angle of the beam in milliradians, for the ray model: a wide beam measures a little "
-                            "deeper than its middle on round bark."},
+                            "Horizontal full angle of the beam (1/e^2) in milliradians, for the ray model: a wide beam "
+                            "measures the mean of the round bark that it lights."},
+          Option<S, double>{"beam_aperture",
+                            &S::beam_aperture_m,
+                            Unit::metre,
+                            {0, 0.1},
+                            Tier::expert,
+                            "Horizontal width of the beam where it leaves the sensor, for the ray model."},
+          Option<S, double>{
+              "bark_relief",
+              &S::bark_relief_m,
+              Unit::metre,
+              {0, 0.03},
+              Tier::advanced,
+              "Mean depth of the bark below the ridges that a tape lies on; the ray model, which sees the "
+              "fissures too, adds it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more."},
+          Option<S, bool>{
+              "estimate_range_offset", &S::estimate_range_offset, Tier::expert,
+              "Estimate over all stems what the rays measure too far on average, by lasers or by poses that "
+              "lean towards the stems, and take it out (ray model)."},
           Option<S, double>{"range_bias",
                             &S::range_bias_m,
                             Unit::metre,

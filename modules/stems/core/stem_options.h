@@ -28,8 +28,11 @@ struct MeasureOptions {
   double window_m = 0.65;
   double section_step_m = 0.10;
   double max_sigma_m = 0.025;
-  double ray_gate = 0.90;
-  double beam_divergence_mrad = 2.0;
+  double ray_gate = 0.95;
+  double beam_divergence_mrad = 3.0;
+  double beam_aperture_m = 0.0095;
+  double bark_relief_m = 0.001;
+  bool estimate_range_offset = true;
   double range_bias_m = 0.0012;
   double pass_gap_s = 10;
   double max_range_m = 20;

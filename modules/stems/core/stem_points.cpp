@@ -65,8 +65,8 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
       range = ray.norm();
       if (range > 0.1 && std::isfinite(range)) {
         b.ray = axes.rotation * ray / range;
-        const double beam_radius = 0.5 * options.beam_divergence * range;
-        b.beam_variance = static_cast<float>(0.25 * beam_radius * beam_radius);  // of an evenly lit disc
+        // Full widths of laser beams are those at 1/e^2: four standard deviations.
+        b.beam_sd = static_cast<float>(0.25 * (options.beam_aperture + options.beam_divergence * range));
       }
     }
     near.push_back({b, range});
@@ -98,24 +98,27 @@ double section_step(const std::vector<BarkPoint>& points, double step_m, int lea
   return step;
 }
 
-int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s) {
+int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud) {
+  if (!rays.time && !rays.pass) return 1;
+  const auto* pass = by_cloud || !rays.time ? rays.pass : nullptr;
+  std::vector<double> starts;
   if (rays.time) {
     std::vector<double> times;
     for (const auto& p : points) times.push_back((*rays.time)[p.source]);
     std::ranges::sort(times);
-    std::vector<double> starts;
     for (std::size_t i = 0; i < times.size(); ++i)
       if (i == 0 || times[i] - times[i - 1] > gap_s) starts.push_back(times[i]);
-    for (auto& p : points)
-      p.pass = static_cast<int>(std::ranges::upper_bound(starts, (*rays.time)[p.source]) - starts.begin()) - 1;
-    return std::max(1, static_cast<int>(starts.size()));
   }
-  if (!rays.pass) return 1;
-  std::map<std::int32_t, int> numbers;
-  for (const auto& p : points) numbers.emplace((*rays.pass)[p.source], 0);
+  const auto key = [&](const BarkPoint& p) {
+    const auto stretch =
+        rays.time ? std::ranges::upper_bound(starts, (*rays.time)[p.source]) - starts.begin() : std::ptrdiff_t{0};
+    return std::pair(pass ? (*pass)[p.source] : 0, stretch);
+  };
+  std::map<std::pair<std::int32_t, std::ptrdiff_t>, int> numbers;
+  for (const auto& p : points) numbers.emplace(key(p), 0);
   int next = 0;
-  for (auto& [pass, number] : numbers) number = next++;
-  for (auto& p : points) p.pass = numbers[(*rays.pass)[p.source]];
+  for (auto& [k, number] : numbers) number = next++;
+  for (auto& p : points) p.pass = numbers[key(p)];
   return std::max(1, next);
 }
 

@@ -37,7 +37,8 @@ struct GatherOptions {
   double radius = 0, taper = 0;
   double lowest = 0, highest = 0;  // along the stem from breast height, metres
   double max_range = 20;
-  double beam_divergence = 0;  // full angle, radians
+  double beam_divergence = 0;  // full angle across the stem, radians
+  double beam_aperture = 0;    // width of the beam at the sensor, metres
 };
 
 // Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer
@@ -50,8 +51,8 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
 double section_step(const std::vector<BarkPoint>& points, double step_m, int least);
 void number_sections(std::vector<BarkPoint>& points, double step_m);
 
-// Gives every point its pass, from 0, by pauses in time or by the cloud's own passes; the number of passes. One when
-// neither is known.
-int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s);
+// Gives every point its pass, from 0, by pauses in time, and by the passes of the cloud too where `by_cloud` or where
+// times are not known; the number of passes. One when neither is known.
+int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud);
 
 }  // namespace bole

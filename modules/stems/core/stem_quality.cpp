@@ -3,13 +3,27 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace bole {
 namespace {
 constexpr double to_deg = 180 / std::numbers::pi;
-constexpr int most_faults = 4;  // a fit with as many is no stem
+constexpr int most_faults = 4;         // a fit with as many is no stem
+constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
+
+// Heights of the nearest used sections below and above.
+std::pair<double, double> sections_beside(const Stem& s, double height) {
+  double below = s.lowest, above = s.highest;
+  for (const auto& m : s.sections) {
+    if (!m.used) continue;
+    if (m.height <= height) below = std::max(below, m.height);
+    if (m.height >= height) above = std::min(above, m.height);
+  }
+  return {below, above};
+}
 }  // namespace
 
 void judge(Stem& s, double breast_height_m) {
@@ -25,6 +39,8 @@ void judge(Stem& s, double breast_height_m) {
     fault(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
     fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
+  else if (const auto [below, above] = sections_beside(s, breast_height_m); above - below > widest_gap_m)
+    fault(1, fmt::format("breast height hidden: interpolated between {:.1f} and {:.1f} m", below, above));
   else if (s.sections_used < 5)
     fault(1, fmt::format("only {} sections", s.sections_used));
   if (s.inside_share > 0.10)

@@ -7,11 +7,20 @@
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
+#include "stems/core/ring_density.h"
 
 namespace bole {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+
+constexpr double least_contrast = 2;  // of a section with bark; leaves alone have about 1
+
+double contrast_of(const std::vector<Eigen::Vector2d>& ring, const Circle& circle) {
+  RingDensity density(circle.radius);
+  for (const auto& p : ring) density.add((p - circle.centre).norm() - circle.radius);
+  return density.contrast();
+}
 
 void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, const MeasureOptions& options) {
   m.x = fit.circle.centre.x(), m.y = fit.circle.centre.y();
@@ -35,6 +44,7 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
     if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m)) {
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;
+      if (m.good && contrast_of(ring, fit->circle) < least_contrast) m.good = false;
       out.push_back(std::move(m));
     }
   }

@@ -93,7 +93,7 @@ TargetChoice choose_targets(const std::vector<RetroCluster>& candidates,
   if (pair.fitting > 1)
     choice.warnings.push_back(
         fmt::format("{} pairs of targets are possible: {} was taken for the centre and {} for the north; "
-                    "target_distance_m would tell",
+                    "target_distance would tell",
                     pair.fitting, place_text(*pair.centre), place_text(*pair.north)));
   return choice;
 }

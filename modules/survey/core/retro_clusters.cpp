@@ -113,10 +113,9 @@ std::string why_rejected(const RetroCluster& c, const FrameOptions& o) {
   if (c.points < static_cast<std::size_t>(o.target_points_min))
     return fmt::format("{} points, target_points_min is {}", c.points, o.target_points_min);
   if (c.extent_m > o.target_size_m)
-    return fmt::format("{:.2f} m long, target_size_m is {:.2f} m", c.extent_m, o.target_size_m);
+    return fmt::format("{:.2f} m long, target_size is {:.2f} m", c.extent_m, o.target_size_m);
   if (c.view_span_m < o.target_views_m)
-    return fmt::format("seen from positions {:.1f} m apart, target_views_m is {:.1f} m", c.view_span_m,
-                       o.target_views_m);
+    return fmt::format("seen from positions {:.1f} m apart, target_views is {:.1f} m", c.view_span_m, o.target_views_m);
   return {};
 }
 

@@ -29,12 +29,8 @@ void map_180_mm_300_dpi(benchmark::State& state) {
   use_backend(Backend::automatic);
   const auto survey = survey_of(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(figure_png(map_figure({&survey.points,
-                                                    &survey.stems,
-                                                    &survey.sections,
-                                                    &survey.trajectory,
-                                                    {PlotArea::Shape::rectangle, {0, 0}, 32, 32},
-                                                    true},
+    benchmark::DoNotOptimize(figure_png(map_figure({&survey.points, &survey.stems, &survey.sections, &survey.trajectory,
+                                                    rectangle_area({0, 0}, 32, 32), true},
                                                    {}, 180),
                                         300));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(survey.points.size()));
@@ -52,13 +48,9 @@ BENCHMARK(slice_sheet_of_80_trees)->Iterations(1)->Unit(benchmark::kMillisecond)
 void stem_map_of_80_trees(benchmark::State& state) {
   const auto survey = survey_of(10'000);
   for (auto _ : state)
-    benchmark::DoNotOptimize(figure_svg(stem_map({&survey.stems,
-                                                  {PlotArea::Shape::rectangle, {0, 0}, 32, 32},
-                                                  &survey.targets,
-                                                  &survey.trajectory,
-                                                  &survey.matches,
-                                                  true},
-                                                 180)));
+    benchmark::DoNotOptimize(figure_svg(stem_map(
+        {&survey.stems, rectangle_area({0, 0}, 32, 32), &survey.targets, &survey.trajectory, &survey.matches, true},
+        180)));
 }
 BENCHMARK(stem_map_of_80_trees)->Iterations(3)->Unit(benchmark::kMillisecond);
 

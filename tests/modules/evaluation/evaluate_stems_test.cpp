@@ -10,6 +10,8 @@
 #include "evaluation/core/assignment.h"
 
 namespace bole {
+
+const CountingRule plot{rectangle_area({0, 0}, 32, 32), 7.5};
 namespace {
 
 Table trees(const std::vector<std::array<double, 3>>& rows) {
@@ -49,7 +51,7 @@ TEST(Assignment, OfEquallyManyPairsTheCheapestSetWins) {
 
 TEST(EvaluateStems, MeasuresAreThoseOfThePaper) {
   // Errors (0.1, 0), (-0.1, 0.2), DBH +1 and -2 cm on 20 and 40 cm.
-  const auto e = evaluate_stems(trees({{1.1, 2, 21}, {-5.1, 3.2, 38}}), trees({{1, 2, 20}, {-5, 3, 40}}), {});
+  const auto e = evaluate_stems(trees({{1.1, 2, 21}, {-5.1, 3.2, 38}}), trees({{1, 2, 20}, {-5, 3, 40}}), {}, plot);
   EXPECT_EQ(e.matched, 2U);
   EXPECT_NEAR(value(e.summary, "position_mean_x"), 0.0, 1e-12);
   EXPECT_NEAR(value(e.summary, "position_mean_y"), 0.1, 1e-12);
@@ -75,7 +77,7 @@ TEST(EvaluateStems, TreesCountByPlaceAndDiameter) {
       {-10, -10, 5},  // too thin to be false
       {30, 30, 25},   // outside
   });
-  const auto e = evaluate_stems(estimate, reference, {});
+  const auto e = evaluate_stems(estimate, reference, {}, plot);
   EXPECT_EQ(e.matched, 1U);
   EXPECT_EQ(e.missed, 1U);
   EXPECT_EQ(e.extra, 1U);
@@ -84,15 +86,14 @@ TEST(EvaluateStems, TreesCountByPlaceAndDiameter) {
   EXPECT_THAT(e.matches.texts("kind"), testing::ElementsAre("matched", "missed", "false"));
   EXPECT_THAT(e.matches.integers("tree_id"), testing::ElementsAre(1, 0, 4));
   EXPECT_THAT(e.matches.integers("ref_id"), testing::ElementsAre(1, 2, 0));
-  EvaluationOptions circle;
-  circle.plot_shape = "circle", circle.plot_radius_m = 6;
-  EXPECT_EQ(evaluate_stems(estimate, reference, circle).missed, 0U);  // (5, 5) lies 7.07 m out
+  const CountingRule circle{circle_area({0, 0}, 6), 7.5};
+  EXPECT_EQ(evaluate_stems(estimate, reference, {}, circle).missed, 0U);  // (5, 5) lies 7.07 m out
 }
 
 TEST(EvaluateStems, GatesAndClasses) {
   const auto reference = trees({{0, 0, 12}, {0.3, 0, 31}});
   // Positions alone would cross the pairs; diameters tell them apart.
-  const auto e = evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, {});
+  const auto e = evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, {}, plot);
   EXPECT_THAT(e.matches.numbers("dbh_error_cm"),
               testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(-1, 1e-9)));
   EXPECT_NEAR(value(e.summary, "dbh_10_to_15_cm_bias"), 0.5, 1e-12);
@@ -100,14 +101,15 @@ TEST(EvaluateStems, GatesAndClasses) {
   EXPECT_NEAR(value(e.summary, "distance_0_to_5_m_completeness"), 100, 1e-12);
   EvaluationOptions tight;
   tight.match_distance_m = 0.05;
-  EXPECT_EQ(evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, tight).matched, 0U);
+  EXPECT_EQ(evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, tight, plot).matched, 0U);
 }
 
 TEST(EvaluateStems, IntervalsAreCountedThatHoldTheTruth) {
   auto estimate = trees({{0, 0, 20}, {5, 5, 30}});
   estimate.set("dbh_lo_cm", std::vector<double>{19, 30.5}), estimate.set("dbh_hi_cm", std::vector<double>{21, 31});
-  EXPECT_NEAR(value(evaluate_stems(estimate, trees({{0, 0, 20.9}, {5, 5, 30}}), {}).summary, "dbh_interval_coverage"),
-              50, 1e-12);
+  EXPECT_NEAR(
+      value(evaluate_stems(estimate, trees({{0, 0, 20.9}, {5, 5, 30}}), {}, plot).summary, "dbh_interval_coverage"), 50,
+      1e-12);
 }
 
 TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
@@ -120,15 +122,15 @@ TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
     moved.push_back({p.x(), p.y(), 20});
   }
   EvaluationOptions o;
-  EXPECT_GT(value(evaluate_stems(trees(moved), reference, o).summary, "position_rmse_x"), 0.1);
+  EXPECT_GT(value(evaluate_stems(trees(moved), reference, o, plot).summary, "position_rmse_x"), 0.1);
   o.align_stems = "rigid";
-  EXPECT_LT(value(evaluate_stems(trees(moved), reference, o).summary, "position_rmse_x"), 1e-9);
+  EXPECT_LT(value(evaluate_stems(trees(moved), reference, o, plot).summary, "position_rmse_x"), 1e-9);
 }
 
 TEST(EvaluateStems, PublishedFiguresStandBesideOurs) {
   EvaluationOptions o;
   o.published_plot = "2";
-  const auto summary = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}}), o).summary;
+  const auto summary = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}}), o, plot).summary;
   for (std::size_t i = 0; i < summary.rows(); ++i) {
     if (summary.texts("measure")[i] == "dbh_rmse") {
       EXPECT_EQ(summary.texts("published")[i], "1.07");
@@ -139,9 +141,9 @@ TEST(EvaluateStems, PublishedFiguresStandBesideOurs) {
 TEST(EvaluateStems, AbsentColumnsAndPositionsAreNamed) {
   Table empty;
   empty.set("x_m", std::vector<double>{1});
-  EXPECT_THROW(evaluate_stems(empty, trees({{0, 0, 1}}), {}), Error);
+  EXPECT_THROW(evaluate_stems(empty, trees({{0, 0, 1}}), {}, plot), Error);
   try {
-    evaluate_stems(trees({{0, std::nan(""), 20}}), trees({{0, 0, 20}}), {});
+    evaluate_stems(trees({{0, std::nan(""), 20}}), trees({{0, 0, 20}}), {}, plot);
     FAIL();
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), testing::HasSubstr("row 1 of a stem table has no position"));

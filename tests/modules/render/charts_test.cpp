@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <numbers>
 
+#include "base/atomic_file.h"
 #include "modules/render/small_survey.h"
 #include "modules/render/well_formed.h"
 #include "render/charts/dbh_charts.h"
@@ -22,7 +23,7 @@ const testing_data::SmallSurvey& survey() {
 
 StemMapData map_data() {
   const auto& s = survey();
-  return {&s.stems, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, &s.targets, &s.trajectory, &s.matches, true};
+  return {&s.stems, rectangle_area({0, 0}, 20, 20), &s.targets, &s.trajectory, &s.matches, true};
 }
 
 std::vector<Figure> all_charts() {
@@ -59,7 +60,7 @@ Table one_stem(double dbh_cm, const std::string& quality) {
 }
 
 TEST(StemMap, StemsAreTrueToScale) {
-  const PlotArea area{PlotArea::Shape::rectangle, {0, 0}, 20, 20};
+  const PlotArea area = rectangle_area({0, 0}, 20, 20);
   const auto thick = one_stem(200, "poor"), thin = one_stem(100, "poor");
   const auto color = mix(ink::paper, ink::poor, 0.85);
   const auto big =
@@ -135,9 +136,9 @@ TEST(Charts, WriteThemForTheEye) {
   const char* dir = std::getenv("BOLE_FIGURES_DIR");
   if (dir == nullptr) GTEST_SKIP() << "BOLE_FIGURES_DIR is not set";
   for (const auto& figure : all_charts()) {
-    write_file(std::filesystem::path(dir) / (figure.name + ".png"), figure_png(figure, 200));
-    write_file(std::filesystem::path(dir) / (figure.name + ".svg"), figure_svg(figure));
-    write_file(std::filesystem::path(dir) / (figure.name + ".pdf"), figure_pdf(figure));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".png"), figure_png(figure, 200));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".svg"), figure_svg(figure));
+    write_text_file(std::filesystem::path(dir) / (figure.name + ".pdf"), figure_pdf(figure));
   }
 }
 

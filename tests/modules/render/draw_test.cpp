@@ -68,16 +68,6 @@ TEST(Figure, TooManyPixelsIsRefused) {
   EXPECT_THROW(figure_image(square(std::nan("")), 300), Error);
 }
 
-TEST(Figure, FileIsWholeOrAbsent) {
-  const auto dir = std::filesystem::path(testing::TempDir()) / "bole_write_file";
-  write_file(dir / "a" / "x.txt", "one");
-  write_file(dir / "a" / "x.txt", "two");
-  EXPECT_EQ(std::filesystem::file_size(dir / "a" / "x.txt"), 3U);
-  EXPECT_THROW(write_file(dir / "a" / "x.txt" / "y", "no"), Error);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(dir / "a"), {}), 1);
-  std::filesystem::remove_all(dir);
-}
-
 TEST(Ticks, AreNice) {
   EXPECT_DOUBLE_EQ(nice_step(10, 5), 2);
   EXPECT_DOUBLE_EQ(nice_step(0.7, 5), 0.2);

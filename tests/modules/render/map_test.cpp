@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "modules/render/small_survey.h"
 #include "render/offscreen/offscreen.h"
@@ -96,8 +97,7 @@ TEST(Stems, ShapesFollowSectionsElseLeanAndTaper) {
 TEST(Map, ShowsGroundStemsAndPaper) {
   use_backend(Backend::automatic);
   const auto s = testing_data::make_small_survey();
-  const MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20},
-                     true,      nullptr};
+  const MapData data{&s.points, &s.stems, &s.sections, nullptr, rectangle_area({0, 0}, 20, 20), true, nullptr};
   MapOptions options;
   options.dpi = 60;
   options.view = MapView::top;
@@ -123,7 +123,7 @@ TEST(Map, ShowsGroundStemsAndPaper) {
 TEST(Map, ChosenPointsDrawTheSame) {
   use_backend(Backend::automatic);
   const auto s = testing_data::make_small_survey();
-  MapData data{&s.points, &s.stems, &s.sections, nullptr, {PlotArea::Shape::rectangle, {0, 0}, 20, 20}, true, nullptr};
+  MapData data{&s.points, &s.stems, &s.sections, nullptr, rectangle_area({0, 0}, 20, 20), true, nullptr};
   MapOptions options;
   options.dpi = 40, options.point_budget = 20000;
   const auto anew = figure_image(map_figure(data, options, 100), 40);
@@ -164,11 +164,10 @@ TEST(Map, WriteThemForTheEye) {
   size.points_per_tree = 40000;
   size.ground_points = 800000;
   const auto s = testing_data::make_small_survey(size);
-  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, {PlotArea::Shape::rectangle, {0, 0}, 20, 20},
-                     true,      nullptr};
+  const MapData data{&s.points, &s.stems, &s.sections, &s.trajectory, rectangle_area({0, 0}, 20, 20), true, nullptr};
   MapOptions options;
   const auto write = [&](const Figure& f) {
-    write_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi));
+    write_text_file(std::filesystem::path(dir) / (f.name + ".png"), figure_png(f, options.dpi));
   };
   options.dpi = 200;
   const auto start = std::chrono::steady_clock::now();

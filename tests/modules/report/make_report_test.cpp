@@ -28,12 +28,15 @@ std::string contents(const std::filesystem::path& path) {
   return text.str();
 }
 
+Table plot_table() { return to_table({rectangle_area({0, 0}, 32, 32), 7.5}); }
+
 DataSet inputs_of(const testing_data::SmallSurvey& s) {
   DataSet inputs;
   inputs.set("stems", s.stems), inputs.set("points", s.points), inputs.set("slice", s.slice), inputs.set("dem", s.dem);
   inputs.set("trajectory", s.trajectory), inputs.set("reference_trajectory", s.reference),
       inputs.set("sections", s.sections), inputs.set("rejected", s.rejected);
   inputs.set("targets", s.targets), inputs.set("matches", s.matches), inputs.set("summary", s.summary);
+  inputs.set("plot", plot_table());
   return inputs;
 }
 
@@ -123,7 +126,7 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_THAT(html, HasSubstr("data:image/svg+xml;base64,"));
   EXPECT_THAT(page, Not(HasSubstr("http")));
   EXPECT_THAT(page, Not(testing::ContainsRegex("(src|href)=\"[^\"]")));
-  EXPECT_THAT(page, HasSubstr("32.0 m × 32.0 m"));  // by design, whatever the distance of the targets
+  EXPECT_THAT(page, HasSubstr("32 m × 32 m"));  // by design, whatever the distance of the targets
   EXPECT_THAT(page, HasSubstr("a warning of the slice &amp; more"));
   EXPECT_THAT(page, HasSubstr("&lt;around&gt;"));
   EXPECT_THAT(page, HasSubstr("thickness"));
@@ -138,28 +141,21 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
   inputs.set("stems", testing_data::make_small_survey().stems);
   run_.record = nullptr;
   auto options = quick();
-  options.plot_shape = "none";
   const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
   EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("No plot boundary is set"));
 }
 
-TEST_F(MakeReport, AutoTakesNoPlotOutsidePlotAxes) {
-  ReportOptions o;
-  EXPECT_EQ(plot_area(o, Axes::plot).area_m2(), 32.0 * 32.0);
-  for (const auto axes : {Axes::unknown, Axes::global, Axes::map})
-    EXPECT_EQ(plot_area(o, axes).shape, PlotArea::Shape::none);
-  o.plot_shape = "rectangle", o.plot_size = 10;
-  EXPECT_EQ(plot_area(o, Axes::global).area_m2(), 100.0);
-  o.plot_shape = "none";
-  EXPECT_EQ(plot_area(o, Axes::plot).shape, PlotArea::Shape::none);
-  auto s = testing_data::make_small_survey();
-  s.stems.facts["axes"] = std::string(axes_name(Axes::global));
+TEST_F(MakeReport, WithoutAPlotNothingIsToldPerHectare) {
   DataSet inputs;
-  inputs.set("stems", s.stems);
+  inputs.set("stems", testing_data::make_small_survey().stems);
   make_report(inputs, quick(), run_);
   EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("1/ha")));
+  inputs.set("plot", plot_table());
+  make_report(inputs, quick(), run_);
+  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("1/ha"));
+  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("32 m × 32 m"));
 }
 
 TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
@@ -171,7 +167,7 @@ TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
   for (std::size_t i = 0; i + 1 < x.size(); ++i) x[i] = 100;
   s.stems.set("x_m", x), s.stems.set("height_seen", seen), s.stems.set("state", state), s.stems.set("reasons", reasons);
   DataSet inputs;
-  inputs.set("stems", s.stems), inputs.set("slice", s.slice);
+  inputs.set("stems", s.stems), inputs.set("slice", s.slice), inputs.set("plot", plot_table());
   make_report(inputs, quick(), run_);
   const auto page = without_pictures(contents(dir_ / "report.html"));
   EXPECT_THAT(page, HasSubstr("39 stems outside the plot are in stems.csv"));
@@ -210,11 +206,10 @@ TEST_F(MakeReport, OneFigureThatFailsEndsNothing) {
   auto s = testing_data::make_small_survey();
   auto broken = s.matches;
   broken.remove("dbh_cm");
-  inputs.set("stems", s.stems), inputs.set("matches", broken);
+  inputs.set("stems", s.stems), inputs.set("matches", broken), inputs.set("plot", plot_table());
   PointCloud nowhere(PointCloud::Positions(5, Eigen::Vector3f::Constant(std::nanf(""))));
   inputs.set("points", nowhere);
   auto options = quick();
-  options.plot_shape = "rectangle";
   const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("map by height")));
   EXPECT_TRUE(std::filesystem::exists(dir_ / "figures/stem_map.png"));
@@ -297,8 +292,6 @@ TEST(ReportStage, IsRegistered) {
   EXPECT_NE(type.input("reference_trajectory"), nullptr);
   EXPECT_FALSE(type.input("stems")->optional);
 }
-
-TEST(Html, Escapes) { EXPECT_EQ(escaped("<a href=\"x\">'&'\x01"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;"); }
 
 TEST(Html, Base64) {
   EXPECT_EQ(base64(""), "");

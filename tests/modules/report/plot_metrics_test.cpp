@@ -19,10 +19,10 @@ Table stems() {
   return t;
 }
 
-const PlotArea rectangle{PlotArea::Shape::rectangle, {0, 0}, 20, 25};
+const CountingRule rectangle{rectangle_area({0, 0}, 20, 25), 7};
 
 TEST(PlotMetrics, ByHand) {
-  const auto m = plot_metrics(stems(), rectangle, 7, 10);
+  const auto m = plot_metrics(stems(), rectangle, 10);
   EXPECT_EQ(m.stems, 4U);
   EXPECT_EQ(m.outside, 1U);
   EXPECT_EQ(m.too_thin, 1U);
@@ -61,7 +61,7 @@ Table line_of_stems(int n, int seen) {
 }
 
 TEST(PlotMetrics, HeightsComeFromSeenTopsAlone) {
-  const auto m = plot_metrics(line_of_stems(20, 6), rectangle, 7);
+  const auto m = plot_metrics(line_of_stems(20, 6), rectangle);
   EXPECT_EQ(m.tops_seen, 6U);
   EXPECT_DOUBLE_EQ(m.mean_height_m, 12.5);       // 10 to 15, none of the higher bounds
   EXPECT_TRUE(std::isnan(m.dominant_height_m));  // no top of the five thickest was seen
@@ -70,20 +70,20 @@ TEST(PlotMetrics, HeightsComeFromSeenTopsAlone) {
 
 TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
   for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}}) {
-    const auto m = plot_metrics(line_of_stems(n, seen), rectangle, 7);
+    const auto m = plot_metrics(line_of_stems(n, seen), rectangle);
     EXPECT_FALSE(m.heights_known);
     EXPECT_TRUE(std::isnan(m.mean_height_m) && std::isnan(m.lorey_height_m) && std::isnan(m.dominant_height_m));
     EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) +
                                             " stems: heights are lower bounds"));
     EXPECT_THAT(told(m), testing::Not(testing::HasSubstr("Lorey")));
   }
-  EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle, 7).heights_known);
-  EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle, 7).heights_known);
+  EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle).heights_known);
+  EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
 }
 
 TEST(PlotMetrics, DominantHeightTakesTheThickest) {
   // 200 m2: two stems stand for 100 per hectare.
-  const auto m = plot_metrics(stems(), {PlotArea::Shape::rectangle, {0, 0}, 20, 10}, 7);
+  const auto m = plot_metrics(stems(), {rectangle_area({0, 0}, 20, 10), 7});
   EXPECT_EQ(m.stems, 3U);  // the one at y = 12.5 is outside now
   EXPECT_EQ(m.dominant_stems, 2U);
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 22);
@@ -92,7 +92,7 @@ TEST(PlotMetrics, DominantHeightTakesTheThickest) {
 TEST(PlotMetrics, Classes) {
   auto table = stems();
   table.set("height_seen", std::vector<std::int64_t>{1, 0, 1, 1, 1, 1, 1});
-  const auto m = plot_metrics(table, rectangle, 7, 10);
+  const auto m = plot_metrics(table, rectangle, 10);
   ASSERT_EQ(m.classes.size(), 4U);
   EXPECT_DOUBLE_EQ(m.classes[1].lo_cm, 20);
   EXPECT_DOUBLE_EQ(m.classes[1].hi_cm, 30);
@@ -106,7 +106,7 @@ TEST(PlotMetrics, Classes) {
 }
 
 TEST(PlotMetrics, CircleAndItsArea) {
-  const PlotArea circle{PlotArea::Shape::circle, {0, 0}, 20, 0};
+  const PlotArea circle = circle_area({0, 0}, 10);
   EXPECT_NEAR(circle.area_m2(), 314.159265, 1e-5);
   EXPECT_TRUE(circle.contains(10, 0));
   EXPECT_FALSE(circle.contains(7.2, 7.2));
@@ -118,15 +118,15 @@ TEST(PlotMetrics, ShiftedPlotGivesTheSameNumbers) {
   for (auto& v : x) v += 512345;
   for (auto& v : y) v += 5412345;
   shifted.set("x_m", x), shifted.set("y_m", y);
-  const auto a = plot_metrics(stems(), rectangle, 7),
-             b = plot_metrics(shifted, {PlotArea::Shape::rectangle, {512345, 5412345}, 20, 25}, 7);
+  const auto a = plot_metrics(stems(), rectangle),
+             b = plot_metrics(shifted, {rectangle_area({512345, 5412345}, 20, 25), 7});
   EXPECT_EQ(a.stems, b.stems);
   EXPECT_DOUBLE_EQ(a.basal_area_m2_per_ha, b.basal_area_m2_per_ha);
   EXPECT_DOUBLE_EQ(a.lorey_height_m, b.lorey_height_m);
 }
 
 TEST(PlotMetrics, WithoutBoundaryNothingPerHectare) {
-  const auto m = plot_metrics(stems(), {}, 7);
+  const auto m = plot_metrics(stems(), {{}, 7});
   EXPECT_EQ(m.stems, 5U);
   EXPECT_TRUE(std::isnan(m.stems_per_ha));
   EXPECT_TRUE(std::isnan(m.dominant_height_m));
@@ -136,7 +136,7 @@ TEST(PlotMetrics, WithoutBoundaryNothingPerHectare) {
 TEST(PlotMetrics, EmptyTable) {
   Table t;
   for (const char* c : {"x_m", "y_m", "dbh_cm"}) t.set(c, std::vector<double>{});
-  const auto m = plot_metrics(t, rectangle, 7);
+  const auto m = plot_metrics(t, rectangle);
   EXPECT_EQ(m.stems, 0U);
   EXPECT_DOUBLE_EQ(m.stems_per_ha, 0);
   EXPECT_TRUE(std::isnan(m.mean_dbh_cm));

@@ -48,10 +48,11 @@ void expect_right_jacobian(const Residual& residual, const TaperedCylinder& c, c
   const auto exact = residual(c, point);
   ASSERT_TRUE(exact.usable);
   const double h = 1e-6;
-  for (int k = 0; k < 6; ++k) {
+  for (int k = 0; k < 7; ++k) {
     auto moved = [&](double by) {
       TaperedCylinder m = c;
-      (k == 0 ? m.x : k == 1 ? m.y : k == 2 ? m.slope_x : k == 3 ? m.slope_y : k == 4 ? m.radius : m.taper) += by;
+      double* parameters[] = {&m.x, &m.y, &m.slope_x, &m.slope_y, &m.radius, &m.taper, &m.range_offset};
+      *parameters[k] += by;
       return residual(m, point).value;
     };
     EXPECT_NEAR(exact.jacobian[k], (moved(h) - moved(-h)) / (2 * h), 1e-5) << "parameter " << k;
@@ -61,7 +62,7 @@ void expect_right_jacobian(const Residual& residual, const TaperedCylinder& c, c
 TEST(CylinderResidual, JacobiansAgreeWithDifferences) {
   const TaperedCylinder c{0.01, -0.02, 0.05, 0.1, 0.13, -0.006, {{0.004, 0.002}}};
   BarkPoint p;
-  p.p = {0.1, 0.06, 0.4}, p.ray = Eigen::Vector3d(-0.9, -0.2, 0.1).normalized(), p.beam_variance = 3e-5F;
+  p.p = {0.1, 0.06, 0.4}, p.ray = Eigen::Vector3d(-0.9, -0.2, 0.1).normalized(), p.beam_sd = 0.0055F;
   expect_right_jacobian([](const auto& a, const auto& b) { return surface_residual(a, b); }, c, p);
   expect_right_jacobian([](const auto& a, const auto& b) { return ray_residual(a, b, 0.95); }, c, p);
 }
@@ -82,7 +83,7 @@ TEST(CylinderFit, IsExactWithoutNoise) {
   const TaperedCylinder truth{0.01, 0.02, 0.04, -0.03, 0.12, -0.005, {}};
   for (const bool along_rays : {false, true}) {
     CylinderFitOptions o;
-    o.along_rays = along_rays, o.drift_sd_m = 0.001;
+    o.along_rays = along_rays, o.drift = {0.001, 0.001};
     const auto fit = fit_tapered_cylinder(rays_at(truth, 0, 1), {0, 0, 0, 0, 0.11, 0, {}}, 0.03, o);
     ASSERT_TRUE(fit);
     EXPECT_NEAR(fit->cylinder.radius, 0.12, 1e-5);
@@ -102,7 +103,7 @@ TEST(CylinderFit, DriftBetweenPassesCostsLittleAlongRays) {
     std::vector<Eigen::Vector2d> offset;
     for (int k = 0; k < 3; ++k) offset.emplace_back(normal(random), normal(random));
     CylinderFitOptions o;
-    o.along_rays = true, o.drift_sd_m = 0.03;
+    o.along_rays = true, o.drift = {0.03, 0.001}, o.range_offset.sd_m = 0.0005;
     const auto fit = fit_tapered_cylinder(rays_at(truth, 0.012, seed, offset), {0, 0, 0, 0, 0.12, 0, {}}, 0.05, o);
     ASSERT_TRUE(fit);
     square += std::pow(200 * (fit->cylinder.radius - truth.radius), 2);
@@ -128,7 +129,7 @@ TEST(CylinderFit, TheEvidenceOfDriftIsLikeliestNearTheTruth) {
     double best = 0, highest = -1e300;
     for (double s = 0.001; s < 0.1; s *= 1.1) {
       double sum = 0;
-      for (const auto& e : all) sum += drift_log_likelihood(e, s);
+      for (const auto& e : all) sum += drift_log_likelihood(e, {s, 0.001});
       if (sum > highest) highest = sum, best = s;
     }
     EXPECT_GT(best, 0.6 * sd);

@@ -106,6 +106,49 @@ TEST(MeasureStems, LeaningStemsAreMeasuredAcrossTheirAxis) {
   EXPECT_NEAR(table.numbers("lean_azimuth_deg")[0], 90, 1);  // towards the east
 }
 
+TEST(MeasureStems, AStemMayLeanBy30Degrees) {
+  synthetic::TrueStem s;
+  s.dbh = 0.22, s.slope = {0, std::tan(30 * std::numbers::pi / 180)};
+  const auto survey = measure(make_stem_cloud({s}, coarse()));
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(200 * survey.stems[0].radius, 22, 0.6);
+  EXPECT_NEAR(stem_table(survey).numbers("lean_deg")[0], 30, 0.5);
+}
+
+TEST(MeasureStems, AForkBelowBreastHeightIsTwoStems) {
+  synthetic::TrueStem left, right;
+  left.base = {-0.10, 0}, right.base = {0.10, 0}, left.dbh = 0.20, right.dbh = 0.16;
+  left.slope = {-0.12, 0}, right.slope = {0.12, 0.03};  // 0.51 m between their axes at breast height
+  const auto cloud = make_stem_cloud({left, right}, coarse());
+  const auto survey = measure(cloud);
+  const auto e = compare(cloud, survey);
+  EXPECT_EQ(e.missed + e.extra, 0U);
+  EXPECT_LT(e.rmse, 0.6);
+}
+
+TEST(MeasureStems, ABreastHeightHiddenByLeavesIsInterpolatedAndMarked) {
+  synthetic::TrueStem s;
+  s.dbh = 0.24;
+  auto cloud = make_stem_cloud({s}, coarse());
+  const auto& height = cloud.points.values<float>(arrays::height_above_ground);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> leaf(-0.35F, 0.35F);
+  std::vector<std::uint32_t> kept;
+  auto positions = cloud.points.positions();
+  for (std::uint32_t i = 0; i < height.size(); ++i) {
+    const bool hidden = height[i] > 0.95F && height[i] < 1.65F;
+    if (hidden && i % 4 != 0) continue;
+    if (hidden) positions[i].head<2>() = Eigen::Vector2f(leaf(random), leaf(random));  // a leaf in place of the bark
+    kept.push_back(i);
+  }
+  cloud.points.set_positions(std::move(positions));
+  const auto slice = breast_height_slice(cloud.points, {}, {});
+  const auto survey = measure_stems(cloud.points.subset(kept), slice, cloud.dem, nullptr, {}, {});
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(200 * survey.stems[0].radius, 24, 0.6);
+  EXPECT_THAT(stem_table(survey).texts("reasons")[0], testing::HasSubstr("breast height hidden: interpolated between"));
+}
+
 TEST(MeasureStems, BreastHeightIsCountedFromTheUphillSide) {
   synthetic::TrueStem s;
   s.dbh = 0.40;

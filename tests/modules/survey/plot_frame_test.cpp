@@ -96,8 +96,8 @@ TEST(PlotFrame, ClutterIsRejectedWithReasons) {
   std::string reasons;
   for (const auto& [name, text] : frame.report.facts)
     if (name.rfind("rejected", 0) == 0) reasons += text + "\n";
-  EXPECT_THAT(reasons, HasSubstr("target_size_m"));
-  EXPECT_THAT(reasons, HasSubstr("target_views_m"));
+  EXPECT_THAT(reasons, HasSubstr("target_size"));
+  EXPECT_THAT(reasons, HasSubstr("target_views"));
 }
 
 TEST(PlotFrame, WithoutTargetsTheMapIsLevelledAndKept) {

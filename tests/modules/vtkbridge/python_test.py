@@ -49,8 +49,8 @@ class Classes(unittest.TestCase):
         self.assertEqual(named.pop("vtkBoleStage"), "")
         self.assertEqual(named["vtkBoleSlam"], "slam.run")
         self.assertEqual(named["vtkBoleGroundModel"], "ground.model")
-        self.assertEqual(len(named), 11)
-        self.assertEqual(len(set(named.values())), 11)
+        self.assertGreaterEqual(len(named), 12)
+        self.assertEqual(len(set(named.values())), len(named))  # no two classes for one stage
 
 
 class Stage(unittest.TestCase):

@@ -3,9 +3,15 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string_view>
 
 namespace bole {
+
+// Lets `write` make the file under a temporary name in the same folder (created when missing, same extension) and
+// renames it to `path` when it returns; removes it when it throws. Throws Error{failed} when that cannot be done.
+void write_atomically(const std::filesystem::path& path,
+                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
 // Writes go to a temporary file beside `path`; commit() puts it in place. Without a commit it is removed.
 class AtomicFile {

@@ -1,0 +1,31 @@
+// Turns what a person does to stems into edits of the document: the options of its stage stems.edit.
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "document/session.h"
+#include "stems/core/stem_edits.h"
+
+namespace bole::desktop {
+
+class EditBehavior : public QObject {
+  Q_OBJECT
+
+ public:
+  EditBehavior(Session& session, QObject* parent) : QObject(parent), session_(session) {}
+
+  // Adds an edit to the list, with the person's name and the time; one step of undo. Throws bole::Error when the
+  // document has no stage stems.edit or the edit is none.
+  void apply(StemEdit edit);
+
+ Q_SIGNALS:
+  void applied();
+
+ private:
+  std::string edit_stage() const;
+
+  Session& session_;
+};
+
+}  // namespace bole::desktop

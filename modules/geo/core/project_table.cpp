@@ -1,0 +1,140 @@
+#include "geo/core/project_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "geo/core/utm.h"
+
+namespace bole::geo {
+
+const OptionTable& option_table(const ProjectOptions*) {
+  using S = ProjectOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, std::string>{"direction",
+                             &S::direction,
+                             TextKind::choice,
+                             {"to_plane", "to_geodetic"},
+                             Tier::basic,
+                             "to_plane: latitude and longitude become x_m and y_m; to_geodetic: the reverse."},
+      Option<S, std::string>{
+          "plane",
+          &S::plane,
+          TextKind::choice,
+          {"gauss_krueger_3", "gauss_krueger_6", "utm", "transverse_mercator"},
+          Tier::basic,
+          "Plane of the metres: Gauss-Krueger zones of 3 or 6 degrees, UTM, or a transverse Mercator "
+          "plane of your own."},
+      Option<S, std::string>{"ellipsoid", &S::ellipsoid, TextKind::choice, ellipsoid_names(), Tier::basic,
+                             "Reference ellipsoid; UTM always takes WGS84."},
+      Option<S, int>{"zone",
+                     &S::zone,
+                     Unit::none,
+                     {0, 120},
+                     Tier::basic,
+                     "Number of the zone; 0: that of the mean longitude (to_plane only)."},
+      Option<S, bool>{"south", &S::south, Tier::advanced,
+                      "UTM to_geodetic: the northings are those of the southern hemisphere."},
+      Option<S, bool>{"zone_prefix", &S::zone_prefix, Tier::advanced,
+                      "Gauss-Krueger: the zone's number stands before the easting."},
+      Option<S, double>{"central_meridian_deg",
+                        &S::central_meridian_deg,
+                        Unit::degree,
+                        {-180, 360},
+                        Tier::advanced,
+                        "Central meridian of transverse_mercator."},
+      Option<S, double>{"scale",
+                        &S::scale,
+                        Unit::none,
+                        {0.5, 2},
+                        Tier::advanced,
+                        "Scale on the central meridian of transverse_mercator."},
+      Option<S, double>{"false_easting_m",
+                        &S::false_easting_m,
+                        Unit::metre,
+                        {-1e8, 2e8},
+                        Tier::advanced,
+                        "Easting of the central meridian of transverse_mercator."},
+  });
+  return table;
+}
+
+namespace {
+
+// The mean of angles that may lie on both sides of the 180th meridian; NaN without any.
+double mean_longitude_deg(const std::vector<double>& longitudes_deg) {
+  double first = std::nan(""), sum = 0;
+  int n = 0;
+  for (const double l : longitudes_deg) {
+    if (!std::isfinite(l)) continue;
+    if (n == 0) first = l;
+    sum += longitude_difference_deg(l, first), ++n;
+  }
+  return n == 0 ? first : longitude_difference_deg(first + sum / n, 0);
+}
+
+TransverseMercatorPlane plane_of(const ProjectOptions& o, double longitude_deg, double latitude_deg) {
+  if (o.plane == "transverse_mercator")
+    return {ellipsoid_named(o.ellipsoid), o.central_meridian_deg, o.scale, o.false_easting_m, 0};
+  if (o.zone == 0 && !std::isfinite(longitude_deg))
+    throw bad_input("no zone is given and no longitude tells it", "the option zone");
+  if (o.plane == "utm") {
+    const bool from_points = std::isfinite(latitude_deg);
+    const int zone = o.zone > 0 ? o.zone : to_utm({latitude_deg, longitude_deg, 0}).zone;
+    return utm_plane(zone, from_points ? latitude_deg >= 0 : !o.south);
+  }
+  const int width = o.plane == "gauss_krueger_6" ? 6 : 3;
+  const auto zone = o.zone > 0 ? GaussKruegerZone{width, o.zone} : gauss_krueger_zone(longitude_deg, width);
+  return gauss_krueger_plane(zone, ellipsoid_named(o.ellipsoid), o.zone_prefix);
+}
+
+double first_finite(const std::vector<double>& values) {
+  for (const double v : values)
+    if (std::isfinite(v)) return v;
+  return std::nan("");
+}
+
+}  // namespace
+
+Projected project_table(const Table& table, const ProjectOptions& o) {
+  const bool forward = o.direction == "to_plane";
+  const auto a = table.numbers(forward ? "latitude_deg" : "x_m"), b = table.numbers(forward ? "longitude_deg" : "y_m");
+  const auto definition =
+      forward ? plane_of(o, mean_longitude_deg(b), first_finite(a)) : plane_of(o, std::nan(""), std::nan(""));
+  const TransverseMercator projection(definition);
+
+  std::vector<double> first(a.size(), std::nan("")), second = first;
+  std::int64_t missing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!std::isfinite(a[i]) || !std::isfinite(b[i])) {
+      ++missing;
+      continue;
+    }
+    try {
+      if (forward) {
+        const auto p = projection.forward({a[i], b[i], 0});
+        first[i] = p.easting_m, second[i] = p.northing_m;
+      } else {
+        const auto p = projection.inverse(a[i], b[i]);
+        first[i] = p.latitude_deg, second[i] = p.longitude_deg;
+      }
+    } catch (const Error& e) {
+      throw e.at(fmt::format("row {}", i + 1));
+    }
+  }
+
+  Projected result{table, {}};
+  result.table.set(forward ? "x_m" : "latitude_deg", std::move(first));
+  result.table.set(forward ? "y_m" : "longitude_deg", std::move(second));
+  if (forward) result.table.facts["axes"] = "global", result.table.facts["crs"] = projection.wkt();
+  auto& r = result.report;
+  r.counts["points"] = static_cast<std::int64_t>(a.size()) - missing;
+  r.counts["missing"] = missing;
+  r.metrics["central_meridian"] = {definition.central_meridian_deg, Unit::degree};
+  r.message = fmt::format("{} points, central meridian {:g} deg, {}", a.size() - static_cast<std::size_t>(missing),
+                          definition.central_meridian_deg, definition.ellipsoid.name);
+  return result;
+}
+
+}  // namespace bole::geo

@@ -1,0 +1,29 @@
+// Registers the stages of the module geo.
+#include "geo/core/project_table.h"
+#include "pipeline/stage.h"
+
+namespace bole {
+
+void register_geo_stages(StageRegistry& registry) {
+  StageType type;
+  type.name = "geo.project";
+  type.title = "Project positions";
+  type.help =
+      "Turns latitude and longitude of a table into metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, "
+      "UTM, or any transverse Mercator plane, by the exact projection. The plane's definition goes with the table, so "
+      "that exports carry it.";
+  type.source = "SPEC E1; Lee (1976), Karney (2011) through GeographicLib";
+  type.inputs = {{"table", DataKind::table, "Positions: latitude_deg and longitude_deg, or x_m and y_m.", false, {}}};
+  type.outputs = {{"table", DataKind::table, "The same rows with the other kind of coordinates added.", false, {}}};
+  type.options = &option_table(static_cast<const geo::ProjectOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
+    auto projected = geo::project_table(inputs.table("table"), options.as<geo::ProjectOptions>());
+    StageResult result;
+    result.outputs.set("table", std::move(projected.table));
+    result.report = std::move(projected.report);
+    return result;
+  };
+  registry.add(std::move(type));
+}
+
+}  // namespace bole

@@ -1,0 +1,5 @@
+#include "vtkBoleProjectTable.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleProjectTable)

@@ -1,0 +1,34 @@
+#include "report/table_decimals.h"
+
+namespace bole {
+
+const Decimals& table_decimals() {
+  static const Decimals decimals{{"x_m", 4},
+                                 {"y_m", 4},
+                                 {"z_m", 4},
+                                 {"ref_x_m", 4},
+                                 {"ref_y_m", 4},
+                                 {"dx_m", 4},
+                                 {"dy_m", 4},
+                                 {"dbh_cm", 2},
+                                 {"ref_dbh_cm", 2},
+                                 {"dbh_error_cm", 2},
+                                 {"dbh_lo_cm", 2},
+                                 {"dbh_hi_cm", 2},
+                                 {"diameter_cm", 2},
+                                 {"height_m", 3},
+                                 {"lean_deg", 2},
+                                 {"lean_azimuth_deg", 1},
+                                 {"taper_cm_per_m", 2},
+                                 {"arc_deg", 1},
+                                 {"pass_spread_cm", 2},
+                                 {"sigma_cm", 2}};
+  return decimals;
+}
+
+int decimals_of(std::string_view column) {
+  const auto it = table_decimals().find(column);
+  return it == table_decimals().end() ? -1 : it->second;
+}
+
+}  // namespace bole

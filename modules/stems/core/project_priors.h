@@ -1,0 +1,19 @@
+// What the stems of a project say together about errors that they share: the second round of fits takes it as known.
+#pragma once
+
+#include <vector>
+
+#include "stems/core/cylinder_fit.h"
+
+namespace bole {
+
+inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the range offset is not estimated
+
+// The spreads of passes and views that make the evidence of all stems likeliest.
+DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems);
+
+// Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean with
+// a weak prior at zero, of bounded influence.
+RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems);
+
+}  // namespace bole

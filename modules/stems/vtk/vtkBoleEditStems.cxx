@@ -1,0 +1,5 @@
+#include "vtkBoleEditStems.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleEditStems)

@@ -1,0 +1,5 @@
+#include "vtkBoleSurveyPlot.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSurveyPlot)

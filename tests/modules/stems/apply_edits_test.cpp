@@ -1,0 +1,165 @@
+#include "stems/core/apply_edits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/arrays.h"
+#include "base/error.h"
+
+namespace bole {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// Three stems in a row, their points one above the other.
+struct Stand {
+  Table stems, sections;
+  PointCloud points;
+};
+
+Stand stand() {
+  Stand s;
+  s.stems.set("tree_id", std::vector<std::int64_t>{1, 2, 3});
+  s.stems.set("x_m", std::vector<double>{0, 5, 5.4}), s.stems.set("y_m", std::vector<double>{0, 0, 0});
+  s.stems.set("z_m", std::vector<double>{0, 0, 0}), s.stems.set("dbh_cm", std::vector<double>{20, 30, 10});
+  s.stems.set("dbh_lo_cm", std::vector<double>{19, 29, 9}), s.stems.set("dbh_hi_cm", std::vector<double>{21, 31, 11});
+  s.stems.set("height_m", std::vector<double>{15, 20, 8}),
+      s.stems.set("height_seen", std::vector<std::int64_t>{0, 0, 0});
+  s.stems.set("quality", std::vector<std::string>(3, "good")), s.stems.set("reasons", std::vector<std::string>(3));
+  s.stems.set("state", std::vector<std::string>(3, "auto"));
+  s.sections.set("tree_id", std::vector<std::int64_t>{1, 1, 2, 3});
+  s.sections.set("diameter_cm", std::vector<double>{20, 19, 30, 10});
+  PointCloud::Positions positions;
+  std::vector<std::int32_t> id;
+  std::vector<float> height;
+  for (int tree = 0; tree < 3; ++tree)
+    for (int k = 0; k < 10; ++k) {
+      positions.emplace_back(tree == 0 ? 0.1F : tree == 1 ? 5.15F : 5.45F, 0.0F, 0.5F * static_cast<float>(k));
+      id.push_back(tree + 1), height.push_back(positions.back().z());
+    }
+  s.points = PointCloud(positions, {0, 0, 0});
+  s.points.set_column(arrays::stem, std::vector<std::uint8_t>(id.size(), 1));
+  s.points.set_column(arrays::height_above_ground, height), s.points.set_column(arrays::tree_id, std::move(id));
+  return s;
+}
+
+EditedStems edited(const Stand& s, const std::string& edits, const PointCloud* slice = nullptr) {
+  return apply_stem_edits({&s.stems, &s.sections, &s.points, slice}, parse_stem_edits(edits), {}, bole::Run{});
+}
+
+std::int64_t points_of(const EditedStems& e, std::int32_t id) {
+  return std::ranges::count(e.points->values<std::int32_t>(arrays::tree_id), id);
+}
+
+TEST(ApplyEdits, NoEditsChangeNothing) {
+  const auto s = stand();
+  const auto e = edited(s, "[]");
+  EXPECT_EQ(e.stems.numbers("dbh_cm"), s.stems.numbers("dbh_cm"));
+  EXPECT_EQ(e.stems.texts("state"), s.stems.texts("state"));
+  EXPECT_EQ(e.points->shared_positions(), s.points.shared_positions());
+  EXPECT_EQ(e.log.rows(), 0U);
+}
+
+TEST(ApplyEdits, SimpleOnesChangeTheirStemAlone) {
+  const auto e = edited(stand(), R"([
+    {"action": "resize", "at": [0.1, 0], "dbh_cm": 22},
+    {"action": "move", "at": [5, 0], "to": [4.9, 0.1]},
+    {"action": "set_height", "at": [4.9, 0.1], "height_m": 21},
+    {"action": "reject", "at": [5.4, 0], "author": "A. Smith", "reason": "a branch"},
+    {"action": "note", "at": [0, 0], "text": "fork at 6 m"}])");
+  EXPECT_THAT(e.stems.numbers("dbh_cm"), ElementsAre(22, 30, 10));
+  EXPECT_TRUE(std::isnan(e.stems.numbers("dbh_lo_cm")[0]));
+  EXPECT_EQ(e.stems.numbers("dbh_lo_cm")[1], 29);
+  EXPECT_THAT(e.stems.numbers("x_m"), ElementsAre(0, 4.9, 5.4));
+  EXPECT_THAT(e.stems.numbers("height_m"), ElementsAre(15, 21, 8));
+  EXPECT_THAT(e.stems.texts("state"), ElementsAre("edited", "edited", "rejected"));
+  EXPECT_THAT(e.stems.texts("note"), ElementsAre("fork at 6 m", "", ""));
+  EXPECT_THAT(e.log.texts("outcome"), testing::Each("applied"));
+  EXPECT_EQ(e.log.texts("author")[3], "A. Smith");
+  EXPECT_EQ(e.log.integers("tree_id")[3], 3);
+}
+
+TEST(ApplyEdits, DeleteTakesPointsAndSectionsAlong) {
+  const auto e = edited(stand(), R"([{"action": "delete", "at": [0, 0]}])");
+  EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(2, 3));
+  EXPECT_THAT(e.sections.integers("tree_id"), ElementsAre(2, 3));
+  EXPECT_EQ(points_of(e, 1), 0);
+  EXPECT_EQ(points_of(e, 0), 10);
+  EXPECT_EQ(std::ranges::count(e.points->values<std::uint8_t>(arrays::stem), 1), 20);
+}
+
+TEST(ApplyEdits, MergeKeepsTheFirst) {
+  const auto e = edited(stand(), R"([{"action": "merge", "at": [5, 0], "with": [[5.4, 0]], "dbh_cm": 32}])");
+  EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(1, 2));
+  EXPECT_THAT(e.stems.numbers("dbh_cm"), ElementsAre(20, 32));
+  EXPECT_EQ(points_of(e, 2), 20);
+}
+
+TEST(ApplyEdits, SplitGivesNewIdsAndDividesThePoints) {
+  const auto both = edited(stand(), R"([{"action": "merge", "at": [5, 0], "with": [[5.4, 0]]},
+    {"action": "split", "at": [5, 0], "into": [{"at": [5.1, 0], "dbh_cm": 28}, {"at": [5.4, 0], "dbh_cm": 11}]}])");
+  EXPECT_THAT(both.stems.integers("tree_id"), ElementsAre(1, 4, 5));
+  EXPECT_EQ(points_of(both, 2), 0);
+  EXPECT_EQ(points_of(both, 4), 10);
+  EXPECT_EQ(points_of(both, 5), 10);
+}
+
+TEST(ApplyEdits, AddFitsTheSliceWhereNoDiameterIsGiven) {
+  PointCloud::Positions ring;
+  std::vector<float> height;
+  for (int i = 0; i < 90; ++i) {
+    const double a = i * std::numbers::pi / 60;  // three quarters of the bark
+    ring.emplace_back(static_cast<float>(-3 + 0.12 * std::cos(a)), static_cast<float>(2 + 0.12 * std::sin(a)), 101.3F);
+    height.push_back(1.3F);
+  }
+  PointCloud slice(ring);
+  slice.set_column(arrays::height_above_ground, height);
+  const auto e = edited(stand(), R"([{"action": "add", "at": [-2.97, 2.04]}])", &slice);
+  ASSERT_EQ(e.stems.rows(), 4U);
+  EXPECT_EQ(e.stems.integers("tree_id")[3], 4);
+  EXPECT_NEAR(e.stems.numbers("x_m")[3], -3, 1e-3);
+  EXPECT_NEAR(e.stems.numbers("dbh_cm")[3], 24, 0.1);
+  EXPECT_NEAR(e.stems.numbers("z_m")[3], 100, 1e-4);
+  EXPECT_TRUE(std::isnan(e.stems.numbers("dbh_lo_cm")[3]));
+  EXPECT_EQ(e.stems.texts("state")[3], "edited");
+  const auto nothing = edited(stand(), R"([{"action": "add", "at": [9, 9]}])", &slice);
+  EXPECT_EQ(nothing.stems.rows(), 3U);
+  EXPECT_THAT(nothing.log.texts("message")[0], HasSubstr("no circle of bark"));
+  EXPECT_THAT(edited(stand(), R"([{"action": "add", "at": [0, 0.05], "dbh_cm": 20}])").log.texts("message")[0],
+              HasSubstr("stem 1 stands there already"));
+}
+
+TEST(ApplyEdits, EditsFollowTheirStemsByPlaceAndConflictsAreTold) {
+  const auto e = edited(stand(), R"([
+    {"action": "delete", "at": [2, 2]},
+    {"action": "delete", "at": [5.2, 0.01]},
+    {"action": "accept", "at": [0, 0], "was_dbh_cm": 25},
+    {"action": "resize", "at": [0, 0], "was_dbh_cm": 25, "dbh_cm": 24}])");
+  EXPECT_EQ(e.stems.rows(), 3U);
+  EXPECT_THAT(e.log.texts("outcome"), ElementsAre("conflict", "conflict", "conflict", "applied"));
+  EXPECT_THAT(e.log.texts("message")[0], HasSubstr("the nearest stands 2.83 m away"));
+  EXPECT_THAT(e.log.texts("message")[1], HasSubstr("stems 2 and 3 both stand near"));
+  EXPECT_THAT(e.log.texts("message")[2], HasSubstr("was 25.0 cm and is now 20.0 cm"));
+  EXPECT_THAT(e.stems.texts("state"), ElementsAre("edited", "auto", "auto"));
+  EXPECT_EQ(e.report.counts.at("conflicts"), 3);
+  EXPECT_EQ(e.report.warnings.size(), 4U);
+}
+
+TEST(ApplyEdits, TablesOfOthersNeedPlacesAndDiameters) {
+  Table t;
+  t.set("tree_id", std::vector<std::int64_t>{1}), t.set("x_m", std::vector<double>{0}),
+      t.set("y_m", std::vector<double>{0});
+  EXPECT_THROW(apply_stem_edits({&t, nullptr, nullptr, nullptr}, {}, {}, bole::Run{}), Error);
+  t.set("dbh_cm", std::vector<double>{20});
+  const auto e = apply_stem_edits({&t, nullptr, nullptr, nullptr},
+                                  parse_stem_edits(R"([{"action": "accept", "at": [0, 0]}])"), {}, bole::Run{});
+  EXPECT_EQ(e.report.counts.at("applied"), 1);
+  EXPECT_FALSE(e.points.has_value());
+}
+
+}  // namespace
+}  // namespace bole
