@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <map>
 
+#include "evaluation/core/evaluate_loops.h"
 #include "slam/core/slam.h"
 #include "slam/core/tum_poses.h"
 #include "synthetic/scan_world.h"
@@ -172,6 +173,17 @@ void print_walls(const PointCloud& map, const synthetic::World& world, const Pos
               100 * t / static_cast<double>(thickness.size()), 100 * b / static_cast<double>(bias.size()));
 }
 
+void print_loops(const Table& loops, const Trajectory& truth) {
+  EvaluationOptions options;
+  for (const double radius_m : {3.0, 5.0}) {
+    options.loop_radius_m = radius_m;
+    const auto e = evaluate_loops(loops, truth, options);
+    const auto values = e.summary.numbers("value");
+    std::printf("loops within %.0f m: %zu right, %zu wrong, recall %.0f %%\n", radius_m, e.right, e.wrong,
+                values.back());
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -226,6 +238,7 @@ int main(int count, char** arguments) try {
       "%.1f ms/frame\n",
       100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_m, 100 * e.end_m, truth.length_m(),
       1000 * user_s / static_cast<double>(source->size()));
+  print_loops(result.loops, truth);
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
