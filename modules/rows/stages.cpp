@@ -1,6 +1,8 @@
 // Registers the stages of the module rows.
 #include "pipeline/stage.h"
 #include "rows/core/find_rows.h"
+#include "rows/core/frame_filters.h"
+#include "rows/core/frame_plants.h"
 
 namespace bole {
 namespace {
@@ -35,8 +37,103 @@ StageType from_stems() {
   return type;
 }
 
+constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 2023)";
+
+// A step that takes points and gives points.
+template <class Options, class Step>
+StageType point_step(const char* name, const char* title, const char* help, Step step) {
+  StageType type;
+  type.name = name, type.title = title, type.help = help, type.source = paper;
+  type.inputs = {{"points", DataKind::cloud, "Points of a frame: y ahead, z up, origin in the sensor.", false, {}}};
+  type.outputs = {{"points", DataKind::cloud, "The points after this step.", false, {}}};
+  type.options = &option_table(static_cast<const Options*>(nullptr));
+  type.run = [step](const DataSet& inputs, const OptionSet& options, const Run& run) {
+    const auto& before = inputs.cloud("points");
+    PointCloud after = step(before, options.as<Options>(), run);
+    StageResult result;
+    result.report.counts["points_in"] = static_cast<std::int64_t>(before.size());
+    result.report.counts["points"] = static_cast<std::int64_t>(after.size());
+    result.report.message = std::to_string(after.size()) + " of " + std::to_string(before.size()) + " points";
+    result.outputs.set("points", std::move(after));
+    return result;
+  };
+  return type;
+}
+
+StageType trunks() {
+  StageType type;
+  type.name = "rows.trunks";
+  type.title = "Find trunk centres";
+  type.help =
+      "Cuts every plant into horizontal layers and keeps those that are no wider than a trunk, so that leaves and "
+      "branches do not move the centre, wherever on the plant they are. The mean of the trunk points in plan is the "
+      "centre of the plant.";
+  type.source = paper;
+  type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}}};
+  type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points.", false, {}}};
+  type.options = &option_table(static_cast<const rows::TrunkOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
+    StageResult result;
+    result.outputs.set("stems",
+                       rows::trunk_centres(inputs.cloud("points"), options.as<rows::TrunkOptions>(), result.report));
+    return result;
+  };
+  return type;
+}
+
+StageType place() {
+  StageType type;
+  type.name = "rows.place";
+  type.title = "Place stems on the map";
+  type.help =
+      "Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position and "
+      "yaw "
+      "of the sensor.";
+  type.source = paper;
+  type.inputs = {{"stems", DataKind::table, "Centres in frame axes: x_m, y_m.", false, {}}};
+  type.outputs = {{"stems", DataKind::table, "The same in navigation axes.", false, {}}};
+  type.options = &option_table(static_cast<const rows::PlaceOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
+    StageResult result;
+    result.outputs.set("stems", rows::place_stems(inputs.table("stems"), options.as<rows::PlaceOptions>()));
+    result.report.message = std::to_string(inputs.table("stems").rows()) + " stems placed";
+    return result;
+  };
+  return type;
+}
+
+void add_frame_steps(StageRegistry& registry) {
+  using namespace rows;
+  registry.add(point_step<LevelOptions>(
+      "rows.level", "Level a frame", "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll).",
+      [](const PointCloud& c, const LevelOptions& o, const Run&) { return level(c, o); }));
+  registry.add(point_step<RegionOptions>(
+      "rows.region", "Cut a region", "Pass-through filter: keeps the points inside a box.",
+      [](const PointCloud& c, const RegionOptions& o, const Run&) { return cut_region(c, o); }));
+  registry.add(point_step<VoxelOptions>(
+      "rows.voxel", "Thin by voxels", "Replaces the points of each voxel by their centroid.",
+      [](const PointCloud& c, const VoxelOptions& o, const Run&) { return voxel_centroids(c, o); }));
+  registry.add(point_step<RayGroundOptions>(
+      "rows.remove_ground", "Remove the ground",
+      "Ray ground filter: in narrow sectors about the sensor, by range, a point is ground while it rises less than the "
+      "local slope from the last ground point and stays within the general slope. Ground is dropped.",
+      [](const PointCloud& c, const RayGroundOptions& o, const Run& run) { return remove_ground(c, o, run); }));
+  registry.add(point_step<RadiusOptions>(
+      "rows.radius_filter", "Drop lone points", "Drops points that have too few neighbours within a radius.",
+      [](const PointCloud& c, const RadiusOptions& o, const Run& run) { return radius_filter(c, o, run); }));
+  registry.add(point_step<MeanShiftOptions>(
+      "rows.mean_shift", "Cluster into plants",
+      "Mean shift in plan: points that climb to the same place are a plant; the column plant numbers them, 0 for none.",
+      [](const PointCloud& c, const MeanShiftOptions& o, const Run& run) { return mean_shift(c, o, run); }));
+  registry.add(trunks());
+  registry.add(place());
+}
+
 }  // namespace
 
-void register_rows_stages(StageRegistry& registry) { registry.add(from_stems()); }
+void register_rows_stages(StageRegistry& registry) {
+  registry.add(from_stems());
+  add_frame_steps(registry);
+}
 
 }  // namespace bole
