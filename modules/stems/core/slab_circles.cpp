@@ -265,7 +265,8 @@ using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
 // The best circle through `seed` and two of its neighbours, tried at several scales.
 SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed,
                           const MeasureOptions& options, Random random) {
-  const auto least = static_cast<float>(0.35 * options.min_dbh_m), most = static_cast<float>(0.55 * options.max_dbh_m);
+  const auto least = static_cast<float>(0.0035 * options.min_dbh_cm),
+             most = static_cast<float>(0.0055 * options.max_dbh_cm);  // radii with a margin
   SlabCircle best;
   for (std::size_t scale = 0; scale < reaches.size() && reaches[scale] <= 4 * most; ++scale) {
     const auto& local = near[scale];
@@ -319,7 +320,7 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
                                           const StemLayer& grid) {
   std::ranges::stable_sort(circles, std::ranges::greater{}, &SlabCircle::score);
   std::vector<SlabCircle> kept;
-  const double cell = options.max_dbh_m + 0.1;
+  const double cell = 0.01 * options.max_dbh_cm + 0.1;
   const int nx = static_cast<int>(grid.nx * grid.cell_m / cell) + 3;
   const int ny = static_cast<int>(grid.ny * grid.cell_m / cell) + 3;
   std::vector<std::vector<std::uint32_t>> by_cell(static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny));

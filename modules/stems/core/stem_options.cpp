@@ -22,15 +22,15 @@ const OptionTable& option_table(const MeasureOptions*) {
   static const OptionTable table = make_option_table<S>(
       {
           Option<S, double>{"min_dbh",
-                            &S::min_dbh_m,
-                            Unit::metre,
-                            {0.02, 1.0},
+                            &S::min_dbh_cm,
+                            Unit::centimetre,
+                            {2, 100},
                             Tier::basic,
                             "Stems thinner than this at breast height are listed as rejected."},
           Option<S, double>{"max_dbh",
-                            &S::max_dbh_m,
-                            Unit::metre,
-                            {0.1, 5.0},
+                            &S::max_dbh_cm,
+                            Unit::centimetre,
+                            {10, 500},
                             Tier::basic,
                             "Stems thicker than this at breast height are not searched for."},
           Option<S, double>{"search_bottom",
@@ -180,9 +180,9 @@ const OptionTable& option_table(const MeasureOptions*) {
           throw bad_input("options search_bottom " + number_text(s.search_bottom_m) + " m and search_top " +
                               number_text(s.search_top_m) + " m",
                           "at least 0.5 m between them");
-        if (s.max_dbh_m <= s.min_dbh_m)
+        if (s.max_dbh_cm <= s.min_dbh_cm)
           throw bad_input(
-              "options min_dbh " + number_text(s.min_dbh_m) + " m and max_dbh " + number_text(s.max_dbh_m) + " m",
+              "options min_dbh " + number_text(s.min_dbh_cm) + " cm and max_dbh " + number_text(s.max_dbh_cm) + " cm",
               "max_dbh above min_dbh");
       });
   return table;

@@ -14,8 +14,8 @@ struct SliceOptions {
 
 struct MeasureOptions {
   // Detection
-  double min_dbh_m = 0.05;
-  double max_dbh_m = 1.50;
+  double min_dbh_cm = 5;
+  double max_dbh_cm = 150;
   double search_bottom_m = 0.50;
   double search_top_m = 3.50;
   double max_lean_deg = 35;

@@ -65,10 +65,10 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
   if (s.ray_through > options.max_ray_through)
     return fmt::format("{:.0f} % of the rays towards its core pass through; bark lets none (limit {:.0f} %)",
                        100 * s.ray_through, 100 * options.max_ray_through);
-  if (2 * s.radius < options.min_dbh_m)
-    return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, 100 * options.min_dbh_m);
-  if (2 * s.radius > options.max_dbh_m)
-    return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, 100 * options.max_dbh_m);
+  if (200 * s.radius < options.min_dbh_cm)
+    return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, options.min_dbh_cm);
+  if (200 * s.radius > options.max_dbh_cm)
+    return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, options.max_dbh_cm);
   if (s.arc_rad * to_deg < options.min_arc_deg)
     return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg,
                        options.min_arc_deg);

@@ -291,7 +291,7 @@ TEST(MeasureStems, PointsThatAreNotNumbersAreLeftOut) {
 TEST(MeasureStems, ThinStemsAreListedAsRejectedWithTheReason) {
   const auto cloud = make_stem_cloud(random_stand(1, 0.12, 0.12, 9), coarse());
   MeasureOptions o;
-  o.min_dbh_m = 0.15;
+  o.min_dbh_cm = 15;
   const auto survey = measure(cloud, o);
   EXPECT_TRUE(survey.stems.empty());
   EXPECT_THAT(rejected_table(survey).texts("reason"),
