@@ -12,6 +12,7 @@
 #include "evaluation/core/evaluate_loops.h"
 #include "slam/core/slam.h"
 #include "slam/core/tum_poses.h"
+#include "stem_truth.h"
 #include "synthetic/scan_world.h"
 #ifdef BOLE_HAS_IO
 #include "io/core/frame_source.h"
@@ -137,6 +138,27 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
       "cm\n",
       fitted, asked, sum / fitted, std::sqrt(squared / fitted), wall / fitted, 100 * std::sqrt(dx2 / fitted));
 }
+
+// What all returns, not thinned, say along their rays with the true and with the estimated path.
+void print_rays(const FrameSource& source, const Table& trees, const Trajectory& truth, const Trajectory& estimate,
+                const Pose& T_world_map) {
+  const auto stems = true_stems(trees);
+  const auto within = [](const Trajectory& path, double t) {
+    return t >= path.poses.front().time_s && t <= path.poses.back().time_s;
+  };
+  const auto both = [&](double t) { return within(truth, t) && within(estimate, t); };
+  const auto with_truth =
+      stem_returns(source, source.size(),
+                   [&](double t) { return both(t) ? std::optional(truth.at(t)) : std::nullopt; }, stems);
+  const auto with_estimate = stem_returns(
+      source, source.size(),
+      [&](double t) { return both(t) ? std::optional(T_world_map * estimate.at(t)) : std::nullopt; }, stems);
+  for (const auto* returns : {&with_truth, &with_estimate}) {
+    const auto w = wall_figures(*returns, stems.size());
+    std::printf("%s path: residual along the ray %+.2f mm, %+.2f mm about own centres (%.1f mm off), wall %.1f mm\n",
+                returns == &with_truth ? "true" : "estimated", w.along_mm, w.own_along_mm, w.own_sd_mm, w.wall_mm);
+  }
+}
 #endif
 
 // Radial residuals of map points about the trunks of the synthetic plot: 1.4826 MAD about the median, over heights of
@@ -242,8 +264,11 @@ int main(int count, char** arguments) try {
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
-  else
-    print_trees(result.points, read_table(own["scan"] + "/trees.csv"), T_world_map);
+  else {
+    const auto trees = read_table(own["scan"] + "/trees.csv");
+    print_trees(result.points, trees, T_world_map);
+    print_rays(*source, trees, truth, result.trajectory, T_world_map);
+  }
 #endif
   return 0;
 } catch (const std::exception& error) {
