@@ -72,8 +72,35 @@ void DistributionMap::insert_into(Level& level, const Eigen::Vector3d& point, st
   cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
 }
 
-// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are
-// added.
+void DistributionMap::Moments::add(const Cell& cell, const Eigen::Vector3d& centre) {
+  const Eigen::Vector3d s = cell.sum.cast<double>();
+  const double m = cell.count;
+  const Eigen::Vector3d moved = s + m * centre;
+  count += m;
+  lines |= cell.lines;
+  sum += moved;
+  const float* q = cell.second;
+  Eigen::Matrix3d own;
+  own << q[0], q[1], q[2], q[1], q[3], q[4], q[2], q[4], q[5];
+  second += own + s * centre.transpose() + centre * moved.transpose();
+}
+
+LocalSurface DistributionMap::Moments::surface(const Eigen::Vector3d& place, int level) const {
+  LocalSurface surface;
+  const Eigen::Vector3d mean = sum / count;
+  const Eigen::Matrix3d covariance = second / count - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  surface.mean = place + mean;
+  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+  surface.axes = solver.eigenvectors();
+  surface.points = static_cast<int>(count);
+  surface.lines = std::popcount(lines);
+  surface.level = level;
+  return surface;
+}
+
+// The 2 x 2 x 2 cells whose common corner is nearest to the point.
 std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index,
                                                      int least_points) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
@@ -81,41 +108,26 @@ std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& poin
   const auto cx = static_cast<std::int64_t>(std::lround(point.x() / cell_m)),
              cy = static_cast<std::int64_t>(std::lround(point.y() / cell_m)),
              cz = static_cast<std::int64_t>(std::lround(point.z() / cell_m));
-  double n = 0;
-  unsigned lines = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  Moments moments;
   for (int k = 0; k < 8; ++k) {
     const int dx = (k & 1) - 1, dy = ((k >> 1) & 1) - 1, dz = (k >> 2) - 1;  // cell corner + 0 or - 1
-    const Cell* cell = level.find(pack_cell(cx + dx, cy + dy, cz + dz));
-    if (!cell) continue;
-    const Eigen::Vector3d o = cell_m * Eigen::Vector3d(dx + 0.5, dy + 0.5, dz + 0.5);
-    const Eigen::Vector3d s = cell->sum.cast<double>();
-    const double m = cell->count;
-    const Eigen::Vector3d moved = s + m * o;
-    n += m;
-    lines |= cell->lines;
-    sum += moved;
-    const float* q = cell->second;
-    Eigen::Matrix3d own;
-    own << q[0], q[1], q[2], q[1], q[3], q[4], q[2], q[4], q[5];
-    second += own + s * o.transpose() + o * moved.transpose();
+    if (const Cell* cell = level.find(pack_cell(cx + dx, cy + dy, cz + dz)))
+      moments.add(*cell, cell_m * Eigen::Vector3d(dx + 0.5, dy + 0.5, dz + 0.5));
   }
-  if (n < least_points) return std::nullopt;
+  if (moments.count < least_points) return std::nullopt;
+  return moments.surface(
+      cell_m * Eigen::Vector3d(static_cast<double>(cx), static_cast<double>(cy), static_cast<double>(cz)), level_index);
+}
 
-  LocalSurface surface;
-  const Eigen::Vector3d mean = sum / n;
-  const Eigen::Matrix3d covariance = second / n - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  surface.mean =
-      mean + cell_m * Eigen::Vector3d(static_cast<double>(cx), static_cast<double>(cy), static_cast<double>(cz));
-  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
-  surface.axes = solver.eigenvectors();
-  surface.points = static_cast<int>(n);
-  surface.lines = std::popcount(lines);
-  surface.level = level_index;
-  return surface;
+std::optional<LocalSurface> DistributionMap::cell_surface(const Eigen::Vector3d& point, int level_index,
+                                                          int least_points) const {
+  const Level& level = levels_[static_cast<std::size_t>(level_index)];
+  const Eigen::Vector3d in_cells = point / level.cell_m;
+  const Cell* cell = level.find(grid_key(in_cells));
+  if (!cell || cell->count < least_points) return std::nullopt;
+  Moments moments;
+  moments.add(*cell, Eigen::Vector3d::Zero());
+  return moments.surface((in_cells.array().floor() + 0.5).matrix() * level.cell_m, level_index);
 }
 
 }  // namespace bole

@@ -40,6 +40,8 @@ class DistributionMap {
   void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
   // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
   std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  // The points of the one cell that holds `point`.
+  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
 
   double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].used; }
@@ -61,6 +63,17 @@ class DistributionMap {
     Cell& find_or_add(std::uint64_t key);
     const Cell* find(std::uint64_t key) const;
     void grow();
+  };
+  // Counts and moments of cells about a common place.
+  struct Moments {
+    double count = 0;
+    unsigned lines = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+
+    // `centre`: of the cell, from the common place.
+    void add(const Cell& cell, const Eigen::Vector3d& centre);
+    LocalSurface surface(const Eigen::Vector3d& place, int level) const;
   };
   static void insert_into(Level& level, const Eigen::Vector3d& point, std::uint16_t line_bit);
 

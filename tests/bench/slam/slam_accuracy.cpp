@@ -1,4 +1,4 @@
-// slam_accuracy [scan=FOLDER] [frames=N] [option=value ...]
+// slam_accuracy [scan=FOLDER] [frames=N] [out=FILE.tum] [option=value ...]
 // Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or,
 // without one, on a synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the
 // trunks are in the map.
@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <map>
 
 #include "evaluation/core/evaluate_loops.h"
@@ -61,6 +62,17 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
   out.ate_m = std::sqrt(out.ate_m / n), out.turn_deg = std::sqrt(out.turn_deg / n),
   out.step_m = std::sqrt(out.step_m / n), out.end_m = drift.translation().norm();
   return out;
+}
+
+void write_tum(const std::string& file, const Trajectory& path) {
+  std::ofstream out(file);
+  out.precision(10);
+  for (const auto& p : path.poses) {
+    const Eigen::Quaterniond q(p.T_target_sensor.linear());
+    const Eigen::Vector3d t = p.T_target_sensor.translation();
+    out << std::fixed << p.time_s << ' ' << t.x() << ' ' << t.y() << ' ' << t.z() << ' ' << q.x() << ' ' << q.y() << ' '
+        << q.z() << ' ' << q.w() << '\n';
+  }
 }
 
 Pose aligned(const Trajectory& estimate, const Trajectory& truth) {
@@ -147,9 +159,8 @@ void print_rays(const FrameSource& source, const Table& trees, const Trajectory&
     return t >= path.poses.front().time_s && t <= path.poses.back().time_s;
   };
   const auto both = [&](double t) { return within(truth, t) && within(estimate, t); };
-  const auto with_truth =
-      stem_returns(source, source.size(),
-                   [&](double t) { return both(t) ? std::optional(truth.at(t)) : std::nullopt; }, stems);
+  const auto with_truth = stem_returns(
+      source, source.size(), [&](double t) { return both(t) ? std::optional(truth.at(t)) : std::nullopt; }, stems);
   const auto with_estimate = stem_returns(
       source, source.size(),
       [&](double t) { return both(t) ? std::optional(T_world_map * estimate.at(t)) : std::nullopt; }, stems);
@@ -209,8 +220,8 @@ void print_loops(const Table& loops, const Trajectory& truth) {
 }  // namespace
 
 int main(int count, char** arguments) try {
-  std::map<std::string, std::string> own{{"scan", ""},  {"frames", "200"}, {"noise", "0.02"},
-                                         {"gait", "1"}, {"half", "16"},    {"radius", "8"}};
+  std::map<std::string, std::string> own{{"scan", ""},   {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"},
+                                         {"half", "16"}, {"radius", "8"},   {"out", ""}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
@@ -248,6 +259,7 @@ int main(int count, char** arguments) try {
   const auto result = run_slam(*source, options.as<SlamOptions>(), {});
   const double user_s = user_seconds() - before_s;
   const auto e = compare(result.trajectory, truth);
+  if (!own["out"].empty()) write_tum(own["out"], result.trajectory);
   std::printf("%s\n", result.report.message.c_str());
   for (const auto& w : result.report.warnings) std::printf("warning: %s\n", w.c_str());
   for (const auto& [name, value] : result.report.counts)

@@ -69,9 +69,8 @@ std::vector<TrueStem> true_stems(const Table& trees) {
   std::vector<TrueStem> out;
   for (std::size_t i = 0; i < x.size(); ++i)
     if (inside[i] > 0)
-      out.push_back({{x[i], y[i], z[i] + 1.3},
-                     Eigen::Vector3d(x[i] - bx[i], y[i] - by[i], 1.3).normalized(),
-                     dbh[i] / 200});
+      out.push_back(
+          {{x[i], y[i], z[i] + 1.3}, Eigen::Vector3d(x[i] - bx[i], y[i] - by[i], 1.3).normalized(), dbh[i] / 200});
   return out;
 }
 

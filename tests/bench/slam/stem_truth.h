@@ -37,10 +37,10 @@ std::vector<StemReturn> stem_returns(const FrameSource& source, std::size_t fram
                                      const std::vector<TrueStem>& stems);
 
 struct WallFigures {
-  double along_mm = 0;      // mean over stems and directions of view of the median residual along the ray
-  double own_along_mm = 0;  // the same about the centre that the returns of each stem have by themselves
-  double own_sd_mm = 0;     // RMS over stems of their shift from the true place
-  double wall_mm = 0;       // median over stems of the robust SD of the radial residual about that centre
+  double along_mm = 0;                  // mean over stems and directions of view of the median residual along the ray
+  double own_along_mm = 0;              // the same about the centre that the returns of each stem have by themselves
+  double own_sd_mm = 0;                 // RMS over stems of their shift from the true place
+  double wall_mm = 0;                   // median over stems of the robust SD of the radial residual about that centre
   std::vector<double> wall_of_stem_mm;  // 0: too few returns
 };
 WallFigures wall_figures(const std::vector<StemReturn>& returns, std::size_t stems);
