@@ -72,7 +72,6 @@ TEST(RealScans, TheDeskewedSweepsOfNewerCollegeAreReproduced) {
       return std::sqrt(squared / static_cast<double>(raw.size()));
     };
     const Pose T_mid = found.motion.at(0.5);
-    const Pose T_mid = found.motion.at(0.5);
     EXPECT_LT(rms_m(found.motion), best_m[k] + 0.025) << k << ": " << rms_m({T_mid, T_mid}) << " m as it was";
     EXPECT_GT(rms_m({T_mid, T_mid}), 5 * rms_m(found.motion)) << k;
   }
