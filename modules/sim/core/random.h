@@ -29,7 +29,8 @@ enum class Stream : std::uint64_t {
   walk,
   pulse,
   laser_bias,
-  archetype
+  archetype,
+  disturbance
 };
 
 class Random {

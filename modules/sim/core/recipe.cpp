@@ -156,8 +156,6 @@ void check_relations(const PlotRecipe& r) {
   if (t.dbh_sd_cm * t.dbh_sd_cm > 0.25 * (t.dbh_mean_cm - t.dbh_min_cm) * (t.dbh_max_cm - t.dbh_mean_cm))
     throw bad_input("recipe field 'trees.dbh_sd_cm' is " + number_text(t.dbh_sd_cm),
                     "a spread that fits between dbh_min_cm and dbh_max_cm", "Lower it, or widen the limits");
-  if (r.layout.kind == "natural" && t.count < 1)
-    throw bad_input("recipe field 'trees.count' is " + std::to_string(t.count), "at least 1 for a natural layout");
 }
 
 }  // namespace

@@ -31,6 +31,13 @@ struct SimulationOptions {
   double pulse_length = 0.40;
   bool bark = true;
 
+  double turn_on_spot = 0;
+  double gap_at = 0;
+  double gap = 0;
+  double blind_sector = 0;
+  double rain = 0;
+  bool companion = false;
+
   double trajectory_rate = 100;
   double dem_cell = 0.1;
 };

@@ -86,7 +86,9 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
   length_m_ = step_m * static_cast<double>(last);
   // Easing in and out covers half of its time at full speed.
   full_speed_s_ = std::max(0.0, length_m_ / parameters.speed_m_s - ease_s_);
-  duration_s_ = parameters.stand_still_s + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
+  // The fastest moment of an eased turn is half as fast again as its mean.
+  turn_s_ = 1.5 * std::abs(parameters.turn_rad) / (90 * radians_per_degree);
+  duration_s_ = parameters.stand_still_s + turn_s_ + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
   if (parameters.most_s > 0) duration_s_ = std::min(duration_s_, parameters.most_s);
 
   Random random(seed, Stream::walk);
@@ -103,7 +105,7 @@ Walk::Progress Walk::progress(double t) const {
   // Pace rises as smoothstep x^2 (3 - 2 x), whose integral is x^3 - x^4 / 2.
   const auto pace = [](double x) { return x * x * (3 - 2 * x); };
   const auto run_up = [&](double x) { return v * ease_s_ * (x * x * x - 0.5 * x * x * x * x); };
-  double s = t - parameters_.stand_still_s;
+  double s = t - parameters_.stand_still_s - turn_s_;
   if (s <= 0) return {0, 0};
   if (s < ease_s_) return {run_up(s / ease_s_), pace(s / ease_s_)};
   s -= ease_s_;
@@ -111,6 +113,12 @@ Walk::Progress Walk::progress(double t) const {
   s -= full_speed_s_;
   const double x = std::max(0.0, 1 - s / ease_s_);
   return {v * ease_s_ + v * full_speed_s_ - run_up(x), pace(x)};
+}
+
+double Walk::turned_rad(double t) const {
+  if (turn_s_ <= 0) return 0;
+  const double x = std::clamp((t - parameters_.stand_still_s) / turn_s_, 0.0, 1.0);
+  return parameters_.turn_rad * x * x * (3 - 2 * x);
 }
 
 Pose Walk::pose(double t) const {
@@ -123,8 +131,8 @@ Pose Walk::pose(double t) const {
   const double sway = 0.025 * step * std::sin(0.5 * beat + phases_[1]);
   const double roll = 1.5 * radians_per_degree * step * std::sin(0.5 * beat + phases_[2]) + hand * swings_[0].at(t);
   const double pitch = 1.2 * radians_per_degree * step * std::sin(beat + phases_[3]) + hand * swings_[1].at(t);
-  const double yaw =
-      k[3] + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
+  const double yaw = k[3] + turned_rad(t) + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) +
+                     hand * swings_[2].at(t);
   Pose T = Pose::Identity();
   T.linear() = rotation_from_rpy(roll, pitch, yaw) *
                Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();

@@ -367,6 +367,8 @@ const OptionTable& option_table(const SlamOptions*) {
             Tier::expert,
             "Nearest ring keys whose contexts are compared."},
 
+          Option<S, bool>{"dense_map", &S::dense_map, Tier::advanced,
+                          "Make the map; otherwise only the trajectory comes out, and the cloud is empty."},
           D{"map_range_min",
             &S::map_range_min_m,
             Unit::metre,

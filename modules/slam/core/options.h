@@ -58,6 +58,7 @@ struct SlamOptions {
   int context_candidates = 10;
 
   // The dense map.
+  bool dense_map = true;
   double map_range_min_m = 0.8;
   double map_range_max_m = 25;
   double map_voxel_m = 0.015;
