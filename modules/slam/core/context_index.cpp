@@ -59,6 +59,19 @@ Pose levelled(const Pose& T_map_sensor) {
   return T;
 }
 
+ScanContextShape context_shape(const SlamOptions& options) {
+  return {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m};
+}
+
+ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape) {
+  const Pose T_level_map = levelled(motion.T_map_end).inverse();
+  const PoseGrid poses(motion);
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(scan.points.size());
+  for (const auto& p : scan.points) points.push_back((T_level_map * poses.in_map(p.position, p.s)).cast<float>());
+  return make_scan_context(points, shape);
+}
+
 ContextIndex::ContextIndex(const ScanContextShape& shape) : shape_(shape), trees_(std::make_unique<Trees>()) {}
 ContextIndex::~ContextIndex() = default;
 

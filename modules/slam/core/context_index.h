@@ -7,6 +7,8 @@
 
 #include "base/transform.h"
 #include "slam/core/keyframes.h"
+#include "slam/core/options.h"
+#include "slam/core/scan.h"
 
 namespace bole {
 
@@ -22,6 +24,11 @@ struct ContextSearch {
   double tau = 0.5;   // largest distance
   bool cart = false;  // look by cart context as well, in both directions
 };
+
+ScanContextShape context_shape(const SlamOptions& options);
+
+// Of a frame whose motion is known.
+ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape);
 
 // Axes at a pose that look along its heading and are level in map axes.
 Pose levelled(const Pose& T_map_sensor);

@@ -45,6 +45,10 @@ std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, const Candi
   const double correction_m = (r.motion.T_map_end.translation() - T_odometry.translation()).norm();
   if (r.overlap < options.loop_overlap || r.conditioning < least_conditioning || correction_m > c.most_correction_m)
     return std::nullopt;
+  // Whatever it looked like: what registration puts farther off is another place.
+  if ((keyframes[c.from].T_map_keyframe.translation() - r.motion.T_map_end.translation()).norm() >
+      options.loop_radius_m)
+    return std::nullopt;
   return Loop{c.from,        c.to,      keyframes[c.from].T_map_keyframe.inverse() * r.motion.T_map_end,
               r.information, r.overlap, correction_m,
               c.found_by};
@@ -76,8 +80,7 @@ std::optional<Candidate> by_context(const std::vector<Keyframe>& keyframes, cons
 LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run) {
   LoopSearch out;
   const bool near = options.loops != "context", alike = options.loops == "context" || options.loops == "both";
-  ContextIndex index(
-      {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m});
+  ContextIndex index(context_shape(options));
   std::size_t indexed = 0;
   double last_trial_m = -trial_spacing_m;
   for (std::size_t k = 0; k < keyframes.size() && !run.asked_to_finish(); ++k) {
