@@ -1,5 +1,6 @@
 #include "slam/core/context_index.h"
 
+#include <algorithm>
 #include <cmath>
 #include <flann/flann.hpp>
 #include <numbers>
@@ -84,14 +85,18 @@ void ContextIndex::add(const std::vector<Keyframe>& keyframes, std::size_t k) {
 
 std::optional<ContextCandidate> ContextIndex::best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                                    const ContextSearch& search) const {
+  auto found = ranked(keyframes, k, search, 1, 0);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                                   const ContextSearch& search, std::size_t most_places,
+                                                   double apart_m) const {
   const auto& own = keyframes[k].context;
-  if (own.empty()) return std::nullopt;
-  ContextCandidate best{0, search.tau, Pose::Identity()};
-  bool any = false;
+  if (own.empty()) return {};
+  std::vector<ContextCandidate> found;
   const auto offer = [&](std::size_t j, const ContextMatch& match, double turn_rad, double left_m) {
-    if (match.distance >= best.distance) return;
-    best = {j, match.distance, turned_and_shifted(turn_rad, left_m)};
-    any = true;
+    if (match.distance < search.tau) found.push_back({j, match.distance, turned_and_shifted(turn_rad, left_m)});
   };
   const auto most = static_cast<std::size_t>(search.nearest);
   for (const auto j : trees_->rings.nearest(own.ring_key, most)) {
@@ -105,7 +110,16 @@ std::optional<ContextCandidate> ContextIndex::best(const std::vector<Keyframe>& 
       offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range_m / shape_.columns * match.shift);
     }
   }
-  return any ? std::optional(best) : std::nullopt;
+  std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
+  std::vector<ContextCandidate> apart;
+  for (const auto& c : found) {
+    if (apart.size() == most_places) break;
+    if (std::ranges::none_of(apart, [&](const ContextCandidate& a) {
+          return std::abs(keyframes[a.keyframe].path_m - keyframes[c.keyframe].path_m) < apart_m;
+        }))
+      apart.push_back(c);
+  }
+  return apart;
 }
 
 }  // namespace bole

@@ -44,6 +44,9 @@ class ContextIndex {
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
+  // Those that look most alike, the best first, no two of them within `apart_m` of way.
+  std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                       const ContextSearch& search, std::size_t most, double apart_m) const;
 
  private:
   struct Trees;

@@ -5,6 +5,7 @@
 
 #include "slam/core/context_index.h"
 #include "slam/core/loop_registration.h"
+#include "slam/core/place_guess.h"
 
 namespace bole {
 namespace {
@@ -13,6 +14,8 @@ constexpr double trial_spacing_m = 1.5;  // way between key frames that are trie
 constexpr std::size_t stretch_half = 8;  // key frames on each side of the partner that make its map
 constexpr double least_conditioning = 1e-3;
 constexpr double largest_correction_m = 2.0;
+constexpr std::size_t context_places = 3;  // that look alike and are tried
+constexpr double context_apart_m = 1.5;
 constexpr double context_offset_m = 3.0;  // of a place that looks alike
 
 std::optional<std::size_t> partner_of(const std::vector<Keyframe>& keyframes, std::size_t k,
@@ -35,10 +38,15 @@ struct Candidate {
   std::string found_by;
 };
 
+// First and last key frame of the stretch about `from` that `to` is held against.
+std::pair<std::size_t, std::size_t> stretch_about(const std::vector<Keyframe>& keyframes, std::size_t from,
+                                                  std::size_t to) {
+  return {from > stretch_half ? from - stretch_half : 0, std::min({from + stretch_half, keyframes.size() - 1, to - 1})};
+}
+
 std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, const Candidate& c, const SlamOptions& options,
                              const Run& run) {
-  const std::size_t first = c.from > stretch_half ? c.from - stretch_half : 0,
-                    last = std::min({c.from + stretch_half, keyframes.size() - 1, c.to - 1});
+  const auto [first, last] = stretch_about(keyframes, c.from, c.to);
   const LoopTarget target(keyframes, first, last, options);
   const auto r = target.registered(keyframes[c.to], c.T_map_to, run);
   const Pose& T_odometry = keyframes[c.to].T_map_keyframe;
@@ -63,16 +71,24 @@ std::optional<Candidate> by_odometry(const std::vector<Keyframe>& keyframes, std
 
 std::optional<Candidate> by_context(const std::vector<Keyframe>& keyframes, const ContextIndex& index, std::size_t k,
                                     const SlamOptions& options) {
-  const auto found =
-      index.best(keyframes, k, {options.context_candidates, options.context_tau, options.loops == "both"});
-  if (!found) return std::nullopt;
   const Pose& T_map_k = keyframes[k].T_map_keyframe;
   const Pose T_level_k = levelled(T_map_k).inverse() * T_map_k;
-  const Pose T_map_to = levelled(keyframes[found->keyframe].T_map_keyframe) * found->T_from_to * T_level_k;
-  const double way_m = keyframes[k].path_m - keyframes[found->keyframe].path_m,
-               most_m = context_offset_m + options.loop_drift * way_m;
-  if ((T_map_to.translation() - T_map_k.translation()).norm() > most_m) return std::nullopt;
-  return Candidate{found->keyframe, k, T_map_to, most_m, "context"};
+  std::optional<Candidate> best;
+  double best_score = -1;
+  for (const auto& found :
+       index.ranked(keyframes, k, {options.context_candidates, options.context_tau, options.loops == "both"},
+                    context_places, context_apart_m)) {
+    const Pose T_map_to = levelled(keyframes[found.keyframe].T_map_keyframe) * found.T_from_to * T_level_k;
+    const double way_m = keyframes[k].path_m - keyframes[found.keyframe].path_m,
+                 most_m = context_offset_m + options.loop_drift * way_m;
+    if ((T_map_to.translation() - T_map_k.translation()).norm() > most_m) continue;
+    const auto [first, last] = stretch_about(keyframes, found.keyframe, k);
+    const auto placed = place_on_stretch(keyframes, first, last, keyframes[k], T_map_to);
+    if (placed.score <= best_score) continue;
+    best_score = placed.score;
+    best = Candidate{found.keyframe, k, placed.T_map_keyframe, most_m, "context"};
+  }
+  return best;
 }
 
 }  // namespace

@@ -191,11 +191,11 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
-  report.counts["loops"] = static_cast<std::int64_t>(search.loops.size());
-  auto table = table_of(search.loops, pass.keyframes);
-  report.counts["loops_by_context"] = std::ranges::count(search.loops, "context", &Loop::found_by);
+  std::vector<Loop> kept = search.loops;
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    kept = kept_loops(search.loops, graph);
+    report.counts["refused_loops"] = static_cast<std::int64_t>(search.loops.size() - kept.size());
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
     double squared = 0;
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k)
@@ -205,8 +205,10 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
+  report.counts["loops"] = static_cast<std::int64_t>(kept.size());
+  report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
   report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
-  return table;
+  return table_of(kept, pass.keyframes);
 }
 
 // Elastic frames know their begin and end. Of the others the middle is what the registration has found.

@@ -147,7 +147,8 @@ int main(int count, char** arguments) try {
       const auto graph = optimise_pose_graph(keyframes, found.loops, {});
       const std::string name = search + "-" + registration;
       Json row{{"search", search}, {"registration", registration}, {"candidates", found.candidates}};
-      const auto loops = evaluate_loops(table_of(found.loops, keyframes), driven, {});
+      row["refused"] = std::ranges::count(graph.refused, 1);
+      const auto loops = evaluate_loops(table_of(kept_loops(found.loops, graph), keyframes), driven, {});
       add_summary(loops.summary, loop_measures, row);
       row["doubted"] = graph.doubted_loops, row["seconds"] = seconds;
       if (!settings.out.empty()) write_table(fs::path(settings.out) / (name + "-loops.csv"), loops.loops);
