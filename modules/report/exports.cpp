@@ -61,6 +61,9 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
+  // Both are empty where the poses were given.
+  if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
+  if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(

@@ -11,7 +11,7 @@ void register_report_stages(StageRegistry& registry) {
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
-      "trajectory.tum, "
+      "trajectory.tum, loops.csv, odometry.csv, "
       "cloud.las, dem.tif, plot.gpkg, figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
       "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
       "with every option and the time and memory of each stage. Inputs that are not connected are left out.";
@@ -32,7 +32,9 @@ void register_report_stages(StageRegistry& registry) {
                  {"edits", DataKind::table, "What a person changed, from stems.edit.", true, {}},
                  {"targets", DataKind::table, "Reflective targets of the plot frame.", true, {}},
                  {"matches", DataKind::table, "Stems matched with a reference.", true, {}},
-                 {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}}};
+                 {"summary", DataKind::table, "Measures of the evaluation beside published ones.", true, {}},
+                 {"loops", DataKind::table, "Revisits of the walk, from slam.run.", true, {}},
+                 {"odometry", DataKind::table, "What slam.run found for each frame.", true, {}}};
   type.options = &option_table(static_cast<const ReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

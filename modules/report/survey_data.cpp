@@ -29,6 +29,8 @@ SurveyData survey_data(const DataSet& inputs) {
   data.targets = optional_input<Table>(inputs, "targets");
   data.matches = optional_input<Table>(inputs, "matches");
   data.summary = optional_input<Table>(inputs, "summary");
+  data.loops = optional_input<Table>(inputs, "loops");
+  data.odometry = optional_input<Table>(inputs, "odometry");
   data.axes = axes_of(data);
   if (inputs.has("plot")) data.rule = counting_rule(inputs.table("plot"));
   return data;

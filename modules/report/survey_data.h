@@ -20,6 +20,8 @@ struct SurveyData {
   const Table* targets = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;
+  const Table* loops = nullptr;  // of slam.run, as is odometry
+  const Table* odometry = nullptr;
 
   CountingRule rule;
   Axes axes = Axes::unknown;  // of the stems

@@ -17,6 +17,8 @@ struct EvaluationOptions {
   double rpe_step_s = 1.0;
   double segment_m = 100;
   double loop_radius_m = 3, loop_path_m = 25;
+  double loop_shift_m = 0.1, loop_turn_deg = 1;
+  double rpe_distance_m = 10;
   std::string published_plot = "none";
 };
 

@@ -30,7 +30,8 @@ enum class Stream : std::uint64_t {
   pulse,
   laser_bias,
   archetype,
-  disturbance
+  disturbance,
+  vineyard
 };
 
 class Random {

@@ -221,7 +221,7 @@ void print_loops(const Table& loops, const Trajectory& truth) {
 
 int main(int count, char** arguments) try {
   std::map<std::string, std::string> own{{"scan", ""},   {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"},
-                                         {"half", "16"}, {"radius", "8"},   {"table", ""},  {"out", ""}};
+                                         {"half", "16"}, {"radius", "8"},   {"table", ""},     {"out", ""}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
