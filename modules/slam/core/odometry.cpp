@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
+constexpr std::size_t first_keyframes = 6;   // of a map of the ground
 constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
 constexpr std::size_t usual_frames = 20;
 constexpr double least_share_of_usual = 0.5;  // of the overlap of the frames before
