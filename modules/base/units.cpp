@@ -28,10 +28,6 @@ std::string_view unit_symbol(Unit unit) {
       return "Hz";
     case Unit::metre_per_second:
       return "m/s";
-    case Unit::kilometre_per_hour:
-      return "km/h";
-    case Unit::degree_per_second:
-      return "deg/s";
     case Unit::per_hectare:
       return "1/ha";
     case Unit::square_metre_per_hectare:

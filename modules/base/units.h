@@ -19,8 +19,6 @@ enum class Unit {
   millisecond,
   hertz,
   metre_per_second,
-  kilometre_per_hour,
-  degree_per_second,
   per_hectare,
   square_metre_per_hectare,
   percent,

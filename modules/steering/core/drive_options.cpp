@@ -22,12 +22,12 @@ Entries<S> tractor_entries() {
                 {5, 80},
                 Tier::advanced,
                 "Largest angle of the front wheels."},
-      Number<S>{"steering_rate",
-                &S::steering_rate,
-                Unit::degree_per_second,
+      Number<S>{"steering_rate_deg_s",
+                &S::steering_rate_deg_s,
+                Unit::none,
                 {1, 500},
                 Tier::advanced,
-                "Largest speed at which the front wheels turn."},
+                "Largest speed at which the front wheels turn, deg/s."},
       Number<S>{"steering_lag",
                 &S::steering_lag,
                 Unit::second,
@@ -293,7 +293,7 @@ const OptionTable& option_table(const TuneOptions*) {
   using S = TuneOptions;
   static const OptionTable table = make_option_table<S>(joined<S>(
       {
-          Number<S>{"speed", &S::speed, Unit::kilometre_per_hour, {0.1, 40}, Tier::basic, "Speed to tune for."},
+          Number<S>{"speed_km_h", &S::speed_km_h, Unit::none, {0.1, 40}, Tier::basic, "Speed to tune for."},
           Number<S>{"first_p",
                     &S::first_p,
                     Unit::none,

@@ -11,7 +11,7 @@ namespace bole::steering {
 struct TractorOptions {
   double wheelbase = 2.69;
   double steering_max_deg = 40;
-  double steering_rate = 30;
+  double steering_rate_deg_s = 30;
   double steering_lag = 0.1;
   double steering_delay = 0.05;
   double steering_offset_deg = 0.3;
@@ -75,7 +75,7 @@ struct FieldTestOptions : DriveOptions {
 };
 
 struct TuneOptions : DriveOptions {
-  double speed = 5;
+  double speed_km_h = 5;
   double first_p = 100;
   double first_preview = 6;
   double start_offset = 0.1;

@@ -41,9 +41,9 @@ const OptionTable& option_table(const ErrorOptions*) {
              {0.5, 45},
              Tier::advanced,
              "A pass is where the way is within this angle of the line."},
-      Number{"speed_step",
-             &S::speed_step,
-             Unit::kilometre_per_hour,
+      Number{"speed_step_km_h",
+             &S::speed_step_km_h,
+             Unit::none,
              {0.1, 40},
              Tier::advanced,
              "Measured speeds are grouped in steps of this, where the log names none."},
@@ -189,7 +189,7 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
   for (std::size_t i = 0; i < drives.size(); ++i) {
     run.check_cancel();
     run.report(static_cast<double>(i) / static_cast<double>(drives.size()), "measuring passes");
-    measure_drive(drives[i], line_of(lines, drives[i], limits), limits, options.speed_step, passes);
+    measure_drive(drives[i], line_of(lines, drives[i], limits), limits, options.speed_step_km_h, passes);
   }
   if (passes.empty())
     throw bad_input(fmt::format("none of {} fixes is on a pass of {} m along the line", log.rows(), options.length_min),

@@ -16,7 +16,7 @@ struct ErrorOptions {
   double run_out = 3;
   double length_min = 20;
   double angle_max_deg = 10;
-  double speed_step = 1;
+  double speed_step_km_h = 1;
 };
 
 const OptionTable& option_table(const ErrorOptions*);

@@ -33,7 +33,7 @@ geo::Attitude Tractor::attitude() const {
 
 void Tractor::turn_wheels(double dt_s, double command_rad) {
   commands_.push_back(command_rad);
-  const double most = o_.steering_max_deg * rad_per_deg, fastest = o_.steering_rate * rad_per_deg;
+  const double most = o_.steering_max_deg * rad_per_deg, fastest = o_.steering_rate_deg_s * rad_per_deg;
   const double target = std::clamp(commands_.front(), -most, most);
   commands_.pop_front();
   const double share = o_.steering_lag > 0 ? 1 - std::exp(-dt_s / o_.steering_lag) : 1;

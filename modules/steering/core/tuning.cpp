@@ -36,10 +36,10 @@ class Tuner {
     run_.check_cancel();
     run_.report(std::min(0.95, 0.01 * static_cast<double>(++tries_)), parameter);
     const GuidanceLine line;
-    Drive drive(o_, o_.speed, line, 1);
+    Drive drive(o_, o_.speed_km_h, line, 1);
     drive.place({0, o_.start_offset}, 0);
     double low = 1e9, high = -1e9;
-    const auto most = static_cast<int>(3 * try_length_m / (o_.speed / 3.6) * o_.rate);
+    const auto most = static_cast<int>(3 * try_length_m / (o_.speed_km_h / 3.6) * o_.rate);
     for (int i = 0; i < most && line.along_m(drive.truth()) < try_length_m; ++i) {
       drive.steer();
       const double offset = line.offset_m(drive.truth());
@@ -63,7 +63,7 @@ class Tuner {
   void tune_d() {
     while (oscillates("D", o_.gain_d)) {
       if (o_.gain_d >= d_most)
-        throw failure(fmt::format("the loop oscillates at {} km/h with any D up to {}", o_.speed, d_most),
+        throw failure(fmt::format("the loop oscillates at {} km/h with any D up to {}", o_.speed_km_h, d_most),
                       "a gain that calms it", "Lower first_p or the steering's delay and lag");
       o_.gain_d += 1;
     }
@@ -82,14 +82,19 @@ class Tuner {
     t.steps.set("parameter", std::move(parameter_));
     t.steps.set("value", std::move(value_));
     t.steps.set("swing_m", std::move(swing_));
-    const auto p = published_gains(o_.speed);
-    const std::pair<const char*, double> columns[] = {
-        {"speed_km_h", o_.speed}, {"preview_m", o_.preview}, {"p", o_.gain_p},
-        {"i", o_.gain_i},         {"d", o_.gain_d},          {"published_preview_m", p.preview_m},
-        {"published_p", p.p},     {"published_i", p.i},      {"published_d", p.d}};
+    const auto p = published_gains(o_.speed_km_h);
+    const std::pair<const char*, double> columns[] = {{"speed_km_h", o_.speed_km_h},
+                                                      {"preview_m", o_.preview},
+                                                      {"p", o_.gain_p},
+                                                      {"i", o_.gain_i},
+                                                      {"d", o_.gain_d},
+                                                      {"published_preview_m", p.preview_m},
+                                                      {"published_p", p.p},
+                                                      {"published_i", p.i},
+                                                      {"published_d", p.d}};
     for (const auto& [name, value] : columns) t.parameters.set(name, std::vector<double>{value});
     t.report.counts["tries"] = tries_;
-    t.report.message = fmt::format("{} km/h: preview {} m, P {}, I {}, D {} (published {}, {}, {}, {})", o_.speed,
+    t.report.message = fmt::format("{} km/h: preview {} m, P {}, I {}, D {} (published {}, {}, {}, {})", o_.speed_km_h,
                                    o_.preview, o_.gain_p, o_.gain_i, o_.gain_d, p.preview_m, p.p, p.i, p.d);
     return t;
   }

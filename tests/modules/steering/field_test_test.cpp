@@ -160,7 +160,7 @@ TEST(TrackingErrors, TakesAReferenceReceiverByTime) {
 
 TEST(Tuning, FindsGainsThatDriveTheTestWithoutOscillation) {
   TuneOptions o;
-  o.speed = 5;
+  o.speed_km_h = 5;
   const auto tuning = tune(o, {});
   const auto& p = tuning.parameters;
   EXPECT_GT(value(p, "preview_m", 0), 0);
