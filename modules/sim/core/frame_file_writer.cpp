@@ -39,8 +39,9 @@ void FrameFileWriter::add(const FiringSequence& s) {
   // The recording starts with the rotor at the cut, so a frame ends where the azimuth has gone round to it.
   const double since_cut = s.azimuth_rad - first_azimuth_rad,
                azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
-  if (open_ && azimuth < last_azimuth_rad_) finish_frame();
-  last_azimuth_rad_ = azimuth;
+  const bool round = azimuth < last_azimuth_rad_ || (s.time_s - last_time_s_) * s.turn_rad_s > two_pi;
+  if (open_ && round) finish_frame();
+  last_azimuth_rad_ = azimuth, last_time_s_ = s.time_s;
   if (!open_) frame_starts_s_.push_back(s.time_s), open_ = true;
   for (std::size_t c = 0; c < s.echoes.size(); ++c) {
     const auto& echo = s.echoes[c];

@@ -25,7 +25,7 @@ class FrameFileWriter final : public ScanWriter {
 
   const SensorModel& sensor_;
   std::filesystem::path folder_;
-  double epoch_s_, last_azimuth_rad_ = 0;
+  double epoch_s_, last_azimuth_rad_ = 0, last_time_s_ = 0;
   std::vector<float> points_, point_times_s_;
   std::vector<std::uint16_t> rings_;
   std::vector<double> frame_starts_s_;

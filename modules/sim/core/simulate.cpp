@@ -5,16 +5,19 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "base/resources.h"
 #include "sensor/core/sensor_model.h"
 #include "sim/core/build_scene.h"
+#include "sim/core/disturbance.h"
 #include "sim/core/recipe.h"
 #include "sim/core/route.h"
 #include "sim/core/scan.h"
 #include "sim/core/scan_writer.h"
 #include "sim/core/truth.h"
+#include "sim/core/vineyard.h"
 
 namespace bole {
 namespace {
@@ -112,13 +115,21 @@ const OptionTable& option_table(const SimulationOptions*) {
                             {1, 20},
                             Tier::advanced,
                             "Turns of the sensor's rotor per second."},
-          Option<S, std::string>{"walk",
-                                 &S::walk,
-                                 TextKind::input_path,
-                                 {},
+          Option<S, std::string>{
+              "walk",
+              &S::walk,
+              TextKind::input_path,
+              {},
+              Tier::advanced,
+              "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
+              "corner, parallel lines, south-east corner, centre (in a vineyard: its alleys forth and back)."},
+          Option<S, std::string>{"carrier",
+                                 &S::carrier,
+                                 TextKind::choice,
+                                 {"person", "robot"},
                                  Tier::advanced,
-                                 "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
-                                 "corner, parallel lines, south-east corner, centre."},
+                                 "Who carries the sensor: a person who walks, or a tracked robot that rolls and "
+                                 "pitches with the ground under its tracks."},
           Option<S, double>{"speed", &S::speed, Unit::metre_per_second, {0.2, 3}, Tier::basic, "Walking speed."},
           Option<S, double>{"line_spacing",
                             &S::line_spacing,
@@ -132,12 +143,14 @@ const OptionTable& option_table(const SimulationOptions*) {
                             {0.3, 4},
                             Tier::advanced,
                             "Height of the sensor above the ground."},
-          Option<S, double>{"gait",
-                            &S::gait,
-                            Unit::none,
-                            {0, 3},
-                            Tier::advanced,
-                            "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide."},
+          Option<S, double>{
+              "gait",
+              &S::gait,
+              Unit::none,
+              {0, 3},
+              Tier::advanced,
+              "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide; of a robot: its "
+              "vibration."},
           Option<S, double>{"stand_still",
                             &S::stand_still,
                             Unit::second,
@@ -177,6 +190,29 @@ const OptionTable& option_table(const SimulationOptions*) {
                             Tier::expert,
                             "Surfaces in one beam closer together than this are measured as one, in between."},
           Option<S, bool>{"bark", &S::bark, Tier::expert, "Bark with fissures; otherwise stems are smooth."},
+          Option<S, double>{"turn_on_spot",
+                            &S::turn_on_spot,
+                            Unit::degree,
+                            {-720, 720},
+                            Tier::expert,
+                            "Turn at 90 deg/s on the spot, between standing still and walking."},
+          Option<S, double>{"gap_at",
+                            &S::gap_at,
+                            Unit::second,
+                            {0, 3600},
+                            Tier::expert,
+                            "Time after the start at which packets begin to be lost."},
+          Option<S, double>{
+              "gap", &S::gap, Unit::second, {0, 600}, Tier::expert, "Time for which packets are lost; 0: none are."},
+          Option<S, double>{"blind_sector",
+                            &S::blind_sector,
+                            Unit::degree,
+                            {0, 350},
+                            Tier::expert,
+                            "Sector about the back of the sensor from which nothing returns."},
+          Option<S, double>{
+              "rain", &S::rain, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses that end at a drop of rain."},
+          Option<S, bool>{"companion", &S::companion, Tier::expert, "A person walks round the bearer, 1.2 m away."},
           Option<S, double>{"trajectory_rate",
                             &S::trajectory_rate,
                             Unit::hertz,
@@ -204,11 +240,13 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const sim::PlotScene scene = sim::build_scene(forest, seed);
   run.check_cancel();
   run.report(0.02, "planning the walk");
-  const auto way_points =
-      options.walk.empty() ? sim::survey_pattern(recipe.size_m, options.line_spacing) : read_way_points(options.walk);
+  const auto way_points = !options.walk.empty()  ? read_way_points(options.walk)
+                          : recipe.is_vineyard() ? sim::vineyard_pattern(recipe.vineyard)
+                                                 : sim::survey_pattern(recipe.size_m, options.line_spacing);
   const auto route = sim::plan_route(way_points, forest, scene.vegetation.obstacles, sim::Walk::step_m);
   const sim::Walk walk(route, forest.terrain,
-                       {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time},
+                       {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time,
+                        options.turn_on_spot * std::numbers::pi / 180, options.carrier == "robot"},
                        seed);
   run.check_cancel();
   run.report(0.03, "building the ray tracer");
@@ -221,8 +259,13 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const auto writer = sim::make_scan_writer(sensor, out_dir, simulation_epoch_s);
   const sim::BeamParameters beam{options.noise,      options.divergence,   options.dropouts,
                                  options.laser_bias, options.pulse_length, options.bark};
-  const auto statistics = sim::scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1),
-                                    [&](const sim::FiringSequence& s) { writer->add(s); });
+  sim::Disturbance disturbance({options.gap_at, options.gap, options.blind_sector * std::numbers::pi / 180,
+                                options.rain, options.companion, options.sensor_height, options.noise},
+                               sensor, walk, seed);
+  const auto statistics =
+      sim::scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1), [&](sim::FiringSequence s) {
+        if (disturbance.apply(s)) writer->add(s);
+      });
   writer->close();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

@@ -17,6 +17,7 @@ struct SimulationOptions {
   double rotation_hz = 10;
 
   std::string walk;
+  std::string carrier = "person";
   double speed = 1.0;
   double line_spacing = 6.0;
   double sensor_height = 1.7;
@@ -30,6 +31,13 @@ struct SimulationOptions {
   double laser_bias = 0.004;
   double pulse_length = 0.40;
   bool bark = true;
+
+  double turn_on_spot = 0;
+  double gap_at = 0;
+  double gap = 0;
+  double blind_sector = 0;
+  double rain = 0;
+  bool companion = false;
 
   double trajectory_rate = 100;
   double dem_cell = 0.1;

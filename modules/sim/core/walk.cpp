@@ -65,7 +65,7 @@ Walk::Swing Walk::make_swing(double size, Random& random) const {
 
 Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters,
            std::uint64_t seed)
-    : parameters_(parameters) {
+    : parameters_(parameters), terrain_(terrain) {
   if (route.size() < 3)
     throw bad_input("a route of " + std::to_string(route.size()) + " points", "a walk of at least a metre");
   const auto last = static_cast<long>(route.size()) - 1;
@@ -86,7 +86,9 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
   length_m_ = step_m * static_cast<double>(last);
   // Easing in and out covers half of its time at full speed.
   full_speed_s_ = std::max(0.0, length_m_ / parameters.speed_m_s - ease_s_);
-  duration_s_ = parameters.stand_still_s + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
+  // The fastest moment of an eased turn is half as fast again as its mean.
+  turn_s_ = 1.5 * std::abs(parameters.turn_rad) / (90 * radians_per_degree);
+  duration_s_ = parameters.stand_still_s + turn_s_ + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
   if (parameters.most_s > 0) duration_s_ = std::min(duration_s_, parameters.most_s);
 
   Random random(seed, Stream::walk);
@@ -103,7 +105,7 @@ Walk::Progress Walk::progress(double t) const {
   // Pace rises as smoothstep x^2 (3 - 2 x), whose integral is x^3 - x^4 / 2.
   const auto pace = [](double x) { return x * x * (3 - 2 * x); };
   const auto run_up = [&](double x) { return v * ease_s_ * (x * x * x - 0.5 * x * x * x * x); };
-  double s = t - parameters_.stand_still_s;
+  double s = t - parameters_.stand_still_s - turn_s_;
   if (s <= 0) return {0, 0};
   if (s < ease_s_) return {run_up(s / ease_s_), pace(s / ease_s_)};
   s -= ease_s_;
@@ -113,9 +115,39 @@ Walk::Progress Walk::progress(double t) const {
   return {v * ease_s_ + v * full_speed_s_ - run_up(x), pace(x)};
 }
 
+double Walk::turned_rad(double t) const {
+  if (turn_s_ <= 0) return 0;
+  const double x = std::clamp((t - parameters_.stand_still_s) / turn_s_, 0.0, 1.0);
+  return parameters_.turn_rad * x * x * (3 - 2 * x);
+}
+
+// The ground under the four ends of the tracks decides how the robot stands; engine and links shake it a little.
+Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
+  constexpr double half_length_m = 0.35, half_width_m = 0.25;
+  const double yaw = k[3] + turned_rad(t);
+  const Eigen::Vector2d at = k.head<2>(), ahead(std::cos(yaw), std::sin(yaw)), left(-ahead.y(), ahead.x());
+  const auto ground = [&](double along, double across) {
+    const Eigen::Vector2d p = at + along * ahead + across * left;
+    return terrain_.height(p.x(), p.y());
+  };
+  const double front_left = ground(half_length_m, half_width_m), front_right = ground(half_length_m, -half_width_m),
+               rear_left = ground(-half_length_m, half_width_m), rear_right = ground(-half_length_m, -half_width_m);
+  const double shake = 0.08 * radians_per_degree * parameters_.gait * pace;
+  const double pitch = -std::atan2(0.5 * (front_left + front_right - rear_left - rear_right), 2 * half_length_m) +
+                       shake * (std::sin(2 * pi * 4.3 * t + phases_[0]) + std::sin(2 * pi * 7.9 * t + phases_[1])),
+               roll = std::atan2(0.5 * (front_left + rear_left - front_right - rear_right), 2 * half_width_m) +
+                      shake * (std::sin(2 * pi * 5.1 * t + phases_[2]) + std::sin(2 * pi * 6.7 * t + phases_[3]));
+  Pose T = Pose::Identity();
+  T.linear() = rotation_from_rpy(roll, pitch, yaw);
+  const Eigen::Vector3d base(at.x(), at.y(), 0.25 * (front_left + front_right + rear_left + rear_right));
+  T.translation() = base + parameters_.sensor_height_m * T.linear().col(2);
+  return T;
+}
+
 Pose Walk::pose(double t) const {
   const auto [distance, pace] = progress(t);
   const Eigen::Vector4d k = spline(knots_, distance / step_m);
+  if (parameters_.robot) return robot_pose(k, pace, t);
   // Even a standing person trembles a little.
   const double step = parameters_.gait * pace, hand = 0.04 + 0.96 * pace;
   const double beat = 2 * pi * step_hz_ * t;
@@ -123,8 +155,8 @@ Pose Walk::pose(double t) const {
   const double sway = 0.025 * step * std::sin(0.5 * beat + phases_[1]);
   const double roll = 1.5 * radians_per_degree * step * std::sin(0.5 * beat + phases_[2]) + hand * swings_[0].at(t);
   const double pitch = 1.2 * radians_per_degree * step * std::sin(beat + phases_[3]) + hand * swings_[1].at(t);
-  const double yaw =
-      k[3] + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
+  const double yaw = k[3] + turned_rad(t) + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) +
+                     hand * swings_[2].at(t);
   Pose T = Pose::Identity();
   T.linear() = rotation_from_rpy(roll, pitch, yaw) *
                Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();

@@ -20,14 +20,26 @@ Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& featu
 }
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps) {
-  for (const auto& p : keyframe.edges) maps.edges.insert(keyframe.T_map_keyframe * p.cast<double>(), line_bit(p));
-  for (const auto& p : keyframe.planes) maps.planes.insert(keyframe.T_map_keyframe * p.cast<double>(), line_bit(p));
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::uint16_t> line_bits;
+  const auto insert = [&](const std::vector<Eigen::Vector3f>& from, DistributionMap& to) {
+    points.clear(), line_bits.clear();
+    for (const auto& p : from) {
+      points.push_back(keyframe.T_map_keyframe * p.cast<double>());
+      line_bits.push_back(line_bit(p));
+    }
+    to.insert(points, line_bits);
+  };
+  insert(keyframe.edges, maps.edges);
+  insert(keyframe.planes, maps.planes);
 }
 
 void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved) {
   std::vector<std::size_t> nearest(keyframes.size());
   std::iota(nearest.begin(), nearest.end(), std::size_t{0});
-  if (nearest.size() > most_) {
+  if (nearest.size() > most_ && of_last_) {
+    nearest.erase(nearest.begin(), nearest.end() - static_cast<std::ptrdiff_t>(most_));
+  } else if (nearest.size() > most_) {
     std::ranges::stable_sort(
         nearest, {}, [&](std::size_t k) { return (keyframes[k].T_map_keyframe.translation() - place).squaredNorm(); });
     nearest.resize(most_);

@@ -1,5 +1,8 @@
 #include "slam/core/observability.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -33,6 +36,23 @@ Eigen::Matrix3d tilt_covariance(const LocalSurface& s, bool line) {
   return (variance(0, 2) + variance(1, 2)) * outer(2);
 }
 
+// A point and the surface that it lies on.
+struct Witness {
+  LocalSurface surface;
+  Eigen::Vector3d in_map, lever;
+  bool line = false;
+};
+
+std::optional<Witness> witness(const FeaturePoint& p, bool line, const DistributionMap& map, const PoseGrid& poses,
+                               const RegistrationSettings& settings) {
+  const Eigen::Vector3d lever = poses.turned(p.position, p.s), x = lever + poses.translation(p.s);
+  const auto surface = find_surface(map, x, line, 0, least_lines);
+  if (!surface || surface->deviations_m[line ? 1 : 0] > most_scatter_sigmas * settings.sigma_m) return std::nullopt;
+  const auto e = pose_equations(as_target(*surface, line, settings.sigma_m), x, lever, settings.kernel_sigmas);
+  if (!e.inlier) return std::nullopt;
+  return Witness{*surface, x, lever, line};
+}
+
 std::string vector_text(const Eigen::Vector3d& v) {
   char text[64];
   std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", v.x(), v.y(), v.z());
@@ -45,6 +65,16 @@ struct Information {
 
   void operator+=(const Information& o) { signal += o.signal, noise += o.noise, points += o.points; }
 };
+
+void add(const Witness& w, const RegistrationSettings& settings, Information& to) {
+  const auto e =
+      pose_equations(as_target(w.surface, w.line, settings.sigma_m), w.in_map, w.lever, settings.kernel_sigmas);
+  Eigen::Matrix<double, 3, 6> J;
+  J << -skew(w.lever), Eigen::Matrix3d::Identity();
+  to.signal += e.H;
+  to.noise += e.weight * J.transpose() * tilt_covariance(w.surface, w.line) * J;
+  ++to.points;
+}
 
 Observability weakest_of(const Information& sums) {
   Observability out;
@@ -69,24 +99,24 @@ Observability observability(const FeatureSet& features, const FeatureMaps& maps,
                             const RegistrationSettings& settings, const Run& run) {
   const PoseGrid poses(motion);
   const std::size_t edges = features.edges.size();
+  std::vector<std::optional<Witness>> asked(features.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked.size(), 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i < range.end() && !run.cancelled(); ++i) {
+                        const bool line = i < edges;
+                        const FeaturePoint& p = line ? features.edges[i] : features.planes[i - edges];
+                        asked[i] = witness(p, line, line ? maps.edges : maps.planes, poses, settings);
+                      }
+                    });
+  run.check_cancel();
+  std::vector<Witness> witnesses;
+  for (const auto& w : asked)
+    if (w) witnesses.push_back(*w);
+  const std::size_t used = witnesses.size();
   std::array<Information, most_groups> dealt;
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    if (i % 1024 == 0) run.check_cancel();
-    const bool line = i < edges;
-    const FeaturePoint& p = line ? features.edges[i] : features.planes[i - edges];
-    const Eigen::Vector3d lever = poses.turned(p.position, p.s), x = lever + poses.translation(p.s);
-    const auto surface = find_surface(line ? maps.edges : maps.planes, x, line, 0, least_lines);
-    if (!surface || surface->deviations_m[line ? 1 : 0] > most_scatter_sigmas * settings.sigma_m) continue;
-    const auto e = pose_equations(as_target(*surface, line, settings.sigma_m), x, lever, settings.kernel_sigmas);
-    if (!e.inlier) continue;
-    Eigen::Matrix<double, 3, 6> J;
-    J << -skew(lever), Eigen::Matrix3d::Identity();
-    auto& group = dealt[used++ % most_groups];
-    group.signal += e.H;
-    group.noise += e.weight * J.transpose() * tilt_covariance(*surface, line) * J;
-    ++group.points;
-  }
+  tbb::parallel_for(std::size_t{0}, most_groups, [&](std::size_t g) {
+    for (std::size_t i = g; i < used; i += most_groups) add(witnesses[i], settings, dealt[g]);
+  });
   const std::size_t groups = std::clamp(used / group_points, std::size_t{1}, most_groups);
   std::vector<Observability> found(groups);
   for (std::size_t g = 0; g < groups; ++g) {

@@ -26,6 +26,7 @@ struct SlamOptions {
   std::string deskew = "preset";
   int rounds = 0;
   int neighbour_keyframes = 0;
+  std::string local_map = "preset";
   double keyframe_distance_m = 0;
   double keyframe_angle_deg = 0;
   std::string loops = "preset";
@@ -47,7 +48,7 @@ struct SlamOptions {
   double speed_max_m_s = 5;
 
   // Loops.
-  double loop_radius_m = 5;
+  double loop_radius_m = 3;
   double loop_path_m = 25;
   double loop_overlap = 0.6;
   double loop_drift = 0.05;
@@ -58,6 +59,7 @@ struct SlamOptions {
   int context_candidates = 10;
 
   // The dense map.
+  bool dense_map = true;
   double map_range_min_m = 0.8;
   double map_range_max_m = 25;
   double map_voxel_m = 0.015;

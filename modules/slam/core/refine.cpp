@@ -73,12 +73,21 @@ PoseGrid grid_over(const Path& path, const FrameSample& frame) {
 
 void build_map(const Path& path, const std::vector<FrameSample>& frames, FeatureMaps& maps, const Run& run) {
   maps.clear();
+  std::vector<Eigen::Vector3d> edges, planes;
+  constexpr std::size_t batch = 1 << 16;  // points
+  const auto hand_over = [&](std::vector<Eigen::Vector3d>& points, DistributionMap& map) {
+    map.insert(points);
+    points.clear();
+  };
   for (const auto& frame : frames) {
     run.check_cancel();
     const auto poses = grid_over(path, frame);
-    for (const auto& p : frame.features.edges) maps.edges.insert(poses.in_map(p.position, p.s));
-    for (const auto& p : frame.features.planes) maps.planes.insert(poses.in_map(p.position, p.s));
+    for (const auto& p : frame.features.edges) edges.push_back(poses.in_map(p.position, p.s));
+    for (const auto& p : frame.features.planes) planes.push_back(poses.in_map(p.position, p.s));
+    if (edges.size() >= batch) hand_over(edges, maps.edges);
+    if (planes.size() >= batch) hand_over(planes, maps.planes);
   }
+  hand_over(edges, maps.edges), hand_over(planes, maps.planes);
 }
 
 void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line,

@@ -34,6 +34,7 @@ std::size_t expected_points(const FrameSource& source, const Track& track) {
 
 PointCloud map_frames(const FrameSource& source, const Track& track, const SlamOptions& options, Report& report,
                       const Run& run) {
+  if (!options.dense_map) return DenseMapBuilder({.expected_points = 1}).take();
   const auto marks = mark_path(track.path, track.keyframe_times_s, options.keyframe_distance_m, options.pass_radius_m);
   DenseMapSettings settings;
   settings.range_min_m = options.map_range_min_m, settings.range_max_m = options.map_range_max_m;
@@ -73,6 +74,13 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
   return builder.take();
 }
 
+// Poses in a gap of the recording are guesses and are not given out.
+void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajectory& trajectory) {
+  std::erase_if(trajectory.poses, [&](const StampedPose& p) {
+    return std::ranges::any_of(gaps_s, [&](const auto& gap) { return p.time_s > gap.first && p.time_s < gap.second; });
+  });
+}
+
 }  // namespace
 
 SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options, const Run& run) {
@@ -95,15 +103,16 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
   out.odometry = std::move(track.frame_table), out.loops = std::move(track.loop_table);
   out.points.origin = origin;
   out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
+  leave_out_gaps(track.gaps_s, out.trajectory);
   shift(out.trajectory.poses, origin);
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));
   report.metrics["path_length"] = {out.trajectory.length_m(), Unit::metre};
   report.metrics["duration"] = {track.path.end_s() - track.path.begin_s(), Unit::second};
-  report.message = std::to_string(track.frames.size()) + " of " + std::to_string(source.size()) + " frames mapped to " +
-                   std::to_string(out.points.size()) + " points along " +
-                   number_text(std::round(report.metrics["path_length"].value * 10) / 10) + " m" +
+  report.message = std::to_string(track.frames.size()) + " of " + std::to_string(source.size()) + " frames " +
+                   (options.dense_map ? "mapped to " + std::to_string(out.points.size()) + " points" : "followed") +
+                   " along " + number_text(std::round(report.metrics["path_length"].value * 10) / 10) + " m" +
                    (options.trajectory.empty() ? "" : " with the given trajectory");
   return out;
 }

@@ -23,6 +23,8 @@ double ms_per_frame(double seconds, std::size_t frames) {
 
 std::string seconds_text(double s) { return number_text(std::round(s * 100) / 100) + " s"; }
 
+std::string percent_text(double share) { return number_text(std::round(share * 100)) + " %"; }
+
 struct FirstPass {
   std::vector<TrackedFrame> frames;
   std::vector<Keyframe> keyframes;
@@ -49,16 +51,6 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
-ScanContext context_of(const Scan& scan, const FrameMotion& motion, const SlamOptions& options) {
-  const Pose T_level_map = levelled(motion.T_map_end).inverse();
-  const PoseGrid poses(motion);
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(scan.points.size());
-  for (const auto& p : scan.points) points.push_back((T_level_map * poses.in_map(p.position, p.s)).cast<float>());
-  return make_scan_context(
-      points, {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m});
-}
-
 FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
   FeatureExtractor extractor(options);
@@ -71,7 +63,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   FirstPass out;
   Stopwatch watch;
   double read_s = 0, features_s = 0, start_s = 0;
-  std::size_t used = 0, points = 0;
+  std::size_t used = 0, points = 0, found_again = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
     run.report(static_cast<double>(i) / static_cast<double>(source.size()),
@@ -99,8 +91,15 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (odometry.frames().size() == before) continue;  // nothing to begin with yet
     if (before == 0) start_s = scan.begin_time_s;
     if (by_context && odometry.keyframes().size() > keyframes)
-      odometry.set_context(context_of(scan, odometry.frames().back().motion, options));
+      odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
     ++used, points += features.query.size();
+    if (const double gap_s = odometry.found_again_after_s(); gap_s > 0 && odometry.frames().back().ok) {
+      ++found_again;
+      warnings.add(i, scan.begin_time_s - start_s,
+                   "found again " + seconds_text(gap_s) +
+                       " after the last good frame: " + percent_text(odometry.frames().back().overlap) +
+                       " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100));
+    }
     if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
     if (odometry.lost()) {
@@ -121,6 +120,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
   report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
   report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
+  report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
   out.frames = odometry.take_frames();
   out.keyframes = odometry.take_keyframes();
   out.samples.resize(std::min(out.samples.size(), out.frames.size()));
@@ -146,10 +146,22 @@ void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>
   }
 }
 
+// Of the two quaternions of a rotation the one with a positive scalar part.
+Eigen::Quaterniond upright(Eigen::Quaterniond q) {
+  if (q.w() < 0) q.coeffs() *= -1;
+  return q;
+}
+
+// The columns x_m .. qw are the pose of the later key frame in the axes of the earlier one.
 Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
   std::vector<double> from_s, to_s, way_m, correction_m, overlap;
+  std::array<std::vector<double>, 3> shift_m;
+  std::array<std::vector<double>, 4> turn;
   std::vector<std::string> found_by;
   for (const auto& l : loops) {
+    const Eigen::Quaterniond q = upright(Eigen::Quaterniond(l.T_from_to.linear()));
+    for (std::size_t i = 0; i < 3; ++i) shift_m[i].push_back(l.T_from_to.translation()[static_cast<Eigen::Index>(i)]);
+    for (std::size_t i = 0; i < 4; ++i) turn[i].push_back(q.coeffs()[static_cast<Eigen::Index>(i)]);
     from_s.push_back(keyframes[l.from].time_s), to_s.push_back(keyframes[l.to].time_s);
     way_m.push_back(keyframes[l.to].path_m - keyframes[l.from].path_m);
     correction_m.push_back(l.correction_m), overlap.push_back(l.overlap), found_by.push_back(l.found_by);
@@ -157,6 +169,8 @@ Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyf
   Table t;
   t.set("from_time_s", from_s), t.set("to_time_s", to_s), t.set("way_m", way_m);
   t.set("correction_m", correction_m), t.set("overlap", overlap), t.set("found_by", found_by);
+  t.set("x_m", shift_m[0]), t.set("y_m", shift_m[1]), t.set("z_m", shift_m[2]);
+  t.set("qx", turn[0]), t.set("qy", turn[1]), t.set("qz", turn[2]), t.set("qw", turn[3]);
   return t;
 }
 
@@ -187,11 +201,11 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
-  report.counts["loops"] = static_cast<std::int64_t>(search.loops.size());
-  auto table = table_of(search.loops, pass.keyframes);
-  report.counts["loops_by_context"] = std::ranges::count(search.loops, "context", &Loop::found_by);
+  std::vector<Loop> kept = search.loops;
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    kept = kept_loops(search.loops, graph);
+    report.counts["refused_loops"] = static_cast<std::int64_t>(search.loops.size() - kept.size());
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
     double squared = 0;
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k)
@@ -201,8 +215,10 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
+  report.counts["loops"] = static_cast<std::int64_t>(kept.size());
+  report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
   report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
-  return table;
+  return table_of(kept, pass.keyframes);
 }
 
 // Elastic frames know their begin and end. Of the others the middle is what the registration has found.
@@ -233,6 +249,18 @@ Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
   }
   if (last) add(last->end_s, last->motion.T_map_end);
   return Path(std::move(nodes));
+}
+
+std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& frames) {
+  constexpr double shortest_s = 0.5;  // a shorter one is bridged well
+  std::vector<std::pair<double, double>> gaps_s;
+  const TrackedFrame* last = nullptr;
+  for (const auto& f : frames) {
+    if (!f.ok) continue;
+    if (last && f.begin_s - last->end_s > shortest_s) gaps_s.emplace_back(last->end_s, f.begin_s);
+    last = &f;
+  }
+  return gaps_s;
 }
 
 void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
@@ -267,6 +295,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.loop_table = table_of(std::vector<Loop>{}, pass.keyframes);
   if (options.loops != "none" && !run.asked_to_finish())
     track.loop_table = close_loops(pass, options, report, run.part(0.7, 0.8));
+  track.gaps_s = gaps_of(pass.frames);
   const bool elastic = options.deskew == "elastic";
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);

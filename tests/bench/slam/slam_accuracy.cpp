@@ -1,7 +1,7 @@
-// slam_accuracy [scan=FOLDER] [frames=N] [out=FILE.tum] [option=value ...]
+// slam_accuracy [scan=FOLDER] [frames=N] [table=FILE.csv] [out=FILE.tum] [option=value ...]
 // Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or,
 // without one, on a synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the
-// trunks are in the map.
+// trunks are in the map. `table` gets what the odometry found for each frame.
 #include <sys/resource.h>
 
 #include <Eigen/SVD>
@@ -221,7 +221,7 @@ void print_loops(const Table& loops, const Trajectory& truth) {
 
 int main(int count, char** arguments) try {
   std::map<std::string, std::string> own{{"scan", ""},   {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"},
-                                         {"half", "16"}, {"radius", "8"},   {"out", ""}};
+                                         {"half", "16"}, {"radius", "8"},   {"table", ""},     {"out", ""}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
@@ -273,6 +273,9 @@ int main(int count, char** arguments) try {
       100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_m, 100 * e.end_m, truth.length_m(),
       1000 * user_s / static_cast<double>(source->size()));
   print_loops(result.loops, truth);
+#ifdef BOLE_HAS_IO
+  if (!own["table"].empty()) write_table(own["table"], result.odometry);
+#endif
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO

@@ -255,7 +255,7 @@ TEST(Slam, AGapInTheRecordingIsBridged) {
   auto source = small_walk(24);
   for (int i = 0; i < 24; ++i) source.start_times_s.push_back(0.1 * i + (i < 14 ? 0 : 1.0));
   const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 24);
+  EXPECT_EQ(result.report.counts.at("frames"), 24) << testing::PrintToString(result.report.warnings);
   EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() -
              (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation())
                 .norm(),
@@ -440,7 +440,7 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
   const auto walk = [](double t) { return synthetic::walk_on_circle(t, 4, 1, 0, 0); };
   const SyntheticScan source(synthetic::trunks(9, 3.5), SpinningSensor::even(32, -25, 15, 360), walk, 300);
   SlamOptions options;
-  options.loop_path_m = 18;
+  options.loop_path_m = 18, options.loop_radius_m = 5;
   options = resolved(options);
   std::vector<Keyframe> keyframes;
   std::vector<Pose> truth;
