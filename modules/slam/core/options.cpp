@@ -169,9 +169,9 @@ const OptionTable& option_table(const SlamOptions*) {
             TextKind::choice,
             {"preset", "curvature", "connected", "ground", "sampled"},
             Tier::advanced,
-            "Points that are registered: edges and planes by curvature along the scan line, the same with planes from "
-            "the "
-            "ground and edges from things that stand on it (LeGO-LOAM), or all points thinned on a grid."},
+            "Points that are registered: edges and planes by curvature along the scan line (LOAM), by curvature among "
+            "neighbours without a step in range between them, the first with planes from the ground and edges from "
+            "things that stand on it (LeGO-LOAM), or all points thinned on a grid."},
           T{"occlusion",
             &S::occlusion,
             TextKind::choice,
