@@ -59,7 +59,6 @@ TEST(Refine, DoesNotDrawThePathToTheTrunks) {
   for (double t = 0; t < 1.4; t += 0.01)
     worst_m = std::max(worst_m, (refined.path.at(t).translation() - source.truth(t).translation()).norm());
   EXPECT_LT(worst_m, 0.015);
-  std::printf("nearness %.2f worst %.2f\n", 1000 * mean_nearness_m(refined.path, source, samples), 1000 * worst_m);
 }
 
 }  // namespace
