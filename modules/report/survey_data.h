@@ -12,6 +12,8 @@ struct SurveyData {
   const PointCloud* points = nullptr;
   const PointCloud* slice = nullptr;
   const Raster* dem = nullptr;
+  const Raster* slope = nullptr;
+  const Raster* canopy = nullptr;
   const Trajectory* trajectory = nullptr;
   const Trajectory* reference_trajectory = nullptr;
   const Table* sections = nullptr;

@@ -12,6 +12,7 @@ struct EvaluationOptions {
   double dbh_gate_cm = 15;
   double class_width_cm = 5, distance_step_m = 5;
   std::string align_stems = "none";
+  std::string columns, rows, reference_columns, reference_rows;
   std::string align_trajectory = "se3";
   double most_time_gap_s = 0.5;
   double rpe_step_s = 1.0;

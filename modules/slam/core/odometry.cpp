@@ -1,9 +1,11 @@
 #include "slam/core/odometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "slam/core/observability.h"
+#include "slam/core/relocalise.h"
 #include "slam/core/stopwatch.h"
 
 namespace bole {
@@ -11,8 +13,11 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
-constexpr std::size_t first_keyframes = 6;
+constexpr std::size_t first_keyframes = 6;   // of a map of the ground
 constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
+constexpr std::size_t usual_frames = 20;
+constexpr double least_share_of_usual = 0.5;  // of the overlap of the frames before
+constexpr double most_doubt = 0.6;            // see Relocalisation
 constexpr double sure_overlap = 0.6;          // below it a rigid frame is looked for farther away as well
 
 // A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to
@@ -37,17 +42,16 @@ Odometry::Odometry(const SlamOptions& resolved_options)
                  resolved_options.local_map == "last"),
       last_frame_map_(2 * resolved_options.cell_m) {}
 
-// Constant velocity from the last frame. Over a gap the mean motion of the last stride holds better than that of one
-// moment of the gait. After failures the speed fades, for nothing is known.
+// Constant velocity from the last good frame. Over a gap the mean motion of the last stride holds better than that of
+// one moment of the gait.
 FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   if (frames_.empty()) return {};
-  const auto& last = frames_.back();
+  const auto& last = last_good();
   const double last_span_s = last.end_s - last.begin_s, gap_s = std::max(0.0, begin_s - last.end_s);
-  if (frames_.size() < 2 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
+  if (last_good_ == 0 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
   Vector6d velocity =
       elastic() ? Vector6d(se3_log(last.motion.delta()) / last_span_s) : mean_velocity(0.5 * last_span_s);
   if (gap_s > longest_join_s) velocity = mean_velocity(stride_s);
-  if (failed_in_a_row_ > 0) velocity *= 0.5;
   if (!elastic()) {
     const double ahead_s = std::min(0.5 * (begin_s + end_s) - last.mid_s(), 1.5);
     return motion_about(last.motion.at(0.5) * se3_exp(velocity * ahead_s), velocity, end_s - begin_s);
@@ -58,13 +62,14 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   return out;
 }
 
-// From the frame at least `over_s` before the last one. A rigid shift of a frame settles where its middle is; begin and
-// end hang on the motion that was assumed within it, and a velocity taken from them feeds its own error back with
-// changed sign: it swings. So rigid frames are compared by their middles.
+// From the good frame at least `over_s` before the last good one. A rigid shift of a frame settles where its middle is;
+// begin and end hang on the motion that was assumed within it, and a velocity taken from them feeds its own error back
+// with changed sign: it swings. So rigid frames are compared by their middles.
 Vector6d Odometry::mean_velocity(double over_s) const {
-  const auto& last = frames_.back();
-  std::size_t k = frames_.size() - 2;
-  while (k > 0 && last.end_s - frames_[k].end_s < over_s) --k;
+  if (last_good_ == 0) return Vector6d::Zero();
+  const auto& last = last_good();
+  std::size_t k = last_good_ - 1;
+  while (k > 0 && (!frames_[k].ok || last.end_s - frames_[k].end_s < over_s)) --k;
   const auto& first = frames_[k];
   if (elastic()) return se3_log(first.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - first.end_s);
   return se3_log(first.motion.at(0.5).inverse() * last.motion.at(0.5)) / (last.mid_s() - first.mid_s());
@@ -73,9 +78,9 @@ Vector6d Odometry::mean_velocity(double over_s) const {
 // The motion over a frame of which a registration has found the middle, at the speed since the middle of the last
 // frame.
 FrameMotion Odometry::with_speed_found(const FrameMotion& found, double begin_s, double end_s) const {
-  const auto& last = frames_.back();
+  const auto& last = last_good();
   const double since_s = 0.5 * (begin_s + end_s) - last.mid_s();
-  if (!last.ok || since_s <= 0 || begin_s - last.end_s > longest_join_s) return found;
+  if (since_s <= 0 || begin_s - last.end_s > longest_join_s) return found;
   const Pose T_map_mid = found.at(0.5);
   return motion_about(T_map_mid, se3_log(last.motion.at(0.5).inverse() * T_map_mid) / since_s, end_s - begin_s);
 }
@@ -86,7 +91,7 @@ FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, dou
   if (options_.deskew == "none") return {prediction.at(0.5), prediction.at(0.5)};
   if (options_.first_guess != "last_frame") return prediction;
   auto settings = base_settings();
-  const auto& last = frames_.back();
+  const auto& last = last_good();
   if (settings.priors) {
     // De-skewing takes the priors of all points; those of the first frame have an exact pose.
     settings.priors->reference_points = true;
@@ -101,8 +106,7 @@ FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, dou
 
 // Priors of the motion over a frame that follows the last one after a gap.
 void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const {
-  const double span_s = std::max(0.02, frames_.back().end_s - frames_.back().begin_s),
-               changed_s = std::max(span_s, gap_s);
+  const double span_s = std::max(0.02, last_good().end_s - last_good().begin_s), changed_s = std::max(span_s, gap_s);
   settings.begin_sigma_m = options_.continuity_sigma_m + gait_acceleration_m_s2 * gap_s * changed_s;
   settings.begin_sigma_rad = rad(options_.continuity_sigma_deg) + gait_turn_acceleration_rad_s2 * gap_s * changed_s;
   settings.motion_sigma_m = gait_acceleration_m_s2 * span_s * changed_s;
@@ -121,32 +125,50 @@ RegistrationSettings Odometry::base_settings() const {
   return settings;
 }
 
+// Where the sensor is expected; where that does not fit, or nothing can be expected after a gap, anywhere that it can
+// have got to.
 Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                                   const Run& run) {
-  const double gap_s = std::max(0.0, begin_s - frames_.back().end_s);
-  RegistrationSettings settings = base_settings();
-  FrameMotion start = guess;
-  if (gap_s > longest_join_s) {
-    // The sensor may be far from the prediction: first find the place with the frame as it is.
-    settings.coarse_rounds = 8;
-    settings.rounds = options_.rounds + 8;
-    const auto found = register_frame(features.query, local_map_.maps(), guess, settings, run);
-    if (found.overlap >= options_.lost_overlap) start = found.motion;
-    settings = base_settings();
+  Registration r;
+  if (begin_s - last_good().end_s <= longest_join_s) {
+    r = followed(guess, begin_s, end_s, features, run);
+    if (r.overlap >= least_overlap()) return r;
   }
+  Registration again = searched(begin_s, end_s, features, run);
+  if (again.overlap <= r.overlap) return r;
+  found_again_after_s_ = begin_s - last_good().end_s;
+  return again;
+}
+
+Registration Odometry::searched(double begin_s, double end_s, const Features& features, const Run& run) {
+  const auto& last = last_good();
+  const double gap_s = std::max(0.0, begin_s - last.end_s);
+  const LastSeen seen{last.motion.T_map_end, mean_velocity(stride_s), 0.5 * (begin_s + end_s) - last.end_s};
+  auto settings = base_settings();
+  auto search = relocalise(features.query, local_map_.maps(), seen, end_s - begin_s, settings, run);
+  doubt_ = search.doubt;
+  if (!elastic()) return search.found;
+  settings.model = MotionModel::elastic;
+  hold_to_gait(settings, gap_s);
+  return register_frame(features.query, local_map_.maps(), search.found.motion, settings, run);
+}
+
+Registration Odometry::followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
+                                const Run& run) {
+  RegistrationSettings settings = base_settings();
   if (elastic()) {
     settings.model = MotionModel::elastic;
-    hold_to_gait(settings, gap_s);
-    return register_frame(features.query, local_map_.maps(), start, settings, run);
+    hold_to_gait(settings, std::max(0.0, begin_s - last_good().end_s));
+    return register_frame(features.query, local_map_.maps(), guess, settings, run);
   }
   settings.model = MotionModel::rigid;
-  auto r = register_frame(features.query, local_map_.maps(), start, settings, run);
+  auto r = register_frame(features.query, local_map_.maps(), guess, settings, run);
   if (r.overlap < sure_overlap) {
     // A sudden turn leaves the prediction behind. Search wider, from the prediction and from where the sensor was.
     settings.coarse_rounds = 8;
     settings.rounds = options_.rounds + 8;
-    const Pose& T_map_last = frames_.back().motion.T_map_end;
-    for (const auto& from : {start, FrameMotion{T_map_last, T_map_last}}) {
+    const Pose& T_map_last = last_good().motion.T_map_end;
+    for (const auto& from : {guess, FrameMotion{T_map_last, T_map_last}}) {
       auto wider = register_frame(features.query, local_map_.maps(), from, settings, run);
       if (wider.overlap > r.overlap) r = std::move(wider);
     }
@@ -156,11 +178,23 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   if (options_.deskew == "twice") {
     // SPEC A5: the motion that was found replaces the guess, and the raw frame is registered again.
     settings.coarse_rounds = 0;
-    if (settings.priors) settings.priors->motion_covariance = r.covariance + frames_.back().covariance;
+    if (settings.priors) settings.priors->motion_covariance = r.covariance + last_good().covariance;
     r = register_frame(features.query, local_map_.maps(), with_speed_found(r.motion, begin_s, end_s), settings, run);
   }
   r.motion = with_speed_found(r.motion, begin_s, end_s);
   return r;
+}
+
+// A frame that agrees much less than those before it is in a wrong place, even where a quarter of its points, most of
+// them ground, happens to agree.
+double Odometry::least_overlap() const {
+  std::vector<double> before;
+  for (std::size_t k = frames_.size(); before.size() < usual_frames && k-- > 1;)
+    if (frames_[k].ok) before.push_back(frames_[k].overlap);
+  if (before.size() < 5) return options_.lost_overlap;
+  const auto middle = before.begin() + static_cast<std::ptrdiff_t>(before.size() / 2);
+  std::ranges::nth_element(before, middle);
+  return std::max(options_.lost_overlap, least_share_of_usual * *middle);
 }
 
 // One sparse frame may look open by chance; surroundings that are open stay so. So the last frames speak together, by
@@ -177,8 +211,9 @@ double Odometry::recent_observability(double of_this_frame) const {
 
 std::string Odometry::objection(const Registration& r, const Observability& seen, const FrameMotion& prediction,
                                 double begin_s, double end_s) const {
-  if (r.overlap < options_.lost_overlap)
-    return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map";
+  if (const double least = least_overlap(); r.overlap < least)
+    return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map, " +
+           percent(least) + " are needed";
   if (!r.motion.T_map_end.matrix().allFinite() || !r.motion.T_map_begin.matrix().allFinite())
     return "the solution is not finite";
   const double speed =
@@ -186,7 +221,11 @@ std::string Odometry::objection(const Registration& r, const Observability& seen
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
   if (r.conditioning < least_conditioning || recent_observability(seen.weakest) < options_.least_observability)
     return "the surroundings leave a direction of motion open: " + seen.motion_text();
-  const double elapsed_s = end_s - frames_.back().end_s;
+  if (found_again_after_s_ > 0 && doubt_ > most_doubt)
+    return "two places fit alike " + number_text(std::round(found_again_after_s_ * 10) / 10) +
+           " s after the last good frame: of the points that decide, " + percent(doubt_ / (1 + doubt_)) +
+           " are for the other one";
+  const double elapsed_s = end_s - last_good().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
     return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
@@ -205,6 +244,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
 
   Stopwatch watch;
   motion_covariance_.setZero();
+  found_again_after_s_ = doubt_ = 0;
   const FrameMotion prediction = predicted(begin_s, end_s);
   frame.motion = prediction;
   if (features.query.size() < least_features) {
@@ -229,6 +269,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   failed_in_a_row_ = frame.ok ? 0 : failed_in_a_row_ + 1;
   path_m_ += (frame.motion.T_map_end.translation() - frames_.back().motion.T_map_end.translation()).norm();
   frames_.push_back(frame);
+  if (frame.ok) last_good_ = frames_.size() - 1;
   watch.lap_s();
   if (frame.ok && keyframe_due(frame)) add_keyframe(features, frames_.back());
   frames_.back().keyframe = keyframes_.size() - 1;

@@ -49,6 +49,9 @@ class Odometry {
   bool lost() const { return failed_in_a_row_ >= options_.lost_frames; }
   std::size_t failed_in_a_row() const { return static_cast<std::size_t>(failed_in_a_row_); }
   const std::string& why_failed() const { return why_failed_; }
+  // How long the last frame came after the last good one before it, when the place had to be searched for; else 0.
+  double found_again_after_s() const { return found_again_after_s_; }
+  double doubt() const { return doubt_; }  // see Relocalisation
 
   // Removes the failed frames at the end and the key frames made since the last good one.
   void drop_failed_tail();
@@ -64,6 +67,11 @@ class Odometry {
                       const Run& run);
   Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                           const Run& run);
+  Registration followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
+                        const Run& run);
+  Registration searched(double begin_s, double end_s, const Features& features, const Run& run);
+  const TrackedFrame& last_good() const { return frames_[last_good_]; }
+  double least_overlap() const;
   double recent_observability(double of_this_frame) const;
   // Empty when the frame is credible, else why not.
   std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
@@ -78,7 +86,9 @@ class Odometry {
   FeatureMaps last_frame_map_;
   Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the motion guessed for the frame in work
   double path_m_ = 0;
+  std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;
+  double found_again_after_s_ = 0, doubt_ = 0;  // of the frame in work, see Relocalisation
   std::string why_failed_;
   OdometryTimes times_;
 };

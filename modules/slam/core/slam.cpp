@@ -74,6 +74,13 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
   return builder.take();
 }
 
+// Poses in a gap of the recording are guesses and are not given out.
+void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajectory& trajectory) {
+  std::erase_if(trajectory.poses, [&](const StampedPose& p) {
+    return std::ranges::any_of(gaps_s, [&](const auto& gap) { return p.time_s > gap.first && p.time_s < gap.second; });
+  });
+}
+
 }  // namespace
 
 SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options, const Run& run) {
@@ -96,6 +103,7 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
   out.odometry = std::move(track.frame_table), out.loops = std::move(track.loop_table);
   out.points.origin = origin;
   out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
+  leave_out_gaps(track.gaps_s, out.trajectory);
   shift(out.trajectory.poses, origin);
 
   auto& report = out.report;

@@ -14,7 +14,7 @@ namespace bole {
 struct SlamResult {
   PointCloud points;  // map axes: where the sensor was at the start of the first frame; with a given trajectory, the
                       // axes of that
-  Trajectory trajectory;  // the same axes, at an even rate
+  Trajectory trajectory;  // the same axes, at an even rate, without the gaps of the recording
   Table odometry;         // per frame: time, overlap, residual, observability, sigma0, standard deviations of the pose
   Table loops;            // revisits that were accepted: times, way between, correction, overlap, how found
   Report report;

@@ -23,6 +23,8 @@ double ms_per_frame(double seconds, std::size_t frames) {
 
 std::string seconds_text(double s) { return number_text(std::round(s * 100) / 100) + " s"; }
 
+std::string percent_text(double share) { return number_text(std::round(share * 100)) + " %"; }
+
 struct FirstPass {
   std::vector<TrackedFrame> frames;
   std::vector<Keyframe> keyframes;
@@ -61,7 +63,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   FirstPass out;
   Stopwatch watch;
   double read_s = 0, features_s = 0, start_s = 0;
-  std::size_t used = 0, points = 0;
+  std::size_t used = 0, points = 0, found_again = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
     run.report(static_cast<double>(i) / static_cast<double>(source.size()),
@@ -91,6 +93,13 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (by_context && odometry.keyframes().size() > keyframes)
       odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
     ++used, points += features.query.size();
+    if (const double gap_s = odometry.found_again_after_s(); gap_s > 0 && odometry.frames().back().ok) {
+      ++found_again;
+      warnings.add(i, scan.begin_time_s - start_s,
+                   "found again " + seconds_text(gap_s) +
+                       " after the last good frame: " + percent_text(odometry.frames().back().overlap) +
+                       " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100));
+    }
     if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
     if (odometry.lost()) {
@@ -111,6 +120,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
   report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
   report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
+  report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
   out.frames = odometry.take_frames();
   out.keyframes = odometry.take_keyframes();
   out.samples.resize(std::min(out.samples.size(), out.frames.size()));
@@ -241,6 +251,18 @@ Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
   return Path(std::move(nodes));
 }
 
+std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& frames) {
+  constexpr double shortest_s = 0.5;  // a shorter one is bridged well
+  std::vector<std::pair<double, double>> gaps_s;
+  const TrackedFrame* last = nullptr;
+  for (const auto& f : frames) {
+    if (!f.ok) continue;
+    if (last && f.begin_s - last->end_s > shortest_s) gaps_s.emplace_back(last->end_s, f.begin_s);
+    last = &f;
+  }
+  return gaps_s;
+}
+
 void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
   std::vector<FrameSample> samples;
   for (std::size_t k = 0; k < pass.samples.size(); ++k)
@@ -273,6 +295,7 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.loop_table = table_of(std::vector<Loop>{}, pass.keyframes);
   if (options.loops != "none" && !run.asked_to_finish())
     track.loop_table = close_loops(pass, options, report, run.part(0.7, 0.8));
+  track.gaps_s = gaps_of(pass.frames);
   const bool elastic = options.deskew == "elastic";
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);

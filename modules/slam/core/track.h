@@ -21,6 +21,7 @@ struct Track {
   Path path;
   std::vector<Frame> frames;
   bool own_motion = false;
+  std::vector<std::pair<double, double>> gaps_s;  // stretches without a mapped frame
   std::vector<double> keyframe_times_s;
   Table frame_table;  // what the odometry found for each frame
   Table loop_table;   // revisits that were accepted
