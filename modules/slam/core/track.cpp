@@ -128,6 +128,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   report.metrics["features_per_frame"] = {ms_per_frame(features_s, n), Unit::millisecond};
   report.metrics["guess_per_frame"] = {ms_per_frame(odometry.times().guess_s, n), Unit::millisecond};
   report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
+  report.metrics["observability_per_frame"] = {ms_per_frame(odometry.times().judge_s, n), Unit::millisecond};
   report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
   report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
   report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
@@ -211,7 +212,7 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
-  report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
+  report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap_s(), pass.frames.size()), Unit::millisecond};
   return table;
 }
 
