@@ -22,7 +22,16 @@ const Decimals& table_decimals() {
                                  {"taper_cm_per_m", 2},
                                  {"arc_deg", 1},
                                  {"pass_spread_cm", 2},
-                                 {"sigma_cm", 2}};
+                                 {"sigma_cm", 2},
+                                 {"wall_cm", 2},
+                                 {"girth_dbh_cm", 2},
+                                 {"ovality_pct", 1},
+                                 {"base_x_m", 4},
+                                 {"base_y_m", 4},
+                                 {"crown_base_m", 2},
+                                 {"crown_area_m2", 1},
+                                 {"volume_m3", 4},
+                                 {"fork_m", 1}};
   return decimals;
 }
 
