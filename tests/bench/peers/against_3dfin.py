@@ -139,7 +139,7 @@ def main():
             theirs = by_3dfin(cloud.resolve(), pathlib.Path(folder) / "3dfin", options.threads)
         print(line(name, "Bole", reference, *ours), flush=True)
         print(line(name, "3DFin", reference, *theirs), flush=True)
-        ratios.append(f"{name}: {theirs[1] / ours[1]:.1f} (CPU), {theirs[2] / ours[2]:.1f} (wall)")
+        ratios.append(f"{name}: {theirs[1] / ours[1]:.1f} (CPU), {theirs[2] / ours[2]:.1f} (wall)" + (", until it failed" if theirs[0] is None else ""))
         if options.list:
             found = [pairs_of(reference, s[0] or [], 0.5) for s in (ours, theirs)]
             for i, r in enumerate(reference):
