@@ -1,4 +1,4 @@
-// orchard_loops SCAN [frames=N] [out=DIR] [option=value ...]
+// orchard_loops SCAN [frames=N] [out=DIR] [registrations=icp,ndt_icp,features] [option=value ...]
 // SPEC D: one odometry over a simulated recording (preset lego_loam, or as the options say), then its revisits looked
 // for in each way and registered in each way, so that nothing else differs. Prints a JSON object with a row per way:
 // loops found, right by place, true by pose, recall, and RMSE and SD of the key frames' trajectory (SPEC D 16, 17).
@@ -27,7 +27,7 @@ using namespace bole;
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string scan, out;
+  std::string scan, out, registrations = "icp,ndt_icp,features";
   std::size_t frames = 1000000;
   OptionSet options{option_table(static_cast<const SlamOptions*>(nullptr))};
 };
@@ -107,6 +107,8 @@ int main(int count, char** arguments) try {
       settings.scan = word;
     else if (name == "frames")
       settings.frames = std::stoul(value);
+    else if (name == "registrations")
+      settings.registrations = value;
     else if (name == "out")
       settings.out = value;
     else
@@ -139,6 +141,7 @@ int main(int count, char** arguments) try {
 
   for (const std::string search : {"odometry", "context"})
     for (const std::string registration : {"icp", "ndt_icp", "features"}) {
+      if (("," + settings.registrations + ",").find("," + registration + ",") == std::string::npos) continue;
       auto way = options;
       way.loops = search, way.loop_registration = registration;
       const auto begin = std::chrono::steady_clock::now();

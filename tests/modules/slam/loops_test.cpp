@@ -1,0 +1,111 @@
+// What stands between a candidate and a loop: where it lies on the earlier stretch, whether it agrees with the rest,
+// and what the local map leaves to loops.
+#include "slam/core/loops.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "slam/core/place_guess.h"
+#include "slam/core/pose_graph.h"
+
+namespace bole {
+namespace {
+
+Pose pose_at(double x, double y, double heading_rad = 0) {
+  Pose T = Pose::Identity();
+  T.linear() = Eigen::AngleAxisd(heading_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  T.translation() = Eigen::Vector3d(x, y, 0);
+  return T;
+}
+
+// Posts at random places, on whose height the seed decides too.
+std::vector<Eigen::Vector3d> posts(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> at(-20, 20), top(0.5, 3);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 60; ++i) {
+    const double x = at(random), y = at(random), height = top(random);
+    for (double z = -1; z < height; z += 0.2) points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+Keyframe seen_from(const std::vector<Eigen::Vector3d>& world, const Pose& T_world_sensor, const Pose& T_map_keyframe,
+                   double path_m) {
+  Keyframe k;
+  k.T_map_keyframe = T_map_keyframe, k.path_m = path_m, k.time_s = path_m;
+  for (const auto& p : world) k.edges.push_back((T_world_sensor.inverse() * p).cast<float>());
+  return k;
+}
+
+TEST(PlaceGuess, AWrongGuessIsPutRightToAThirdOfAMetre) {
+  const auto world = posts(3);
+  std::vector<Keyframe> keyframes;
+  for (int i = 0; i < 5; ++i) keyframes.push_back(seen_from(world, pose_at(i, 0), pose_at(i, 0), i));
+  // Driven the other way, 20 m later; the guess is 2 m short along the way, 0.5 m aside and turned by 4 deg.
+  const Pose truth = pose_at(2, 0.4, std::numbers::pi), guess = pose_at(4, -0.1, std::numbers::pi + 0.07);
+  const auto back = seen_from(world, truth, guess, 25);
+  const auto placed = place_on_stretch(keyframes, 0, 4, back, guess);
+  EXPECT_LT((placed.T_map_keyframe.translation() - truth.translation()).norm(), 0.45);
+  EXPECT_LT(Eigen::AngleAxisd(placed.T_map_keyframe.linear().transpose() * truth.linear()).angle(), 0.04);
+  EXPECT_GT(placed.score, 0.25);  // posts without thickness often fall beside the cell that they have taken
+  // Another place never fits as well.
+  const auto elsewhere = seen_from(posts(4), truth, guess, 25);
+  EXPECT_LT(place_on_stretch(keyframes, 0, 4, elsewhere, guess).score, 0.6 * placed.score);
+}
+
+TEST(PlaceGuess, NothingSeenLeavesTheGuess) {
+  std::vector<Keyframe> keyframes{seen_from({}, pose_at(0, 0), pose_at(0, 0), 0)};
+  const auto placed = place_on_stretch(keyframes, 0, 0, keyframes.front(), pose_at(1, 2, 0.3));
+  EXPECT_EQ(placed.score, 0);
+  EXPECT_LT((placed.T_map_keyframe.translation() - Eigen::Vector3d(1, 2, 0)).norm(), 5);
+}
+
+TEST(PoseGraph, ALoopThatContradictsTheRestIsRefused) {
+  // Out and back over 30 m with a drift of 0.3 m; three loops say where the way back is, one that it is a lane beside.
+  std::vector<Keyframe> keyframes;
+  std::vector<Pose> truth;
+  for (int i = 0; i <= 60; ++i) {
+    const double x = i <= 30 ? i : 60 - i;
+    truth.push_back(pose_at(x, i <= 30 ? 0 : 0.5));
+    keyframes.push_back(seen_from({}, truth.back(), pose_at(x, (i <= 30 ? 0 : 0.5) + 0.005 * i), i));
+  }
+  std::vector<Loop> loops;
+  for (const std::size_t to : {50u, 55u, 60u}) {
+    Loop l;
+    l.from = 60 - to, l.to = to, l.T_from_to = truth[l.from].inverse() * truth[to];
+    loops.push_back(l);
+  }
+  auto wrong = loops.front();
+  wrong.from = 15, wrong.to = 45, wrong.T_from_to = pose_at(0, 0.5 - 2.75);
+  loops.push_back(wrong);
+  const auto graph = optimise_pose_graph(keyframes, loops, {});
+  EXPECT_EQ(graph.refused, (std::vector<std::uint8_t>{0, 0, 0, 1}));
+  EXPECT_EQ(kept_loops(loops, graph).size(), 3u);
+  EXPECT_LT((graph.T_map_keyframe.back().translation() - truth.back().translation()).norm(), 0.05);
+  // Without the wrong one the outcome is the same.
+  loops.pop_back();
+  const auto without = optimise_pose_graph(keyframes, loops, {});
+  EXPECT_LT((without.T_map_keyframe[45].translation() - graph.T_map_keyframe[45].translation()).norm(), 1e-9);
+}
+
+TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {
+  const auto world = posts(5);
+  std::vector<Keyframe> keyframes;
+  LocalMap nearest(0.1, 4), last(0.1, 4, true);
+  const auto knows = [&](const LocalMap& map) { return map.maps().edges.surface(world.front(), 1, 1).has_value(); };
+  for (int i = 0; i < 12; ++i) {
+    // Only the first four key frames see anything; the path comes back to them at the end.
+    const Pose T = pose_at(i < 6 ? i : 11 - i, 0);
+    keyframes.push_back(seen_from(i < 4 ? world : std::vector<Eigen::Vector3d>{}, T, T, i));
+    nearest.update(keyframes, T.translation()), last.update(keyframes, T.translation());
+    EXPECT_TRUE(i != 3 || (knows(nearest) && knows(last)));
+  }
+  EXPECT_TRUE(knows(nearest));
+  EXPECT_FALSE(knows(last));
+}
+
+}  // namespace
+}  // namespace bole
