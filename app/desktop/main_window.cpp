@@ -6,7 +6,7 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -14,27 +14,20 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QVBoxLayout>
 #include <utility>
 
+#include "behaviors/review_behavior.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
+#include "views/chart_view.h"
+#include "views/profile_view.h"
 #include "views/scene_view.h"
 #include "views/slice_view.h"
 
 namespace bole::desktop {
 namespace {
-
-// The last output of a kind that a stage made under one of these ports.
-template <class T>
-std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& results, const std::string& port) {
-  for (auto stage = outcome.stages.rbegin(); stage != outcome.stages.rend(); ++stage) {
-    const auto found = results.find(stage->record.id);
-    if (found == results.end() || !found->second.has(port)) continue;
-    if (const auto* p = std::get_if<std::shared_ptr<const T>>(&found->second.all().find(port)->second)) return *p;
-  }
-  return nullptr;
-}
 
 StageState panel_state(const StageOutcome& stage) {
   switch (stage.state) {
@@ -53,11 +46,14 @@ StageState panel_state(const StageOutcome& stage) {
 MainWindow::MainWindow()
     : run_(new RunBehavior(session_, this)),
       edit_(new EditBehavior(session_, this)),
+      review_(new ReviewBehavior(selection_, this)),
       pipeline_(new PipelinePanel(session_, this)),
       properties_(new PropertiesPanel(session_, this)),
-      scene_(new SceneView(this)),
-      slice_(new SliceView(this)),
-      stems_(new TablePanel(this)),
+      scene_(new SceneView(selection_, this)),
+      slice_(new SliceView(selection_, this)),
+      profile_(new ProfileView(selection_, this)),
+      chart_(new ChartView(selection_, this)),
+      stems_(new TablePanel(selection_, this)),
       log_(new QPlainTextEdit(this)),
       progress_(new QProgressBar(this)) {
   setWindowTitle(tr("Bole"));
@@ -78,15 +74,31 @@ MainWindow::MainWindow()
     statusBar()->showMessage(stage + ": " + what);
   });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
-  connect(stems_, &TablePanel::tree_selected, scene_, &SceneView::highlight_tree);
-  connect(stems_, &TablePanel::tree_selected, slice_, &SliceView::show_tree);
-  connect(stems_, &TablePanel::edit_requested, this,
-          [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
+  connect_views();
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
     if (session_.document().at(stage.toStdString()).type->name == "stems.edit" && scene_->has_survey())
       guarded([&] { refresh(); });
   });
+}
+
+void MainWindow::connect_views() {
+  connect(stems_, &TablePanel::edit_requested, this,
+          [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
+  connect(slice_, &SliceView::edits_requested, this,
+          [this](const std::vector<StemEdit>& edits) { guarded([&] { edit_->apply(edits); }); });
+  connect(slice_, &SliceView::said, this, &MainWindow::say);
+  connect(slice_, &SliceView::height_changed, profile_, &ProfileView::set_height);
+  connect(profile_, &ProfileView::height_dragged, slice_, &SliceView::set_height);
+  connect(scene_, &SceneView::point_picked, this, [this](const QStringList& facts) {
+    if (!facts.isEmpty()) statusBar()->showMessage(facts.join("   "));
+  });
+  connect(review_, &ReviewBehavior::moved, this, [this](std::int64_t tree) {
+    scene_->zoom_to_tree(tree);
+    statusBar()->showMessage(tr("%n stem(s) to look at", nullptr, static_cast<int>(review_->open_stems())));
+  });
+  connect(review_, &ReviewBehavior::nothing_left, this,
+          [this] { say(tr("Every stem is accepted, rejected or edited.")); });
 }
 
 void MainWindow::make_docks() {
@@ -100,9 +112,21 @@ void MainWindow::make_docks() {
   };
   dock(tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
   dock(tr("Options"), properties_, Qt::LeftDockWidgetArea);
-  dock(tr("Stems"), stems_, Qt::BottomDockWidgetArea);
-  dock(tr("Slice"), slice_, Qt::BottomDockWidgetArea);
-  dock(tr("Log"), log_, Qt::BottomDockWidgetArea);
+  auto* stems = new QWidget(this);
+  auto* filter = new QLineEdit(stems);
+  filter->setPlaceholderText(tr("Filter: poor, check, a number…"));
+  filter->setClearButtonEnabled(true);
+  connect(filter, &QLineEdit::textChanged, stems_, &TablePanel::filter);
+  auto* layout = new QVBoxLayout(stems);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(filter);
+  layout->addWidget(stems_);
+  dock(tr("Stems"), stems, Qt::BottomDockWidgetArea);
+  dock(tr("Chart"), chart_, Qt::BottomDockWidgetArea);
+  dock(tr("Log"), log_, Qt::LeftDockWidgetArea);
+  dock(tr("Slice"), slice_, Qt::RightDockWidgetArea);
+  dock(tr("Profile"), profile_, Qt::RightDockWidgetArea);
   resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
 }
 
@@ -142,12 +166,8 @@ void MainWindow::make_actions() {
   edit->addAction(undo);
   edit->addAction(redo);
 
-  auto* view = menuBar()->addMenu(tr("&View"));
-  view->addAction(tr("Colour by height"), this, [this] { scene_->color_by(PointColor::height); });
-  view->addAction(tr("Colour by intensity"), this, [this] { scene_->color_by(PointColor::intensity); });
-  view->addAction(tr("Colour by tree"), this, [this] { scene_->color_by(PointColor::tree); });
-  view->addAction(
-      tr("Reset camera"), this, [this] { scene_->reset_camera(); }, Qt::Key_0);
+  make_stem_menu();
+  make_view_menu();
 
   auto* bar = addToolBar(tr("Run"));
   bar->setObjectName("run");
@@ -157,6 +177,52 @@ void MainWindow::make_actions() {
   run_action_->setShortcut(Qt::Key_F5);
   finish_action_->setEnabled(false);
   cancel_action_->setEnabled(false);
+}
+
+void MainWindow::make_stem_menu() {
+  auto* menu = menuBar()->addMenu(tr("&Stem"));
+  menu->addAction(tr("Next doubtful stem"), review_, &ReviewBehavior::next, QKeySequence("Ctrl+Right"));
+  menu->addAction(tr("Previous doubtful stem"), review_, &ReviewBehavior::previous, QKeySequence("Ctrl+Left"));
+  menu->addAction(
+      tr("Zoom to the selected stem"), this,
+      [this] {
+        if (selection_.tree()) scene_->zoom_to_tree(*selection_.tree());
+      },
+      Qt::Key_Z);
+  menu->addSeparator();
+  menu->addActions(stems_->actions());
+  auto* add = menu->addAction(tr("Add a tree by a circle"));
+  add->setCheckable(true);
+  add->setShortcut(Qt::Key_C);
+  connect(add, &QAction::toggled, slice_, &SliceView::set_adding);
+  connect(slice_, &SliceView::adding_changed, add, &QAction::setChecked);
+}
+
+void MainWindow::make_view_menu() {
+  auto* view = menuBar()->addMenu(tr("&View"));
+  color_menu_ = view->addMenu(tr("Colour points by"));
+  connect(color_menu_, &QMenu::aboutToShow, this, [this] {
+    color_menu_->clear();
+    for (const auto& array : scene_->colorable()) {
+      auto* action = color_menu_->addAction(QString::fromStdString(array).replace('_', ' '));
+      connect(action, &QAction::triggered, this, [this, array] { scene_->color_by(array); });
+    }
+  });
+  const auto look = [&, this](const QString& text, int key, const Eigen::Vector3d& along, const Eigen::Vector3d& up) {
+    view->addAction(
+        text, this, [this, along, up] { scene_->look_along(along, up); }, QKeySequence(key));
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  view->addAction(
+      tr("Whole survey"), this, [this] { scene_->reset_camera(); }, Qt::Key_0);
+  look(tr("From above"), Qt::Key_8, -z, y);
+  look(tr("From the south"), Qt::Key_2, y, z);
+  look(tr("From the west"), Qt::Key_4, x, z);
+  look(tr("From the east"), Qt::Key_6, -x, z);
+  auto* parallel = view->addAction(tr("Parallel projection"));
+  parallel->setCheckable(true);
+  parallel->setShortcut(Qt::Key_5);
+  connect(parallel, &QAction::toggled, scene_, &SceneView::set_parallel);
 }
 
 void MainWindow::guarded(const std::function<void()>& act) {
@@ -180,9 +246,15 @@ void MainWindow::open(const QString& path) {
     session_.recover(path);
   else
     session_.open(path);
-  scene_->show_survey(nullptr, nullptr, nullptr, nullptr);
-  stems_->show_table(nullptr);
-  slice_->show_survey(nullptr, nullptr);
+  run_->forget_survey();
+  selection_.select({});
+  show_survey({});
+  for (const auto& node : session_.document().stages())
+    if (node.type->name == "stems.slice") {
+      const double height = std::get<double>(node.options.get("height"));
+      slice_->set_breast_height(height);
+      profile_->set_breast_height(height);
+    }
   setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
 }
 
@@ -208,7 +280,16 @@ void MainWindow::start(bool sinks) {
   run_->start(out, sinks);
 }
 
-void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results) {
+void MainWindow::show_survey(const Survey& survey) {
+  scene_->show_survey(survey);
+  slice_->show_survey(survey);
+  profile_->show_survey(survey);
+  chart_->show_survey(survey);
+  review_->show_survey(survey);
+  stems_->show_table(survey.stems);
+}
+
+void MainWindow::show_outcome(const RunOutcome& outcome) {
   run_action_->setEnabled(true);
   finish_action_->setEnabled(false);
   cancel_action_->setEnabled(false);
@@ -220,13 +301,7 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
                                (stage.error.empty() ? stage.record.report.message : stage.error)));
   }
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
-  auto stems = latest<Table>(outcome, results, "stems");
-  scene_->show_survey(latest<PointCloud>(outcome, results, "points"), stems,
-                      latest<Table>(outcome, results, "sections"), latest<Trajectory>(outcome, results, "trajectory"));
-  slice_->show_survey(stems, latest<PointCloud>(outcome, results, "slice"));
-  const auto selected = stems_->selected_tree();
-  stems_->show_table(std::move(stems));
-  if (selected) stems_->select_tree(*selected);
+  show_survey(run_->survey());
   if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
 }
 

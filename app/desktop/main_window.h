@@ -6,16 +6,20 @@
 #include "behaviors/edit_behavior.h"
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
+#include "selection/selection.h"
 
 class QAction;
-class QLabel;
+class QMenu;
 class QPlainTextEdit;
 class QProgressBar;
 
 namespace bole::desktop {
 
+class ChartView;
 class PipelinePanel;
+class ProfileView;
 class PropertiesPanel;
+class ReviewBehavior;
 class SceneView;
 class SliceView;
 class TablePanel;
@@ -35,6 +39,8 @@ class MainWindow : public QMainWindow {
   RunBehavior& runner() { return *run_; }
   EditBehavior& editor() { return *edit_; }
   SceneView& scene() { return *scene_; }
+  SliceView& slice() { return *slice_; }
+  Selection& selection() { return selection_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -46,22 +52,31 @@ class MainWindow : public QMainWindow {
   bool may_lose_changes();
   void make_docks();
   void make_actions();
-  void show_outcome(const RunOutcome& outcome, const Results& results);
+  void make_stem_menu();
+  void make_view_menu();
+  void connect_views();
+  void show_outcome(const RunOutcome& outcome);
+  void show_survey(const Survey& survey);
   void say(const QString& text);
   // Errors become a sentence in the log and the status bar.
   void guarded(const std::function<void()>& act);
 
   Session session_;
+  Selection selection_;
   RunBehavior* run_;
   EditBehavior* edit_;
+  ReviewBehavior* review_;
   PipelinePanel* pipeline_;
   PropertiesPanel* properties_;
   SceneView* scene_;
   SliceView* slice_;
+  ProfileView* profile_;
+  ChartView* chart_;
   TablePanel* stems_;
   bool refresh_again_ = false;
   QPlainTextEdit* log_;
   QProgressBar* progress_;
+  QMenu* color_menu_ = nullptr;
   QAction *run_action_ = nullptr, *finish_action_ = nullptr, *cancel_action_ = nullptr;
 };
 

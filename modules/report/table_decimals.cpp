@@ -28,7 +28,16 @@ const Decimals& table_decimals() {
                                  {"time_s", 6},
                                  {"way_m", 2},
                                  {"correction_m", 4},
-                                 {"overlap", 3}};
+                                 {"overlap", 3},
+                                 {"wall_cm", 2},
+                                 {"girth_dbh_cm", 2},
+                                 {"ovality_pct", 1},
+                                 {"base_x_m", 4},
+                                 {"base_y_m", 4},
+                                 {"crown_base_m", 2},
+                                 {"crown_area_m2", 1},
+                                 {"volume_m3", 4},
+                                 {"fork_m", 1}};
   return decimals;
 }
 

@@ -9,48 +9,21 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
-#include <cmath>
 #include <csignal>
-#include <fstream>
 
 #include "main_window.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
+#include "small_plot.h"
 #include "views/scene_view.h"
+#include "views_test.h"
 
 Q_DECLARE_METATYPE(bole::RunOutcome)
 Q_DECLARE_METATYPE(bole::desktop::Results)
 
 namespace bole::desktop {
-namespace {
-
-// Flat ground with nine upright stems of 20 cm, 3 m apart.
-void write_cloud(const std::string& path) {
-  std::ofstream out(path);
-  for (int i = 0; i < 120; ++i)
-    for (int j = 0; j < 120; ++j) out << i * 0.08 << ' ' << j * 0.08 << ' ' << 0.01 * ((i * 7 + j * 3) % 3) << '\n';
-  for (int tree = 0; tree < 9; ++tree)
-    for (int layer = 0; layer < 160; ++layer)
-      for (int k = 0; k < 40; ++k) {
-        const double angle = 2 * M_PI * (k + 0.37 * layer) / 40;
-        out << 1.5 + 3 * (tree % 3) + 0.1 * std::cos(angle) << ' ' << 1.5 + 3 * (tree / 3) + 0.1 * std::sin(angle)
-            << ' ' << 0.03 * layer << '\n';
-      }
-}
-
-void write_pipeline(const std::string& path) {
-  std::ofstream(path) << R"({"title": "Test", "stages": [
-    {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
-    {"id": "ground", "type": "ground.model", "inputs": {"points": "scan.points"}},
-    {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
-    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
-    {"id": "edit", "type": "stems.edit", "inputs": {"stems": "stems.stems", "sections": "stems.sections", "points": "stems.points", "slice": "slice.slice"}}]})";
-}
-
-}  // namespace
-
 class WindowTest : public QObject {
   Q_OBJECT
 
@@ -109,7 +82,7 @@ class WindowTest : public QObject {
     QVERIFY(finished.wait(60000));
     window.findChild<QTreeWidget*>()->setCurrentItem(window.findChild<QTreeWidget*>()->topLevelItem(3));
     window.findChild<TablePanel*>()->select_tree(3);
-    QTest::qWait(1000);
+    QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
     QVERIFY(window.grab().save(picture));
     window.session().discard_recovery();
   }
@@ -201,6 +174,7 @@ int main(int argc, char** argv) {
     std::raise(SIGKILL);
   }
   bole::desktop::WindowTest test;
-  return QTest::qExec(&test, argc, argv);
+  const int failures = QTest::qExec(&test, argc, argv);
+  return failures + bole::desktop::run_views_test(argc, argv);
 }
 #include "window_test.moc"

@@ -25,12 +25,14 @@ std::string EditBehavior::edit_stage() const {
   return it->id;
 }
 
-void EditBehavior::apply(StemEdit edit) {
+void EditBehavior::apply(std::vector<StemEdit> more) {
   const auto stage = edit_stage();
   auto edits = parse_stem_edits(std::get<std::string>(session_.document().at(stage).options.get("edits")));
-  if (edit.author.empty()) edit.author = person();
-  if (edit.time.empty()) edit.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  edits.push_back(std::move(edit));
+  for (auto& edit : more) {
+    if (edit.author.empty()) edit.author = person();
+    if (edit.time.empty()) edit.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    edits.push_back(std::move(edit));
+  }
   const auto text = to_json(edits);
   parse_stem_edits(text);  // refuses what a file of edits would be refused for
   session_.set_option(stage, "edits", text);

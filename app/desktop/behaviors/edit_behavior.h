@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <string>
+#include <vector>
 
 #include "document/session.h"
 #include "stems/core/stem_edits.h"
@@ -17,7 +18,8 @@ class EditBehavior : public QObject {
 
   // Adds an edit to the list, with the person's name and the time; one step of undo. Throws bole::Error when the
   // document has no stage stems.edit or the edit is none.
-  void apply(StemEdit edit);
+  void apply(const StemEdit& edit) { apply(std::vector<StemEdit>{edit}); }
+  void apply(std::vector<StemEdit> edits);  // all in one step
 
  Q_SIGNALS:
   void applied();

@@ -25,6 +25,19 @@ Results collect(const PipelineExecutor& executor, const RunOutcome& outcome) {
   return results;
 }
 
+// The index of the points is made here too, for it takes seconds on a large cloud. What a cancelled run left is not
+// shown: the views keep what they have.
+Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& before,
+                      const std::stop_token& cancel) {
+  Run run;
+  run.cancel = cancel;
+  try {
+    return survey_of(outcome, results, before, run);
+  } catch (const Error&) {
+    return before;
+  }
+}
+
 }  // namespace
 
 RunBehavior::RunBehavior(Session& session, QObject* parent) : QObject(parent), session_(session) {}
@@ -39,7 +52,7 @@ void RunBehavior::start(const QString& output_dir, bool sinks) {
   if (thread_.joinable()) thread_.join();
   running_ = true;
   executor_ = std::make_unique<PipelineExecutor>(session_.document());
-  thread_ = std::jthread([this, output_dir, sinks](std::stop_token cancel_token) {
+  thread_ = std::jthread([this, output_dir, sinks, before = survey_](std::stop_token cancel_token) {
     RunSettings settings;
     settings.output_dir = output_dir.toStdString();
     settings.cancel = cancel_token;
@@ -50,10 +63,12 @@ void RunBehavior::start(const QString& output_dir, bool sinks) {
     };
     auto outcome = executor_->run(settings);
     auto results = collect(*executor_, outcome);
+    auto survey = survey_to_show(outcome, results, before, cancel_token);
     QMetaObject::invokeMethod(
         this,
-        [this, outcome = std::move(outcome), results = std::move(results)] {
+        [this, outcome = std::move(outcome), results = std::move(results), survey = std::move(survey)] {
           running_ = false;
+          survey_ = survey;
           Q_EMIT finished(outcome, results);
         },
         Qt::QueuedConnection);

@@ -2,19 +2,15 @@
 #pragma once
 
 #include <QObject>
-#include <map>
 #include <memory>
 #include <stop_token>
 #include <thread>
 
-#include "cloud/data.h"
 #include "document/session.h"
+#include "document/survey.h"
 #include "vtkbridge/executor.h"
 
 namespace bole::desktop {
-
-// What the views show, by stage id and port.
-using Results = std::map<std::string, DataSet>;
 
 class RunBehavior : public QObject {
   Q_OBJECT
@@ -28,6 +24,8 @@ class RunBehavior : public QObject {
   void start(const QString& output_dir, bool sinks = true);
   void finish();  // keep the best so far of the running stage
   void cancel();
+  const Survey& survey() const { return survey_; }  // of the last run that ended
+  void forget_survey() { survey_ = {}; }
 
  Q_SIGNALS:
   void progressed(const QString& stage, double fraction, const QString& what);
@@ -37,6 +35,7 @@ class RunBehavior : public QObject {
   Session& session_;
   std::unique_ptr<PipelineExecutor> executor_;
   std::jthread thread_;
+  Survey survey_;
   bool running_ = false;
 };
 

@@ -44,7 +44,8 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
   return QString::fromStdString(table_->columns()[static_cast<std::size_t>(section)].name);
 }
 
-TablePanel::TablePanel(QWidget* parent) : QTableView(parent), model_(this) {
+TablePanel::TablePanel(Selection& selection, QWidget* parent)
+    : QTableView(parent), selection_(selection), model_(this) {
   auto* sorted = new QSortFilterProxyModel(this);
   sorted->setSourceModel(&model_);
   sorted->setSortRole(Qt::UserRole);
@@ -58,8 +59,25 @@ TablePanel::TablePanel(QWidget* parent) : QTableView(parent), model_(this) {
   setSelectionMode(QAbstractItemView::SingleSelection);
   make_actions();
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
-    if (const auto id = selected_tree()) Q_EMIT tree_selected(*id);
+    if (const auto id = selected_tree(); id && !following_) selection_.select(id);
   });
+  connect(&selection_, &Selection::changed, this, [this] {
+    if (selection_.tree() != selected_tree()) select_tree(selection_.tree().value_or(-1));
+  });
+}
+
+void TablePanel::show_table(std::shared_ptr<const Table> table) {
+  following_ = true;
+  model_.show(std::move(table));
+  if (selection_.tree()) select_tree(*selection_.tree());
+  following_ = false;
+}
+
+void TablePanel::filter(const QString& text) {
+  auto* sorted = static_cast<QSortFilterProxyModel*>(model());
+  sorted->setFilterKeyColumn(-1);
+  sorted->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  sorted->setFilterFixedString(text);
 }
 
 void TablePanel::make_actions() {
@@ -67,7 +85,6 @@ void TablePanel::make_actions() {
   const auto add = [this](const QString& text, const QKeySequence& key, Action action) {
     auto* a = new QAction(text, this);
     a->setShortcut(key);
-    a->setShortcutContext(Qt::WidgetShortcut);
     connect(a, &QAction::triggered, this, [this, action] { request(action); });
     addAction(a);
   };

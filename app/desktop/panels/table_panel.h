@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cloud/table.h"
+#include "selection/selection.h"
 #include "stems/core/stem_edits.h"
 
 namespace bole::desktop {
@@ -33,15 +34,15 @@ class TablePanel : public QTableView {
   Q_OBJECT
 
  public:
-  explicit TablePanel(QWidget* parent);
-  void show_table(std::shared_ptr<const Table> table) { model_.show(std::move(table)); }
+  TablePanel(Selection& selection, QWidget* parent);
+  void show_table(std::shared_ptr<const Table> table);  // what is selected stays so
+  void filter(const QString& text);                     // rows in which any cell holds the text
 
   void select_tree(std::int64_t id);
   std::optional<std::int64_t> selected_tree() const;
 
  Q_SIGNALS:
   void edit_requested(const StemEdit& edit);
-  void tree_selected(std::int64_t id);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -53,7 +54,9 @@ class TablePanel : public QTableView {
   void make_actions();
   void request(StemEdit::Action action);
 
+  Selection& selection_;
   TableModel model_;
+  bool following_ = false;  // the selection is shown, not made
 };
 
 }  // namespace bole::desktop

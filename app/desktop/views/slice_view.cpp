@@ -1,57 +1,235 @@
 #include "views/slice_view.h"
 
-#include <QPainter>
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "render/charts/slice_sheet.h"
+#include <QDoubleSpinBox>
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+#include <numbers>
+
+#include "render/charts/columns.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr double panel_mm = 60;  // width of the sheet that is drawn; the widget scales it by its resolution
+constexpr double mm_per_px = 25.4 / 96;
+constexpr double grip_px = 8, least_radius_m = 0.01, most_radius_m = 2.5;
+constexpr double start_error_m = 0.05, most_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
 
 }  // namespace
 
-SliceView::SliceView(QWidget* parent) : QWidget(parent) { setMinimumSize(160, 190); }
+SliceView::SliceView(Selection& selection, QWidget* parent)
+    : QWidget(parent), selection_(selection), height_(new QDoubleSpinBox(this)), thickness_(new QDoubleSpinBox(this)) {
+  setMinimumSize(200, 220);
+  setMouseTracking(true);
+  height_->setRange(0, 60), height_->setSingleStep(0.1), height_->setValue(cut_.height_m);
+  height_->setSuffix(tr(" m high")), height_->setToolTip(tr("Height of the cut above ground"));
+  thickness_->setRange(0.01, 2), thickness_->setSingleStep(0.02), thickness_->setValue(cut_.thickness_m);
+  thickness_->setSuffix(tr(" m thick")), thickness_->setToolTip(tr("Thickness of the cut"));
+  height_->setObjectName("cut_height"), thickness_->setObjectName("cut_thickness");
+  connect(height_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double v) {
+    cut_.height_m = v;
+    reload(true);
+    Q_EMIT height_changed(v);
+  });
+  connect(thickness_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double v) {
+    cut_.thickness_m = v;
+    reload(true);
+  });
+  connect(&selection_, &Selection::changed, this, [this] { reload(false); });
+}
 
-void SliceView::show_survey(std::shared_ptr<const Table> stems, std::shared_ptr<const PointCloud> slice) {
-  stems_ = std::move(stems), slice_ = std::move(slice);
+void SliceView::show_survey(const Survey& survey) {
+  survey_ = survey;
+  reload(true);
+}
+
+void SliceView::set_breast_height(double metres) {
+  cut_.breast_height_m = metres;
+  set_height(metres);
+}
+
+void SliceView::set_height(double metres) { height_->setValue(metres); }
+
+void SliceView::set_adding(bool on) {
+  if (adding_ == on) return;
+  adding_ = on;
+  if (on && data_.reach_m < 1) {  // a new tree stands beside the selected one
+    data_.reach_m = 1.5;
+    reload(true);
+  }
+  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+  Q_EMIT adding_changed(on);
+}
+
+void SliceView::reload(bool keep_view) {
+  const std::int64_t before = stem_ ? stem_->tree_id : 0;
+  stem_ = selection_.tree() ? stem_place(survey_, *selection_.tree()) : std::nullopt;
+  fit_.reset();
+  grip_ = Grip::none;
+  if (!stem_) {
+    data_ = {};
+    return update();
+  }
+  if (!keep_view || before != stem_->tree_id) {
+    middle_ = stem_->foot.head<2>();
+    data_.reach_m = std::max(0.12, 0.75 * (std::isfinite(stem_->dbh_m) ? stem_->dbh_m : 0.2) + 0.04);
+  }
+  data_ = cut_across(survey_, *stem_, cut_, middle_, data_.reach_m);
+  write_lines();
   update();
 }
 
-void SliceView::show_tree(std::int64_t id) {
-  tree_ = id;
+void SliceView::write_lines() {
+  const auto& stems = *survey_.stems;
+  const auto row = stem_->row;
+  const auto number = [&](const char* name) { return numbers_or_nan(stems, name)[row]; };
+  data_.lines = {fmt::format("Tree {}   {}", stem_->tree_id, data_.quality)};
+  const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
+  data_.lines.push_back("DBH " + fixed(number("dbh_cm"), 1) + " cm" +
+                        (std::isfinite(lo + hi) ? "   95 %: " + fixed(lo, 1) + " to " + fixed(hi, 1) : "") +
+                        (std::isfinite(number("arc_deg")) ? "   arc " + fixed(number("arc_deg"), 0) + "°" : ""));
+  if (fit_)
+    data_.lines.push_back(fmt::format("fit {} cm   spread {} cm   arc {}°", fixed(200 * fit_->circle.radius, 1),
+                                      fixed(100 * fit_->sigma, 1), fixed(fit_->arc_rad * 180 / std::numbers::pi, 0)));
+  else if (data_.drawn)
+    data_.lines.push_back("drawn " + fixed(200 * data_.drawn->radius_m, 1) + " cm, no fit here");
+  else
+    data_.lines.push_back(texts_or_empty(stems, "reasons")[row]);
+}
+
+QRect SliceView::sheet() const { return rect().adjusted(0, height_->sizeHint().height() + 4, 0, 0); }
+
+SliceScale SliceView::scale() const {
+  return slice_scale(sheet().width() * mm_per_px, sheet().height() * mm_per_px, data_.lines.size(), data_.reach_m);
+}
+
+Eigen::Vector2d SliceView::to_metres(const QPoint& at) const {
+  const QPoint p = at - sheet().topLeft();
+  return scale().to_metres(Eigen::Vector2d(p.x(), p.y()) * mm_per_px);
+}
+
+QPointF SliceView::place_of(const Eigen::Vector2d& plan) const {
+  const Eigen::Vector2d px = scale().to_sheet(plan - middle_) / mm_per_px;
+  return QPointF(px.x(), px.y()) + sheet().topLeft();
+}
+
+SliceView::Grip SliceView::grip_at(const QPoint& at) const {
+  if (!stem_) return Grip::none;
+  if (adding_) return Grip::add;
+  const double reach = grip_px * mm_per_px / scale().mm_per_metre, off = (to_metres(at) - data_.stem->centre).norm();
+  if (off <= std::min(reach, 0.5 * data_.stem->radius_m)) return Grip::centre;
+  if (std::abs(off - data_.stem->radius_m) <= reach) return Grip::rim;
+  return Grip::none;
+}
+
+void SliceView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !stem_) return;
+  const Grip grip = grip_at(event->pos());
+  pressed_ = to_metres(event->pos());
+  if (grip == Grip::none) {
+    for (const auto& n : data_.neighbours)
+      if ((pressed_ - n.centre).norm() <= n.radius_m) return selection_.select(n.tree_id);
+    return;
+  }
+  if (std::abs(cut_.height_m - cut_.breast_height_m) > 0.05) {
+    Q_EMIT said(tr("Diameters are those at breast height: set the height of the cut to %1 m to edit one.")
+                    .arg(cut_.breast_height_m, 0, 'f', 2));
+    return;
+  }
+  grip_ = grip;
+}
+
+// The points ask for a circle near the one that is drawn.
+void SliceView::drag_to(const Eigen::Vector2d& metres) {
+  SliceCircle drawn = *data_.stem;
+  drawn.lo_m = drawn.hi_m = 0;
+  if (grip_ == Grip::centre) drawn.centre += metres - pressed_;
+  if (grip_ == Grip::rim) drawn.radius_m = (metres - drawn.centre).norm();
+  if (grip_ == Grip::add) drawn.centre = pressed_, drawn.radius_m = (metres - pressed_).norm(), drawn.tree_id = 0;
+  drawn.radius_m = std::clamp(drawn.radius_m, least_radius_m, most_radius_m);
+  data_.drawn = drawn;
+  std::vector<Eigen::Vector2d> near;
+  for (const auto& p : data_.points)
+    if (std::abs((p - drawn.centre).norm() - drawn.radius_m) < 2 * start_error_m) near.push_back(p);
+  fit_ = robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, most_sigma_m);
+  data_.refit.reset();
+  if (fit_) data_.refit = SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
+  write_lines();
   update();
 }
 
-QImage SliceView::drawn() const {
-  if (!stems_ || !slice_ || !stems_->has("tree_id")) return {};
-  const auto ids = stems_->integers("tree_id");
-  const auto it = std::ranges::find(ids, tree_);
-  if (it == ids.end()) return {};
-  SliceSheetOptions options;
-  options.columns = options.rows_per_page = 1;
-  const auto sheets =
-      slice_sheets(stems_->subset({static_cast<std::size_t>(it - ids.begin())}), *slice_, panel_mm, options);
-  if (sheets.empty()) return {};
-  const auto& sheet = sheets.front();
-  const double scale = std::min(width() / sheet.width_mm, height() / sheet.height_mm) * devicePixelRatioF();
-  const auto image = figure_image(sheet, 25.4 * scale);
-  return QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
+void SliceView::mouseMoveEvent(QMouseEvent* event) {
+  if (grip_ != Grip::none) return drag_to(to_metres(event->pos()));
+  const Grip grip = grip_at(event->pos());
+  setCursor(grip == Grip::add      ? Qt::CrossCursor
+            : grip == Grip::centre ? Qt::SizeAllCursor
+            : grip == Grip::rim    ? Qt::SizeHorCursor
+                                   : Qt::ArrowCursor);
+}
+
+std::vector<StemEdit> SliceView::edits_of(const SliceCircle& circle) const {
+  const Eigen::Vector2d centre = circle.centre + middle_;
+  StemEdit edit;
+  if (grip_ == Grip::add) {
+    edit.action = StemEdit::Action::add;
+    edit.at = centre, edit.dbh_cm = 200 * circle.radius_m;
+    return {edit};
+  }
+  std::vector<StemEdit> edits;
+  edit.at = stem_->foot.head<2>();
+  if ((centre - edit.at).norm() > 0.0005) {
+    edit.action = StemEdit::Action::move, edit.to = centre;
+    edits.push_back(edit);
+    edit = StemEdit();
+    edit.at = centre;
+  }
+  edit.action = StemEdit::Action::resize, edit.dbh_cm = 200 * circle.radius_m, edit.was_dbh_cm = 100 * stem_->dbh_m;
+  edits.push_back(edit);
+  return edits;
+}
+
+// The fit is taken; with Shift the circle as it was drawn.
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (grip_ == Grip::none || event->button() != Qt::LeftButton) return;
+  const bool as_drawn = event->modifiers().testFlag(Qt::ShiftModifier) || !data_.refit;
+  std::vector<StemEdit> edits;
+  if (data_.drawn) edits = edits_of(as_drawn ? *data_.drawn : *data_.refit);
+  data_.drawn.reset(), data_.refit.reset(), fit_.reset();
+  grip_ = Grip::none;
+  if (adding_) set_adding(false);
+  write_lines();
+  update();
+  if (!edits.empty()) Q_EMIT edits_requested(edits);
+}
+
+void SliceView::wheelEvent(QWheelEvent* event) {
+  if (!stem_) return;
+  data_.reach_m = std::clamp(data_.reach_m * std::pow(1.15, -event->angleDelta().y() / 120.0), 0.08, 4.0);
+  reload(true);
+  event->accept();
+}
+
+void SliceView::resizeEvent(QResizeEvent*) {
+  const int h = height_->sizeHint().height(), w = std::min(130, (width() - 12) / 2);
+  height_->setGeometry(4, 2, w, h);
+  thickness_->setGeometry(8 + w, 2, w, h);
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::white);
-  auto image = drawn();
-  if (image.isNull()) {
+  if (!stem_) {
     painter.setPen(Qt::darkGray);
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its slice."));
+    painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its slice."));
     return;
   }
-  image.setDevicePixelRatio(devicePixelRatioF());
-  const QSizeF size = QSizeF(image.size()) / devicePixelRatioF();
-  painter.drawImage(QPointF((width() - size.width()) / 2, (height() - size.height()) / 2), image);
+  const auto image = figure_image(stem_slice(data_, sheet().width() * mm_per_px, sheet().height() * mm_per_px),
+                                  96 * devicePixelRatioF());
+  QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
+  picture.setDevicePixelRatio(devicePixelRatioF());
+  painter.drawImage(sheet().topLeft(), picture);
 }
 
 }  // namespace bole::desktop

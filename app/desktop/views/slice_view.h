@@ -1,12 +1,16 @@
-// The breast-height slice of the selected stem, drawn by the code of the report's slice sheet.
+// The selected stem cut across at any height. At breast height its circle is moved and resized with the mouse, and a
+// new tree is added by drawing one; the circle that the points ask for follows the cursor.
 #pragma once
 
 #include <QWidget>
-#include <cstdint>
-#include <memory>
+#include <vector>
 
-#include "cloud/point_cloud.h"
-#include "cloud/table.h"
+#include "document/stem_cut.h"
+#include "selection/selection.h"
+#include "stems/core/circle_fit.h"
+#include "stems/core/stem_edits.h"
+
+class QDoubleSpinBox;
 
 namespace bole::desktop {
 
@@ -14,23 +18,54 @@ class SliceView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit SliceView(QWidget* parent);
+  SliceView(Selection& selection, QWidget* parent);
 
-  // Either may be null.
-  void show_survey(std::shared_ptr<const Table> stems, std::shared_ptr<const PointCloud> slice);
-  void show_tree(std::int64_t id);
+  void show_survey(const Survey& survey);
+  void set_breast_height(double metres);
+  void set_height(double metres);
+  double cut_height() const { return cut_.height_m; }
+  void set_adding(bool on);  // the next circle that is drawn is a new tree
 
-  QSize sizeHint() const override { return {240, 260}; }
+  const StemSliceData& shown() const { return data_; }
+  QPointF place_of(const Eigen::Vector2d& plan) const;  // of a place in the axes of the stems, on the widget
+  QSize sizeHint() const override { return {300, 330}; }
+
+ Q_SIGNALS:
+  void edits_requested(const std::vector<StemEdit>& edits);
+  void height_changed(double metres);
+  void adding_changed(bool on);
+  void said(const QString& sentence);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
 
  private:
-  QImage drawn() const;  // null when there is nothing to show
+  enum class Grip { none, centre, rim, add };
+  void reload(bool keep_view);
+  void write_lines();
+  QRect sheet() const;
+  SliceScale scale() const;
+  Eigen::Vector2d to_metres(const QPoint& at) const;
+  Grip grip_at(const QPoint& at) const;
+  void drag_to(const Eigen::Vector2d& metres);
+  std::vector<StemEdit> edits_of(const SliceCircle& circle) const;
 
-  std::shared_ptr<const Table> stems_;
-  std::shared_ptr<const PointCloud> slice_;
-  std::int64_t tree_ = 0;
+  Selection& selection_;
+  Survey survey_;
+  std::optional<StemPlace> stem_;
+  CutPlace cut_;
+  Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
+  StemSliceData data_;
+  std::optional<RobustCircle> fit_;  // while a circle is drawn
+  Grip grip_ = Grip::none;
+  bool adding_ = false;
+  Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();
+  QDoubleSpinBox *height_, *thickness_;
 };
 
 }  // namespace bole::desktop

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <unordered_map>
 
 #include "render/charts/columns.h"
+#include "render/charts/worst_first.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
@@ -61,21 +61,6 @@ class StemGrid {
   double cell_ = 0.05;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
-
-// The least trustworthy first: poor, fair, good; then the widest interval for the diameter.
-std::vector<std::size_t> worst_first(const std::vector<Panel>& panels) {
-  const auto rank = [](const Panel& p) { return p.quality == "poor" ? 0 : p.quality == "fair" ? 1 : 2; };
-  const auto width = [](const Panel& p) {
-    return std::isfinite(p.hi_m - p.lo_m) ? (p.hi_m - p.lo_m) / std::max(p.dbh_m, 1e-3) : 1e9;
-  };
-  std::vector<std::size_t> order(panels.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    if (rank(panels[a]) != rank(panels[b])) return rank(panels[a]) < rank(panels[b]);
-    return width(panels[a]) > width(panels[b]);
-  });
-  return order;
-}
 
 std::vector<Panel> panels_of(const Table& stems, const PointCloud& slice, int most_points) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = numbers_or_nan(stems, "dbh_cm"),
@@ -171,7 +156,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Box& box) {
 std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, double width_mm,
                                  const SliceSheetOptions& options) {
   const auto panels = std::make_shared<const std::vector<Panel>>(panels_of(stems, slice, options.most_points));
-  const auto order = worst_first(*panels);
+  const auto order = worst_first(stems);
   const double side = (width_mm - gap_mm * (options.columns - 1) - 0.4) / options.columns,
                height = side + header_mm + footer_mm - 1;
   const auto per_page = static_cast<std::size_t>(options.columns) * static_cast<std::size_t>(options.rows_per_page);

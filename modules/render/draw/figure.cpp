@@ -5,6 +5,7 @@
 #include <cairo.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -33,28 +34,30 @@ void check(cairo_status_t status, const Figure& figure) {
     throw failure("figure '" + figure.name + "' could not be drawn: " + cairo_status_to_string(status));
 }
 
-void draw_on(cairo_surface_t* surface, const Figure& figure, double scale) {
+void draw_on(cairo_surface_t* surface, const Figure& figure, double scale, bool paper = true) {
   Context cairo(cairo_create(surface), cairo_destroy);
   cairo_scale(cairo.get(), scale, scale);
-  // The whole surface, also the part of a pixel beyond the sheet's edge.
-  cairo_set_source_rgb(cairo.get(), ink::paper.r, ink::paper.g, ink::paper.b);
-  cairo_paint(cairo.get());
+  if (paper) {
+    // The whole surface, also the part of a pixel beyond the sheet's edge.
+    cairo_set_source_rgb(cairo.get(), ink::paper.r, ink::paper.g, ink::paper.b);
+    cairo_paint(cairo.get());
+  }
   Canvas canvas(cairo.get(), figure.width_mm, figure.height_mm);
   figure.draw(canvas);
   check(cairo_status(cairo.get()), figure);
 }
 
-Surface raster(const Figure& figure, double dpi) {
+Surface raster(const Figure& figure, double dpi, bool paper = true) {
   const double w = std::round(figure.width_mm / mm_per_inch * dpi),
                h = std::round(figure.height_mm / mm_per_inch * dpi);
   if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
     throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " +
                         std::to_string(static_cast<long>(h)) + " pixels",
                     "at most " + std::to_string(most_pixels) + " a side", "Lower its resolution or width");
-  Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(w), static_cast<int>(h)),
-                  cairo_surface_destroy);
+  const auto format = paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
+  Surface surface(cairo_image_surface_create(format, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);
-  draw_on(surface.get(), figure, dpi / mm_per_inch);
+  draw_on(surface.get(), figure, dpi / mm_per_inch, paper);
   cairo_surface_flush(surface.get());
   return surface;
 }
@@ -102,22 +105,31 @@ std::string surface_png(cairo_surface_t* surface, double dpi) {
   return with_resolution(std::move(bytes), dpi);
 }
 
-}  // namespace
-
-Image figure_image(const Figure& figure, double dpi) {
-  const auto surface = raster(figure, dpi);
+// `opaque`: without looking at the surface's opacity, by which Cairo multiplies its colours.
+Image image_of(const Surface& surface, bool opaque) {
   Image image{cairo_image_surface_get_width(surface.get()), cairo_image_surface_get_height(surface.get()), {}};
   const auto* data = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   image.rgba.reserve(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
   for (int y = 0; y < image.height; ++y) {
     const auto* row = reinterpret_cast<const std::uint32_t*>(data + static_cast<std::ptrdiff_t>(y) * stride);
-    for (int x = 0; x < image.width; ++x)
-      for (const int shift : {16, 8, 0, -1})
-        image.rgba.push_back(shift < 0 ? std::uint8_t{255} : static_cast<std::uint8_t>(row[x] >> shift));
+    for (int x = 0; x < image.width; ++x) {
+      const unsigned opacity = opaque ? 255 : row[x] >> 24;
+      for (const int shift : {16, 8, 0}) {
+        const unsigned value = row[x] >> shift & 255;
+        image.rgba.push_back(static_cast<std::uint8_t>(opacity == 0 ? 0 : std::min(255u, value * 255 / opacity)));
+      }
+      image.rgba.push_back(static_cast<std::uint8_t>(opacity));
+    }
   }
   return image;
 }
+
+}  // namespace
+
+Image figure_image(const Figure& figure, double dpi) { return image_of(raster(figure, dpi), true); }
+
+Image figure_overlay(const Figure& figure, double dpi) { return image_of(raster(figure, dpi, false), false); }
 
 std::string figure_png(const Figure& figure, double dpi) { return surface_png(raster(figure, dpi).get(), dpi); }
 

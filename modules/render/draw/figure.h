@@ -21,6 +21,9 @@ struct Figure {
 // The figure as pixels; width = round(width_mm / 25.4 dpi). Throws Error{bad_input} beyond 30 000 pixels a side.
 Image figure_image(const Figure& figure, double dpi);
 
+// The same without paper: transparent where nothing was drawn, to lie over a picture.
+Image figure_overlay(const Figure& figure, double dpi);
+
 // File contents. The PNG carries its resolution, so that it prints at its size.
 std::string figure_png(const Figure& figure, double dpi);
 std::string figure_svg(const Figure& figure);

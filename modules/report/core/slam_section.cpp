@@ -18,11 +18,13 @@ struct Part {
 };
 
 // Those that take their time for each frame, in the order of the work.
-constexpr std::array<Part, 7> parts{{{"read_per_frame", "Reading"},
+constexpr std::array<Part, 9> parts{{{"read_per_frame", "Reading"},
                                      {"features_per_frame", "Features"},
                                      {"guess_per_frame", "First guess"},
                                      {"registration_per_frame", "Registration"},
+                                     {"observability_per_frame", "Observability"},
                                      {"local_map_per_frame", "Local map"},
+                                     {"loops_per_frame", "Loops and pose graph"},
                                      {"adjustment_per_frame", "Final adjustment"},
                                      {"map_per_frame", "Dense map"}}};
 
@@ -99,12 +101,6 @@ class Section {
         table.rows.push_back({p.title, fixed(m->value, 1)});
         sum += m->value;
       }
-    const auto frames = r_.counts.find("frames");
-    if (const auto* m = metric("loops_time"); m != nullptr && frames != r_.counts.end() && frames->second > 0) {
-      const double ms = 1000 * m->value / static_cast<double>(frames->second);
-      table.rows.push_back({"Loops and pose graph", fixed(ms, 1)});
-      sum += ms;
-    }
     if (table.rows.empty()) return {};
     table.rows.push_back({"all", fixed(sum, 1)});
     return table.html();

@@ -13,6 +13,7 @@ constexpr int half_window = 5;  // neighbours on each side (LOAM)
 constexpr int sectors = 6;      // the line is cut into sectors so that features lie all around
 constexpr int edges_query = 2, edges_map = 12, planes_query = 4;
 constexpr float edge_curvature = 0.1f, plane_curvature = 0.1f;
+constexpr std::size_t least_connected = 3;
 enum Unusable : std::uint8_t { no_edge = 1, no_plane = 2 };
 
 FeaturePoint as_feature(const ScanPoint& p) { return {p.position, p.s}; }
@@ -79,19 +80,45 @@ void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
   }
 }
 
+void FeatureExtractor::measure_curvature(std::span<const ScanPoint> line) {
+  curvature_.assign(line.size(), 0);
+  for (std::size_t i = half_window; i + half_window < line.size(); ++i) {
+    Eigen::Vector3f sum = -2.0f * half_window * line[i].position;
+    for (std::size_t k = 1; k <= half_window; ++k) sum += line[i - k].position + line[i + k].position;
+    curvature_[i] = sum.squaredNorm();
+  }
+}
+
+// A trunk is narrower than the window, so across the steps beside it all its points look like edges, and the line that
+// they make is the side of the trunk that faces the viewer: it comes round with him. Walking past trunks of radius r at
+// distance d so shortens the path by r / d. Among themselves the points of a trunk are a surface.
+void FeatureExtractor::measure_connected_curvature(std::span<const ScanPoint> line) {
+  const auto n = line.size();
+  const auto step = static_cast<float>(options_.occlusion_step_m);
+  curvature_.assign(n, 0);
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= n; ++end) {
+    if (end < n && std::abs(line[end].range - line[end - 1].range) < step) continue;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t most = std::min({static_cast<std::size_t>(half_window), i - begin, end - 1 - i});
+      Eigen::Vector3f sum = -2.0f * static_cast<float>(most) * line[i].position;
+      for (std::size_t k = 1; k <= most; ++k) sum += line[i - k].position + line[i + k].position;
+      curvature_[i] = sum.squaredNorm();
+      if (end - begin < least_connected) unusable_[i] |= no_edge | no_plane;
+    }
+    begin = end;
+  }
+}
+
 void FeatureExtractor::extract_line(std::span<const ScanPoint> line, std::span<const ScanLabel> labels,
                                     Features& features) {
   const auto n = line.size();
   if (n < 2 * half_window + 1) return;
   mark_unreliable(line);
   const auto is = [&](std::size_t i, ScanLabel label) { return labels.empty() || labels[i] == label; };
-  curvature_.assign(n, 0);
   const std::size_t first = half_window, last = n - half_window;
-  for (std::size_t i = first; i < last; ++i) {
-    Eigen::Vector3f sum = -2.0f * half_window * line[i].position;
-    for (std::size_t k = 1; k <= half_window; ++k) sum += line[i - k].position + line[i + k].position;
-    curvature_[i] = sum.squaredNorm();
-  }
+  const bool connected = options_.features == "connected";
+  connected ? measure_connected_curvature(line) : measure_curvature(line);
 
   for (std::size_t sector = 0; sector < sectors; ++sector) {
     const std::size_t begin = first + (last - first) * sector / sectors,
@@ -118,7 +145,7 @@ void FeatureExtractor::extract_line(std::span<const ScanPoint> line, std::span<c
       if (curvature_[i] > plane_curvature) break;
       if ((unusable_[i] & no_plane) || (!labels.empty() && labels[i] == ScanLabel::loose)) continue;
       features.map.planes.push_back(as_feature(line[i]));
-      if (planes < planes_query * 4 && is(i, ScanLabel::ground))
+      if ((connected || planes < planes_query * 4) && is(i, ScanLabel::ground))
         features.query.planes.push_back(as_feature(line[i])), ++planes;
     }
   }

@@ -27,9 +27,10 @@ struct Features {
 };
 
 // By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
-// options.occlusion), "ground" (the same, but the planes to be registered lie on the ground, edges on things that stand
-// on it, and what is loose is left out: Shan and Englot 2018) or "sampled" (points thinned on a voxel grid, all of them
-// plane candidates).
+// options.occlusion), "connected" (the same, but curvature is measured among neighbours without a step in range between
+// them, and planes are thinned on a grid in place of taking the smoothest), "ground" (the same, but the planes to be
+// registered lie on the ground, edges on things that stand on it, and what is loose is left out: Shan and Englot 2018)
+// or "sampled" (points thinned on a voxel grid, all of them plane candidates).
 class FeatureExtractor {
  public:
   explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}
@@ -38,6 +39,8 @@ class FeatureExtractor {
  private:
   void extract_curvature(const Scan& scan, Features& features);
   void extract_line(std::span<const ScanPoint> line, std::span<const ScanLabel> labels, Features& features);
+  void measure_curvature(std::span<const ScanPoint> line);
+  void measure_connected_curvature(std::span<const ScanPoint> line);
   void mark_unreliable(std::span<const ScanPoint> line);
 
   const SlamOptions options_;

@@ -17,8 +17,9 @@ constexpr std::size_t first_keyframes = 6;   // of a map of the ground
 constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
 constexpr std::size_t usual_frames = 20;
 constexpr double least_share_of_usual = 0.5;  // of the overlap of the frames before
-constexpr double most_doubt = 0.6;            // see Relocalisation
-constexpr double sure_overlap = 0.6;          // below it a rigid frame is looked for farther away as well
+// See Relocalisation; once two places were alike, the next frames are asked for more, for chance has several of them.
+constexpr double most_doubt = 0.5, most_doubt_again = 0.25;
+constexpr double sure_overlap = 0.6;  // below it a rigid frame is looked for farther away as well
 
 // A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to
 // the next.
@@ -221,15 +222,17 @@ std::string Odometry::objection(const Registration& r, const Observability& seen
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
   if (r.conditioning < least_conditioning || recent_observability(seen.weakest) < options_.least_observability)
     return "the surroundings leave a direction of motion open: " + seen.motion_text();
-  if (found_again_after_s_ > 0 && doubt_ > most_doubt)
-    return "two places fit alike " + number_text(std::round(found_again_after_s_ * 10) / 10) +
-           " s after the last good frame: of the points that decide, " + percent(doubt_ / (1 + doubt_)) +
-           " are for the other one";
   const double elapsed_s = end_s - last_good().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
     return "the pose would leap by " + number_text(std::round(leap_m * 100) / 100) + " m";
-  return {};
+  return doubt_text();
+}
+
+std::string Odometry::doubt_text() const {
+  if (found_again_after_s_ <= 0 || doubt_ <= (doubted_ ? most_doubt_again : most_doubt)) return {};
+  return "two places fit alike " + number_text(std::round(found_again_after_s_ * 10) / 10) +
+         " s after the last good frame, with odds of " + number_text(std::round(100 * doubt_) / 100) + " to 1";
 }
 
 void Odometry::add(std::size_t index, double begin_s, double end_s, const Features& features, const Run& run) {
@@ -260,6 +263,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
     frame.observability = seen.weakest;
     const auto why = objection(r, seen, prediction, begin_s, end_s);
+    times_.judge_s += watch.lap_s();
     frame.ok = why.empty();
     if (frame.ok)
       frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end)};
@@ -270,6 +274,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   path_m_ += (frame.motion.T_map_end.translation() - frames_.back().motion.T_map_end.translation()).norm();
   frames_.push_back(frame);
   if (frame.ok) last_good_ = frames_.size() - 1;
+  doubted_ = !frame.ok && (doubted_ || why_failed_ == doubt_text());
   watch.lap_s();
   if (frame.ok && keyframe_due(frame)) add_keyframe(features, frames_.back());
   frames_.back().keyframe = keyframes_.size() - 1;

@@ -26,7 +26,7 @@ struct TrackedFrame {
 };
 
 struct OdometryTimes {
-  double guess_s = 0, register_s = 0, map_s = 0;
+  double guess_s = 0, register_s = 0, judge_s = 0, map_s = 0;
 };
 
 class Odometry {
@@ -76,6 +76,7 @@ class Odometry {
   // Empty when the frame is credible, else why not.
   std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
                         double end_s) const;
+  std::string doubt_text() const;  // empty when the place that was found is the only one
   void add_keyframe(const Features& features, const TrackedFrame& frame);
   bool keyframe_due(const TrackedFrame& frame) const;
 
@@ -88,6 +89,7 @@ class Odometry {
   double path_m_ = 0;
   std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;
+  bool doubted_ = false;                        // since the last good frame
   double found_again_after_s_ = 0, doubt_ = 0;  // of the frame in work, see Relocalisation
   std::string why_failed_;
   OdometryTimes times_;

@@ -38,7 +38,7 @@ const std::vector<Preset>& presets() {
         {"solve", "joint"},
         {"refine_rounds", std::int64_t{-1}}}},
       {"forest",
-       {{"features", "curvature"},
+       {{"features", "connected"},
         {"occlusion", "both_sides"},
         {"occlusion_step", 0.3},
         {"query_spacing", 0.4},
@@ -167,11 +167,11 @@ const OptionTable& option_table(const SlamOptions*) {
           T{"features",
             &S::features,
             TextKind::choice,
-            {"preset", "curvature", "ground", "sampled"},
+            {"preset", "curvature", "connected", "ground", "sampled"},
             Tier::advanced,
-            "Points that are registered: edges and planes by curvature along the scan line, the same with planes from "
-            "the "
-            "ground and edges from things that stand on it (LeGO-LOAM), or all points thinned on a grid."},
+            "Points that are registered: edges and planes by curvature along the scan line (LOAM), by curvature among "
+            "neighbours without a step in range between them, the first with planes from the ground and edges from "
+            "things that stand on it (LeGO-LOAM), or all points thinned on a grid."},
           T{"occlusion",
             &S::occlusion,
             TextKind::choice,

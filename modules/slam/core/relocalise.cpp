@@ -16,6 +16,7 @@ constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 // What a walking person may have done against the prediction.
 constexpr double reach_m = 0.5, reach_m_s = 1.0, most_reach_m = 5;
 constexpr double turn_rad = rad(10), turn_rad_s = rad(120);
+constexpr double expected_sigma_m = 0.3, expected_sigma_m_s = 0.5;
 constexpr double step_m = 0.6, step_rad = rad(10);
 constexpr int scored_level = 2;
 constexpr std::size_t scored_points = 400, tried_points = 1500;
@@ -44,8 +45,20 @@ FeatureSet thinned(const FeatureSet& features, std::size_t most) {
   return {every_so_many(features.edges, features.size(), most), every_so_many(features.planes, features.size(), most)};
 }
 
+Pose ahead(const LastSeen& last) {
+  return last.T_map_sensor * se3_exp(last.velocity * std::min(last.since_s, longest_prediction_s));
+}
+
+// How much likelier the walk is to have led to one place than to the other.
+double preference(const LastSeen& last, const Pose& to, const Pose& other) {
+  const Eigen::Vector3d expected = ahead(last).translation();
+  const double sigma_m = expected_sigma_m + expected_sigma_m_s * last.since_s,
+               squared = (to.translation() - expected).squaredNorm() - (other.translation() - expected).squaredNorm();
+  return std::clamp(std::exp(-0.5 * squared / (sigma_m * sigma_m)), 1e-3, 1e3);
+}
+
 std::vector<Place> reachable(const LastSeen& last) {
-  const Pose T_ahead = last.T_map_sensor * se3_exp(last.velocity * std::min(last.since_s, longest_prediction_s));
+  const Pose T_ahead = ahead(last);
   const double reach = std::min(reach_m + reach_m_s * last.since_s, most_reach_m),
                turn = std::min(turn_rad + turn_rad_s * last.since_s, std::numbers::pi);
   const int steps = static_cast<int>(std::ceil(reach / step_m)), turns = static_cast<int>(std::ceil(turn / step_rad));
@@ -158,7 +171,8 @@ Relocalisation relocalise(const FeatureSet& features, const FeatureMaps& maps, c
     const auto there = agreeing(features, maps, r.motion, settings, run);
     double only_here = 0, only_there = 0;
     for (std::size_t i = 0; i < here.size(); ++i) only_here += here[i] > there[i], only_there += there[i] > here[i];
-    out.doubt = std::max(out.doubt, only_there / std::max(only_here, 1.0));
+    out.doubt = std::max(
+        out.doubt, preference(last, r.motion.at(0.5), best->motion.at(0.5)) * only_there / std::max(only_here, 1.0));
   }
   return out;
 }

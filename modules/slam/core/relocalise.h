@@ -15,7 +15,8 @@ struct Relocalisation {
   Registration found;  // rigid; overlap 0 when nothing was found
   // Of the places that are other ones than `found`, the one that speaks most against it: points that agree with the map
   // there and not at `found`, over those of which the reverse is true. Points that agree at both, most of the ground,
-  // tell nothing (McNemar 1947). About 1: it cannot be told which place is right.
+  // tell nothing (McNemar 1947). Times how much likelier the walk is to have led there. About 1: it cannot be told
+  // which place is right.
   double doubt = 0;
 };
 

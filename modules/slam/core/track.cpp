@@ -118,6 +118,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   report.metrics["features_per_frame"] = {ms_per_frame(features_s, n), Unit::millisecond};
   report.metrics["guess_per_frame"] = {ms_per_frame(odometry.times().guess_s, n), Unit::millisecond};
   report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
+  report.metrics["observability_per_frame"] = {ms_per_frame(odometry.times().judge_s, n), Unit::millisecond};
   report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
   report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
   report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
@@ -217,7 +218,7 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   }
   report.counts["loops"] = static_cast<std::int64_t>(kept.size());
   report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
-  report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
+  report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap_s(), pass.frames.size()), Unit::millisecond};
   return table_of(kept, pass.keyframes);
 }
 

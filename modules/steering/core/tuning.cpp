@@ -94,6 +94,8 @@ class Tuner {
                                                       {"published_d", p.d}};
     for (const auto& [name, value] : columns) t.parameters.set(name, std::vector<double>{value});
     t.report.counts["tries"] = tries_;
+    if (o_.gain_p >= p_most)
+      t.report.warn(fmt::format("nothing oscillates up to P = {}: the search ends there", p_most));
     t.report.message = fmt::format("{} km/h: preview {} m, P {}, I {}, D {} (published {}, {}, {}, {})", o_.speed_km_h,
                                    o_.preview, o_.gain_p, o_.gain_i, o_.gain_d, p.preview_m, p.p, p.i, p.d);
     return t;

@@ -216,7 +216,9 @@ class Survey {
   // Circles above breast height that stand beside the stem they join below: its limbs.
   void note_fork(Stem& trunk, const StemCandidate& limb) const {
     constexpr double above_m = 0.25;
-    if (limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius) return;
+    constexpr int least_sections = 4;  // twigs make a circle or three
+    if (limb.sections < least_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
+      return;
     const double z = limb.ground_z + 0.5 * (limb.lowest + limb.highest);
     const Eigen::Vector2d at_limb =
         Eigen::Vector2d(limb.x, limb.y) + (z - limb.z) * Eigen::Vector2d(limb.slope_x, limb.slope_y);

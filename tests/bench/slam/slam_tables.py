@@ -1,22 +1,32 @@
 #!/usr/bin/env python3
 """Tables 2 and 3 of the paper on improved LOAM (SPEC A) with published and measured figures side by side, and the ablation.
 
-Simulates plots, runs the pipeline forest_plot.json on each with each preset, and prints medians over the seeds:
+Runs the pipeline forest_plot.json on simulated plots with each preset and prints medians over the seeds, and all trees of
+all plots pooled:
 
-  slam_tables.py --bole build/headless/bin/bole --work DIR --plots plot1 plot2 --presets loam forest best --seeds 1 2 3
+  slam_tables.py --bole build/headless/bin/bole --work DIR --plots plot1 plot2 --presets true loam forest best --seeds 1 2 3
+  slam_tables.py --bole ... --work DIR --scans SCANS --budget 60      (SCANS holds folders PLOT-SEED of `bole simulate`)
   slam_tables.py --bole ... --work DIR --plots demo --ablation forest
 
-Every finished run stays in DIR as PLOT-SEED-NAME.json and is not run again, so the tables can be made in pieces. Scans are
-deleted after use unless --keep; --scan PLOT=FOLDER uses one that is there.
+`true` is no preset: the map is made with the true poses, as the floor for walls and diameters.
+
+Every finished run stays in DIR as PLOT-SEED-NAME.json and is not run again. A call that was stopped, or whose time was up
+(--budget), prints the tables of what is there, and the next call goes on with what is not. Delete a .json to run it anew. Scans
+that are made here are deleted after use unless --keep.
 """
 
 import argparse
+import csv
 import json
+import math
+import os
 import pathlib
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
+import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 
@@ -36,9 +46,25 @@ PUBLISHED = {
     },
 }
 
+# All plots together.
+PUBLISHED_OVERALL = {
+    "forest": {"position_mean_x": -0.004, "position_mean_y": -0.011, "position_rmse_x": 0.081, "position_rmse_y": 0.083,
+               "position_sigma_max": 0.082, "dbh_bias": 0.25, "dbh_relative_bias": 1.18, "dbh_rmse": 1.03,
+               "dbh_relative_rmse": 5.53},
+    "loam": {"position_mean_x": -0.040, "position_mean_y": 0.017, "position_rmse_x": 0.120, "position_rmse_y": 0.134,
+             "position_sigma_max": 0.140, "dbh_bias": 2.37, "dbh_relative_bias": 12.59, "dbh_rmse": 3.67,
+             "dbh_relative_rmse": 20.27},
+}
+
 POSITION = [("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m")]
-DIAMETER = [("dbh_bias", "DBH bias, cm"), ("dbh_rmse", "DBH RMSE, cm"), ("dbh_relative_rmse", "rel. RMSE, %")]
-TRACK = [("ate_rmse", "ATE, m"), ("completeness", "found, %"), ("ms_per_frame", "ms/frame")]
+DIAMETER = [("dbh_bias", "DBH bias, cm"), ("dbh_rmse", "DBH RMSE, cm"), ("dbh_relative_rmse", "rel. RMSE, %"),
+            ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
+TRACK = [("ate_rmse", "ATE, m"), ("completeness", "found, %"), ("loop_precision", "loop precision, %"),
+         ("loop_recall", "loop recall, %"), ("ms_per_frame", "ms/frame")]
+OVERALL = [("trees", "trees found"), ("position_mean_x", "mean x, m"), ("position_mean_y", "mean y, m"),
+           ("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m"),
+           ("dbh_bias", "DBH bias, cm"), ("dbh_relative_bias", "rel. bias, %"), ("dbh_rmse", "DBH RMSE, cm"),
+           ("dbh_relative_rmse", "rel. RMSE, %")]
 
 # One switch at a time against the preset.
 ABLATION = {
@@ -48,6 +74,7 @@ ABLATION = {
         "guess by velocity": {"first_guess": "velocity"},
         "de-skewed once": {"deskew": "once"},
         "not de-skewed": {"deskew": "none"},
+        "features as LOAM": {"features": "curvature"},
         "occlusion as LOAM": {"occlusion": "far_side"},
         "loops by odometry": {"loops": "odometry"},
         "no loops": {"loops": "none"},
@@ -70,6 +97,26 @@ ABLATION = {
 }
 
 
+class OutOfTime(Exception):
+    """The time that was given is up: print what there is."""
+
+
+class Clock:
+    """No run is begun that would, going by the longest so far, not end within the budget."""
+
+    def __init__(self, budget_min):
+        self.end = time.monotonic() + 60 * budget_min if budget_min else math.inf
+        self.longest_s = 0
+
+    def begin(self):
+        self.begun = time.monotonic()
+        if self.begun + self.longest_s > self.end:
+            raise OutOfTime
+
+    def done(self):
+        self.longest_s = max(self.longest_s, time.monotonic() - self.begun)
+
+
 def command(words, log):
     with open(log, "w") as out:
         if subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode != 0:
@@ -78,33 +125,90 @@ def command(words, log):
     return True
 
 
+def write_whole(path, text):
+    """Whole or not at all, so that a run that was stopped is never taken for one that is finished."""
+    part = path.with_suffix(".part")
+    part.write_text(text)
+    os.replace(part, path)
+
+
+def own_scan(arguments, plot, seed):
+    return arguments.work / f"scan-{plot}-{seed}"
+
+
 def simulated(arguments, plot, seed):
+    """The folder of the scan, simulated when there is none; None when that failed."""
     given = dict(s.split("=", 1) for s in arguments.scan)
-    if plot in given and seed == arguments.seeds[0]:
-        return pathlib.Path(given[plot]), False
-    folder = arguments.work / f"scan-{plot}-{seed}"
+    for name in ([plot] if seed == arguments.seeds[0] else []) + [f"{plot}-{seed}"]:
+        if name in given:
+            return pathlib.Path(given[name])
+    if arguments.scans and (arguments.scans / f"{plot}-{seed}" / "trees.csv").exists():
+        return arguments.scans / f"{plot}-{seed}"
+    folder = own_scan(arguments, plot, seed)
     if not (folder / "trees.csv").exists():
-        command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--out", folder],
-                arguments.work / "simulate.log")
-    return folder, not arguments.keep
+        shutil.rmtree(folder, ignore_errors=True)
+        if not command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--out", folder],
+                       arguments.work / "simulate.log"):
+            return None
+    return folder
 
 
-def figures(summary):
-    stages = {s["id"]: s for s in summary["stages"]}
+def rows_of(path):
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def numbers(rows, column):
+    values = []
+    for row in rows:
+        try:
+            values.append(float(row.get(column) or "nan"))
+        except ValueError:
+            continue
+    return [v for v in values if math.isfinite(v)]
+
+
+def loop_figures(arguments, out, scan):
+    if not rows_of(out / "loops.csv"):
+        return {}
+    answer = subprocess.run([arguments.bole, "evaluate", "loops", out / "loops.csv", scan / "trajectory.tum", "--json",
+                             "--loop_radius", str(arguments.loop_radius)], capture_output=True, text=True)
+    return {k: v["value"] for k, v in json.loads(answer.stdout).items()} if answer.returncode == 0 else {}
+
+
+def figures(arguments, out, scan):
+    stages = {s["id"]: s for s in json.loads((out / "summary.json").read_text())["stages"]}
     found = {name: m["value"] for name, m in stages["evaluate"]["metrics"].items()}
     slam = stages["slam"]
     found["ms_per_frame"] = 1000 * slam["seconds"] / max(1, slam["counts"]["frames"])
     found["loops"] = slam["counts"].get("loops", 0)
+    found.update(loop_figures(arguments, out, scan))
+    matches = [r for r in rows_of(out / "matches.csv") if r["kind"] == "matched"]
+    found["errors"] = [[float(r[c]) for c in ("dx_m", "dy_m", "dbh_error_cm", "ref_dbh_cm")] for r in matches]
+    # Wall: robust standard deviation of the distances of points from the surface of the stem, median over the stems of the plot.
+    ours = {r["tree_id"] for r in matches}
+    stems = [r for r in rows_of(out / "stems.csv") if r["tree_id"] in ours]
+    for name, column in [("wall", "wall_cm"), ("wall", "sigma_cm"), ("pass_spread", "pass_spread_cm")]:
+        values = numbers(stems, column)
+        if values and name not in found:
+            found[name] = 10 * statistics.median(values)
     return found
 
 
-def measured(arguments, plot, seed, name, options):
+def measured(arguments, plot, seed, name, options, clock):
     """The figures of one run; None when it failed."""
     kept = arguments.work / f"{plot}-{seed}-{name.replace(' ', '_')}.json"
     if not kept.exists():
-        scan, _ = simulated(arguments, plot, seed)
+        clock.begin()
+        scan = simulated(arguments, plot, seed)
+        if scan is None:
+            return None
         out = arguments.work / "run"
         shutil.rmtree(out, ignore_errors=True)
+        if name == "true":
+            options = {"trajectory": scan / "trajectory.tum"}
         settings = {"scan.file": scan / "walk.pcap", "reference_trees.file": scan / "trees.csv",
                     "reference_path.file": scan / "trajectory.tum", **{f"slam.{k}": v for k, v in options.items()}}
         words = [arguments.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--out", out, "--no-cache"]
@@ -113,14 +217,36 @@ def measured(arguments, plot, seed, name, options):
         print(f"{plot}, seed {seed}: {name} ...", file=sys.stderr, flush=True)
         if not command(words, arguments.work / "run.log"):
             return None
-        kept.write_text(json.dumps(figures(json.loads((out / "summary.json").read_text())), indent=1))
+        write_whole(kept, json.dumps(figures(arguments, out, scan), indent=1))
         shutil.rmtree(out, ignore_errors=True)
+        clock.done()
     return json.loads(kept.read_text())
 
 
 def median(runs, measure):
     values = [r[measure] for r in runs if r and r.get(measure) is not None]
     return statistics.median(values) if values else None
+
+
+def pooled(runs):
+    """Figures over all trees of all runs, as SPEC A11 (covariance divided by n)."""
+    errors = [e for r in runs if r for e in r.get("errors", [])]
+    if not errors:
+        return {}
+    n = len(errors)
+    x, y, dbh, reference = ([e[k] for e in errors] for k in range(4))
+    mean_x, mean_y = sum(x) / n, sum(y) / n
+    xx, yy = sum((v - mean_x) ** 2 for v in x) / n, sum((v - mean_y) ** 2 for v in y) / n
+    xy = sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y)) / n
+    relative = [100 * e / r for e, r in zip(dbh, reference)]
+
+    def rms(values):
+        return math.sqrt(sum(v * v for v in values) / n)
+
+    return {"trees": n, "position_mean_x": mean_x, "position_mean_y": mean_y, "position_rmse_x": rms(x),
+            "position_rmse_y": rms(y), "dbh_bias": sum(dbh) / n, "dbh_rmse": rms(dbh),
+            "position_sigma_max": math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy)),
+            "dbh_relative_bias": sum(relative) / n, "dbh_relative_rmse": rms(relative)}
 
 
 def cell(value, published=None):
@@ -144,30 +270,60 @@ def main():
     parser.add_argument("--presets", nargs="+", default=["loam", "forest", "best"])
     parser.add_argument("--seeds", nargs="+", type=int, default=[1, 2, 3])
     parser.add_argument("--ablation", nargs="*", default=[], choices=sorted(ABLATION), help="presets to take apart")
-    parser.add_argument("--scan", action="append", default=[], metavar="PLOT=FOLDER", help="scan of the first seed")
+    parser.add_argument("--scan", action="append", default=[], metavar="PLOT[-SEED]=FOLDER",
+                        help="a scan that is there; without SEED that of the first seed")
+    parser.add_argument("--scans", type=pathlib.Path, help="folder with scans that are there, named PLOT-SEED")
+    parser.add_argument("--budget", type=float, default=0, metavar="MINUTES", help="begin no run that would end later")
+    parser.add_argument("--loop-radius", type=float, default=5, help="metres within which a revisit is right")
     parser.add_argument("--keep", action="store_true", help="keep the scans")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
+    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
 
     variants = {p: {"preset": p} for p in arguments.presets}
     for preset in arguments.ablation:
         for name, options in ABLATION[preset].items():
             variants[preset if not options else f"{preset}, {name}"] = {"preset": preset, **options}
-    runs = {}
-    for plot in arguments.plots:
-        for seed in arguments.seeds:
+    runs = {(plot, name): [] for plot in arguments.plots for name in variants}
+    clock = Clock(arguments.budget)
+    left = 0
+    stopped = False
+    # Seed by seed, so that a call that is cut short has all plots and presets of the first ones.
+    for seed in arguments.seeds:
+        for plot in arguments.plots:
             for name, options in variants.items():
-                runs.setdefault((plot, name), []).append(measured(arguments, plot, seed, name, options))
-            scan, remove = arguments.work / f"scan-{plot}-{seed}", not arguments.keep
-            if remove:
-                shutil.rmtree(scan, ignore_errors=True)
+                try:
+                    if stopped:
+                        clock.end = 0  # only what is there
+                    runs[plot, name].append(measured(arguments, plot, seed, name, options, clock))
+                except OutOfTime:
+                    left += 1
+                except KeyboardInterrupt:
+                    stopped = True
+                    left += 1
+            if not arguments.keep and not stopped and left == 0:
+                shutil.rmtree(own_scan(arguments, plot, seed), ignore_errors=True)
 
+    print_tables(arguments, variants, runs)
+    if left:
+        print(f"\n{left} of {len(runs) * len(arguments.seeds)} runs are missing: call again to go on.")
+    return 1 if any(r is None for of in runs.values() for r in of) else 0
+
+
+def print_tables(arguments, variants, runs):
     seeds = f"median of {len(arguments.seeds)} seeds" if len(arguments.seeds) > 1 else f"seed {arguments.seeds[0]}"
     for title, measures in [("Stem positions", POSITION), ("Diameters", DIAMETER), ("Trajectory, detection, time", TRACK)]:
         rows = [(f"{plot}, {name}", [cell(median(r, m), PUBLISHED.get(name, {}).get(m, {}).get(plot)) for m, _ in measures])
-                for (plot, name), r in runs.items()]
+                for (plot, name), r in runs.items() if any(r)]
         print_table(f"{title}: measured on simulated scans, {seeds} (published, field data)", [c for _, c in measures], rows)
+    rows = []
+    for name in variants:
+        figures_of_all = pooled([r for (_, n), of in runs.items() if n == name for r in of])
+        if figures_of_all:
+            published = PUBLISHED_OVERALL.get(name, {})
+            rows.append((name, [cell(figures_of_all[m], published.get(m)) for m, _ in OVERALL]))
+    print_table("Overall: all matched trees of all plots and seeds (published)", [c for _, c in OVERALL], rows)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -155,7 +155,7 @@ TEST_F(MakeReport, SlamIsTold) {
   slam.report.counts = {{"frames", 2}, {"frames_failed", 1}, {"loops", 1}, {"loop_candidates", 3}};
   slam.report.metrics = {{"sigma0", {0.93, Unit::none}},
                          {"registration_per_frame", {12.34, Unit::millisecond}},
-                         {"loops_time", {0.02, Unit::second}}};
+                         {"loops_per_frame", {10, Unit::millisecond}}};
   slam.report.facts["lost_at_frame"] = "77";
   told.stages.push_back(slam);
   run_.record = std::make_shared<const RunRecord>(told);

@@ -77,11 +77,30 @@ TEST(Features, TheOutlineOfATrunkIsAnEdgeForLoamAndNotForForest) {
   EXPECT_FALSE(std::ranges::any_of(forest.map.edges, on_outline));
 }
 
+TEST(Features, AmongConnectedNeighboursANarrowTrunkIsASurface) {
+  // Seven returns wide: with a window of eleven each of them looks like an edge, and the line that they make is the
+  // side that faces the sensor.
+  const auto trunk = [](double a) {
+    const double across = 5 * std::sin(a);
+    return std::abs(across) < 0.16 ? 5 * std::cos(a) - std::sqrt(0.0256 - across * across) : 12 / std::cos(a);
+  };
+  auto options = curvature_options("both_sides");
+  const auto on_trunk = [](const FeaturePoint& p) { return p.position.x() < 6; };
+  Features features;
+  FeatureExtractor(options).extract(one_line(trunk), features);
+  EXPECT_TRUE(std::ranges::any_of(features.map.edges, on_trunk));
+  EXPECT_FALSE(std::ranges::any_of(features.map.planes, on_trunk));
+  options.features = "connected";
+  FeatureExtractor(options).extract(one_line(trunk), features);
+  EXPECT_FALSE(std::ranges::any_of(features.map.edges, on_trunk));
+  EXPECT_TRUE(std::ranges::any_of(features.map.planes, on_trunk));
+}
+
 TEST(Features, AnEmptyScanHasNone) {
   Scan scan;
   scan.line_begin = {0, 0, 0};
   Features features;
-  for (const auto* kind : {"curvature", "sampled"}) {
+  for (const auto* kind : {"curvature", "connected", "sampled"}) {
     auto o = curvature_options("both_sides");
     o.features = kind;
     FeatureExtractor(o).extract(scan, features);

@@ -9,10 +9,10 @@
 #include <numbers>
 #include <thread>
 
+#include "modules/slam/walks.h"
 #include "slam/core/context_index.h"
 #include "slam/core/loops.h"
 #include "slam/core/pose_graph.h"
-#include "synthetic/scan_world.h"
 
 namespace bole {
 namespace {
@@ -20,31 +20,6 @@ namespace {
 using synthetic::SpinningSensor;
 using synthetic::SyntheticScan;
 using testing::HasSubstr;
-
-SyntheticScan small_walk(std::size_t frames, double noise_m = 0.01) {
-  auto sensor = SpinningSensor::even(32, -25, 15, 360);
-  sensor.range_noise_m = noise_m;
-  return {synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); },
-          frames};
-}
-
-SlamOptions preset(const char* name) {
-  SlamOptions o;
-  o.preset = name;
-  o.map_voxel_m = 0.03;
-  return o;
-}
-
-// Largest distance of the estimated from the true positions, the first poses laid on each other.
-double worst_m(const Trajectory& estimate, const SyntheticScan& source) {
-  const Pose T_truth_map =
-      source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
-  double worst = 0;
-  for (const auto& p : estimate.poses)
-    worst = std::max(worst,
-                     ((T_truth_map * p.T_target_sensor).translation() - source.truth(p.time_s).translation()).norm());
-  return worst;
-}
 
 void write_truth(const std::filesystem::path& file, const SyntheticScan& source,
                  const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
@@ -171,24 +146,6 @@ TEST(Slam, TheResultDoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(a.trajectory.poses.back().T_target_sensor.matrix(), b.trajectory.poses.back().T_target_sensor.matrix());
 }
 
-TEST(Slam, ALostTrackEndsTheMapAndSaysWhere) {
-  auto source = small_walk(30);
-  // From frame 12 on the sensor is somewhere else altogether: noise without shape.
-  source.spoil = [](std::size_t index, ScanFrame& frame) {
-    if (index < 12) return;
-    std::mt19937 random(static_cast<unsigned>(index));
-    std::uniform_real_distribution<float> any(1, 40);
-    for (auto& p : frame.positions) p = p.normalized() * any(random);
-  };
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.status, Status::finished_early);
-  EXPECT_EQ(result.report.facts.at("lost_at_frame"), "12");
-  EXPECT_EQ(result.report.counts.at("frames"), 12);
-  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("lost at frame 12")));
-  EXPECT_GT(result.points.size(), 1000u);
-  EXPECT_LT(result.trajectory.poses.back().time_s, 1.25);
-}
-
 // What a walk of 12 frames along x tells about a world.
 Report straight_walk(synthetic::World world, const char* name,
                      SpinningSensor sensor = SpinningSensor::even(32, -25, 15, 360)) {
@@ -249,111 +206,6 @@ TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("frame 11 is damaged")));
   EXPECT_LT(worst_m(result.trajectory, source), 0.06);
   for (const auto& p : result.points.positions()) ASSERT_TRUE(p.allFinite());
-}
-
-TEST(Slam, AGapInTheRecordingIsBridged) {
-  auto source = small_walk(24);
-  for (int i = 0; i < 24; ++i) source.start_times_s.push_back(0.1 * i + (i < 14 ? 0 : 1.0));
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 24) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() -
-             (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation())
-                .norm(),
-            0.06);
-}
-
-// Issue: what a field day brings. Each walk maps, and stays within the given distance of the truth.
-TEST(Robustness, AFifthOfThePointsMayBeMissing) {
-  auto source = small_walk(25);
-  source.spoil = [](std::size_t index, ScanFrame& frame) {
-    std::mt19937 random(static_cast<unsigned>(index));
-    for (auto& p : frame.positions)
-      if (random() % 5 == 0) p.setConstant(std::numeric_limits<float>::quiet_NaN());
-  };
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.05);
-}
-
-TEST(Robustness, DropsInTheAirAreNotTheWorld) {
-  auto source = small_walk(25);
-  source.spoil = [](std::size_t index, ScanFrame& frame) {
-    std::mt19937 random(static_cast<unsigned>(index));
-    std::uniform_real_distribution<float> nearer(0.05f, 0.95f);
-    for (auto& p : frame.positions)
-      if (random() % 10 == 0) p *= nearer(random);
-  };
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.05);
-}
-
-// Somebody walks 1.5 m beside the bearer: a trunk that stands still in the sensor's axes.
-TEST(Robustness, APersonBesideTheSensorDoesNotHoldItBack) {
-  auto source = small_walk(30);
-  synthetic::World person;
-  person.cylinders.push_back({{0.4, 1.5, -1.7}, Eigen::Vector3d::UnitZ(), 0.25, 1.8});
-  source.spoil = [person](std::size_t, ScanFrame& frame) {
-    for (auto& p : frame.positions) {
-      const Eigen::Vector3d ray = p.cast<double>().normalized();
-      if (const double r = person.range(Eigen::Vector3d::Zero(), ray); r < p.norm()) p = (r * ray).cast<float>();
-    }
-  };
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 30) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.06);
-}
-
-SyntheticScan walk_of(SyntheticScan::Motion motion, std::size_t frames) {
-  auto sensor = SpinningSensor::even(32, -25, 15, 360);
-  sensor.range_noise_m = 0.01;
-  return {synthetic::trunks(9, 3.5), sensor, std::move(motion), frames};
-}
-
-TEST(Robustness, WalkingFromTheFirstMoment) {
-  const auto source = walk_of([](double t) { return synthetic::walk_on_circle(t + 5, 4, 1.2, 1, 0); }, 25);
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
-  // The first frame cannot be de-skewed, and all hangs on it: a tenth of a second at 1.2 m/s.
-  EXPECT_LT(worst_m(result.trajectory, source), 0.16);
-}
-
-// 90 deg/s, with an eased start and end.
-TEST(Robustness, ATurnOnTheSpot) {
-  const auto source = walk_of(
-      [](double t) {
-        Pose T = Pose::Identity();
-        const double s = std::clamp((t - 0.3) / 2.0, 0.0, 1.0), eased = s * s * (3 - 2 * s);
-        T.translation() = Eigen::Vector3d(0.3, -0.2, 1.6);
-        T.linear() = rotation_from_rpy(0, 0, eased * 2.1);
-        return T;
-      },
-      28);
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 28) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.05);
-}
-
-TEST(Robustness, ASteepSlope) {
-  auto world = synthetic::trunks(9, 3.5);
-  // The same plot tilted by 25 deg about x, walked with the sensor upright.
-  const Eigen::Matrix3d tilt = rotation_from_rpy(25 * std::numbers::pi / 180, 0, 0);
-  for (auto& p : world.planes) p.normal = tilt * p.normal;
-  for (auto& c : world.cylinders) c.base = tilt * c.base;
-  const auto sensor = SpinningSensor::even(32, -25, 15, 360);
-  const SyntheticScan source(
-      world, sensor,
-      [tilt](double t) {
-        Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
-        const double height = T.translation().z();
-        T.translation().z() = 0;
-        T.translation() = tilt * T.translation() + Eigen::Vector3d(0, 0, height);
-        return T;
-      },
-      25);
-  const auto result = run_slam(source, preset("best"), {});
-  EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, source), 0.06);
 }
 
 TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {

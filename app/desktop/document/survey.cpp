@@ -1,0 +1,51 @@
+#include "document/survey.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace bole::desktop {
+namespace {
+
+// The last output of a kind that a stage made under this port.
+template <class T>
+std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& results, const std::string& port) {
+  for (auto stage = outcome.stages.rbegin(); stage != outcome.stages.rend(); ++stage) {
+    const auto found = results.find(stage->record.id);
+    if (found == results.end() || !found->second.has(port)) continue;
+    if (const auto* p = std::get_if<std::shared_ptr<const T>>(&found->second.all().find(port)->second)) return *p;
+  }
+  return nullptr;
+}
+
+bool same_places(const PointCloud& a, const PointCloud& b) {
+  const auto &p = a.positions(), &q = b.positions();
+  return p.size() == q.size() &&
+         (p.data() == q.data() || std::memcmp(p.data(), q.data(), p.size() * sizeof(Eigen::Vector3f)) == 0);
+}
+
+}  // namespace
+
+std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
+  if (!stems || !stems->has("tree_id")) return {};
+  const auto ids = stems->integers("tree_id");
+  const auto it = std::ranges::find(ids, tree);
+  if (it == ids.end()) return {};
+  return static_cast<std::size_t>(it - ids.begin());
+}
+
+Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const Run& run) {
+  Survey survey;
+  survey.points = latest<PointCloud>(outcome, results, "points");
+  survey.slice = latest<PointCloud>(outcome, results, "slice");
+  survey.stems = latest<Table>(outcome, results, "stems");
+  survey.sections = latest<Table>(outcome, results, "sections");
+  survey.matches = latest<Table>(outcome, results, "matches");
+  survey.walk = latest<Trajectory>(outcome, results, "trajectory");
+  if (survey.points && before.points && before.index && same_places(*survey.points, *before.points))
+    survey.index = before.index;
+  else if (survey.points)
+    survey.index = std::make_shared<const PointOctree>(*survey.points, run);
+  return survey;
+}
+
+}  // namespace bole::desktop

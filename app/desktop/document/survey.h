@@ -1,0 +1,31 @@
+// What the views show of a run: the last output of each kind, and the index that large clouds are drawn from.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "cloud/data.h"
+#include "render/scene/point_octree.h"
+#include "vtkbridge/executor.h"
+
+namespace bole::desktop {
+
+// Outputs by stage id.
+using Results = std::map<std::string, DataSet>;
+
+// Any of them may be null.
+struct Survey {
+  std::shared_ptr<const PointCloud> points, slice;
+  std::shared_ptr<const PointOctree> index;  // of `points`
+  std::shared_ptr<const Table> stems, sections, matches;
+  std::shared_ptr<const Trajectory> walk;
+
+  bool empty() const { return !points && !stems; }
+  std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`
+};
+
+// Takes over the index of `before` when the points lie where they lay.
+Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const Run& run);
+
+}  // namespace bole::desktop

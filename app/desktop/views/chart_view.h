@@ -1,0 +1,41 @@
+// A chart of the survey whose points and bars are trees: a click selects, the selected tree is marked.
+#pragma once
+
+#include <QWidget>
+
+#include "document/survey.h"
+#include "render/charts/linked_charts.h"
+#include "selection/selection.h"
+
+class QComboBox;
+
+namespace bole::desktop {
+
+class ChartView : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Kind { diameters, heights, field };
+
+  ChartView(Selection& selection, QWidget* parent);
+  void show_survey(const Survey& survey);
+  void show_kind(Kind kind);
+  QPointF place_of(std::int64_t tree) const;  // on the widget; null when it is not in the chart
+  QSize sizeHint() const override { return {340, 260}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  void rebuild();
+  QRect sheet() const;  // below the list of charts
+
+  Selection& selection_;
+  Survey survey_;
+  LinkedChart chart_;
+  QComboBox* kind_;
+};
+
+}  // namespace bole::desktop

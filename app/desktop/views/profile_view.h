@@ -1,0 +1,42 @@
+// The selected stem from the side with its stem curve; the height of the slice is dragged in it.
+#pragma once
+
+#include <QWidget>
+
+#include "document/stem_cut.h"
+#include "selection/selection.h"
+
+namespace bole::desktop {
+
+class ProfileView : public QWidget {
+  Q_OBJECT
+
+ public:
+  ProfileView(Selection& selection, QWidget* parent);
+  void show_survey(const Survey& survey);
+  void set_height(double metres);
+  void set_breast_height(double metres) { cut_.breast_height_m = metres; }
+  QPointF place_of_height(double metres) const;  // on the widget, in the middle of it
+  QSize sizeHint() const override { return {190, 330}; }
+
+ Q_SIGNALS:
+  void height_dragged(double metres);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override { drag(event); }
+  void mouseMoveEvent(QMouseEvent* event) override { drag(event); }
+
+ private:
+  void reload();
+  void drag(QMouseEvent* event);
+  Frame frame() const;
+
+  Selection& selection_;
+  Survey survey_;
+  std::optional<StemPlace> stem_;
+  CutPlace cut_;
+  StemProfileData data_;
+};
+
+}  // namespace bole::desktop

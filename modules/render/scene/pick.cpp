@@ -1,0 +1,114 @@
+#include "render/scene/pick.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bole {
+namespace {
+
+constexpr double same_depth = 0.02;  // of the distance: points this close in depth lie on one surface
+
+// Distance of p from the stretch a-b, and where on it the nearest place is.
+std::pair<double, double> from_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  const Eigen::Vector2d ab = b - a;
+  const double t = std::clamp((p - a).dot(ab) / std::max(ab.squaredNorm(), 1e-12), 0.0, 1.0);
+  return {(p - a - t * ab).norm(), t};
+}
+
+}  // namespace
+
+std::optional<OnScreen> on_screen(const PickView& view, const Eigen::Vector3d& world) {
+  const Eigen::Vector4d clip = view.world_to_clip * (world - view.origin).homogeneous();
+  if (!(clip.w() > 1e-9)) return {};
+  return OnScreen{{(clip.x() / clip.w() + 1) / 2 * view.width_px, (clip.y() / clip.w() + 1) / 2 * view.height_px},
+                  clip.z() / clip.w()};
+}
+
+std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vector2d& at_px, double z) {
+  const Eigen::Matrix4d back = view.world_to_clip.inverse();
+  const auto at_depth = [&](double depth) {
+    const Eigen::Vector4d p =
+        back * Eigen::Vector4d(2 * at_px.x() / view.width_px - 1, 2 * at_px.y() / view.height_px - 1, depth, 1);
+    return Eigen::Vector3d(p.head<3>() / p.w() + view.origin);
+  };
+  const Eigen::Vector3d near = at_depth(-1), along = at_depth(1) - near;
+  const double t = (z - near.z()) / along.z();
+  if (!std::isfinite(t) || t < 0) return {};
+  return near + t * along;
+}
+
+std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,
+                                        std::span<const std::uint32_t> indices, const Eigen::Vector2d& at_px,
+                                        double reach_px) {
+  struct Near {
+    std::uint32_t index;
+    double px, w;
+  };
+  std::vector<Near> near;
+  Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
+  translate.topRightCorner<3, 1>() = cloud.origin - view.origin;
+  const Eigen::Matrix4d m = view.world_to_clip * translate;
+  const auto& positions = cloud.positions();
+  for (const auto i : indices) {
+    const Eigen::Vector4d clip = m * positions[i].cast<double>().homogeneous();
+    if (!(clip.w() > 1e-9) || std::abs(clip.z()) > clip.w()) continue;
+    const Eigen::Vector2d px((clip.x() / clip.w() + 1) / 2 * view.width_px,
+                             (clip.y() / clip.w() + 1) / 2 * view.height_px);
+    // In a parallel view w is one everywhere; z orders the points there.
+    if (const double d = (px - at_px).norm(); d <= reach_px) near.push_back({i, d, clip.w() + clip.z()});
+  }
+  if (near.empty()) return {};
+  const double front = std::ranges::min(near, {}, &Near::w).w;
+  const Near* best = nullptr;
+  for (const auto& n : near)
+    if (n.w <= front + same_depth * std::abs(front) && (best == nullptr || n.px < best->px)) best = &n;
+  return best->index;
+}
+
+std::optional<PickedStem> pick_stem(const PickView& view, const std::vector<StemShape>& stems,
+                                    const Eigen::Vector2d& at_px, double reach_px) {
+  std::optional<PickedStem> best;
+  for (const auto& stem : stems) {
+    for (std::size_t k = 0; k + 1 < stem.axis.size(); ++k) {
+      const auto a = on_screen(view, stem.axis[k]), b = on_screen(view, stem.axis[k + 1]);
+      if (!a || !b) continue;
+      const auto [distance, t] = from_segment(at_px, a->px, b->px);
+      // The radius on the screen is that of a ring around the axis there, seen from the side.
+      const Eigen::Vector3d centre = stem.axis[k] + t * (stem.axis[k + 1] - stem.axis[k]);
+      double radius_px = 0;
+      for (const Eigen::Vector3d& side :
+           {Eigen::Vector3d(Eigen::Vector3d::UnitX()), Eigen::Vector3d(Eigen::Vector3d::UnitY())})
+        if (const auto rim = on_screen(view, centre + std::lerp(stem.radius_m[k], stem.radius_m[k + 1], t) * side))
+          radius_px = std::max(radius_px, (rim->px - (a->px + t * (b->px - a->px))).norm());
+      const double depth = std::lerp(a->depth, b->depth, t);
+      if (distance <= radius_px + reach_px && (!best || depth < best->depth)) best = PickedStem{stem.tree_id, depth};
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> describe_point(const PointCloud& cloud, std::uint32_t index) {
+  const Eigen::Vector3d p = exact_position(cloud, index);
+  std::vector<std::string> lines{fmt::format("x {:.3f}  y {:.3f}  z {:.3f} m", p.x(), p.y(), p.z())};
+  const auto say = [&](std::string_view array, std::string_view name, std::string_view unit, int decimals) {
+    if (!cloud.has(array)) return;
+    const double value = column_value(cloud.column(array), index);
+    lines.push_back(std::isfinite(value)
+                        ? fmt::format("{} {:.{}f}{}{}", name, value, decimals, unit.empty() ? "" : " ", unit)
+                        : fmt::format("{} not known", name));
+  };
+  say("height_above_ground", "above ground", "m", 2);
+  say("range", "range", "m", 2);
+  say("time", "time", "s", 3);
+  say("intensity", "intensity", "", 0);
+  say("pass", "pass", "", 0);
+  if (cloud.has(arrays::tree_id) && column_value(cloud.column("tree_id"), index) > 0) say("tree_id", "tree", "", 0);
+  return lines;
+}
+
+}  // namespace bole

@@ -1,0 +1,49 @@
+// What lies under the cursor.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cloud/point_cloud.h"
+#include "render/scene/stem_shapes.h"
+
+namespace bole {
+
+// A view of `width_px` x `height_px`; the matrix takes coordinates relative to `origin`.
+struct PickView {
+  Eigen::Matrix4d world_to_clip = Eigen::Matrix4d::Identity();
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double width_px = 1, height_px = 1;
+};
+
+// Pixels from the lower left corner; depth grows away from the eye. Nothing behind the eye.
+struct OnScreen {
+  Eigen::Vector2d px = Eigen::Vector2d::Zero();
+  double depth = 0;
+};
+std::optional<OnScreen> on_screen(const PickView& view, const Eigen::Vector3d& world);
+
+// Where the ray through a pixel meets the plane z = `z`; nothing when it runs away from it.
+std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vector2d& at_px, double z);
+
+// The foremost of `indices` within `reach_px` of a place: of those hardly deeper than the nearest, the one closest to
+// it.
+std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,
+                                        std::span<const std::uint32_t> indices, const Eigen::Vector2d& at_px,
+                                        double reach_px);
+
+struct PickedStem {
+  std::int64_t tree_id = 0;
+  double depth = 0;
+};
+// The foremost stem that a place lies on, or passes within `reach_px` of.
+std::optional<PickedStem> pick_stem(const PickView& view, const std::vector<StemShape>& stems,
+                                    const Eigen::Vector2d& at_px, double reach_px);
+
+// What is known of a point, in one line each: coordinates, height above ground, range, time, and so on.
+std::vector<std::string> describe_point(const PointCloud& cloud, std::uint32_t index);
+
+}  // namespace bole

@@ -1,0 +1,173 @@
+#include "render/scene/point_layer.h"
+
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+#include "render/scene/view_camera.h"
+
+namespace bole {
+namespace {
+
+constexpr double least_px = 0.7;                 // finer detail than this between points is not seen
+constexpr std::size_t kept_points = 12'000'000;  // that stay prepared, drawn or not
+
+// Eye coordinates of the layer are relative to `origin`; the octree's are relative to the cloud's.
+OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
+  const int* size = renderer->GetSize();
+  const double aspect = size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1;
+  Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
+  translate.topRightCorner<3, 1>() = shift;
+  return {view_matrix(renderer->GetActiveCamera(), aspect) * translate, static_cast<double>(std::max(size[1], 1))};
+}
+
+}  // namespace
+
+bool PointFilter::everything() const {
+  return height.lo <= -1e9 && height.hi >= 1e9 && (lo.array() <= -1e12).all() && (hi.array() >= 1e12).all();
+}
+
+void PointLayer::show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
+                      const Eigen::Vector3d& origin) {
+  clear();
+  cloud_ = std::move(cloud), octree_ = std::move(octree), origin_ = origin;
+}
+
+void PointLayer::set_paint(PointPaint paint) {
+  clear();
+  paint_ = std::move(paint);
+}
+
+void PointLayer::set_filter(const PointFilter& filter) {
+  clear();
+  filter_ = filter;
+}
+
+void PointLayer::set_point_size(double px) {
+  size_px_ = px;
+  for (auto& [i, tile] : tiles_)
+    if (tile.actor) tile.actor->GetProperty()->SetPointSize(static_cast<float>(px));
+}
+
+void PointLayer::clear() {
+  for (auto& [i, tile] : tiles_)
+    if (tile.actor && renderer_) renderer_->RemoveActor(tile.actor);
+  tiles_.clear();
+  drawn_ = 0;
+}
+
+PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
+  Tile tile;
+  const auto all = octree_->points(node);
+  const auto* heights = cloud_->has(arrays::height_above_ground)
+                            ? std::get_if<std::vector<float>>(&cloud_->column(arrays::height_above_ground.name))
+                            : nullptr;
+  const bool unfiltered = filter_.everything();
+  for (const auto i : all) {
+    if (!unfiltered) {
+      const Eigen::Vector3d p = cloud_->position(i);
+      const double height = heights != nullptr ? static_cast<double>((*heights)[i]) : p.z();
+      if (!(height >= filter_.height.lo && height <= filter_.height.hi) || (p.array() < filter_.lo.array()).any() ||
+          (p.array() > filter_.hi.array()).any())
+        continue;
+    }
+    tile.indices.push_back(i);
+  }
+  const auto n = static_cast<vtkIdType>(tile.indices.size());
+  if (n == 0) return tile;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->SetNumberOfPoints(n);
+  auto* coordinates = static_cast<float*>(points->GetVoidPointer(0));
+  const Eigen::Vector3f shift = (cloud_->origin - origin_).cast<float>();
+  for (const auto i : tile.indices) {
+    const Eigen::Vector3f p = cloud_->positions()[i] + shift;
+    coordinates = std::copy(p.data(), p.data() + 3, coordinates);
+  }
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(n);
+  paint_points(*cloud_, tile.indices, paint_, colors->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateEstimate(1, n);
+  cells->InsertNextCell(static_cast<int>(n));
+  for (vtkIdType i = 0; i < n; ++i) cells->InsertCellPoint(i);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(cells);
+  data->GetPointData()->SetScalars(colors);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->SetColorModeToDirectScalars();
+  mapper->SetStatic(1);
+  tile.actor = vtkSmartPointer<vtkActor>::New();
+  tile.actor->SetMapper(mapper);
+  tile.actor->GetProperty()->SetPointSize(static_cast<float>(size_px_));
+  tile.actor->GetProperty()->LightingOff();
+  tile.actor->PickableOff();
+  return tile;
+}
+
+bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh) {
+  if (!cloud_ || !octree_) return true;
+  renderer_ = renderer;
+  ++frame_;
+  const auto chosen = octree_->visible(view_of(renderer, cloud_->origin - origin_), budget, least_px);
+  drawn_ = 0;
+  bool complete = true;
+  std::size_t prepared = 0;
+  for (const auto i : chosen) {
+    auto it = tiles_.find(i);
+    if (it == tiles_.end()) {
+      const auto& node = octree_->nodes()[i];
+      if (prepared > 0 && prepared + node.size() > fresh) {
+        complete = false;
+        continue;
+      }
+      prepared += node.size();
+      it = tiles_.emplace(i, make_tile(node)).first;
+      if (it->second.actor) renderer->AddActor(it->second.actor);
+    }
+    it->second.last_use = frame_;
+    drawn_ += it->second.indices.size();
+  }
+  for (auto& [i, tile] : tiles_)
+    if (tile.actor) tile.actor->SetVisibility(tile.last_use == frame_);
+  forget_unused();
+  return complete;
+}
+
+void PointLayer::forget_unused() {
+  std::size_t points = 0;
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> unused;
+  for (const auto& [i, tile] : tiles_) {
+    points += tile.indices.size();
+    if (tile.last_use != frame_) unused.emplace_back(tile.last_use, i);
+  }
+  if (points <= kept_points) return;
+  std::ranges::sort(unused);
+  for (const auto& [use, i] : unused) {
+    if (points <= kept_points) return;
+    auto it = tiles_.find(i);
+    points -= it->second.indices.size();
+    if (it->second.actor) renderer_->RemoveActor(it->second.actor);
+    tiles_.erase(it);
+  }
+}
+
+std::vector<std::uint32_t> PointLayer::drawn_points() const {
+  std::vector<std::uint32_t> points;
+  for (const auto& [i, tile] : tiles_)
+    if (tile.last_use == frame_) points.insert(points.end(), tile.indices.begin(), tile.indices.end());
+  return points;
+}
+
+}  // namespace bole

@@ -1,0 +1,62 @@
+// The points of a survey in a scene that is turned and zoomed: drawn from an octree within a budget per frame.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <unordered_map>
+
+#include "render/scene/point_octree.h"
+#include "render/scene/point_paint.h"
+
+namespace bole {
+
+// What is left out of the drawing.
+struct PointFilter {
+  Interval height{-1e9, 1e9};                                     // above ground where known, else z
+  Eigen::Vector3d lo{-1e12, -1e12, -1e12}, hi{1e12, 1e12, 1e12};  // clip box, world axes
+  bool everything() const;
+};
+
+class PointLayer {
+ public:
+  // Both may be null: nothing is drawn then. The octree must be that of the cloud's positions.
+  void show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
+            const Eigen::Vector3d& origin);
+  void set_paint(PointPaint paint);
+  void set_filter(const PointFilter& filter);
+  void set_point_size(double px);
+
+  // Chooses what the renderer's camera sees, at most `budget` points, and prepares at most `fresh` points that were not
+  // drawn before. False: more was chosen than prepared, call again for the next frame.
+  bool update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh);
+
+  std::size_t drawn() const { return drawn_; }      // points of the last update
+  std::vector<std::uint32_t> drawn_points() const;  // their indices in the cloud
+  const PointPaint& paint() const { return paint_; }
+
+ private:
+  struct Tile {
+    vtkSmartPointer<vtkActor> actor;
+    std::vector<std::uint32_t> indices;  // that passed the filter
+    std::uint64_t last_use = 0;
+  };
+  void clear();
+  Tile make_tile(const PointOctree::Node& node) const;
+  void forget_unused();
+
+  std::shared_ptr<const PointCloud> cloud_;
+  std::shared_ptr<const PointOctree> octree_;
+  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  PointPaint paint_;
+  PointFilter filter_;
+  double size_px_ = 2;
+  std::unordered_map<std::uint32_t, Tile> tiles_;
+  vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to
+  std::uint64_t frame_ = 0;
+  std::size_t drawn_ = 0;
+};
+
+}  // namespace bole

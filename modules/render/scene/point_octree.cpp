@@ -1,0 +1,243 @@
+#include "render/scene/point_octree.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace bole {
+namespace {
+
+constexpr int bits = 16;          // of a cell index along one axis
+constexpr int cell_levels = 7;    // 2^7 = cells_per_side
+constexpr int bucket_levels = 4;  // of the Morton code, that points are first sorted by
+constexpr int levels = bits - cell_levels + 1;
+constexpr std::size_t buckets = std::size_t{1} << (3 * bucket_levels);
+static_assert(PointOctree::cells_per_side == 1 << cell_levels);
+
+struct Cube {
+  Eigen::Vector3f lo = Eigen::Vector3f::Zero();
+  float side = 1;
+};
+
+// Every third bit of the result is one of the 16 of `v`.
+std::uint64_t spread(std::uint64_t v) {
+  v = (v | v << 32) & 0x1f00000000ffffULL;
+  v = (v | v << 16) & 0x1f0000ff0000ffULL;
+  v = (v | v << 8) & 0x100f00f00f00f00fULL;
+  v = (v | v << 4) & 0x10c30c30c30c30c3ULL;
+  return (v | v << 2) & 0x1249249249249249ULL;
+}
+
+std::uint64_t gather(std::uint64_t v) {
+  v &= 0x1249249249249249ULL;
+  v = (v | v >> 2) & 0x10c30c30c30c30c3ULL;
+  v = (v | v >> 4) & 0x100f00f00f00f00fULL;
+  v = (v | v >> 8) & 0x1f0000ff0000ffULL;
+  v = (v | v >> 16) & 0x1f00000000ffffULL;
+  return (v | v >> 32) & 0xffffULL;
+}
+
+std::uint64_t morton(const Eigen::Vector3f& p, const Cube& cube) {
+  std::uint64_t code = 0;
+  const float scale = static_cast<float>(1 << bits) / cube.side;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float cell = std::clamp((p[axis] - cube.lo[axis]) * scale, 0.0f, static_cast<float>((1 << bits) - 1));
+    code |= spread(static_cast<std::uint64_t>(cell)) << axis;
+  }
+  return code;
+}
+
+Cube cube_around(const PointCloud::Positions& positions) {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  Eigen::Vector3f lo(inf, inf, inf), hi(-inf, -inf, -inf);
+  for (const auto& p : positions)
+    if (p.allFinite()) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+  if (!(lo.x() <= hi.x())) return {};
+  return {lo, std::max((hi - lo).maxCoeff() * 1.0001f, 1e-3f)};
+}
+
+// The level whose grid first tells a point from the one before it on the curve.
+std::uint8_t level_of(std::uint64_t code, std::uint64_t before) {
+  const std::uint64_t differ = code ^ before;
+  const int top_bit = differ == 0 ? -1 : 63 - std::countl_zero(differ);
+  const int shared = bits - 1 - (top_bit < 0 ? -1 : top_bit / 3);  // levels of cells that hold both
+  return static_cast<std::uint8_t>(std::clamp(shared + 1 - cell_levels, 0, levels - 1));
+}
+
+struct Sorted {
+  std::vector<std::uint32_t> index;  // along the curve
+  std::vector<std::uint8_t> level;
+};
+
+Sorted along_the_curve(const PointCloud::Positions& positions, const Cube& cube, const Run& run) {
+  constexpr int shift = 3 * (bits - bucket_levels);
+  std::vector<std::uint32_t> begin(buckets + 1, 0);
+  for (const auto& p : positions)
+    if (p.allFinite()) ++begin[(morton(p, cube) >> shift) + 1];
+  for (std::size_t b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
+  run.check_cancel();
+  run.report(0.2, "sorting points for display");
+  Sorted sorted{std::vector<std::uint32_t>(begin.back()), std::vector<std::uint8_t>(begin.back())};
+  auto next = begin;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (positions[i].allFinite())
+      sorted.index[next[morton(positions[i], cube) >> shift]++] = static_cast<std::uint32_t>(i);
+  run.check_cancel();
+  run.report(0.4, "sorting points for display");
+  tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
+    if (begin[b] == begin[b + 1] || run.cancelled()) return;
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> coded;
+    for (auto k = begin[b]; k < begin[b + 1]; ++k)
+      coded.emplace_back(morton(positions[sorted.index[k]], cube), sorted.index[k]);
+    std::ranges::sort(coded);
+    for (std::size_t k = 0; k < coded.size(); ++k) {
+      sorted.index[begin[b] + k] = coded[k].second;
+      if (k > 0) sorted.level[begin[b] + k] = level_of(coded[k].first, coded[k - 1].first);
+    }
+  });
+  run.check_cancel();
+  // The first of each bucket follows the last of the one before; the very first belongs to the root.
+  for (std::size_t b = 0; b < buckets; ++b)
+    if (const auto k = begin[b]; k != begin[b + 1] && k > 0)
+      sorted.level[k] =
+          level_of(morton(positions[sorted.index[k]], cube), morton(positions[sorted.index[k - 1]], cube));
+  return sorted;
+}
+
+struct Part {
+  std::uint64_t prefix;  // of the Morton code: which node of the level
+  std::uint32_t begin, end;
+};
+using Parts = std::vector<Part>;
+
+// Adds nodes without points of their own where a child would have no parent.
+void add_parents(Parts& parents, const Parts& children) {
+  Parts missing;
+  auto it = parents.begin();
+  for (const auto& child : children) {
+    const auto prefix = child.prefix >> 3;
+    while (it != parents.end() && it->prefix < prefix) ++it;
+    if ((it == parents.end() || it->prefix != prefix) && (missing.empty() || missing.back().prefix != prefix))
+      missing.push_back({prefix, 0, 0});
+  }
+  Parts all(parents.size() + missing.size());
+  std::ranges::merge(parents, missing, all.begin(), {}, &Part::prefix, &Part::prefix);
+  parents = std::move(all);
+}
+
+PointOctree::Node node_of(const Part& part, int level, const Cube& cube) {
+  PointOctree::Node node;
+  const float side = cube.side / static_cast<float>(1 << level);
+  node.half_m = side / 2;
+  for (int axis = 0; axis < 3; ++axis)
+    node.centre[axis] = cube.lo[axis] + side * (static_cast<float>(gather(part.prefix >> axis)) + 0.5f);
+  node.begin = part.begin, node.end = part.end, node.level = static_cast<std::uint8_t>(level);
+  return node;
+}
+
+std::vector<PointOctree::Node> linked_nodes(std::array<Parts, levels>& parts, const Cube& cube) {
+  for (std::size_t l = levels - 1; l > 0; --l) add_parents(parts[l - 1], parts[l]);
+  std::vector<PointOctree::Node> nodes;
+  std::size_t first_of_next = 0;
+  for (std::size_t l = 0; l < levels; ++l) {
+    first_of_next += parts[l].size();
+    std::size_t child = 0;
+    for (const auto& part : parts[l]) {
+      auto node = node_of(part, static_cast<int>(l), cube);
+      node.first_child = static_cast<std::uint32_t>(first_of_next + child);
+      while (l + 1 < levels && child < parts[l + 1].size() && parts[l + 1][child].prefix >> 3 == part.prefix)
+        ++child, ++node.children;
+      nodes.push_back(node);
+    }
+  }
+  return nodes;
+}
+
+// How large a node is on the screen, pixels; negative when it is outside of the view.
+double size_on_screen(const PointOctree::Node& node, const OctreeView& view) {
+  const auto& m = view.world_to_clip;
+  const Eigen::Vector4d centre(static_cast<double>(node.centre.x()), static_cast<double>(node.centre.y()),
+                               static_cast<double>(node.centre.z()), 1);
+  const double half = static_cast<double>(node.half_m);
+  const auto outside = [&](const Eigen::RowVector4d& plane) {
+    return plane.dot(centre) + half * plane.head<3>().cwiseAbs().sum() < 0;
+  };
+  for (int axis = 0; axis < 2; ++axis)
+    if (outside(m.row(3) + m.row(axis)) || outside(m.row(3) - m.row(axis))) return -1;
+  // The nearest place of its ball: the eye may be within.
+  const double depth = m.row(3).dot(centre) - half * std::sqrt(3.0) * m.row(3).head<3>().norm();
+  return 2 * half * m.row(1).head<3>().norm() * view.height_px / 2 / std::max(depth, 1e-3);
+}
+
+}  // namespace
+
+PointOctree::PointOctree(const PointCloud& cloud, const Run& run) : positions_(cloud.shared_positions()) {
+  if (cloud.size() >= std::numeric_limits<std::uint32_t>::max())
+    throw bad_input("a cloud of " + std::to_string(cloud.size()) + " points", "at most 4 294 967 294", "Thin it");
+  const auto& positions = *positions_;
+  const Cube cube = cube_around(positions);
+  const auto sorted = along_the_curve(positions, cube, run);
+  run.report(0.9, "sorting points for display");
+
+  std::array<std::uint32_t, levels + 1> begin{};
+  for (const auto level : sorted.level) ++begin[level + 1u];
+  for (std::size_t l = 0; l < levels; ++l) begin[l + 1] += begin[l];
+  order_.resize(sorted.index.size());
+  std::array<Parts, levels> parts;
+  auto next = begin;
+  for (std::size_t k = 0; k < sorted.index.size(); ++k) {
+    const auto level = sorted.level[k];
+    const auto at = next[level]++;
+    order_[at] = sorted.index[k];
+    const auto prefix = morton(positions[sorted.index[k]], cube) >> (3 * (bits - level));
+    if (parts[level].empty() || parts[level].back().prefix != prefix) parts[level].push_back({prefix, at, at});
+    parts[level].back().end = at + 1;
+  }
+  run.check_cancel();
+  nodes_ = linked_nodes(parts, cube);
+}
+
+std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::size_t budget, double least_px) const {
+  std::vector<std::uint32_t> chosen;
+  if (nodes_.empty()) return chosen;
+  std::priority_queue<std::pair<double, std::uint32_t>> waiting;
+  const auto consider = [&](std::uint32_t i) {
+    if (const double px = size_on_screen(nodes_[i], view); px >= 0) waiting.emplace(px, i);
+  };
+  consider(0);
+  for (std::size_t points = 0; !waiting.empty();) {
+    const auto [px, i] = waiting.top();
+    waiting.pop();
+    const auto& node = nodes_[i];
+    if (points + node.size() > budget) break;
+    points += node.size();
+    if (node.size() > 0) chosen.push_back(i);
+    if (px / cells_per_side > least_px)
+      for (std::uint32_t child = 0; child < node.children; ++child) consider(node.first_child + child);
+  }
+  return chosen;
+}
+
+std::vector<std::uint32_t> PointOctree::in_box(const Eigen::Vector3f& lo, const Eigen::Vector3f& hi) const {
+  std::vector<std::uint32_t> found, waiting;
+  if (!nodes_.empty()) waiting.push_back(0);
+  while (!waiting.empty()) {
+    const auto& node = nodes_[waiting.back()];
+    waiting.pop_back();
+    if (((node.centre.array() - node.half_m) > hi.array()).any() ||
+        ((node.centre.array() + node.half_m) < lo.array()).any())
+      continue;
+    for (const auto i : points(node))
+      if (const auto& p = (*positions_)[i]; (p.array() >= lo.array()).all() && (p.array() <= hi.array()).all())
+        found.push_back(i);
+    for (std::uint32_t child = 0; child < node.children; ++child) waiting.push_back(node.first_child + child);
+  }
+  return found;
+}
+
+}  // namespace bole

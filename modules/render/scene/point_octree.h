@@ -1,0 +1,61 @@
+// Levels of detail of a cloud: a view of any size is drawn from as many points as the frame has time for.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/run.h"
+#include "cloud/point_cloud.h"
+
+namespace bole {
+
+// What a camera sees, for choosing what to draw.
+struct OctreeView {
+  Eigen::Matrix4d world_to_clip = Eigen::Matrix4d::Identity();  // takes coordinates relative to the cloud's origin
+  double height_px = 1;
+};
+
+// An octree in which every point lies in exactly one node: a node holds one point of each of its 128^3 cells that none
+// of its ancestors took already, so nodes down to some depth together are an even sample of the cloud whose spacing
+// halves with each level (M. Schuetz, Potree, thesis, Vienna 2016). Built without sampling: along the Morton curve the
+// level of a point follows from the leading bits that it shares with the one before. 4 bytes per point.
+class PointOctree {
+ public:
+  struct Node {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();  // of the cube, offset from the cloud's origin
+    float half_m = 0;                                  // half its side
+    std::uint32_t begin = 0, end = 0;                  // of its points in order()
+    std::uint32_t first_child = 0;
+    std::uint8_t children = 0, level = 0;
+    std::uint32_t size() const { return end - begin; }
+    double spacing_m() const { return 2.0 * static_cast<double>(half_m) / cells_per_side; }
+  };
+  static constexpr int cells_per_side = 128;
+
+  // Points that are not finite are left out. The same for the same cloud at any number of threads. Throws
+  // Error{cancelled}, Error{bad_input} beyond 2^32 - 1 points.
+  explicit PointOctree(const PointCloud& cloud, const Run& run = {});
+
+  const std::vector<Node>& nodes() const { return nodes_; }  // the root first, level by level; empty without points
+  std::size_t size() const { return order_.size(); }
+  std::span<const std::uint32_t> points(const Node& node) const {
+    return std::span(order_).subspan(node.begin, node.size());
+  }
+
+  // Nodes to draw, the most important first, with at most `budget` points together: always the largest on the screen
+  // next; those outside of the view and those finer than `least_px` between points are left out.
+  std::vector<std::uint32_t> visible(const OctreeView& view, std::size_t budget, double least_px) const;
+
+  // Points within a box in coordinates relative to the cloud's origin, as indices of the cloud in no special order.
+  std::vector<std::uint32_t> in_box(const Eigen::Vector3f& lo, const Eigen::Vector3f& hi) const;
+
+ private:
+  std::shared_ptr<const PointCloud::Positions> positions_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace bole

@@ -1,0 +1,262 @@
+// Drives the views of the real window: one selection, picking, review, circles that are dragged and drawn.
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+#include <vtkSmartPointer.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "main_window.h"
+#include "panels/table_panel.h"
+#include "pipeline/register_all_stages.h"
+#include "report/make_report.h"
+#include "small_plot.h"
+#include "views/chart_view.h"
+#include "views/profile_view.h"
+#include "views/scene_view.h"
+#include "views/slice_view.h"
+#include "views_test.h"
+
+namespace bole::desktop {
+namespace {
+
+QStringList complaints;  // of Qt and VTK
+
+void note_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type != QtDebugMsg && type != QtInfoMsg) complaints << text;
+}
+
+class NotingOutputWindow : public vtkOutputWindow {
+ public:
+  static NotingOutputWindow* New();
+  vtkTypeMacro(NotingOutputWindow, vtkOutputWindow)
+  void DisplayText(const char* text) override { complaints << QString::fromUtf8(text); }
+};
+vtkStandardNewMacro(NotingOutputWindow)
+
+}  // namespace
+
+class ViewsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    register_all_stages(StageRegistry::global());
+    register_report_stages(StageRegistry::global());
+    qRegisterMetaType<RunOutcome>("RunOutcome");
+    qRegisterMetaType<Results>("Results");
+    write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    write_pipeline(folder_.filePath("plot.json").toStdString());
+    complaints.clear();
+    qInstallMessageHandler(note_message);
+    vtkOutputWindow::SetInstance(vtkSmartPointer<NotingOutputWindow>::New());
+    window_ = std::make_unique<MainWindow>();
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // no window manager does it under Xvfb
+    window_->open(folder_.filePath("plot.json"));
+    ran();
+    QCOMPARE(table().model()->rowCount(), 9);
+  }
+
+  void cleanupTestCase() {
+    window_->session().discard_recovery();
+    window_->session().undo_stack().setClean();
+    window_.reset();
+    qInstallMessageHandler(nullptr);
+    vtkOutputWindow::SetInstance(nullptr);
+    QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
+  }
+
+  void one_selection_in_all_views() {
+    table().select_tree(5);
+    QCOMPARE(window_->selection().tree().value_or(0), std::int64_t{5});
+    QCOMPARE(window_->slice().shown().stem->tree_id, std::int64_t{5});
+
+    auto* chart = window_->findChild<ChartView*>();
+    chart->show_kind(ChartView::Kind::heights);
+    const QPointF third = chart->place_of(3);
+    QVERIFY(!third.isNull());
+    QTest::mouseClick(chart, Qt::LeftButton, {}, third.toPoint());
+    QVERIFY(window_->selection().tree().has_value());
+    QVERIFY((chart->place_of(*window_->selection().tree()) - third).manhattanLength() < 12);  // others may lie on it
+    QCOMPARE(table().selected_tree(), window_->selection().tree());
+    QCOMPARE(window_->slice().shown().stem->tree_id, *window_->selection().tree());
+  }
+
+  void a_click_in_the_scene_tells_of_the_point_and_selects_its_tree() {
+    auto& scene = window_->scene();
+    table().select_tree(1);
+    scene.zoom_to_tree(7);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
+    QSignalSpy picked(&scene, &SceneView::point_picked);
+    QTest::mouseClick(&scene, Qt::LeftButton, {}, scene.rect().center());
+    QCOMPARE(picked.size(), 1);
+    QCOMPARE(window_->selection().tree().value_or(0), std::int64_t{7});
+    QCOMPARE(table().selected_tree().value_or(0), std::int64_t{7});
+    const auto facts = picked[0][0].toStringList();
+    QVERIFY(!facts.filter("above ground").isEmpty());
+    // A drag turns the camera and picks nothing.
+    QTest::mousePress(&scene, Qt::LeftButton, {}, QPoint(100, 100));
+    QTest::mouseMove(&scene, QPoint(160, 120));
+    QTest::mouseRelease(&scene, Qt::LeftButton, {}, QPoint(160, 120));
+    QCOMPARE(picked.size(), 1);
+    scene.reset_camera();
+  }
+
+  void keys_step_through_doubtful_stems() {
+    trigger("Next doubtful stem");
+    const auto worst = window_->selection().tree().value_or(0);
+    QVERIFY(worst > 0);
+    trigger("Accept");
+    QVERIFY(wait());
+    window_->selection().select({});
+    trigger("Next doubtful stem");
+    QVERIFY(window_->selection().tree().value_or(worst) != worst);
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+  }
+
+  void the_rim_of_a_circle_is_dragged() {
+    auto& slice = window_->slice();
+    table().select_tree(5);
+    const auto circle = *slice.shown().stem;
+    const Eigen::Vector2d centre = place_of_tree(5);
+    const QPoint rim = slice.place_of(centre + Eigen::Vector2d(circle.radius_m, 0)).toPoint();
+    const QPoint further = slice.place_of(centre + Eigen::Vector2d(circle.radius_m + 0.02, 0)).toPoint();
+    drag(slice, rim, further, Qt::ShiftModifier, [&] {
+      QVERIFY(slice.shown().drawn && slice.shown().refit);
+      QVERIFY(std::abs(slice.shown().refit->radius_m - 0.1) < 0.005);  // what the points ask for
+      QVERIFY(slice.shown().drawn->radius_m > 0.115);
+    });
+    QVERIFY(wait());
+    QVERIFY(std::abs(dbh_of_tree(5) - 24) < 1);  // with Shift as it was drawn
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    QVERIFY(std::abs(dbh_of_tree(5) - 20) < 1);
+    drag(slice, rim, further, {}, [] {});
+    QVERIFY(wait());
+    QVERIFY(std::abs(dbh_of_tree(5) - 20) < 0.5);  // the fit
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+  }
+
+  void a_tree_is_added_by_drawing_a_circle() {
+    auto& slice = window_->slice();
+    const Eigen::Vector2d gone = place_of_tree(5), beside = place_of_tree(4);
+    table().select_tree(5);
+    trigger("Delete");
+    QVERIFY(wait());
+    QCOMPARE(table().model()->rowCount(), 8);
+    table().select_tree(4);
+    trigger("Add a tree by a circle");
+    // The deleted one stands further off than the slice shows: zoom out until it is seen.
+    QWheelEvent wheel(QPointF(10, 10), QPointF(10, 10), {}, {0, -120 * 8}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&slice, &wheel);
+    QVERIFY((gone - beside).cwiseAbs().maxCoeff() < slice.shown().reach_m);
+    drag(slice, slice.place_of(gone).toPoint(), slice.place_of(gone + Eigen::Vector2d(0.1, 0)).toPoint(), {}, [] {});
+    QVERIFY(wait());
+    QCOMPARE(table().model()->rowCount(), 9);
+    while (window_->session().undo_stack().canUndo()) window_->session().undo_stack().undo();
+    QVERIFY(wait());
+  }
+
+  void the_height_of_the_slice_is_dragged_in_the_profile() {
+    auto* profile = window_->findChild<ProfileView*>();
+    auto& slice = window_->slice();
+    table().select_tree(2);
+    const auto points = slice.shown().points.size();
+    QTest::mouseClick(profile, Qt::LeftButton, {}, profile->place_of_height(3).toPoint());
+    QVERIFY(std::abs(slice.cut_height() - 3) < 0.05);
+    QVERIFY(slice.shown().points.size() > points / 2);
+    window_->findChild<QDoubleSpinBox*>("cut_thickness")->setValue(0.4);
+    QVERIFY(slice.shown().points.size() > 2 * points);
+    QSignalSpy said(&slice, &SliceView::said);
+    const auto circle = *slice.shown().stem;
+    const QPoint rim = slice.place_of(place_of_tree(2) + circle.centre + Eigen::Vector2d(circle.radius_m, 0)).toPoint();
+    drag(slice, rim, rim + QPoint(20, 0), {}, [] {});
+    QCOMPARE(said.size(), 1);  // diameters are edited at breast height alone
+    window_->findChild<QDoubleSpinBox*>("cut_thickness")->setValue(0.1);
+    slice.set_height(1.3);
+  }
+
+  void the_table_is_filtered() {
+    auto* line = table().parentWidget()->findChild<QLineEdit*>();
+    line->setText("no such word");
+    QCOMPARE(table().model()->rowCount(), 0);
+    line->clear();
+    QCOMPARE(table().model()->rowCount(), 9);
+  }
+
+  void a_moving_view_keeps_its_frame_time_and_refines_at_rest() {
+    auto& scene = window_->scene();
+    for (int k = 0; k < 5; ++k) QVERIFY(scene.draw_moving_frame() > 0);
+    QVERIFY(!scene.refined());
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
+    QVERIFY(scene.drawn_points() > 50'000);
+    for (const auto& array : scene.colorable()) {
+      scene.color_by(array);
+      QCOMPARE(scene.paint().array, array);
+    }
+    PointFilter filter;
+    filter.height = {1, 2};
+    const auto all = scene.drawn_points();
+    scene.set_filter(filter);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
+    QVERIFY(scene.drawn_points() > 0 && scene.drawn_points() < all / 2);
+    scene.set_filter({});
+    scene.color_by("height_above_ground");
+  }
+
+ private:
+  TablePanel& table() { return *window_->findChild<TablePanel*>(); }
+  bool wait() {
+    QSignalSpy finished(&window_->runner(), &RunBehavior::finished);
+    while (window_->runner().running())
+      if (!finished.wait(60000)) return false;
+    return true;
+  }
+  void ran() {
+    window_->refresh();
+    QVERIFY(wait());
+  }
+  std::size_t row_of(std::int64_t tree) { return window_->runner().survey().row_of(tree).value(); }
+  double dbh_of_tree(std::int64_t tree) { return window_->runner().survey().stems->numbers("dbh_cm")[row_of(tree)]; }
+  Eigen::Vector2d place_of_tree(std::int64_t tree) {
+    const auto& stems = *window_->runner().survey().stems;
+    return {stems.numbers("x_m")[row_of(tree)], stems.numbers("y_m")[row_of(tree)]};
+  }
+  void trigger(const QString& text) {
+    for (auto* action : window_->findChildren<QAction*>())
+      if (action->text() == text) return action->trigger();
+    QFAIL(qPrintable("no action " + text));
+  }
+  template <class Check>
+  void drag(QWidget& widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys, Check check) {
+    QTest::mousePress(&widget, Qt::LeftButton, keys, from);
+    QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, keys);
+    QApplication::sendEvent(&widget, &move);
+    check();
+    QTest::mouseRelease(&widget, Qt::LeftButton, keys, to);
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+int run_views_test(int argc, char** argv) {
+  ViewsTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace bole::desktop
+#include "views_test.moc"
