@@ -1,5 +1,6 @@
 // Registers the stages of the module ground.
 #include "ground/core/model_ground.h"
+#include "ground/core/rasters.h"
 #include "pipeline/stage.h"
 
 namespace bole {
@@ -12,6 +13,8 @@ StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run
   points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
   points.set_column(arrays::classification, std::move(model.classification));
   StageResult result;
+  result.outputs.set("slope", ground::slope_deg(model.dem));
+  result.outputs.set("canopy", ground::canopy_height(points, model.dem, model.dem.cell_m));
   result.outputs.set("points", std::move(points));
   result.outputs.set("dem", std::move(model.dem));
   result.outputs.set("dem_filled", std::move(model.filled));
@@ -43,7 +46,9 @@ void register_ground_stages(StageRegistry& registry) {
        false,
        {arrays::height_above_ground, arrays::classification}},
       {"dem", DataKind::raster, "Terrain height per cell.", false, {}},
-      {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}}};
+      {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}},
+      {"slope", DataKind::raster, "Slope of the terrain in degrees.", false, {}},
+      {"canopy", DataKind::raster, "Highest point above ground per cell.", false, {}}};
   type.options = &option_table(static_cast<const ground::GroundOptions*>(nullptr));
   type.run = run_model;
   registry.add(std::move(type));

@@ -1,9 +1,11 @@
 #include "report/exports.h"
 
+#include "base/atomic_file.h"
 #include "io/core/gdal_writer.h"
 #include "io/core/las_writer.h"
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
+#include "report/stem_mesh.h"
 #include "report/table_decimals.h"
 #include "report/workbook.h"
 
@@ -34,8 +36,13 @@ VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt)
   return layer;
 }
 
+// Empty where the axes are not global.
+std::string crs_of(const SurveyData& d) {
+  return d.points != nullptr && d.axes == Axes::global ? d.points->crs_wkt : std::string();
+}
+
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
-  const std::string crs = d.points != nullptr && d.axes == Axes::global ? d.points->crs_wkt : std::string();
+  const std::string crs = crs_of(d);
   std::vector<VectorLayer> layers{point_layer("stems", *d.stems, crs)};
   const auto add_points = [&](const char* name, const Table* table) {
     if (table != nullptr && table->rows() > 0) layers.push_back(point_layer(name, *table, crs));
@@ -61,17 +68,39 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
+  // Both are empty where the poses were given.
+  if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
+  if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
-  if (o.tables && d.dem != nullptr)
-    exports.push_back({"dem.tif", [&d](const auto& path, const Run&, Report&) { write_geotiff(path, *d.dem); }});
+  const auto add_raster = [&](const char* file, const Raster* raster) {
+    if (o.tables && raster != nullptr)
+      exports.push_back({file, [raster](const auto& path, const Run&, Report&) { write_geotiff(path, *raster); }});
+  };
+  add_raster("dem.tif", d.dem);
+  add_raster("slope.tif", d.slope);
+  add_raster("chm.tif", d.canopy);
   if (o.tables)
     exports.push_back(
         {"survey.xlsx", [&d, &o](const auto& path, const Run& run, Report&) { write_workbook(path, d, o, run); }});
   if (o.tables)
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
+  if (o.tables && d.stems->rows() > 0) {
+    exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
+                         write_geojson(path, point_layer("stems", *d.stems, crs_of(d)));
+                       }});
+    const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<StemShape>&)) {
+      exports.push_back({file, [&d, text](const auto& path, const Run&, Report&) {
+                           write_text_file(path, text(stem_shapes(*d.stems, d.sections)));
+                         }});
+    };
+    add_shapes("stems.obj", stems_obj);
+    add_shapes("stems.ply", stems_ply);
+    add_shapes("stems.vtp", stems_vtp);
+    add_shapes("stem_curves.vtp", stem_curves_vtp);
+  }
   if (o.cloud && d.points != nullptr)
     exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) {
                          write_las(path, *d.points, {}, run, &report);

@@ -21,6 +21,8 @@ SurveyData survey_data(const DataSet& inputs) {
   data.points = optional_input<PointCloud>(inputs, "points");
   data.slice = optional_input<PointCloud>(inputs, "slice");
   data.dem = optional_input<Raster>(inputs, "dem");
+  data.slope = optional_input<Raster>(inputs, "slope");
+  data.canopy = optional_input<Raster>(inputs, "canopy");
   data.trajectory = optional_input<Trajectory>(inputs, "trajectory");
   data.reference_trajectory = optional_input<Trajectory>(inputs, "reference_trajectory");
   data.sections = optional_input<Table>(inputs, "sections");
@@ -29,6 +31,8 @@ SurveyData survey_data(const DataSet& inputs) {
   data.targets = optional_input<Table>(inputs, "targets");
   data.matches = optional_input<Table>(inputs, "matches");
   data.summary = optional_input<Table>(inputs, "summary");
+  data.loops = optional_input<Table>(inputs, "loops");
+  data.odometry = optional_input<Table>(inputs, "odometry");
   data.axes = axes_of(data);
   if (inputs.has("plot")) data.rule = counting_rule(inputs.table("plot"));
   return data;

@@ -12,6 +12,8 @@ struct SurveyData {
   const PointCloud* points = nullptr;
   const PointCloud* slice = nullptr;
   const Raster* dem = nullptr;
+  const Raster* slope = nullptr;
+  const Raster* canopy = nullptr;
   const Trajectory* trajectory = nullptr;
   const Trajectory* reference_trajectory = nullptr;
   const Table* sections = nullptr;
@@ -20,6 +22,8 @@ struct SurveyData {
   const Table* targets = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;
+  const Table* loops = nullptr;  // of slam.run, as is odometry
+  const Table* odometry = nullptr;
 
   CountingRule rule;
   Axes axes = Axes::unknown;  // of the stems

@@ -7,6 +7,7 @@
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_sheet.h"
 #include "render/charts/stem_map.h"
+#include "render/charts/trajectory_charts.h"
 #include "render/scene/map_figure.h"
 #include "report/core/plot_metrics.h"
 
@@ -65,6 +66,11 @@ bool has_matches(const SurveyData& d) {
   return std::find(kind.begin(), kind.end(), "matched") != kind.end();
 }
 
+bool compares_walks(const SurveyData& d) {
+  return d.trajectory != nullptr && d.reference_trajectory != nullptr && d.trajectory->poses.size() > 1 &&
+         d.reference_trajectory->poses.size() > 1;
+}
+
 Table stems_inside(const SurveyData& d) {
   const auto x = d.stems->numbers("x_m"), y = d.stems->numbers("y_m");
   std::vector<std::size_t> inside;
@@ -99,6 +105,11 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
   }
   if (d.trajectory != nullptr && d.trajectory->poses.size() > 1)
     add("walk", true, [&d, wide] { return trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
+  if (compares_walks(d)) {
+    const TrajectoryComparison both{d.trajectory, d.reference_trajectory, d.loops};
+    add("walk and reference", true, [both, wide] { return trajectory_overlay(both, wide); });
+    add("errors of the walk", true, [both, wide] { return trajectory_error_chart(both, wide); });
+  }
   if (has_stems && d.slice != nullptr)
     plans.push_back(
         {"breast-height slices", [&d, wide] { return slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});

@@ -22,7 +22,13 @@ const Decimals& table_decimals() {
                                  {"taper_cm_per_m", 2},
                                  {"arc_deg", 1},
                                  {"pass_spread_cm", 2},
-                                 {"sigma_cm", 2}};
+                                 {"sigma_cm", 2},
+                                 {"from_time_s", 6},
+                                 {"to_time_s", 6},
+                                 {"time_s", 6},
+                                 {"way_m", 2},
+                                 {"correction_m", 4},
+                                 {"overlap", 3}};
   return decimals;
 }
 

@@ -21,6 +21,7 @@ struct TrueStem {
   double taper = 0.01;                              // metres of diameter per metre
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();  // metres per metre of height
   double length = 8;                                // along the axis
+  double start = 0;                                 // along the axis: limbs of a fork begin above the ground
   double ellipse = 0;                               // relative: radius varies by +-ellipse with twice the bearing
 
   Eigen::Vector3d direction() const { return Eigen::Vector3d(slope.x(), slope.y(), 1).normalized(); }
@@ -69,7 +70,7 @@ inline std::optional<double> hit(const TrueStem& stem, double ground_z, const Ei
     radius = stem.radius_at(along) * (1 + stem.ellipse * std::cos(2 * std::atan2(across.y(), across.x())));
   }
   const double along = (w + t * d).dot(a);
-  if (along < 0 || along > stem.length) return std::nullopt;
+  if (along < stem.start || along > stem.length) return std::nullopt;
   return t;
 }
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
@@ -11,6 +13,7 @@
 #include "io/core/trajectory_file.h"
 #include "option_flags.h"
 #include "survey/core/plot_options.h"
+#include "trajectory_figures.h"
 
 namespace bole::cli {
 namespace {
@@ -19,6 +22,7 @@ struct Arguments {
   OptionSet options{option_table(static_cast<const EvaluationOptions*>(nullptr))};
   OptionSet plot{option_table(static_cast<const survey::PlotOptions*>(nullptr))};
   std::string estimate, reference;
+  std::string figure, out, loops;  // of trajectories
   bool json = false;
 };
 
@@ -48,6 +52,11 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
   command->add_option("estimate", args->estimate, "What was measured")->required();
   command->add_option("reference", args->reference, "What it is held against")->required();
   command->add_flag("--json", args->json, "Print JSON");
+  if (name == "trajectory") {
+    command->add_option("--figure", args->figure, "Draw both paths and the error along the way (.svg, .pdf or .png)");
+    command->add_option("--out", args->out, "Folder for figures and the table of errors");
+    command->add_option("--loops", args->loops, "Revisits to be drawn (CSV: from_time_s, to_time_s)");
+  }
   add_option_flags(*command, args->options);
   add_option_flags(*command, args->plot, "plot-");
   command->callback([args, compare = std::move(compare)] {
@@ -56,6 +65,20 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
     compare(*args);
   });
   return args;
+}
+
+void compare_trajectories(const Arguments& args) {
+  auto estimate = read_trajectory(args.estimate);
+  const auto reference = read_trajectory(args.reference);
+  const auto options = args.options.as<EvaluationOptions>();
+  const auto result = evaluate_trajectory(estimate, reference, options);
+  print_summary(result.summary, args.json);
+  if (args.figure.empty() && args.out.empty()) return;
+  for (auto& pose : estimate.poses) pose.T_target_sensor = result.T_reference_estimate * pose.T_target_sensor;
+  std::optional<Table> loops;
+  if (!args.loops.empty()) loops = evaluate_loops(read_table(args.loops), reference, options).loops;
+  draw_trajectories(estimate, reference, loops ? &*loops : nullptr, args.figure, args.out);
+  if (!args.out.empty()) write_table(std::filesystem::path(args.out) / "trajectory_errors.csv", result.errors);
 }
 
 }  // namespace
@@ -71,12 +94,7 @@ void add_evaluate(Program& program) {
         args.json);
   });
   add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw; or KITTI)",
-                 [](const Arguments& args) {
-                   print_summary(evaluate_trajectory(read_trajectory(args.estimate), read_trajectory(args.reference),
-                                                     args.options.as<EvaluationOptions>())
-                                     .summary,
-                                 args.json);
-                 });
+                 [](const Arguments& args) { compare_trajectories(args); });
   add_comparison(*command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory",
                  [](const Arguments& args) {
                    print_summary(evaluate_loops(read_table(args.estimate), read_trajectory(args.reference),

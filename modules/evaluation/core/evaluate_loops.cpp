@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "evaluation/core/evaluate_stems.h"
 
@@ -41,6 +42,35 @@ bool is_chance(const std::vector<Place>& places, std::size_t k, const Evaluation
   return false;
 }
 
+struct PoseErrors {
+  std::vector<double> shift_m, turn_deg;
+  std::vector<std::int64_t> within;
+};
+
+PoseErrors pose_errors(const Table& loops, const Trajectory& reference, const EvaluationOptions& options) {
+  const auto from_s = loops.numbers("from_time_s"), to_s = loops.numbers("to_time_s");
+  const auto x = loops.numbers("x_m"), y = loops.numbers("y_m"), z = loops.numbers("z_m"), qx = loops.numbers("qx"),
+             qy = loops.numbers("qy"), qz = loops.numbers("qz"), qw = loops.numbers("qw");
+  PoseErrors out;
+  for (std::size_t i = 0; i < from_s.size(); ++i) {
+    Pose T = Pose::Identity();
+    T.linear() = Eigen::Quaterniond(qw[i], qx[i], qy[i], qz[i]).normalized().toRotationMatrix();
+    T.translation() = Eigen::Vector3d(x[i], y[i], z[i]);
+    const Pose error = (reference.at(from_s[i]).inverse() * reference.at(to_s[i])).inverse() * T;
+    out.shift_m.push_back(error.translation().norm());
+    out.turn_deg.push_back(Eigen::AngleAxisd(error.linear()).angle() * 180 / std::numbers::pi);
+    out.within.push_back(out.shift_m.back() <= options.loop_shift_m && out.turn_deg.back() <= options.loop_turn_deg);
+  }
+  return out;
+}
+
+double median(std::vector<double> v) {
+  if (v.empty()) return std::nan("");
+  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
 }  // namespace
 
 LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, const EvaluationOptions& options) {
@@ -73,11 +103,21 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
   summary.add("loops_right", static_cast<double>(out.right), "");
   summary.add("loops_wrong", static_cast<double>(out.wrong), "");
   summary.add("loop_precision", percent(out.right, out.found), "%");
+  out.loops = loops;
+  out.loops.set("distance_m", distance_m), out.loops.set("right", right);
+  if (loops.has("qw")) {
+    const auto errors = pose_errors(loops, reference, options);
+    out.true_poses = static_cast<std::size_t>(std::ranges::count(errors.within, 1));
+    summary.add("loops_true_pose", static_cast<double>(out.true_poses), "");
+    summary.add("loop_pose_precision", percent(out.true_poses, out.found), "%");
+    summary.add("loop_shift_error_median", median(errors.shift_m), "m");
+    summary.add("loop_turn_error_median", median(errors.turn_deg), "deg");
+    out.loops.set("shift_error_m", errors.shift_m), out.loops.set("turn_error_deg", errors.turn_deg),
+        out.loops.set("true_pose", errors.within);
+  }
   summary.add("loop_chances", static_cast<double>(chances), "");
   summary.add("loop_recall", percent(used, chances), "%");
   out.summary = summary.table();
-  out.loops = loops;
-  out.loops.set("distance_m", distance_m), out.loops.set("right", right);
   return out;
 }
 

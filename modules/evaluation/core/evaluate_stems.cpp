@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
+#include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
+#include "evaluation/core/field_table.h"
 #include "evaluation/core/published.h"
 
 namespace bole {
@@ -70,23 +73,50 @@ std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<
   return assign_pairs(offered);
 }
 
-// Moves the estimate by the best shift, with or without rotation, over matched pairs; twice, since the matches change
-// with it.
-void align(std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
-  for (int round = 0; round < 2 && o.align_stems != "none"; ++round) {
-    const auto pairs = match(estimate, reference, o);
-    if (pairs.size() < (o.align_stems == "rigid" ? 2U : 1U)) return;
-    Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = from;
-    for (const auto& p : pairs) from += estimate[p.left].at, to += reference[p.right].at;
-    from /= static_cast<double>(pairs.size()), to /= static_cast<double>(pairs.size());
-    double dot = 0, cross = 0;
-    for (const auto& p : pairs) {
-      const Eigen::Vector2d a = estimate[p.left].at - from, b = reference[p.right].at - to;
-      dot += a.dot(b), cross += a.x() * b.y() - a.y() * b.x();
-    }
-    const Eigen::Rotation2Dd turn(o.align_stems == "rigid" ? std::atan2(cross, dot) : 0.0);
-    for (auto& t : estimate) t.at = turn * (t.at - from) + to;
+// The least-squares motion of matched pairs: shift, with or without rotation.
+Eigen::Isometry2d best_motion(const std::vector<Pairing>& pairs, const std::vector<Tree>& estimate,
+                              const std::vector<Tree>& reference, bool turn) {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = from;
+  for (const auto& p : pairs) from += estimate[p.left].at, to += reference[p.right].at;
+  from /= static_cast<double>(pairs.size()), to /= static_cast<double>(pairs.size());
+  double dot = 0, cross = 0;
+  for (const auto& p : pairs) {
+    const Eigen::Vector2d a = estimate[p.left].at - from, b = reference[p.right].at - to;
+    dot += a.dot(b), cross += a.x() * b.y() - a.y() * b.x();
   }
+  Eigen::Isometry2d motion = Eigen::Isometry2d::Identity();
+  if (turn) motion.linear() = Eigen::Rotation2Dd(std::atan2(cross, dot)).toRotationMatrix();
+  motion.translation() = to - motion.linear() * from;
+  return motion;
+}
+
+Eigen::Isometry2d searched_motion(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
+                                  const EvaluationOptions& o) {
+  const auto as_map = [](const std::vector<Tree>& trees) {
+    std::vector<MapTree> out;
+    for (const auto& t : trees) out.push_back({t.at, t.dbh});
+    return out;
+  };
+  return likeliest_motion(as_map(estimate), as_map(reference), o.dbh_gate_cm);
+}
+
+// Moves the estimate onto the reference as the options say; in rounds, since the matches change with it. The motion.
+Eigen::Isometry2d align(std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
+  Eigen::Isometry2d all = Eigen::Isometry2d::Identity();
+  const auto move = [&](const Eigen::Isometry2d& motion) {
+    for (auto& t : estimate) t.at = motion * t.at;
+    all = motion * all;
+  };
+  if (o.align_stems == "none") return all;
+  const bool turn = o.align_stems != "shift";
+  if (o.align_stems == "search") move(searched_motion(estimate, reference, o));
+  const int rounds = o.align_stems == "search" ? 6 : 2;
+  for (int round = 0; round < rounds; ++round) {
+    const auto pairs = match(estimate, reference, o);
+    if (pairs.size() < (turn ? 2U : 1U)) break;
+    move(best_motion(pairs, estimate, reference, turn));
+  }
+  return all;
 }
 
 struct Row {
@@ -217,9 +247,9 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
 
 StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
                               const EvaluationOptions& options, const CountingRule& rule) {
-  auto estimate = trees_of(estimate_table);
-  const auto reference = trees_of(reference_table);
-  align(estimate, reference, options);
+  auto estimate = trees_of(field_table(estimate_table, options.columns, options.rows));
+  const auto reference = trees_of(field_table(reference_table, options.reference_columns, options.reference_rows));
+  const Eigen::Isometry2d motion = align(estimate, reference, options);
   const auto rows = sort_out(estimate, reference, options, rule);
   std::vector<Row> matched;
   std::ranges::copy_if(rows, std::back_inserter(matched), [](const Row& r) { return r.kind == "matched"; });
@@ -235,6 +265,11 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   summary.add("missed", static_cast<double>(out.missed), ""), summary.add("false", static_cast<double>(out.extra), "");
   summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%"),
       summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
+  if (options.align_stems != "none") {
+    summary.add("align_turn", Eigen::Rotation2Dd(motion.linear()).smallestAngle() * 180 / std::numbers::pi, "deg");
+    summary.add("align_shift_x", motion.translation().x(), "m"),
+        summary.add("align_shift_y", motion.translation().y(), "m");
+  }
   if (!matched.empty()) {
     add_position_measures(matched, summary);
     DbhErrors dbh;

@@ -16,13 +16,15 @@ struct StemEvaluation {
   std::size_t matched = 0, missed = 0, extra = 0;
 };
 
-// Both tables need tree_id, x_m, y_m, dbh_cm; dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one
-// matching within the distance and diameter gates. Reference trees count as `rule` says; a stem is false when it
-// matches no tree at all (counted or not) and counts itself. Throws Error{bad_input} when a column is absent.
+// Both tables are read by field_table() with the options columns and rows, and need tree_id, x_m, y_m, dbh_cm;
+// dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one matching within the distance and diameter gates.
+// Reference trees count as `rule` says; a stem is false when it matches no tree at all (counted or not) and counts
+// itself. Throws Error{bad_input} when a column is absent.
 //
 // Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
-// root of the largest eigenvalue of Sigma, RMSE per axis. DBH errors: BIAS and RMSE in cm; relBIAS and relRMSE are the
-// mean and the root mean square of error / reference in %.
+// root of the largest eigenvalue of Sigma, RMSE per axis. Where stems were moved onto the reference, the motion is told
+// (align_turn, align_shift_x, align_shift_y): reference = turn (counter-clockwise) of the stem, then shift. DBH errors:
+// BIAS and RMSE in cm; relBIAS and relRMSE are the mean and the root mean square of error / reference in %.
 StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, const EvaluationOptions& options,
                               const CountingRule& rule);
 

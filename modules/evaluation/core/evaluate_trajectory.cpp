@@ -86,12 +86,32 @@ void add_relative_errors(const std::vector<PosePair>& pairs, double step, Summar
   add_spread("rpe_translation", translation, "m", out), add_spread("rpe_rotation", rotation, "deg", out);
 }
 
-// KITTI (Geiger et al. 2012): the error of the motion over segments of 1 to 8 times `segment_m`, started every tenth of
-// that, as a share of the length; translation in %, rotation in deg / m. Nothing where the path is too short.
-void add_segment_errors(const std::vector<PosePair>& pairs, double segment_m, SummaryRows& out) {
+std::vector<double> way_along(const std::vector<PosePair>& pairs) {
   std::vector<double> way_m(pairs.size(), 0);
   for (std::size_t i = 1; i < pairs.size(); ++i)
     way_m[i] = way_m[i - 1] + (pairs[i].reference.translation() - pairs[i - 1].reference.translation()).norm();
+  return way_m;
+}
+
+// From every pose to the first one at least `distance_m` of way later. Nothing where the path is too short.
+void add_relative_errors_by_distance(const std::vector<PosePair>& pairs, double distance_m, SummaryRows& out) {
+  const auto way_m = way_along(pairs);
+  std::vector<double> translation, rotation;
+  for (std::size_t i = 0, j = 0; i < pairs.size(); ++i) {
+    while (j < pairs.size() && way_m[j] < way_m[i] + distance_m) ++j;
+    if (j == pairs.size()) break;
+    const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
+                       (pairs[i].estimate.inverse() * pairs[j].estimate);
+    translation.push_back(error.translation().norm()), rotation.push_back(angle_of(error) * to_deg);
+  }
+  add_spread("rpe_distance_translation", translation, "m", out);
+  add_spread("rpe_distance_rotation", rotation, "deg", out);
+}
+
+// KITTI (Geiger et al. 2012): the error of the motion over segments of 1 to 8 times `segment_m`, started every tenth of
+// that, as a share of the length; translation in %, rotation in deg / m. Nothing where the path is too short.
+void add_segment_errors(const std::vector<PosePair>& pairs, double segment_m, SummaryRows& out) {
+  const auto way_m = way_along(pairs);
   double translation = 0, rotation = 0, next_m = 0;
   std::size_t segments = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -160,6 +180,7 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
   summary.add("poses", static_cast<double>(pairs.size()), ""), summary.add("length", length, "m");
   add_spread("ate", position, "m", summary), add_spread("rotation_error", rotation, "deg", summary);
   add_relative_errors(pairs, options.rpe_step_s, summary);
+  add_relative_errors_by_distance(pairs, options.rpe_distance_m, summary);
   add_segment_errors(pairs, options.segment_m, summary);
   summary.add("end_error", end_error.translation().norm(), "m");
   if (length > 0) summary.add("drift", 100 * end_error.translation().norm() / length, "%");

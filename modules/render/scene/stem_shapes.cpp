@@ -22,7 +22,7 @@ std::map<std::int64_t, std::vector<SectionRow>> used_sections(const Table& secti
   const auto id = sections.integers("tree_id");
   const auto x = sections.numbers("x_m"), y = sections.numbers("y_m"), z = sections.numbers("z_m"),
              diameter = sections.numbers("diameter_cm"), height = sections.numbers("height_m");
-  const auto used = numbers_or_nan(sections, "used");
+  const auto used = numbers_or_nan(sections, sections.has("curve") ? "curve" : "used");
   for (std::size_t i = 0; i < id.size(); ++i)
     if (used[i] != 0 && std::isfinite(x[i] + y[i] + z[i] + diameter[i] + height[i]) && diameter[i] > 0)
       by_tree[id[i]].push_back({height[i], {x[i], y[i], z[i]}, diameter[i] / 200});

@@ -15,12 +15,11 @@ namespace {
 
 constexpr double m2_per_ha = 10000;
 constexpr double dominant_per_ha = 100;
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 double basal_area_m2(double dbh_cm) { return std::numbers::pi / 4 * dbh_cm * dbh_cm / 10000; }
 
-struct Counted {
-  double dbh_cm, height_m;
-};
+using Counted = SizedStem;
 
 void take_diameters(const std::vector<Counted>& stems, PlotMetrics& m) {
   const double n = static_cast<double>(stems.size());
@@ -124,7 +123,8 @@ PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double cl
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m =
       m.lorey_height_m = m.dominant_height_m = nan;
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
-             height = seen_heights(stems);
+             height = seen_heights(stems), low = numbers_or_nan(stems, "dbh_lo_cm"),
+             high = numbers_or_nan(stems, "dbh_hi_cm"), volume = numbers_or_nan(stems, "volume_m3");
   const auto state = texts_or_empty(stems, "state");
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (rejected(state, i) || !std::isfinite(dbh[i])) continue;
@@ -134,11 +134,13 @@ PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double cl
       ++m.too_thin;
   }
   std::vector<Counted> counted;
-  for (const auto i : counted_stems(stems, rule)) counted.push_back({dbh[i], height[i]});
+  for (const auto i : counted_stems(stems, rule))
+    counted.push_back({dbh[i], (high[i] - low[i]) / (2 * 1.959964), height[i], volume[i]});
   m.stems = counted.size();
   if (!counted.empty()) {
     take_diameters(counted, m);
     take_heights(counted, m);
+    m.stand = stand_values(counted);
   }
   m.stems_per_ha = static_cast<double>(m.stems) * m2_per_ha / m.area_m2;
   m.basal_area_m2_per_ha = m.basal_area_m2 * m2_per_ha / m.area_m2;
@@ -163,6 +165,40 @@ std::vector<MetricRow> height_rows(const PlotMetrics& m) {
   return rows;
 }
 
+// "; 95 %: ± 0.12 as measured, ± 1.3 as a sample": both halves where known.
+std::string intervals(const HalfWidths& half, double factor, int decimals) {
+  std::string text;
+  if (std::isfinite(half.measured)) text += "± " + fixed(factor * half.measured, decimals) + " as measured";
+  if (std::isfinite(half.sampled))
+    text += (text.empty() ? "" : ", ") + ("± " + fixed(factor * half.sampled, decimals)) + " as a sample of a stand";
+  return text.empty() ? text : "; 95 %: " + text;
+}
+
+// Heights by the curve, and volumes.
+std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
+  std::vector<MetricRow> rows;
+  const auto& s = m.stand;
+  if (m.stems == 0) return rows;
+  if (s.curve) {
+    const auto& c = *s.curve;
+    rows.push_back({"Height curve", "h = 1.3 + d²/(" + fixed(c.a, 3) + " + " + fixed(c.b, 4) + " d)²", "",
+                    "Näslund, d in cm; RMSE " + fixed(c.rmse_m, 2) + " m over " + std::to_string(c.trees) +
+                        " trees of " + fixed(c.least_dbh_cm, 0) + " to " + fixed(c.most_dbh_cm, 0) + " cm"});
+    if (s.by_curve > 0 && std::isfinite(s.lorey_height_m))
+      rows.push_back({"Lorey's height, all stems", fixed(s.lorey_height_m, 1), "m",
+                      "by the curve for " + std::to_string(s.by_curve) + " of " + std::to_string(m.stems) + " stems"});
+  }
+  if (!std::isfinite(s.volume_m3)) return rows;
+  const std::string how =
+      std::to_string(s.own_volume) + " by their stem curve, the others as paraboloids through DBH and top";
+  rows.push_back(
+      {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
+  if (std::isfinite(m.area_m2))
+    rows.push_back({"Stem volume per hectare", fixed(s.volume_m3 * m2_per_ha / m.area_m2, 1), "m³/ha",
+                    "volume / area" + intervals(s.volume_m3_half, m2_per_ha / m.area_m2, 1)});
+  return rows;
+}
+
 }  // namespace
 
 std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
@@ -174,15 +210,21 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
   rows.push_back(
       {"Stems", std::to_string(m.stems), "",
        "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
-  if (std::isfinite(m.area_m2)) rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha", "stems / area"});
-  rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²", "sum of π/4 · DBH²"});
   if (std::isfinite(m.area_m2))
-    rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha", "basal area / area"});
+    rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha",
+                    "stems / area" + intervals(m.stand.stems, m2_per_ha / m.area_m2, 0)});
+  rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²",
+                  "sum of π/4 · DBH²" + intervals({m.stand.basal_area_m2.measured, nan_value}, 1, 3)});
+  if (std::isfinite(m.area_m2))
+    rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha",
+                    "basal area / area" + intervals(m.stand.basal_area_m2, m2_per_ha / m.area_m2, 2)});
   rows.push_back({"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm",
                   "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"});
   rows.push_back({"Standard deviation of DBH", fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"});
-  rows.push_back({"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm", "√(mean of DBH²)"});
+  rows.push_back({"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm",
+                  "√(mean of DBH²)" + intervals({m.stand.quadratic_mean_dbh_half_cm, nan_value}, 1, 2)});
   for (auto& row : height_rows(m)) rows.push_back(std::move(row));
+  for (auto& row : stand_rows(m)) rows.push_back(std::move(row));
   return rows;
 }
 

@@ -6,6 +6,7 @@
 
 #include "cloud/plot_area.h"
 #include "cloud/table.h"
+#include "report/core/stand_values.h"
 
 namespace bole {
 
@@ -39,6 +40,7 @@ struct PlotMetrics {
                                    // than half of their tops were seen
   std::size_t dominant_stems = 0;  // how many stems that is on this plot
   std::size_t dominant_tops = 0;   // how many of their tops were seen
+  StandValues stand;               // heights of all stems, volume, intervals; without meaning where stems is 0
   std::vector<DiameterClass> classes;
 };
 

@@ -9,6 +9,7 @@
 #include "report/core/evaluation_section.h"
 #include "report/core/html.h"
 #include "report/core/page_style.h"
+#include "report/core/slam_section.h"
 
 namespace bole {
 namespace {
@@ -234,6 +235,14 @@ std::string evaluation_section(const ReportContent& c) {
                  paragraph(note, "note") + evaluation_html(*c.summary, c.poses_given));
 }
 
+std::string slam_section(const ReportContent& c) {
+  std::string body;
+  if (c.record != nullptr)
+    for (const auto& stage : c.record->stages)
+      if (stage.type == "slam.run") body += slam_html(stage, c.loops, c.odometry);
+  return body.empty() ? std::string() : section("slam", "SLAM", body);
+}
+
 std::string stage_options(const StageRecord& stage) {
   HtmlTable table{{{"Option"}, {"Value", true}, {"Unit"}, {""}}, {}, false};
   for (const auto& o : stage.options)
@@ -284,7 +293,7 @@ std::string report_html(const ReportContent& c) {
       "content=\"width=device-width, initial-scale=1\">\n<title>" +
       escaped(c.title) + "</title>\n<style>\n" + std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
   out += head(c) + metrics_section(c) + check_section(c) + evaluation_section(c) + pictures_section(c) +
-         stems_section(c) + run_section(c);
+         stems_section(c) + slam_section(c) + run_section(c);
   return out + "</main>\n<script>\n" + std::string(page_script) + "</script>\n</body>\n</html>\n";
 }
 

@@ -27,7 +27,9 @@ struct ReportContent {
   const Table* rejected = nullptr;
   const Table* edits = nullptr;
   const Table* summary = nullptr;  // evaluation
-  bool poses_given = false;        // the walk was an input of the run
+  const Table* loops = nullptr;    // of slam.run
+  const Table* odometry = nullptr;
+  bool poses_given = false;  // the walk was an input of the run
   std::vector<ReportPicture> pictures;
   std::vector<std::string> warnings;
   std::shared_ptr<const RunRecord> record;

@@ -4,6 +4,7 @@
 
 #include "sim/core/random.h"
 #include "sim/core/shapes.h"
+#include "sim/core/vineyard.h"
 
 namespace bole::sim {
 namespace {
@@ -58,6 +59,7 @@ PlotScene build_scene(const Forest& forest, std::uint64_t seed) {
                                        tree.id});
   }
   scene.vegetation = add_vegetation(scene.model, forest, seed);
+  if (forest.recipe.is_vineyard()) add_vineyard(scene.model, scene.vegetation, forest, seed);
   for (const auto& target : forest.targets) add_target(scene.model, target, forest.terrain);
   return scene;
 }

@@ -135,7 +135,7 @@ Forest make_forest(const PlotRecipe& recipe, std::uint64_t seed) {
     fit_radius(tree, forest.terrain, 0.01 * dbh_cm);
     forest.trees.push_back(tree);
   }
-  forest.targets = make_targets(recipe, forest.terrain);
+  if (!recipe.is_vineyard()) forest.targets = make_targets(recipe, forest.terrain);
   return forest;
 }
 

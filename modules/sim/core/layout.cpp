@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "sim/core/random.h"
+#include "sim/core/vineyard.h"
 
 namespace bole::sim {
 namespace {
@@ -76,6 +77,18 @@ std::vector<Site> natural_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   return scatter.take();
 }
 
+// Trees about the block, none within and none in a shed.
+std::vector<Site> vineyard_surroundings(const PlotRecipe& recipe, std::uint64_t seed) {
+  Scatter scatter(recipe, seed);
+  scatter.add(recipe.trees.count, false);
+  auto sites = scatter.take();
+  const auto sheds = shed_places(recipe);
+  std::erase_if(sites, [&](const Site& s) {
+    return std::ranges::any_of(sheds, [&](const auto& at) { return (at - s.xy).norm() < shed_reach_m; });
+  });
+  return sites;
+}
+
 std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   const auto& l = recipe.layout;
   const double half = 0.5 * recipe.size_m, outer = half + recipe.buffer_m, reach = outer * std::numbers::sqrt2;
@@ -111,6 +124,7 @@ std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
 }  // namespace
 
 std::vector<Site> make_layout(const PlotRecipe& recipe, std::uint64_t seed) {
+  if (recipe.is_vineyard()) return vineyard_surroundings(recipe, seed);
   return recipe.layout.kind == "rows" ? row_layout(recipe, seed) : natural_layout(recipe, seed);
 }
 

@@ -61,6 +61,32 @@ Archetype shrub(Random& random) {
            Piece{std::move(leaves), Material::leaf, leaf_reflectivity}}};
 }
 
+Archetype vine_canopy(double height_m, double spacing_m, Random& random) {
+  TriangleMesh shoots, leaves;
+  const int count = 7 + random.index(5);
+  for (int s = 0; s < count; ++s) {
+    const double x = spacing_m * random.uniform(-0.52, 0.52), top = height_m * random.uniform(0.7, 1.15);
+    std::vector<Eigen::Vector3d> path;
+    std::vector<double> radii;
+    constexpr int parts = 6;
+    for (int k = 0; k <= parts; ++k) {
+      path.emplace_back(x + random.normal(0, 0.02), random.normal(0, 0.03 + 0.01 * k), top * k / parts);
+      radii.push_back(0.005 * (1 - 0.8 * k / parts));
+      for (int i = 0; i < 6; ++i) {
+        const Eigen::Vector3d along = random_direction(random),
+                              side = along.cross(random_direction(random)).normalized();
+        const double size = random.uniform(0.035, 0.065);
+        add_leaf(leaves,
+                 path.back() + Eigen::Vector3d(random.normal(0, 0.06), random.normal(0, 0.1), random.normal(0, 0.05)),
+                 size * along, 0.85 * size * side);
+      }
+    }
+    add_tube(shoots, path, radii, 4);
+  }
+  return {{Piece{std::move(shoots), Material::wood, wood_reflectivity},
+           Piece{std::move(leaves), Material::leaf, leaf_reflectivity}}};
+}
+
 Archetype grass_tuft(Random& random) {
   TriangleMesh blades;
   for (int i = 0; i < 36; ++i) {

@@ -1,5 +1,6 @@
 #include "sim/core/recipe.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -63,6 +64,20 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
 }
 
 template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, VineyardRecipe> {
+  visit("rows", r.rows, 2, 60);
+  visit("row_length_m", r.row_length_m, 5, 180);
+  visit("row_spacing_m", r.row_spacing_m, 1.5, 6);
+  visit("vine_spacing_m", r.vine_spacing_m, 0.5, 5);
+  visit("post_spacing_m", r.post_spacing_m, 1, 20);
+  visit("canopy_bottom_m", r.canopy_bottom_m, 0.3, 2);
+  visit("canopy_top_m", r.canopy_top_m, 0.8, 3);
+  visit("missing_share", r.missing_share, 0, 0.9);
+  visit("repeats", r.repeats, 0, 60);
+  visit("sheds", r.sheds, 0, 2);
+}
+
+template <class R, class V>
 void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, PlotRecipe> {
   visit("name", r.name, 0, 0);
   visit("title", r.title, 0, 0);
@@ -72,6 +87,7 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
   visit("trees", r.trees, 0, 0);
   visit("terrain", r.terrain, 0, 0);
   visit("understorey", r.understorey, 0, 0);
+  visit("vineyard", r.vineyard, 0, 0);
 }
 
 class FieldReader {
@@ -143,8 +159,17 @@ class FieldWriter {
 
 void check_relations(const PlotRecipe& r) {
   const auto& t = r.trees;
-  if (r.layout.kind != "natural" && r.layout.kind != "rows")
-    throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\" or \"rows\"");
+  if (r.layout.kind != "natural" && r.layout.kind != "rows" && !r.is_vineyard())
+    throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\", \"rows\" or \"vineyard\"");
+  const auto& v = r.vineyard;
+  if (r.is_vineyard() && std::max(v.row_length_m, (v.rows - 1) * v.row_spacing_m) + 2 * vineyard_headland_m > r.size_m)
+    throw bad_input("recipe fields vineyard: " + std::to_string(v.rows) + " rows of " + number_text(v.row_length_m) +
+                        " m, " + number_text(v.row_spacing_m) + " m apart, in a plot of " + number_text(r.size_m) +
+                        " m",
+                    number_text(vineyard_headland_m) + " m of headland on each side", "Raise size_m");
+  if (r.is_vineyard() && !(v.canopy_bottom_m < v.canopy_top_m))
+    throw bad_input("recipe field 'vineyard.canopy_bottom_m' is " + number_text(v.canopy_bottom_m),
+                    "less than canopy_top_m, " + number_text(v.canopy_top_m));
   if (!(t.dbh_min_cm < t.dbh_max_cm))
     throw bad_input(
         "recipe fields trees.dbh_min_cm " + number_text(t.dbh_min_cm) + " and dbh_max_cm " + number_text(t.dbh_max_cm),

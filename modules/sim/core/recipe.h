@@ -11,7 +11,8 @@
 namespace bole::sim {
 
 struct LayoutRecipe {
-  std::string kind = "natural";   // natural: Poisson-disc with clustering; rows: a planting
+  std::string kind = "natural";   // natural: Poisson-disc with clustering; rows: a planting; vineyard: a block of vine
+                                  // rows within the plot, trees around it
   double min_spacing_m = 1.2;     // natural: least distance between stem axes
   double clustering = 0.3;        // natural, 0 to 1: share of trees that stand close to an earlier one
   double row_spacing_m = 3.0;     // rows
@@ -56,6 +57,22 @@ struct UnderstoreyRecipe {
   double grass_per_ha = 4000;   // tufts
 };
 
+// Free ground between the ends of vine rows and the edge of their plot, where a robot turns.
+inline constexpr double vineyard_headland_m = 5.5;
+
+// Rows of trained vines, parallel to the x axis about the plot's centre (layout.kind "vineyard").
+struct VineyardRecipe {
+  int rows = 7;
+  double row_length_m = 40;
+  double row_spacing_m = 2.75;
+  double vine_spacing_m = 1.1;
+  double post_spacing_m = 5.5;
+  double canopy_bottom_m = 0.75, canopy_top_m = 1.9;
+  double missing_share = 0.06;  // of vines
+  int repeats = 2;              // alleys that are driven once more in the direction of the first time
+  int sheds = 1;                // 0 to 2: buildings beyond the block
+};
+
 struct PlotRecipe {
   std::string name = "unnamed", title;
   double size_m = 32;    // side of the square plot; x east, y north, origin at its centre
@@ -64,6 +81,9 @@ struct PlotRecipe {
   TreeRecipe trees;
   TerrainRecipe terrain;
   UnderstoreyRecipe understorey;
+  VineyardRecipe vineyard;
+
+  bool is_vineyard() const { return layout.kind == "vineyard"; }
 };
 
 // Throws Error{bad_input} that names the field, its value and what was needed; unknown fields are errors too.

@@ -17,6 +17,7 @@
 #include "sim/core/scan.h"
 #include "sim/core/scan_writer.h"
 #include "sim/core/truth.h"
+#include "sim/core/vineyard.h"
 
 namespace bole {
 namespace {
@@ -114,13 +115,21 @@ const OptionTable& option_table(const SimulationOptions*) {
                             {1, 20},
                             Tier::advanced,
                             "Turns of the sensor's rotor per second."},
-          Option<S, std::string>{"walk",
-                                 &S::walk,
-                                 TextKind::input_path,
-                                 {},
+          Option<S, std::string>{
+              "walk",
+              &S::walk,
+              TextKind::input_path,
+              {},
+              Tier::advanced,
+              "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
+              "corner, parallel lines, south-east corner, centre (in a vineyard: its alleys forth and back)."},
+          Option<S, std::string>{"carrier",
+                                 &S::carrier,
+                                 TextKind::choice,
+                                 {"person", "robot"},
                                  Tier::advanced,
-                                 "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
-                                 "corner, parallel lines, south-east corner, centre."},
+                                 "Who carries the sensor: a person who walks, or a tracked robot that rolls and "
+                                 "pitches with the ground under its tracks."},
           Option<S, double>{"speed", &S::speed, Unit::metre_per_second, {0.2, 3}, Tier::basic, "Walking speed."},
           Option<S, double>{"line_spacing",
                             &S::line_spacing,
@@ -134,12 +143,14 @@ const OptionTable& option_table(const SimulationOptions*) {
                             {0.3, 4},
                             Tier::advanced,
                             "Height of the sensor above the ground."},
-          Option<S, double>{"gait",
-                            &S::gait,
-                            Unit::none,
-                            {0, 3},
-                            Tier::advanced,
-                            "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide."},
+          Option<S, double>{
+              "gait",
+              &S::gait,
+              Unit::none,
+              {0, 3},
+              Tier::advanced,
+              "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide; of a robot: its "
+              "vibration."},
           Option<S, double>{"stand_still",
                             &S::stand_still,
                             Unit::second,
@@ -229,12 +240,13 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const sim::PlotScene scene = sim::build_scene(forest, seed);
   run.check_cancel();
   run.report(0.02, "planning the walk");
-  const auto way_points =
-      options.walk.empty() ? sim::survey_pattern(recipe.size_m, options.line_spacing) : read_way_points(options.walk);
+  const auto way_points = !options.walk.empty()  ? read_way_points(options.walk)
+                          : recipe.is_vineyard() ? sim::vineyard_pattern(recipe.vineyard)
+                                                 : sim::survey_pattern(recipe.size_m, options.line_spacing);
   const auto route = sim::plan_route(way_points, forest, scene.vegetation.obstacles, sim::Walk::step_m);
   const sim::Walk walk(route, forest.terrain,
                        {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time,
-                        options.turn_on_spot * std::numbers::pi / 180},
+                        options.turn_on_spot * std::numbers::pi / 180, options.carrier == "robot"},
                        seed);
   run.check_cancel();
   run.report(0.03, "building the ray tracer");

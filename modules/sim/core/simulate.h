@@ -17,6 +17,7 @@ struct SimulationOptions {
   double rotation_hz = 10;
 
   std::string walk;
+  std::string carrier = "person";
   double speed = 1.0;
   double line_spacing = 6.0;
   double sensor_height = 1.7;

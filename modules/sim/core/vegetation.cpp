@@ -190,6 +190,7 @@ Eigen::Vector3d Grower::ground_point(double margin, Random& random) const {
 }
 
 bool Grower::is_free(const Eigen::Vector3d& p, double distance) const {
+  if (forest_.recipe.is_vineyard() && p.head<2>().cwiseAbs().maxCoeff() < forest_.half_side_m()) return false;
   for (const auto& target : forest_.targets)
     if ((target.middle - p).head<2>().norm() < 1.0 + distance) return false;
   return std::ranges::none_of(

@@ -65,7 +65,7 @@ Walk::Swing Walk::make_swing(double size, Random& random) const {
 
 Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, const WalkParameters& parameters,
            std::uint64_t seed)
-    : parameters_(parameters) {
+    : parameters_(parameters), terrain_(terrain) {
   if (route.size() < 3)
     throw bad_input("a route of " + std::to_string(route.size()) + " points", "a walk of at least a metre");
   const auto last = static_cast<long>(route.size()) - 1;
@@ -121,9 +121,33 @@ double Walk::turned_rad(double t) const {
   return parameters_.turn_rad * x * x * (3 - 2 * x);
 }
 
+// The ground under the four ends of the tracks decides how the robot stands; engine and links shake it a little.
+Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
+  constexpr double half_length_m = 0.35, half_width_m = 0.25;
+  const double yaw = k[3] + turned_rad(t);
+  const Eigen::Vector2d at = k.head<2>(), ahead(std::cos(yaw), std::sin(yaw)), left(-ahead.y(), ahead.x());
+  const auto ground = [&](double along, double across) {
+    const Eigen::Vector2d p = at + along * ahead + across * left;
+    return terrain_.height(p.x(), p.y());
+  };
+  const double front_left = ground(half_length_m, half_width_m), front_right = ground(half_length_m, -half_width_m),
+               rear_left = ground(-half_length_m, half_width_m), rear_right = ground(-half_length_m, -half_width_m);
+  const double shake = 0.08 * radians_per_degree * parameters_.gait * pace;
+  const double pitch = -std::atan2(0.5 * (front_left + front_right - rear_left - rear_right), 2 * half_length_m) +
+                       shake * (std::sin(2 * pi * 4.3 * t + phases_[0]) + std::sin(2 * pi * 7.9 * t + phases_[1])),
+               roll = std::atan2(0.5 * (front_left + rear_left - front_right - rear_right), 2 * half_width_m) +
+                      shake * (std::sin(2 * pi * 5.1 * t + phases_[2]) + std::sin(2 * pi * 6.7 * t + phases_[3]));
+  Pose T = Pose::Identity();
+  T.linear() = rotation_from_rpy(roll, pitch, yaw);
+  const Eigen::Vector3d base(at.x(), at.y(), 0.25 * (front_left + front_right + rear_left + rear_right));
+  T.translation() = base + parameters_.sensor_height_m * T.linear().col(2);
+  return T;
+}
+
 Pose Walk::pose(double t) const {
   const auto [distance, pace] = progress(t);
   const Eigen::Vector4d k = spline(knots_, distance / step_m);
+  if (parameters_.robot) return robot_pose(k, pace, t);
   // Even a standing person trembles a little.
   const double step = parameters_.gait * pace, hand = 0.04 + 0.96 * pace;
   const double beat = 2 * pi * step_hz_ * t;

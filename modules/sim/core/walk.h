@@ -17,6 +17,7 @@ struct WalkParameters {
   double stand_still_s = 2.5;  // at the start
   double most_s = 0;           // the recording ends here at the latest; 0: at the end of the route
   double turn_rad = 0;         // on the spot, after standing still, at up to 90 deg/s
+  bool robot = false;          // on tracks: tilted with the ground under them, with vibration in place of a gait
 };
 
 class Walk {
@@ -43,9 +44,11 @@ class Walk {
   };
   Progress progress(double t) const;
   double turned_rad(double t) const;
+  Pose robot_pose(const Eigen::Vector4d& knot, double pace, double t) const;
   Swing make_swing(double size, class Random& random) const;
 
   WalkParameters parameters_;
+  Terrain terrain_;
   std::vector<Eigen::Vector4d> knots_;  // x, y, z, heading: control points of a uniform cubic B-spline, one per step_m
   double duration_s_ = 0, length_m_ = 0, full_speed_s_ = 0, ease_s_ = 1.5, turn_s_ = 0;
   double step_hz_ = 1.8, mount_yaw_rad_ = 0;

@@ -1,5 +1,6 @@
 #include "slam/core/context_index.h"
 
+#include <algorithm>
 #include <cmath>
 #include <flann/flann.hpp>
 #include <numbers>
@@ -59,6 +60,19 @@ Pose levelled(const Pose& T_map_sensor) {
   return T;
 }
 
+ScanContextShape context_shape(const SlamOptions& options) {
+  return {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m};
+}
+
+ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape) {
+  const Pose T_level_map = levelled(motion.T_map_end).inverse();
+  const PoseGrid poses(motion);
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(scan.points.size());
+  for (const auto& p : scan.points) points.push_back((T_level_map * poses.in_map(p.position, p.s)).cast<float>());
+  return make_scan_context(points, shape);
+}
+
 ContextIndex::ContextIndex(const ScanContextShape& shape) : shape_(shape), trees_(std::make_unique<Trees>()) {}
 ContextIndex::~ContextIndex() = default;
 
@@ -71,14 +85,18 @@ void ContextIndex::add(const std::vector<Keyframe>& keyframes, std::size_t k) {
 
 std::optional<ContextCandidate> ContextIndex::best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                                    const ContextSearch& search) const {
+  auto found = ranked(keyframes, k, search, 1, 0);
+  return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                                   const ContextSearch& search, std::size_t most_places,
+                                                   double apart_m) const {
   const auto& own = keyframes[k].context;
-  if (own.empty()) return std::nullopt;
-  ContextCandidate best{0, search.tau, Pose::Identity()};
-  bool any = false;
+  if (own.empty()) return {};
+  std::vector<ContextCandidate> found;
   const auto offer = [&](std::size_t j, const ContextMatch& match, double turn_rad, double left_m) {
-    if (match.distance >= best.distance) return;
-    best = {j, match.distance, turned_and_shifted(turn_rad, left_m)};
-    any = true;
+    if (match.distance < search.tau) found.push_back({j, match.distance, turned_and_shifted(turn_rad, left_m)});
   };
   const auto most = static_cast<std::size_t>(search.nearest);
   for (const auto j : trees_->rings.nearest(own.ring_key, most)) {
@@ -92,7 +110,16 @@ std::optional<ContextCandidate> ContextIndex::best(const std::vector<Keyframe>& 
       offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range_m / shape_.columns * match.shift);
     }
   }
-  return any ? std::optional(best) : std::nullopt;
+  std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
+  std::vector<ContextCandidate> apart;
+  for (const auto& c : found) {
+    if (apart.size() == most_places) break;
+    if (std::ranges::none_of(apart, [&](const ContextCandidate& a) {
+          return std::abs(keyframes[a.keyframe].path_m - keyframes[c.keyframe].path_m) < apart_m;
+        }))
+      apart.push_back(c);
+  }
+  return apart;
 }
 
 }  // namespace bole

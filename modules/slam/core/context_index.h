@@ -7,6 +7,8 @@
 
 #include "base/transform.h"
 #include "slam/core/keyframes.h"
+#include "slam/core/options.h"
+#include "slam/core/scan.h"
 
 namespace bole {
 
@@ -23,6 +25,11 @@ struct ContextSearch {
   bool cart = false;  // look by cart context as well, in both directions
 };
 
+ScanContextShape context_shape(const SlamOptions& options);
+
+// Of a frame whose motion is known.
+ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape);
+
 // Axes at a pose that look along its heading and are level in map axes.
 Pose levelled(const Pose& T_map_sensor);
 
@@ -37,6 +44,9 @@ class ContextIndex {
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
+  // Those that look most alike, the best first, no two of them within `apart_m` of way.
+  std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
+                                       const ContextSearch& search, std::size_t most, double apart_m) const;
 
  private:
   struct Trees;

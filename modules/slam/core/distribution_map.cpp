@@ -114,48 +114,65 @@ std::array<const DistributionMap::Cell*, 8> DistributionMap::Level::cells_about(
   return met;
 }
 
+const DistributionMap::Cell* DistributionMap::Level::find_cell(const Cell3& c) const {
+  const Block* block = find_block(block_key(c));
+  const auto place = block ? block->cell[place_in_block(c)] : 0;
+  return place > 0 ? &cells[place - 1] : nullptr;
+}
+
+void DistributionMap::Moments::add(const Cell& cell, const Eigen::Vector3d& centre) {
+  const Eigen::Vector3d s = cell.sum.cast<double>(), moved = s + cell.count * centre;
+  count += cell.count;
+  lines |= cell.lines;
+  sum += moved;
+  const float* own = cell.second;
+  for (int c = 0, of_own = 0; c < 3; ++c)
+    for (int r = c; r < 3; ++r, ++of_own) second(r, c) += own[of_own] + s[r] * centre[c] + centre[r] * moved[c];
+}
+
+LocalSurface DistributionMap::Moments::surface(const Eigen::Vector3d& place, int level) const {
+  const double n = count;
+  LocalSurface surface;
+  const Eigen::Vector3d mean = sum / n;
+  const Eigen::Matrix3d covariance = second / n - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  surface.mean = place + mean;
+  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+  surface.axes = solver.eigenvectors();
+  surface.points = count;
+  surface.lines = std::popcount(lines);
+  surface.level = level;
+  return surface;
+}
+
 // The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are
 // added.
 std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index,
                                                      int least_points) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
-  const double cell_m = level.cell_m;
+  const double cell_m = level.cell_m, half = 0.5 * cell_m;
   const Cell3 corner(std::llround(point.x() / cell_m), std::llround(point.y() / cell_m),
                      std::llround(point.z() / cell_m));
   const auto met = level.cells_about(corner);
   int points = 0;
   for (const Cell* cell : met) points += cell ? cell->count : 0;
   if (points < least_points) return std::nullopt;
+  Moments moments;
+  for (std::size_t k = 0; k < met.size(); ++k)
+    if (met[k]) moments.add(*met[k], {k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half});
+  return moments.surface(cell_m * corner.cast<double>(), level_index);
+}
 
-  unsigned lines = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // the lower triangle
-  for (std::size_t k = 0; k < met.size(); ++k) {
-    const Cell* cell = met[k];
-    if (!cell) continue;
-    const double half = 0.5 * cell_m;
-    const Eigen::Vector3d o(k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half);
-    const Eigen::Vector3d s = cell->sum.cast<double>(), moved = s + cell->count * o;
-    lines |= cell->lines;
-    sum += moved;
-    const float* own = cell->second;
-    for (int c = 0, of_own = 0; c < 3; ++c)
-      for (int r = c; r < 3; ++r, ++of_own) second(r, c) += own[of_own] + s[r] * o[c] + o[r] * moved[c];
-  }
-
-  const double n = points;
-  LocalSurface surface;
-  const Eigen::Vector3d mean = sum / n;
-  const Eigen::Matrix3d covariance = second / n - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  surface.mean = mean + cell_m * corner.cast<double>();
-  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
-  surface.axes = solver.eigenvectors();
-  surface.points = points;
-  surface.lines = std::popcount(lines);
-  surface.level = level_index;
-  return surface;
+std::optional<LocalSurface> DistributionMap::cell_surface(const Eigen::Vector3d& point, int level_index,
+                                                          int least_points) const {
+  const Level& level = levels_[static_cast<std::size_t>(level_index)];
+  const Eigen::Vector3d in_cells = (point / level.cell_m).array().floor();
+  const Cell* cell = level.find_cell(in_cells.cast<std::int64_t>());
+  if (!cell || cell->count < least_points) return std::nullopt;
+  Moments moments;
+  moments.add(*cell, Eigen::Vector3d::Zero());
+  return moments.surface((in_cells.array() + 0.5).matrix() * level.cell_m, level_index);
 }
 
 }  // namespace bole

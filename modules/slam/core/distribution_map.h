@@ -44,6 +44,8 @@ class DistributionMap {
   void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {});
   // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
   std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  // The points of the one cell that holds `point`.
+  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
 
   double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells.size(); }
@@ -75,8 +77,20 @@ class DistributionMap {
     void insert(const Eigen::Vector3d& point, std::uint16_t line_bit);
     Block& block_at(std::uint64_t key);
     const Block* find_block(std::uint64_t key) const;
+    const Cell* find_cell(const Eigen::Matrix<std::int64_t, 3, 1>& cell) const;
     std::array<const Cell*, 8> cells_about(const Eigen::Matrix<std::int64_t, 3, 1>& corner) const;
     void grow();
+  };
+  // Counts and moments of cells about a common place.
+  struct Moments {
+    int count = 0;
+    unsigned lines = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // the lower triangle
+
+    // `centre`: of the cell, from the common place.
+    void add(const Cell& cell, const Eigen::Vector3d& centre);
+    LocalSurface surface(const Eigen::Vector3d& place, int level) const;
   };
 
   std::vector<Level> levels_;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double most_ground_rise = 0.176;      // tan 10 deg
 constexpr double least_joint_angle_rad = 1.05;  // 60 deg: the surface between two returns is steep enough to be one
+constexpr double range_scatter_m = 0.12;        // three times that of a difference with a sensor of 3 cm
 constexpr std::size_t sure_points = 30, few_points = 5, few_lines = 3;
 constexpr std::uint32_t none = ~0u;
 
@@ -66,9 +67,10 @@ void mark_ground(const Scan& scan, const RangeImage& image, std::vector<ScanLabe
 }
 
 // Two returns belong together when the surface between them is steep against the rays (Bogoslavskyi and Stachniss
-// 2016).
+// 2016). Near the sensor its neighbours are so close together that the scatter of ranges alone would part them.
 bool joined(const ScanPoint& a, const ScanPoint& b) {
   const double far = std::max(a.range, b.range), near = std::min(a.range, b.range);
+  if (far - near < range_scatter_m) return true;
   const double angle = std::acos(std::clamp(static_cast<double>(a.position.dot(b.position)) / (far * near), -1.0, 1.0));
   return std::atan2(near * std::sin(angle), far - near * std::cos(angle)) > least_joint_angle_rad;
 }

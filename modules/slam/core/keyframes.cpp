@@ -37,7 +37,9 @@ void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps) {
 void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved) {
   std::vector<std::size_t> nearest(keyframes.size());
   std::iota(nearest.begin(), nearest.end(), std::size_t{0});
-  if (nearest.size() > most_) {
+  if (nearest.size() > most_ && of_last_) {
+    nearest.erase(nearest.begin(), nearest.end() - static_cast<std::ptrdiff_t>(most_));
+  } else if (nearest.size() > most_) {
     std::ranges::stable_sort(
         nearest, {}, [&](std::size_t k) { return (keyframes[k].T_map_keyframe.translation() - place).squaredNorm(); });
     nearest.resize(most_);

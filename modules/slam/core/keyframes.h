@@ -24,11 +24,11 @@ Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& featu
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps);
 
-// The map about the place where the sensor is: the `most` key frames nearest to it and, so that it is built anew only
-// now and then, up to half as many that were so before.
+// The map about the place where the sensor is: the `most` key frames nearest to it, or the last ones, and, so that it
+// is built anew only now and then, up to half as many that were so before.
 class LocalMap {
  public:
-  LocalMap(double cell_m, std::size_t most) : maps_(cell_m), most_(most) {}
+  LocalMap(double cell_m, std::size_t most, bool of_last = false) : maps_(cell_m), most_(most), of_last_(of_last) {}
 
   // Call after a key frame was added, or with `moved` after poses changed.
   void update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved = false);
@@ -37,6 +37,7 @@ class LocalMap {
  private:
   FeatureMaps maps_;
   std::size_t most_;
+  bool of_last_;
   std::vector<std::size_t> members_;  // rising
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
-constexpr double least_conditioning = 0.005;  // a plot has 0.05 to 0.5
+constexpr std::size_t first_keyframes = 6;   // of a map of the ground
+constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
 constexpr std::size_t usual_frames = 20;
 constexpr double least_share_of_usual = 0.5;  // of the overlap of the frames before
 // See Relocalisation; once two places were alike, the next frames are asked for more, for chance has several of them.
@@ -38,7 +39,8 @@ std::string percent(double share) { return number_text(std::round(share * 100)) 
 
 Odometry::Odometry(const SlamOptions& resolved_options)
     : options_(resolved_options),
-      local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes)),
+      local_map_(resolved_options.cell_m, static_cast<std::size_t>(resolved_options.neighbour_keyframes),
+                 resolved_options.local_map == "last"),
       last_frame_map_(2 * resolved_options.cell_m) {}
 
 // Constant velocity from the last good frame. Over a gap the mean motion of the last stride holds better than that of
@@ -284,6 +286,8 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
 }
 
 bool Odometry::keyframe_due(const TrackedFrame& frame) const {
+  // Of a leafy place the things of a single frame give few lines: at rest the first frames make the map together.
+  if (options_.features == "ground" && keyframes_.size() < first_keyframes) return true;
   const Pose d = keyframes_.back().T_map_keyframe.inverse() * frame.motion.T_map_end;
   return d.translation().norm() >= options_.keyframe_distance_m ||
          Eigen::AngleAxisd(d.linear()).angle() >= rad(options_.keyframe_angle_deg);

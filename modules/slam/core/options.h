@@ -26,6 +26,7 @@ struct SlamOptions {
   std::string deskew = "preset";
   int rounds = 0;
   int neighbour_keyframes = 0;
+  std::string local_map = "preset";
   double keyframe_distance_m = 0;
   double keyframe_angle_deg = 0;
   std::string loops = "preset";
@@ -47,7 +48,7 @@ struct SlamOptions {
   double speed_max_m_s = 5;
 
   // Loops.
-  double loop_radius_m = 5;
+  double loop_radius_m = 3;
   double loop_path_m = 25;
   double loop_overlap = 0.6;
   double loop_drift = 0.05;

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bole {
@@ -12,6 +13,8 @@ namespace {
 constexpr double odometry_sigma_floor_m = 0.002, odometry_sigma_per_m = 0.01, odometry_sigma_rad = 0.0005;
 constexpr double loop_sigma_m = 0.01, loop_sigma_rad = 0.001;
 constexpr double kernel_sigmas = 3;
+// What is so far from where the rest puts it is no imprecise loop but another place.
+constexpr double refused_m = 0.5, refused_rad = 0.1;
 
 struct GraphPose {
   Eigen::Quaterniond q;
@@ -53,10 +56,9 @@ class CancelCallback : public ceres::IterationCallback {
   const Run& run_;
 };
 
-}  // namespace
-
-PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
-                                    const Run& run) {
+// One adjustment with the loops that are not refused.
+PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
+                         const std::vector<std::uint8_t>& refused, const Run& run) {
   std::vector<GraphPose> nodes;
   nodes.reserve(keyframes.size());
   for (const auto& k : keyframes)
@@ -77,9 +79,12 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
         nullptr);
   }
   std::vector<ceres::ResidualBlockId> loop_blocks;
-  for (const auto& l : loops)
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto& l = loops[i];
+    if (refused[i]) continue;
     loop_blocks.push_back(
         add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), new ceres::CauchyLoss(kernel_sigmas)));
+  }
 
   PoseGraphResult out;
   if (!nodes.empty()) {
@@ -109,6 +114,29 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
     out.T_map_keyframe.push_back(T);
   }
   return out;
+}
+
+}  // namespace
+
+PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
+                                    const Run& run) {
+  std::vector<std::uint8_t> refused(loops.size(), 0);
+  auto out = adjusted(keyframes, loops, refused, run);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const Pose error =
+        loops[i].T_from_to.inverse() * (out.T_map_keyframe[loops[i].from].inverse() * out.T_map_keyframe[loops[i].to]);
+    refused[i] = error.translation().norm() > refused_m || Eigen::AngleAxisd(error.linear()).angle() > refused_rad;
+  }
+  if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, run);
+  out.refused = std::move(refused);
+  return out;
+}
+
+std::vector<Loop> kept_loops(const std::vector<Loop>& loops, const PoseGraphResult& result) {
+  std::vector<Loop> kept;
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (!result.refused[i]) kept.push_back(loops[i]);
+  return kept;
 }
 
 }  // namespace bole

@@ -1,6 +1,7 @@
 // Key-frame poses that agree best with odometry and loops.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "slam/core/loops.h"
@@ -11,11 +12,17 @@ struct PoseGraphResult {
   std::vector<Pose> T_map_keyframe;
   double initial_cost = 0, final_cost = 0;
   std::size_t doubted_loops = 0;  // loops that the robust kernel gave less than a tenth of their weight
+  // By loop: 1 where it contradicts the others and the odometry so much that it must be another place. These were left
+  // out of a second adjustment, which the poses come from.
+  std::vector<std::uint8_t> refused;
 };
 
-// The first key frame stands. Odometry edges join neighbours, loops are held by a Cauchy kernel. Throws
-// Error{cancelled}.
+// The first key frame stands; loops that contradict the rest are refused. Odometry edges join neighbours, loops are
+// held by a Cauchy kernel. Throws Error{cancelled}.
 PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                                     const Run& run);
+
+// The loops that were not refused.
+std::vector<Loop> kept_loops(const std::vector<Loop>& loops, const PoseGraphResult& result);
 
 }  // namespace bole

@@ -51,16 +51,6 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
-ScanContext context_of(const Scan& scan, const FrameMotion& motion, const SlamOptions& options) {
-  const Pose T_level_map = levelled(motion.T_map_end).inverse();
-  const PoseGrid poses(motion);
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(scan.points.size());
-  for (const auto& p : scan.points) points.push_back((T_level_map * poses.in_map(p.position, p.s)).cast<float>());
-  return make_scan_context(
-      points, {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m});
-}
-
 FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
   FeatureExtractor extractor(options);
@@ -101,7 +91,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (odometry.frames().size() == before) continue;  // nothing to begin with yet
     if (before == 0) start_s = scan.begin_time_s;
     if (by_context && odometry.keyframes().size() > keyframes)
-      odometry.set_context(context_of(scan, odometry.frames().back().motion, options));
+      odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
     ++used, points += features.query.size();
     if (const double gap_s = odometry.found_again_after_s(); gap_s > 0 && odometry.frames().back().ok) {
       ++found_again;
@@ -157,10 +147,22 @@ void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>
   }
 }
 
+// Of the two quaternions of a rotation the one with a positive scalar part.
+Eigen::Quaterniond upright(Eigen::Quaterniond q) {
+  if (q.w() < 0) q.coeffs() *= -1;
+  return q;
+}
+
+// The columns x_m .. qw are the pose of the later key frame in the axes of the earlier one.
 Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
   std::vector<double> from_s, to_s, way_m, correction_m, overlap;
+  std::array<std::vector<double>, 3> shift_m;
+  std::array<std::vector<double>, 4> turn;
   std::vector<std::string> found_by;
   for (const auto& l : loops) {
+    const Eigen::Quaterniond q = upright(Eigen::Quaterniond(l.T_from_to.linear()));
+    for (std::size_t i = 0; i < 3; ++i) shift_m[i].push_back(l.T_from_to.translation()[static_cast<Eigen::Index>(i)]);
+    for (std::size_t i = 0; i < 4; ++i) turn[i].push_back(q.coeffs()[static_cast<Eigen::Index>(i)]);
     from_s.push_back(keyframes[l.from].time_s), to_s.push_back(keyframes[l.to].time_s);
     way_m.push_back(keyframes[l.to].path_m - keyframes[l.from].path_m);
     correction_m.push_back(l.correction_m), overlap.push_back(l.overlap), found_by.push_back(l.found_by);
@@ -168,6 +170,8 @@ Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyf
   Table t;
   t.set("from_time_s", from_s), t.set("to_time_s", to_s), t.set("way_m", way_m);
   t.set("correction_m", correction_m), t.set("overlap", overlap), t.set("found_by", found_by);
+  t.set("x_m", shift_m[0]), t.set("y_m", shift_m[1]), t.set("z_m", shift_m[2]);
+  t.set("qx", turn[0]), t.set("qy", turn[1]), t.set("qz", turn[2]), t.set("qw", turn[3]);
   return t;
 }
 
@@ -198,11 +202,11 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
-  report.counts["loops"] = static_cast<std::int64_t>(search.loops.size());
-  auto table = table_of(search.loops, pass.keyframes);
-  report.counts["loops_by_context"] = std::ranges::count(search.loops, "context", &Loop::found_by);
+  std::vector<Loop> kept = search.loops;
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    kept = kept_loops(search.loops, graph);
+    report.counts["refused_loops"] = static_cast<std::int64_t>(search.loops.size() - kept.size());
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
     double squared = 0;
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k)
@@ -212,8 +216,10 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
   }
-  report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap_s(), pass.frames.size()), Unit::millisecond};
-  return table;
+  report.counts["loops"] = static_cast<std::int64_t>(kept.size());
+  report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
+  report.metrics["loops_time"] = {watch.lap_s(), Unit::second};
+  return table_of(kept, pass.keyframes);
 }
 
 // Elastic frames know their begin and end. Of the others the middle is what the registration has found.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/arrays.h"
 #include "stems/core/circle_fit.h"
@@ -98,13 +99,16 @@ class Editor {
       case Action::remove:
         return forget(row);
       case Action::move:
-        stems_.set(row, "x_m", edit.to->x()), stems_.set(row, "y_m", edit.to->y());
+        for (const auto& [base, at, to] :
+             {std::tuple("base_x_m", "x_m", edit.to->x()), {"base_y_m", "y_m", edit.to->y()}})
+          stems_.set(row, base, stems_.number(row, base) + to - stems_.number(row, at)), stems_.set(row, at, to);
         return decided(row, "edited");
       case Action::resize:
         set_diameter(row, *edit.dbh_cm);
         return decided(row, "edited");
       case Action::set_height:
         stems_.set(row, "height_m", *edit.height_m), stems_.set(row, "height_seen", std::int64_t{1});
+        forget_form(row);
         return decided(row, "edited");
       case Action::split:
         return split(edit, row);
@@ -146,6 +150,13 @@ class Editor {
   void set_diameter(std::size_t row, double dbh_cm) {
     stems_.set(row, "dbh_cm", dbh_cm);
     stems_.set(row, "dbh_lo_cm", nan), stems_.set(row, "dbh_hi_cm", nan);
+    stems_.set(row, "girth_dbh_cm", nan), stems_.set(row, "ovality_pct", nan);
+    forget_form(row);
+  }
+
+  // What was computed of a diameter or height that no longer holds.
+  void forget_form(std::size_t row) {
+    stems_.set(row, "volume_m3", nan), stems_.set(row, "volume_method", std::string());
   }
 
   void forget(std::size_t row) {

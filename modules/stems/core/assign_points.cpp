@@ -118,11 +118,15 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
 
 void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
   constexpr double bin_m = 0.5, widest_gap_m = 3;
+  constexpr double leader_m = 1.0;  // a top stands over its stem; branches of a taller neighbour reach in from the side
   constexpr std::uint32_t least_points = 3;
   std::int32_t largest = 0;
   for (const auto& s : stems) largest = std::max(largest, s.id);
   std::vector<Stem*> by_id(static_cast<std::size_t>(largest) + 1, nullptr);
   for (auto& s : stems) by_id[static_cast<std::size_t>(s.id)] = &s;
+  std::vector<TreeAxis> axes;  // by id less one
+  for (std::size_t id = 1; id < by_id.size(); ++id)
+    axes.emplace_back(by_id[id] != nullptr ? *by_id[id] : stems.front());
   struct Bin {
     std::uint32_t points = 0;
     double highest = 0;
@@ -134,6 +138,8 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
     if (id == 0) continue;
     const double h = static_cast<double>(points.positions()[i].z()) - by_id[id]->ground_z;
     if (h < 0 || h >= tallest_m) continue;
+    const auto& p = points.positions()[i];
+    if ((p.head<2>().cast<double>() - axes[id - 1].at(p.z())).norm() > by_id[id]->radius + leader_m) continue;
     auto& bin = bins[id][static_cast<std::size_t>(h / bin_m)];
     ++bin.points, bin.highest = std::max(bin.highest, h);
   }

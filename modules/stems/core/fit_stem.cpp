@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
+#include "stems/core/contour.h"
 #include "stems/core/ring_density.h"
 #include "stems/core/stem_points.h"
 #include "stems/core/stem_sections.h"
@@ -24,6 +25,20 @@ double student_975(double freedom) {
   constexpr double z = 1.959964;
   const double z3 = z * z * z, z5 = z3 * z * z;
   return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
+}
+
+// Robust standard deviation.
+double spread_of(std::vector<double> values) {
+  const double middle = median_of(values);
+  for (auto& v : values) v = std::abs(v - middle);
+  return 1.4826 * median_of(values);
+}
+
+// Lasers and good poses measure too far by a few millimetres, the same everywhere. What goes beyond is blur of the map,
+// which differs from stem to stem: a good part of it is not known.
+double blur_sd(double range_offset_m) {
+  constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
+  return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
 }
 
 struct Attempt {
@@ -178,14 +193,17 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
   s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m),
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
                half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
-  std::vector<double> errors, angles;
+  std::vector<double> errors, angles, unaligned;
+  std::vector<OutlinePoint> outline;
+  TaperedCylinder together = fit.cylinder;
+  together.view_offset.clear();
   int inside = 0, on = 0;
   RingDensity density(s.radius);
   for (const auto& p : a.points) {
@@ -194,10 +212,16 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     const auto e = surface_residual(fit.cylinder, p);
     if (!e.usable) continue;
     density.add(e.value);
+    unaligned.push_back(surface_residual(together, p, false).value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
     if (std::abs(e.value) < reach) {
-      ++on, errors.push_back(std::abs(e.value)),
-          angles.push_back(std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x));
+      const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
+      ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
+      if (!fit.along_rays)
+        outline.push_back({bearing, e.value});
+      else if (const auto r = ray_residual(fit.cylinder, p, options_.ray_gate, false); r.usable)
+        // Measured too far along the ray is too near to the axis by the cosine of incidence.
+        outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
     } else if (e.value < 0) {
       ++inside;
     }
@@ -206,6 +230,8 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
   s.sigma_m = 1.4826 * median_of(errors);
+  s.wall_m = spread_of(unaligned);
+  if (const auto contour = fit_contour(outline, s.radius)) s.girth_m = contour->girth_m, s.ovality = contour->ovality;
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;
   for (const auto& m : a.sections) {
     s.sections.push_back(m.section);

@@ -1,6 +1,7 @@
 // The diameter of one stem at breast height.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,11 +24,12 @@ struct CloudRays {
 };
 
 struct Section {
-  double height = 0;       // along the stem above its ground, metres
-  Eigen::Vector3d centre;  // offsets from the cloud's origin
+  double height = 0;                                 // along the stem above its ground, metres
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // offsets from the cloud's origin
   double radius = 0, sigma = 0, arc_rad = 0;
   int inliers = 0;
-  bool used = false;
+  bool used = false;   // in the joint fit
+  bool curve = false;  // belongs to the stem curve
 };
 
 struct Stem {
@@ -38,6 +40,9 @@ struct Stem {
   double radius = 0, radius_low = 0, radius_high = 0;       // at breast height, with its 95 % interval
   double taper = 0;                                         // metres of radius per metre of stem
   double sigma_m = 0;                                       // of the distances from the surface
+  double wall_m = 0;  // the same before passes and views are brought together: how thick the map draws the bark
+  double girth_m = std::numeric_limits<double>::quiet_NaN();  // of the outline; NaN where not seen all round
+  double ovality = std::numeric_limits<double>::quiet_NaN();  // widest less narrowest diameter, by their mean
   double arc_rad = 0;
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
   double pass_spread_m = 0;
@@ -46,13 +51,18 @@ struct Stem {
   double ray_through = 0;   // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
+  double crown_base_m = std::numeric_limits<double>::quiet_NaN();   // above ground
+  double crown_area_m2 = std::numeric_limits<double>::quiet_NaN();  // in the plan
+  double volume_m3 = std::numeric_limits<double>::quiet_NaN();      // of the stem; NaN where the top was not seen
+  std::string volume_method;
+  double fork_m = std::numeric_limits<double>::quiet_NaN();  // where its limbs are seen apart, above ground; NaN without
   int passes = 1, inliers = 0, sections_used = 0;
   bool rays_known = false, along_rays = false;  // along_rays: fitted so
   double lowest = 0, highest = 0;               // heights of the sections used
   std::vector<Eigen::Vector2d> pass_offset;
   DriftEvidence drift;  // what the views say about their displacements
   RangeOffsetEvidence range_offset;
-  int faults = 0;
+  int doubts = 0;  // faults that speak against a stem
   std::vector<Section> sections;
   StemCandidate candidate;
   std::string quality, state;

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/crown_form.h"
 #include "stems/core/project_priors.h"
 #include "stems/core/ray_test.h"
+#include "stems/core/stem_curve.h"
 #include "stems/core/stem_quality.h"
 
 namespace bole {
@@ -48,6 +52,7 @@ class Survey {
     if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
     fit_all(priors);
     test_rays();
+    retry_displaced(priors);
     if (learn(priors)) refit_all(priors);
     accept();
     label();
@@ -107,7 +112,29 @@ class Survey {
     }
   }
 
+  // Where a candidate turned out to be no stem, what it had left no room for gets its chance.
+  void retry_displaced(const ProjectPriors& priors) {
+    std::vector<SlabCircle> circles;
+    auto no_stems = candidates_of_no_stem();
+    no_stems.insert(no_stems.end(), unfitted_.begin(), unfitted_.end());
+    for (const auto& c : no_stems) circles.insert(circles.end(), c.displaced.begin(), c.displaced.end());
+    candidates_ = link_circles(circles, options_).stems;
+    if (candidates_.empty()) return;
+    auto before = std::exchange(fitted_, {});
+    fit_all(priors), test_rays();
+    std::ranges::move(fitted_, std::back_inserter(before));
+    fitted_ = std::move(before);
+  }
+
+  std::vector<StemCandidate> candidates_of_no_stem() const {
+    std::vector<StemCandidate> out;
+    for (const auto& s : fitted_)
+      if (hopeless(s)) out.push_back(s.candidate);
+    return out;
+  }
+
   void fit_all(const ProjectPriors& priors) {
+    tried_ += candidates_.size();
     std::vector<StemFitResult> fits(candidates_.size());
     in_batches(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
       fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
@@ -117,7 +144,8 @@ class Survey {
       if (fits[i].stem)
         fitted_.push_back(std::move(*fits[i].stem));
       else
-        out_.rejected.push_back({{c.x, c.y, c.ground_z}, 2 * c.radius, c.points, fits[i].rejected});
+        out_.rejected.push_back({{c.x, c.y, c.ground_z}, 2 * c.radius, c.points, fits[i].rejected}),
+            unfitted_.push_back(c);
     }
   }
 
@@ -169,21 +197,38 @@ class Survey {
     for (auto& s : fitted_) {
       auto why = objection(s, options_);
       if (!why)
-        if (const auto* twin = twin_of(s))
+        if (auto* twin = twin_of(s)) {
+          note_fork(*twin, s.candidate);
           why = fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + twin->breast_height.x(),
                             points_.origin.y() + twin->breast_height.y());
+        }
       if (why)
         out_.rejected.push_back(
             {{s.breast_height.x(), s.breast_height.y(), s.ground_z}, 2 * s.radius, s.inliers, *why});
       else
         out_.stems.push_back(std::move(s));
     }
+    for (auto& s : out_.stems)
+      if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
     number();
   }
 
+  // Circles above breast height that stand beside the stem they join below: its limbs.
+  void note_fork(Stem& trunk, const StemCandidate& limb) const {
+    constexpr double above_m = 0.25;
+    if (limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius) return;
+    const double z = limb.ground_z + 0.5 * (limb.lowest + limb.highest);
+    const Eigen::Vector2d at_limb =
+        Eigen::Vector2d(limb.x, limb.y) + (z - limb.z) * Eigen::Vector2d(limb.slope_x, limb.slope_y);
+    const Eigen::Vector2d at_trunk =
+        (trunk.breast_height + (z - trunk.breast_height.z()) / trunk.direction.z() * trunk.direction).head<2>();
+    if ((at_limb - at_trunk).norm() < 0.5 * trunk.radius) return;
+    trunk.fork_m = std::isnan(trunk.fork_m) ? limb.lowest : std::min(trunk.fork_m, limb.lowest);
+  }
+
   // Two stems of a fork touch at most; what overlaps a better stem by more is part of it.
-  const Stem* twin_of(const Stem& s) const {
-    for (const auto& o : out_.stems)
+  Stem* twin_of(const Stem& s) {
+    for (auto& o : out_.stems)
       if ((o.breast_height - s.breast_height).head<2>().norm() <
           o.radius + s.radius - 0.5 * std::min(o.radius, s.radius))
         return &o;
@@ -225,6 +270,10 @@ class Survey {
     auto labels = assign_points(out_.stems, points_, options_, run_);
     measure_heights(out_.stems, points_, labels, run_);
     judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
+    run_.report(0.92, "stem curves and crowns");
+    follow_stems(out_.stems, points_, labels, options_, run_);
+    measure_volumes(out_.stems, breast_height_);
+    measure_crowns(out_.stems, points_, labels, run_);
     out_.points = points_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
@@ -234,7 +283,7 @@ class Survey {
     auto& r = out_.report;
     r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size()),
     r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
-    r.counts["candidates"] = static_cast<std::int64_t>(candidates_.size()),
+    r.counts["candidates"] = static_cast<std::int64_t>(tried_),
     r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
     r.facts["fit"] = fits_along_rays(rays_, options_) ? "along rays" : "surface distance";
@@ -261,14 +310,13 @@ class Survey {
           "no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc "
           "or min_dbh, or change the search heights",
           layer_.size(), options_.search_bottom_m, options_.search_top_m, options_.min_arc_deg);
-    if (candidates_.empty()) {
+    if (tried_ == 0) {
       return fmt::format(
           "no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen "
           "search_bottom to search_top",
           circles_, options_.min_sections);
     }
-    return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why",
-                       candidates_.size());
+    return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why", tried_);
   }
 
   const PointCloud& points_;
@@ -281,6 +329,8 @@ class Survey {
   CloudRays rays_;
   std::vector<StemCandidate> candidates_;
   std::vector<Stem> fitted_;
+  std::vector<StemCandidate> unfitted_;
+  std::size_t tried_ = 0;
   std::size_t circles_ = 0;
   StemSurvey out_;
 };

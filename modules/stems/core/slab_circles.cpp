@@ -258,7 +258,8 @@ bool circle_through(const Voxel& a, const Voxel& b, const Voxel& c, float& x, fl
 
 constexpr std::array<float, 4> reaches{0.08F, 0.2F, 0.45F, 1.0F};
 constexpr std::uint32_t most_seeds = 6;  // per cell
-constexpr int attempts = 5;              // per seed and reach
+constexpr double usual_radius_m = 0.12;
+constexpr int attempts = 5;  // per seed and reach
 
 using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
 
@@ -277,10 +278,12 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
                           radius))
         continue;
       if (radius < least || radius > std::min(most, reaches[scale])) continue;
-      const auto s = score_circle(slab, x, y, radius, best.score);
-      if (s.most() <= best.score) continue;
+      // Wide circles meet more leaves by chance: what counts is between the number of points and their density.
+      const double share = std::sqrt(usual_radius_m / radius);
+      const auto s = score_circle(slab, x, y, radius, best.score / share);
+      if (share * s.most() <= best.score) continue;
       const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
-      const double score = s.most() * std::sqrt(arc);
+      const double score = share * s.most() * std::sqrt(arc);
       if (score <= best.score || s.points < 5) continue;
       best.x = x, best.y = y, best.radius = radius, best.score = score, best.arc_rad = arc * 2 * std::numbers::pi,
       best.points = s.points;

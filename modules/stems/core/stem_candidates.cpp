@@ -81,14 +81,18 @@ class Linker {
     return best;
   }
 
-  // Marks the members, and every circle that the stem leaves no room for.
-  void take(const Consensus& c) {
+  // Marks the members, and every circle that the stem leaves no room for; returns the latter.
+  std::vector<SlabCircle> take(const Consensus& c) {
     for (const auto i : c.members) taken_[i] = true;
+    std::vector<SlabCircle> displaced;
     for (const auto i : grid_.around(c.axis.x, c.axis.y)) {
       const auto& o = circles_[i];
-      if (std::hypot(o.x - c.axis.x_at(o.z), o.y - c.axis.y_at(o.z)) < std::max(0.8 * c.axis.r_at(o.z), 0.5 * o.radius))
-        taken_[i] = true;
+      if (taken_[i] || std::hypot(o.x - c.axis.x_at(o.z), o.y - c.axis.y_at(o.z)) >=
+                           std::max(0.8 * c.axis.r_at(o.z), 0.5 * o.radius))
+        continue;
+      taken_[i] = true, displaced.push_back(o);
     }
+    return displaced;
   }
   bool taken(std::uint32_t i) const { return taken_[i]; }
 
@@ -173,8 +177,9 @@ LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const Measure
       }
       continue;
     }
-    linker.take(best);
+    auto displaced = linker.take(best);
     auto candidate = candidate_of(best, circles);
+    candidate.displaced = std::move(displaced);
     (candidate.sections >= options.min_sections ? out.stems : out.weak).push_back(candidate);
   }
   return out;

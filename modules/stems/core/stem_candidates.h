@@ -17,6 +17,7 @@ struct StemCandidate {
   double score = 0;
   int sections = 0;
   int points = 0;
+  std::vector<SlabCircle> displaced;  // circles that it leaves no room for, of stems that stand here if it does not
 };
 
 struct LinkedCircles {

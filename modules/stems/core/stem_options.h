@@ -33,7 +33,7 @@ struct MeasureOptions {
   double beam_aperture_m = 0.0095;
   double bark_relief_m = 0.001;
   bool estimate_range_offset = true;
-  double range_bias_m = 0.0012;
+  double range_bias_m = 0.0006;
   double pass_gap_s = 10;
   double max_range_m = 20;
   double max_ray_through = 0.30;

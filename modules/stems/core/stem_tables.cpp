@@ -22,6 +22,11 @@ double lean_azimuth_deg(const Stem& s) {
   return a < 0 ? a + 360 : a;
 }
 
+// Where the axis meets the ground.
+Eigen::Vector3d base_of(const Stem& s) {
+  return s.breast_height + (s.ground_z - s.breast_height.z()) / s.direction.z() * s.direction;
+}
+
 // Fills a column of numbers, one per item.
 template <class T, class F>
 void numbers(Table& table, const char* name, const std::vector<T>& items, F&& value) {
@@ -66,6 +71,16 @@ Table stem_table(const StemSurvey& survey) {
   integers(t, "passes", stems, [](const Stem& s) { return s.passes; });
   numbers(t, "pass_spread_cm", stems, [](const Stem& s) { return 100 * s.pass_spread_m; });
   numbers(t, "sigma_cm", stems, [](const Stem& s) { return 100 * s.sigma_m; });
+  numbers(t, "wall_cm", stems, [](const Stem& s) { return 100 * s.wall_m; });
+  numbers(t, "girth_dbh_cm", stems, [](const Stem& s) { return 100 * s.girth_m / std::numbers::pi; });
+  numbers(t, "ovality_pct", stems, [](const Stem& s) { return 100 * s.ovality; });
+  numbers(t, "base_x_m", stems, [&](const Stem& s) { return o.x() + base_of(s).x(); });
+  numbers(t, "base_y_m", stems, [&](const Stem& s) { return o.y() + base_of(s).y(); });
+  numbers(t, "crown_base_m", stems, [](const Stem& s) { return s.crown_base_m; });
+  numbers(t, "crown_area_m2", stems, [](const Stem& s) { return s.crown_area_m2; });
+  numbers(t, "volume_m3", stems, [](const Stem& s) { return s.volume_m3; });
+  texts(t, "volume_method", stems, [](const Stem& s) { return s.volume_method; });
+  numbers(t, "fork_m", stems, [](const Stem& s) { return s.fork_m; });
   integers(t, "inliers", stems, [](const Stem& s) { return s.inliers; });
   integers(t, "sections", stems, [](const Stem& s) { return s.sections_used; });
   texts(t, "quality", stems, [](const Stem& s) { return s.quality; });
@@ -95,6 +110,7 @@ Table section_table(const StemSurvey& survey) {
   numbers(t, "arc_deg", rows, [](const Row& r) { return r.section.arc_rad * to_deg; });
   integers(t, "inliers", rows, [](const Row& r) { return r.section.inliers; });
   integers(t, "used", rows, [](const Row& r) { return r.section.used; });
+  integers(t, "curve", rows, [](const Row& r) { return r.section.curve; });
   return t;
 }
 

@@ -1,4 +1,4 @@
-// slam_accuracy [scan=FOLDER] [frames=N] [table=FILE.csv] [option=value ...]
+// slam_accuracy [scan=FOLDER] [frames=N] [table=FILE.csv] [out=FILE.tum] [option=value ...]
 // Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or,
 // without one, on a synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the
 // trunks are in the map. `table` gets what the odometry found for each frame.
@@ -7,11 +7,13 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <map>
 
 #include "evaluation/core/evaluate_loops.h"
 #include "slam/core/slam.h"
 #include "slam/core/tum_poses.h"
+#include "stem_truth.h"
 #include "synthetic/scan_world.h"
 #ifdef BOLE_HAS_IO
 #include "io/core/frame_source.h"
@@ -60,6 +62,17 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
   out.ate_m = std::sqrt(out.ate_m / n), out.turn_deg = std::sqrt(out.turn_deg / n),
   out.step_m = std::sqrt(out.step_m / n), out.end_m = drift.translation().norm();
   return out;
+}
+
+void write_tum(const std::string& file, const Trajectory& path) {
+  std::ofstream out(file);
+  out.precision(10);
+  for (const auto& p : path.poses) {
+    const Eigen::Quaterniond q(p.T_target_sensor.linear());
+    const Eigen::Vector3d t = p.T_target_sensor.translation();
+    out << std::fixed << p.time_s << ' ' << t.x() << ' ' << t.y() << ' ' << t.z() << ' ' << q.x() << ' ' << q.y() << ' '
+        << q.z() << ' ' << q.w() << '\n';
+  }
 }
 
 Pose aligned(const Trajectory& estimate, const Trajectory& truth) {
@@ -137,6 +150,26 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
       "cm\n",
       fitted, asked, sum / fitted, std::sqrt(squared / fitted), wall / fitted, 100 * std::sqrt(dx2 / fitted));
 }
+
+// What all returns, not thinned, say along their rays with the true and with the estimated path.
+void print_rays(const FrameSource& source, const Table& trees, const Trajectory& truth, const Trajectory& estimate,
+                const Pose& T_world_map) {
+  const auto stems = true_stems(trees);
+  const auto within = [](const Trajectory& path, double t) {
+    return t >= path.poses.front().time_s && t <= path.poses.back().time_s;
+  };
+  const auto both = [&](double t) { return within(truth, t) && within(estimate, t); };
+  const auto with_truth = stem_returns(
+      source, source.size(), [&](double t) { return both(t) ? std::optional(truth.at(t)) : std::nullopt; }, stems);
+  const auto with_estimate = stem_returns(
+      source, source.size(),
+      [&](double t) { return both(t) ? std::optional(T_world_map * estimate.at(t)) : std::nullopt; }, stems);
+  for (const auto* returns : {&with_truth, &with_estimate}) {
+    const auto w = wall_figures(*returns, stems.size());
+    std::printf("%s path: residual along the ray %+.2f mm, %+.2f mm about own centres (%.1f mm off), wall %.1f mm\n",
+                returns == &with_truth ? "true" : "estimated", w.along_mm, w.own_along_mm, w.own_sd_mm, w.wall_mm);
+  }
+}
 #endif
 
 // Radial residuals of map points about the trunks of the synthetic plot: 1.4826 MAD about the median, over heights of
@@ -188,7 +221,7 @@ void print_loops(const Table& loops, const Trajectory& truth) {
 
 int main(int count, char** arguments) try {
   std::map<std::string, std::string> own{{"scan", ""},   {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"},
-                                         {"half", "16"}, {"radius", "8"},   {"table", ""}};
+                                         {"half", "16"}, {"radius", "8"},   {"table", ""},     {"out", ""}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
@@ -226,6 +259,7 @@ int main(int count, char** arguments) try {
   const auto result = run_slam(*source, options.as<SlamOptions>(), {});
   const double user_s = user_seconds() - before_s;
   const auto e = compare(result.trajectory, truth);
+  if (!own["out"].empty()) write_tum(own["out"], result.trajectory);
   std::printf("%s\n", result.report.message.c_str());
   for (const auto& w : result.report.warnings) std::printf("warning: %s\n", w.c_str());
   for (const auto& [name, value] : result.report.counts)
@@ -245,8 +279,11 @@ int main(int count, char** arguments) try {
   const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
-  else
-    print_trees(result.points, read_table(own["scan"] + "/trees.csv"), T_world_map);
+  else {
+    const auto trees = read_table(own["scan"] + "/trees.csv");
+    print_trees(result.points, trees, T_world_map);
+    print_rays(*source, trees, truth, result.trajectory, T_world_map);
+  }
 #endif
   return 0;
 } catch (const std::exception& error) {

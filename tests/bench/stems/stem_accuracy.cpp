@@ -1,7 +1,10 @@
-// stem_accuracy cloud=FILE truth=FOLDER [cloud=FILE truth=FOLDER ...] [models=surface,ray] [list=yes] [option=value
-// ...] Diameters against known truth: FILE is a cloud with heights above ground (cloud.las of `bole run`), FOLDER one
-// of `bole simulate` (trees.csv, dem.tif). Prints bias, RMSE and coverage of the 95 % interval by model and by diameter
-// class, beside plain circles through the same slices. Not a Google Benchmark, for the answer is not a time.
+// stem_accuracy cloud=FILE truth=FOLDER [cloud=FILE truth=FOLDER ...] [models=surface,ray] [list=yes] [out=FOLDER]
+// [perturb=CM] [perturb_seed=N] [option=value ...] Diameters against known truth: FILE is a cloud with heights above
+// ground (cloud.las of `bole run`; dem.tif beside it is used where present), FOLDER one of `bole simulate` (trees.csv,
+// dem.tif). Prints bias, RMSE and coverage of the 95 % interval by model and by diameter class, beside plain circles
+// through the same slices. `perturb` displaces every pass of the walk, its points with its sensor positions, by normal
+// errors of that standard deviation per horizontal axis. `out` keeps the tables of the last model, for stem_tables.py:
+// FOLDER/NAME/stems.csv where NAME is that of the truth folder. Not a Google Benchmark, for the answer is not a time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <random>
 #include <set>
 
 #include "cloud/raster.h"
@@ -34,13 +38,44 @@ struct Plot {
 };
 
 Plot load(const std::filesystem::path& cloud, const std::filesystem::path& truth) {
-  Plot plot{read_cloud(cloud).cloud, read_geotiff(truth / "dem.tif"), {}};
+  const auto measured_dem = cloud.parent_path() / "dem.tif";
+  Plot plot{read_cloud(cloud).cloud,
+            read_geotiff(std::filesystem::exists(measured_dem) ? measured_dem : truth / "dem.tif"),
+            {}};
   const auto table = read_table(truth / "trees.csv");
   const auto x = table.numbers("x_m"), y = table.numbers("y_m"), dbh = table.numbers("dbh_cm"),
              inside = table.numbers("in_plot");
   for (std::size_t i = 0; i < x.size(); ++i)
     if (inside[i] > 0 && dbh[i] >= 7.5) plot.trees.push_back({x[i], y[i], dbh[i]});
   return plot;
+}
+
+struct Perturbation {
+  double sd_m = 0;
+  unsigned seed = 1;
+};
+
+// Displaces points and sensors of each pass alike, in the plane.
+void perturb(PointCloud& points, const Perturbation& p) {
+  if (p.sd_m <= 0) return;
+  const auto& pass = points.values<std::int32_t>(arrays::pass);
+  std::map<std::int32_t, Eigen::Vector2f> shift;
+  for (const auto k : pass) shift.try_emplace(k, 0, 0);
+  std::mt19937 random(p.seed);
+  std::normal_distribution<double> normal(0, p.sd_m);
+  for (auto& [k, s] : shift) {
+    const double x = normal(random), y = normal(random);
+    s = Eigen::Vector2d(x, y).cast<float>();
+  }
+  auto positions = points.positions();
+  auto sensor_x = points.values<float>(arrays::sensor_x), sensor_y = points.values<float>(arrays::sensor_y);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto& s = shift[pass[i]];
+    positions[i].head<2>() += s, sensor_x[i] += s.x(), sensor_y[i] += s.y();
+  }
+  points.set_positions(std::move(positions));
+  points.set_column(arrays::sensor_x, std::move(sensor_x)), points.set_column(arrays::sensor_y, std::move(sensor_y));
+  fmt::print("{} passes displaced by {:.1f} cm\n", shift.size(), 100 * p.sd_m);
 }
 
 // Errors of one way of measuring, centimetres, with half the width of the interval (0: none).
@@ -98,7 +133,7 @@ void print_missed(const Tree& tree, const StemSurvey& survey) {
 }
 
 void measure(const Plot& plot, const MeasureOptions& options, const std::string& name, bool list, Errors& errors,
-             std::vector<Stem>& stems_of_tree) {
+             std::vector<Stem>& stems_of_tree, const std::filesystem::path& out) {
   const auto start = std::chrono::steady_clock::now();
   const auto survey =
       measure_stems(plot.points, breast_height_slice(plot.points, {}, {}), plot.dem, nullptr, options, {});
@@ -107,6 +142,11 @@ void measure(const Plot& plot, const MeasureOptions& options, const std::string&
   for (const auto& [key, value] : survey.report.metrics) metrics += fmt::format(", {} {:.2f}", key, value.value);
   fmt::print("{}: {} stems in {:.1f} s{}\n", name, survey.stems.size(), seconds, metrics);
   const auto table = stem_table(survey);
+  if (!out.empty()) {
+    std::filesystem::create_directories(out);
+    write_table(out / "stems.csv", table), write_table(out / "sections.csv", section_table(survey)),
+        write_table(out / "rejected.csv", rejected_table(survey));
+  }
   const auto dbh = table.numbers("dbh_cm"), low = table.numbers("dbh_lo_cm"), high = table.numbers("dbh_hi_cm");
   const auto found = match(plot.trees, table);
   stems_of_tree.assign(plot.trees.size(), {});
@@ -160,6 +200,8 @@ int run(int argc, char** argv) {
   std::vector<std::pair<std::string, std::string>> inputs;
   std::string models = "surface,ray", cloud;
   bool list = false;
+  std::filesystem::path out;
+  Perturbation perturbation;
   OptionSet options(option_table(static_cast<const MeasureOptions*>(nullptr)));
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('=')),
@@ -172,6 +214,12 @@ int run(int argc, char** argv) {
       models = value;
     else if (name == "list")
       list = value == "yes";
+    else if (name == "out")
+      out = value;
+    else if (name == "perturb")
+      perturbation.sd_m = std::stod(value) / 100;
+    else if (name == "perturb_seed")
+      perturbation.seed = static_cast<unsigned>(std::stoul(value));
     else
       options.set_text(name, value);
   }
@@ -180,13 +228,15 @@ int run(int argc, char** argv) {
   std::map<std::string, Errors> errors;
   for (const auto& [file, truth] : inputs) {
     fmt::print("{}\n", file);
-    const auto plot = load(file, truth);
+    auto plot = load(file, truth);
+    perturb(plot.points, perturbation);
+    const auto kept = out.empty() ? out : out / std::filesystem::path(truth).lexically_normal().filename();
     std::vector<Stem> stems;
     for (std::size_t at = 0; at < models.size();) {
       const auto model = models.substr(at, models.find(',', at) - at);
       at += model.size() + 1;
       options.set_text("model", model);
-      measure(plot, options.as<MeasureOptions>(), model, list, errors["stem, " + model], stems);
+      measure(plot, options.as<MeasureOptions>(), model, list, errors["stem, " + model], stems, kept);
     }
     circles(plot, stems, errors);
   }

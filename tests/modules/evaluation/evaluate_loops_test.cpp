@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace bole {
 namespace {
@@ -59,6 +60,25 @@ TEST(EvaluateLoops, NoLoopsAtAll) {
   const auto e = evaluate_loops(loops({}, {}), out_and_back(), {});
   EXPECT_TRUE(std::isnan(value(e.summary, "loop_precision")));
   EXPECT_EQ(value(e.summary, "loop_recall"), 0);
+}
+
+TEST(EvaluateLoops, RelativePosesAreHeldAgainstTheReference) {
+  // The first says what the reference does: 1 m to the left; the second is 0.2 m off, the third turned by 2 deg.
+  auto t = loops({20, 25, 30}, {60, 55, 50});
+  t.set("x_m", std::vector<double>{0, 0.2, 0}), t.set("y_m", std::vector<double>{1, 1, 1}),
+      t.set("z_m", std::vector<double>{0, 0, 0});
+  const double half = 1.0 * std::numbers::pi / 180;
+  t.set("qx", std::vector<double>{0, 0, 0}), t.set("qy", std::vector<double>{0, 0, 0}),
+      t.set("qz", std::vector<double>{0, 0, std::sin(half)}), t.set("qw", std::vector<double>{1, 1, std::cos(half)});
+  const auto e = evaluate_loops(t, out_and_back(), {});
+  EXPECT_EQ(e.right, 3u);
+  EXPECT_EQ(e.true_poses, 1u);
+  EXPECT_NEAR(value(e.summary, "loop_pose_precision"), 100.0 / 3, 1e-9);
+  EXPECT_NEAR(e.loops.numbers("shift_error_m")[1], 0.2, 1e-9);
+  EXPECT_NEAR(e.loops.numbers("turn_error_deg")[2], 2, 1e-6);
+  EvaluationOptions wide;
+  wide.loop_shift_m = 0.3, wide.loop_turn_deg = 3;
+  EXPECT_EQ(evaluate_loops(t, out_and_back(), wide).true_poses, 3u);
 }
 
 }  // namespace

@@ -103,5 +103,25 @@ TEST(EvaluateTrajectory, DifferentClocksAreExplained) {
   }
 }
 
+TEST(EvaluateTrajectory, RelativeErrorsByDistanceGrowWithTheWay) {
+  // One per cent too long: 2 cm over 2 m, 5 cm over 5 m, whatever the speed.
+  Trajectory reference, estimate;
+  for (int i = 0; i <= 200; ++i) {
+    Pose T = Pose::Identity();
+    const double x = i < 100 ? 0.1 * i : 10 + 0.05 * (i - 100);
+    T.translation().x() = x;
+    reference.poses.push_back({0.1 * i, T});
+    T.translation().x() = 1.01 * x;
+    estimate.poses.push_back({0.1 * i, T});
+  }
+  EvaluationOptions options;
+  for (const double distance_m : {2.0, 5.0}) {
+    options.rpe_distance_m = distance_m;
+    const auto e = evaluate_trajectory(estimate, reference, options);
+    EXPECT_NEAR(value(e.summary, "rpe_distance_translation_mean"), 0.01 * distance_m, 0.0011);
+    EXPECT_NEAR(value(e.summary, "rpe_distance_rotation_max"), 0, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace bole

@@ -12,6 +12,7 @@
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_sheet.h"
 #include "render/charts/stem_map.h"
+#include "render/charts/trajectory_charts.h"
 
 namespace bole {
 namespace {
@@ -26,6 +27,16 @@ StemMapData map_data() {
   return {&s.stems, rectangle_area({0, 0}, 20, 20), &s.targets, &s.trajectory, &s.matches, true};
 }
 
+// One right, one wrong, and one of a time that the path does not cover.
+Table two_loops(const Trajectory& path) {
+  const double start = path.poses.front().time_s, end = path.poses.back().time_s;
+  Table t;
+  t.set("from_time_s", std::vector<double>{start, start + 1, start - 100});
+  t.set("to_time_s", std::vector<double>{end, 0.5 * (start + end), end});
+  t.set("right", std::vector<std::int64_t>{1, 0, 1});
+  return t;
+}
+
 std::vector<Figure> all_charts() {
   const auto& s = survey();
   std::vector<Figure> figures{stem_map(map_data(), 160),
@@ -36,6 +47,12 @@ std::vector<Figure> all_charts() {
                               trajectory_plan(s.trajectory, &s.reference, 120),
                               trajectory_plan(s.trajectory, nullptr, 120)};
   figures.back().name = "trajectory_time";
+  static const Table loops = two_loops(s.trajectory);
+  const TrajectoryComparison both{&s.trajectory, &s.reference, &loops};
+  for (const auto& figure :
+       {trajectory_overlay(both, 160), trajectory_error_chart(both, 160), trajectory_sheet(both, 160)})
+    figures.push_back(figure);
+  figures.back().name = "trajectory_sheet";
   for (auto& page : slice_sheets(s.stems, s.slice, 180)) figures.push_back(page);
   return figures;
 }
@@ -140,6 +157,23 @@ TEST(Charts, WriteThemForTheEye) {
     write_text_file(std::filesystem::path(dir) / (figure.name + ".svg"), figure_svg(figure));
     write_text_file(std::filesystem::path(dir) / (figure.name + ".pdf"), figure_pdf(figure));
   }
+}
+
+TEST(Charts, RightAndWrongLoopsAreDrawnInTheirColours) {
+  const auto& s = survey();
+  const auto loops = two_loops(s.trajectory);
+  const auto without = figure_image(trajectory_overlay({&s.trajectory, &s.reference, nullptr}, 160), 100),
+             with = figure_image(trajectory_overlay({&s.trajectory, &s.reference, &loops}, 160), 100);
+  EXPECT_GT(pixels_near(with, ink::poor), pixels_near(without, ink::poor));
+  EXPECT_GT(pixels_near(with, ink::good), pixels_near(without, ink::good));
+}
+
+TEST(Charts, ATrajectoryOfOnePoseIsRefused) {
+  const auto& s = survey();
+  Trajectory one;
+  one.poses.push_back(s.trajectory.poses.front());
+  EXPECT_THROW(trajectory_overlay({&one, &s.reference, nullptr}, 160), Error);
+  EXPECT_THROW(trajectory_sheet({&s.trajectory, nullptr, nullptr}, 160), Error);
 }
 
 }  // namespace

@@ -113,6 +113,8 @@ TEST_F(MakeReport, WritesEverything) {
                            "figures/dbh_histogram.png",
                            "figures/position_errors.png",
                            "figures/trajectory.svg",
+                           "figures/trajectory_overlay.svg",
+                           "figures/trajectory_error.pdf",
                            "figures/slices_01.png"})
     EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_))
@@ -134,6 +136,43 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_THAT(page, HasSubstr("rays pass through it"));
   EXPECT_THAT(page, HasSubstr("1.03"));  // published
   EXPECT_EQ(testing_data::markup_trouble(page), "");
+}
+
+TEST_F(MakeReport, SlamIsTold) {
+  const auto s = testing_data::make_small_survey();
+  DataSet inputs;
+  Table loops, odometry;
+  loops.set("from_time_s", std::vector<double>{2}), loops.set("to_time_s", std::vector<double>{31.5}),
+      loops.set("way_m", std::vector<double>{27}), loops.set("correction_m", std::vector<double>{0.042}),
+      loops.set("overlap", std::vector<double>{0.91}), loops.set("found_by", std::vector<std::string>{"context"});
+  odometry.set("frame", std::vector<std::int64_t>{0, 1, 2}), odometry.set("time_s", std::vector<double>{1, 1.1, 1.2}),
+      odometry.set("ok", std::vector<std::int64_t>{1, 0, 1}),
+      odometry.set("overlap", std::vector<double>{1, 0.12, 0.8});
+  inputs.set("stems", s.stems), inputs.set("loops", loops), inputs.set("odometry", odometry);
+  auto told = *record();
+  StageRecord slam;
+  slam.id = "slam", slam.type = "slam.run";
+  slam.report.counts = {{"frames", 2}, {"frames_failed", 1}, {"loops", 1}, {"loop_candidates", 3}};
+  slam.report.metrics = {{"sigma0", {0.93, Unit::none}},
+                         {"registration_per_frame", {12.34, Unit::millisecond}},
+                         {"loops_time", {0.02, Unit::second}}};
+  slam.report.facts["lost_at_frame"] = "77";
+  told.stages.push_back(slam);
+  run_.record = std::make_shared<const RunRecord>(told);
+  make_report(inputs, quick(), run_);
+  EXPECT_EQ(read_table(dir_ / "loops.csv").rows(), 1u);
+  EXPECT_EQ(read_table(dir_ / "odometry.csv").rows(), 3u);
+  const auto html = contents(dir_ / "report.html");
+  const auto section = html.substr(html.find("<section id=\"slam\">"));
+  for (const char* text : {"<h2>SLAM</h2>", "Frames that failed", "Track lost at frame", ">77<", ">0.93<", ">12.3<",
+                           "Loops and pose graph", ">10.0<", ">22.3<", "context", ">30.5<", ">4.2<", "Failed frames"})
+    EXPECT_THAT(section, HasSubstr(text));
+
+  // With poses from a file there is nothing to tell.
+  told.stages.back().report.facts["trajectory"] = "poses.tum";
+  run_.record = std::make_shared<const RunRecord>(told);
+  make_report(inputs, quick(), run_);
+  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("<h2>SLAM</h2>")));
 }
 
 TEST_F(MakeReport, StemsAloneAreEnough) {

@@ -292,7 +292,7 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
   const auto walk = [](double t) { return synthetic::walk_on_circle(t, 4, 1, 0, 0); };
   const SyntheticScan source(synthetic::trunks(9, 3.5), SpinningSensor::even(32, -25, 15, 360), walk, 300);
   SlamOptions options;
-  options.loop_path_m = 18;
+  options.loop_path_m = 18, options.loop_radius_m = 5;
   options = resolved(options);
   std::vector<Keyframe> keyframes;
   std::vector<Pose> truth;

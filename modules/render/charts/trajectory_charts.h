@@ -1,0 +1,27 @@
+// An estimated path beside its reference: both over each other with the revisits as lines, and the error along the way.
+#pragma once
+
+#include "cloud/table.h"
+#include "cloud/trajectory.h"
+#include "render/draw/figure.h"
+
+namespace bole {
+
+struct TrajectoryComparison {
+  const Trajectory* estimate = nullptr;  // in the axes of the reference
+  const Trajectory* reference = nullptr;
+  // Revisits by from_time_s and to_time_s, coloured by `true_pose` or `right` where there is such a column; may be
+  // null.
+  const Table* loops = nullptr;
+};
+
+// From above. Throws Error{bad_input} when a trajectory has fewer than two poses, as do the others.
+Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm);
+
+// Distance between the two at equal times, and its horizontal and vertical part, over the way.
+Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm);
+
+// Both on one sheet.
+Figure trajectory_sheet(const TrajectoryComparison& comparison, double width_mm);
+
+}  // namespace bole

@@ -1,0 +1,154 @@
+#include "report/core/slam_section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/markup.h"
+#include "render/charts/columns.h"
+#include "render/draw/axes.h"
+#include "report/core/html.h"
+
+namespace bole {
+namespace {
+
+struct Part {
+  const char* metric;
+  const char* title;
+};
+
+// Those that take their time for each frame, in the order of the work.
+constexpr std::array<Part, 8> parts{{{"read_per_frame", "Reading"},
+                                     {"features_per_frame", "Features"},
+                                     {"guess_per_frame", "First guess"},
+                                     {"registration_per_frame", "Registration"},
+                                     {"observability_per_frame", "Open motions"},
+                                     {"local_map_per_frame", "Local map"},
+                                     {"adjustment_per_frame", "Final adjustment"},
+                                     {"map_per_frame", "Dense map"}}};
+
+struct Measure {
+  const char* metric;
+  const char* title;
+  const char* unit;
+  int decimals;
+  double factor;  // from the metric's unit to the shown one
+};
+
+constexpr std::array<Measure, 7> measures{
+    {{"overlap", "Points that agree with the map, mean of the frames", "%", 1, 1},
+     {"registration_rms", "Residual of the registration", "cm", 1, 100},
+     {"sigma0", "σ₀ of the adjustment, mean of the frames (1: as expected)", "", 2, 1},
+     {"pose_sigma", "Standard deviation of a position in its adjustment", "mm", 1, 1},
+     {"weakest_observability", "Least observability of a motion (below 3: open)", "", 1, 1},
+     {"loop_correction_rms", "Correction of the path by the loops, RMS", "cm", 1, 100},
+     {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100}}};
+
+class Section {
+ public:
+  Section(const StageRecord& stage, const Table* loops, const Table* odometry)
+      : r_(stage.report), loops_(loops), odometry_(odometry) {}
+
+  std::string html() const { return frames() + times() + loops(); }
+
+ private:
+  std::string count(const char* name) const {
+    const auto it = r_.counts.find(name);
+    return it == r_.counts.end() ? std::string() : std::to_string(it->second);
+  }
+  const Metric* metric(const char* name) const {
+    const auto it = r_.metrics.find(name);
+    return it == r_.metrics.end() ? nullptr : &it->second;
+  }
+
+  std::string frames() const {
+    HtmlTable table{{{"Frames and loops"}, {"This run", true}, {"Unit"}}, {}, false};
+    const auto add = [&](const char* title, const std::string& value) {
+      if (!value.empty()) table.rows.push_back({title, value, ""});
+    };
+    add("Frames mapped", count("frames"));
+    add("Frames that failed", count("frames_failed"));
+    if (const auto it = r_.facts.find("lost_at_frame"); it != r_.facts.end()) add("Track lost at frame", it->second);
+    add("Key frames", count("keyframes"));
+    add("Revisits tried", count("loop_candidates"));
+    add("Loops closed", count("loops"));
+    if (count("loops_by_context") != "0") add("of these found by appearance", count("loops_by_context"));
+    if (count("loops") != "0") add("Loops that the pose graph doubts", count("doubted_loops"));
+    for (const auto& m : measures)
+      if (const auto* found = metric(m.metric); found != nullptr)
+        table.rows.push_back({m.title, fixed(m.factor * found->value, m.decimals), m.unit});
+    return table.html() + failed_frames();
+  }
+
+  // The frames that did not agree with the map, by their time.
+  std::string failed_frames() const {
+    if (odometry_ == nullptr || !odometry_->has("ok") || odometry_->rows() == 0) return {};
+    const auto ok = odometry_->numbers("ok"), frame = odometry_->numbers("frame"), time = odometry_->numbers("time_s");
+    HtmlTable table{{{"Frame", true}, {"Time after the start (s)", true}, {"Overlap", true}}, {}, true};
+    const auto overlap = numbers_or_nan(*odometry_, "overlap");
+    for (std::size_t i = 0; i < ok.size(); ++i)
+      if (ok[i] == 0)
+        table.rows.push_back({fixed(frame[i], 0), fixed(time[i] - time.front(), 1), fixed(overlap[i], 2)});
+    return folded("Failed frames", table);
+  }
+
+  std::string times() const {
+    HtmlTable table{{{"Time per frame"}, {"ms", true}}, {}, false};
+    double sum = 0;
+    for (const auto& p : parts)
+      if (const auto* m = metric(p.metric); m != nullptr) {
+        table.rows.push_back({p.title, fixed(m->value, 1)});
+        sum += m->value;
+      }
+    const auto frames = r_.counts.find("frames");
+    if (const auto* m = metric("loops_time"); m != nullptr && frames != r_.counts.end() && frames->second > 0) {
+      const double ms = 1000 * m->value / static_cast<double>(frames->second);
+      table.rows.push_back({"Loops and pose graph", fixed(ms, 1)});
+      sum += ms;
+    }
+    if (table.rows.empty()) return {};
+    table.rows.push_back({"all", fixed(sum, 1)});
+    return table.html();
+  }
+
+  std::string loops() const {
+    if (loops_ == nullptr || loops_->rows() == 0) return {};
+    HtmlTable table{{{"From (s)", true},
+                     {"To (s)", true},
+                     {"Way between (m)", true},
+                     {"Correction (cm)", true},
+                     {"Overlap", true},
+                     {"Found by"}},
+                    {},
+                    true};
+    const auto start = odometry_ != nullptr && odometry_->rows() > 0 ? numbers_or_nan(*odometry_, "time_s").front()
+                                                                     : numbers_or_nan(*loops_, "from_time_s").front();
+    const auto from = numbers_or_nan(*loops_, "from_time_s"), to = numbers_or_nan(*loops_, "to_time_s"),
+               way = numbers_or_nan(*loops_, "way_m"), correction = numbers_or_nan(*loops_, "correction_m"),
+               overlap = numbers_or_nan(*loops_, "overlap");
+    const auto by = texts_or_empty(*loops_, "found_by");
+    for (std::size_t i = 0; i < loops_->rows(); ++i)
+      table.rows.push_back({fixed(from[i] - start, 1), fixed(to[i] - start, 1), fixed(way[i], 1),
+                            fixed(100 * correction[i], 1), fixed(overlap[i], 2), by[i]});
+    return folded("Loops", table);
+  }
+
+  static std::string folded(const std::string& title, const HtmlTable& table) {
+    return table.rows.empty() ? std::string()
+                              : "<details><summary>" + escaped(title) + " (" + std::to_string(table.rows.size()) +
+                                    ")</summary>\n" + table.html() + "</details>\n";
+  }
+
+  const Report& r_;
+  const Table* loops_;
+  const Table* odometry_;
+};
+
+}  // namespace
+
+std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry) {
+  if (stage.report.facts.contains("trajectory")) return {};
+  return Section(stage, loops, odometry).html();
+}
+
+}  // namespace bole

@@ -1,0 +1,55 @@
+// What a plot says beyond sums of diameters: heights by diameter, stem volume, and how sure all of it is.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace bole {
+
+// Height by diameter (Näslund): h = 1.3 m + d² / (a + b d)².
+struct HeightCurve {
+  double a = 0, b = 0;
+  double rmse_m = 0;  // of the heights it was fitted to
+  std::size_t trees = 0;
+  double least_dbh_cm = 0, most_dbh_cm = 0;  // of those trees
+
+  // NaN for diameters outside 0.8 of the least to 1.25 of the greatest: the curve is not carried further.
+  double height_m(double dbh_cm) const;
+};
+
+struct SizedStem {
+  double dbh_cm = 0;
+  double dbh_sd_cm = 0;  // NaN where no interval is known
+  double height_m = 0;   // of a top that was seen, else NaN
+  double volume_m3 = 0;  // by its own stem curve, else NaN
+};
+
+// Least squares of d / sqrt(h - 1.3) over d, once more without heights off by over 3 standard deviations. Nothing with
+// fewer than 8 heights, diameters all alike, or a curve that falls.
+std::optional<HeightCurve> fit_height_curve(const std::vector<SizedStem>& stems);
+
+// Volume of a paraboloid through breast height and top: g h² / (2 (h - 1.3)), g the basal area.
+double paraboloid_m3(double dbh_cm, double height_m);
+
+// Half widths of 95 % intervals. `measured`: how well this plot was measured. Errors of diameters are partly shared by
+// the stems of a plot: a quarter of the standard deviation of each is taken to point the same way in all (on simulated
+// plots the mean error of a plot scatters by a quarter of the error of a stem). `sampled`: how well the plot stands for
+// a stand whose trees stand at random (Poisson): +-1.96 sqrt(sum of squared values). NaN where not known.
+struct HalfWidths {
+  double measured = 0, sampled = 0;
+};
+
+struct StandValues {
+  std::optional<HeightCurve> curve;
+  std::size_t by_curve = 0;    // stems whose height is that of the curve
+  double mean_height_m = 0;    // of all stems, seen tops and curve; NaN where a height is missing
+  double lorey_height_m = 0;   // of all stems, as above
+  double volume_m3 = 0;        // of all stems; NaN where a height is missing
+  std::size_t own_volume = 0;  // stems with a volume by their own stem curve
+  HalfWidths stems, basal_area_m2, volume_m3_half;
+  double quadratic_mean_dbh_half_cm = 0;
+};
+
+StandValues stand_values(const std::vector<SizedStem>& stems);
+
+}  // namespace bole

@@ -1,0 +1,79 @@
+#include "steering/core/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bole::steering {
+namespace {
+
+constexpr std::uint64_t attitude_stream = 3;
+constexpr double rad_per_deg = std::numbers::pi / 180;
+constexpr double turning_speed_m_s = 4 / 3.6;
+
+}  // namespace
+
+Drive::Drive(const DriveOptions& options, double speed_km_h, const GuidanceLine& field_line, std::uint64_t seed)
+    : o_(options),
+      dt_s_(1 / options.rate),
+      target_speed_m_s_(speed_km_h / 3.6),
+      tractor_(options, field_line.yaw_rad, seed),
+      receiver_(options, seed),
+      filter_(options),
+      pid_(options, gains_of(options, speed_km_h)),
+      attitude_noise_(seed, attitude_stream),
+      line_(field_line) {}
+
+void Drive::place(const Eigen::Vector2d& rear_axle_nav, double yaw_rad) {
+  tractor_.place(rear_axle_nav, yaw_rad, target_speed_m_s_);
+  filter_.start(rear_axle_nav, target_speed_m_s_ * Eigen::Vector2d(std::cos(yaw_rad), std::sin(yaw_rad)));
+}
+
+void Drive::follow(const GuidanceLine& line) {
+  line_ = line;
+  pid_.restart();
+}
+
+DriveSample Drive::observe() {
+  time_s_ += dt_s_;
+  DriveSample s;
+  s.time_s = time_s_;
+  s.truth = tractor_.rear_axle();
+  const auto attitude = tractor_.attitude();
+  const Eigen::Vector3d arm(o_.antenna_forward, o_.antenna_left, o_.antenna_up);
+  const Eigen::Vector2d antenna = s.truth + (attitude.R_nav_body() * arm).head<2>();
+  const auto noise = [&](double sd_deg) { return sd_deg * rad_per_deg * attitude_noise_.normal(); };
+  geo::Attitude measured = attitude;
+  measured.roll_rad += noise(o_.tilt_noise_deg), measured.pitch_rad += noise(o_.tilt_noise_deg);
+  measured.yaw_rad += noise(o_.heading_noise_deg);
+  s.yaw_rad = measured.yaw_rad;
+  if (const auto fix = receiver_.fix(antenna))
+    s.received = geo::control_point({fix->x(), fix->y(), 0}, measured, arm).head<2>();
+  if (!s.received)
+    filter_.set_velocity(tractor_.speed_m_s() * Eigen::Vector2d(std::cos(s.yaw_rad), std::sin(s.yaw_rad)));
+  filter_.step(dt_s_, s.received);
+  s.navigated = filter_.position();
+  s.offset_m = line_.offset_m(s.navigated);
+  s.stopped = filter_.seconds_without_fix() > o_.outage_max;
+  return s;
+}
+
+DriveSample Drive::steer() {
+  auto s = observe();
+  const double alpha = std::remainder(s.yaw_rad - line_.yaw_rad, 2 * std::numbers::pi);
+  s.command_rad = pid_.wheel_angle_rad(s.offset_m, alpha, tractor_.speed_m_s(), s.stopped ? 0 : dt_s_);
+  tractor_.advance(dt_s_, s.command_rad, s.stopped ? 0 : target_speed_m_s_);
+  s.wheel_rad = tractor_.wheel_rad();
+  return s;
+}
+
+DriveSample Drive::turn(double curvature) {
+  auto s = observe();
+  s.stopped = false;  // the driver sees where he goes
+  s.command_rad = std::atan(o_.wheelbase * curvature);
+  tractor_.advance(dt_s_, s.command_rad, std::min(target_speed_m_s_, turning_speed_m_s));
+  s.wheel_rad = tractor_.wheel_rad();
+  return s;
+}
+
+}  // namespace bole::steering

@@ -1,0 +1,105 @@
+#include "steering/core/passes.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace bole::steering {
+namespace {
+
+constexpr double look_m = 1.0;      // way over which the direction of motion is taken
+constexpr double off_line_s = 1.0;  // so long the way may turn off without ending a pass
+
+using Direction = std::optional<double>;  // yaw, radians; none at rest
+
+// Direction of motion at each sample, from the points about `look_m` before and behind.
+std::vector<Direction> directions(const Track& track) {
+  const auto& p = track.truth;
+  std::vector<Direction> yaw(p.size());
+  std::size_t back = 0, ahead = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    while (back + 1 < i && (p[i] - p[back + 1]).norm() >= look_m) ++back;
+    ahead = std::max(ahead, i);
+    while (ahead + 1 < p.size() && (p[ahead] - p[i]).norm() < look_m) ++ahead;
+    const Eigen::Vector2d d = p[ahead] - p[back];
+    if (d.norm() > 0.2 * look_m) yaw[i] = std::atan2(d.y(), d.x());
+  }
+  return yaw;
+}
+
+struct Stretch {
+  std::size_t first, last;
+};
+
+// Runs of samples that `fits` accepts, with short breaks bridged.
+std::vector<Stretch> stretches(const Track& track, const std::function<bool(std::size_t)>& fits) {
+  std::vector<Stretch> found;
+  for (std::size_t i = 0; i < track.truth.size(); ++i) {
+    if (!fits(i)) continue;
+    if (!found.empty() &&
+        (i == found.back().last + 1 || track.time_s[i] - track.time_s[found.back().last] <= off_line_s))
+      found.back().last = i;
+    else
+      found.push_back({i, i});
+  }
+  return found;
+}
+
+double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * std::numbers::pi)); }
+
+}  // namespace
+
+std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, const PassLimits& limits) {
+  const auto yaw = directions(track);
+  std::vector<Pass> passes;
+  for (const int direction : {1, -1}) {
+    const double wanted = line.yaw_rad + (direction > 0 ? 0 : std::numbers::pi);
+    for (const auto& s : stretches(
+             track, [&](std::size_t i) { return yaw[i] && angle_between(*yaw[i], wanted) < limits.angle_max_rad; })) {
+      Pass pass{s.first, s.last, 0, direction};
+      const auto way = [&](std::size_t i) { return direction * line.along_m(track.truth[i]); };
+      const double begin = way(s.first), end = way(s.last);
+      while (pass.first < s.last && way(pass.first) - begin < limits.run_in_m) ++pass.first;
+      while (pass.last > pass.first && end - way(pass.last) < limits.run_out_m) --pass.last;
+      if (way(pass.last) - way(pass.first) < limits.length_min_m) continue;
+      double offset = 0;
+      for (std::size_t i = pass.first; i <= pass.last; ++i) offset += line.offset_m(track.truth[i]);
+      offset /= static_cast<double>(pass.last - pass.first + 1);
+      pass.row = limits.row_width_m > 0 ? std::llround(offset / limits.row_width_m) : 0;
+      passes.push_back(pass);
+    }
+  }
+  std::sort(passes.begin(), passes.end(), [](const Pass& a, const Pass& b) { return a.first < b.first; });
+  return passes;
+}
+
+std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimits& limits) {
+  const auto yaw = directions(track);
+  Stretch best{0, 0};
+  double best_m = 0;
+  for (std::size_t i = 0; i < track.truth.size();) {
+    std::size_t j = i;
+    while (yaw[i] && j + 1 < track.truth.size() && yaw[j + 1] &&
+           angle_between(*yaw[j + 1], *yaw[i]) < limits.angle_max_rad)
+      ++j;
+    // The first of several of about the same length, for A is where the work began.
+    if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m) best_m = m, best = {i, j};
+    i = j + 1;
+  }
+  if (best_m < limits.length_min_m) return std::nullopt;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  const double n = static_cast<double>(best.last - best.first + 1);
+  for (std::size_t i = best.first; i <= best.last; ++i) mean += track.truth[i] / n;
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (std::size_t i = best.first; i <= best.last; ++i) {
+    const Eigen::Vector2d d = track.truth[i] - mean;
+    scatter += d * d.transpose();
+  }
+  Eigen::Vector2d along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(scatter).eigenvectors().col(1);
+  if (along.dot(track.truth[best.last] - track.truth[best.first]) < 0) along = -along;
+  return GuidanceLine{mean, std::atan2(along.y(), along.x())};
+}
+
+}  // namespace bole::steering

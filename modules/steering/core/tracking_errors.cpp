@@ -1,0 +1,215 @@
+#include "steering/core/tracking_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "steering/core/passes.h"
+#include "steering/core/tracking_tables.h"
+
+namespace bole::steering {
+
+const OptionTable& option_table(const ErrorOptions*) {
+  using S = ErrorOptions;
+  using Number = Option<S, double>;
+  static const OptionTable table = make_option_table<S>({
+      Number{"row_width",
+             &S::row_width,
+             Unit::metre,
+             {0, 100},
+             Tier::basic,
+             "Distance of neighbouring lines; 0: from the log, where it tells."},
+      Number{"run_in",
+             &S::run_in,
+             Unit::metre,
+             {0, 1000},
+             Tier::basic,
+             "Way at the beginning of each pass that is not measured."},
+      Number{"run_out",
+             &S::run_out,
+             Unit::metre,
+             {0, 1000},
+             Tier::advanced,
+             "Way at the end of each pass that is not measured: the turn begins there."},
+      Number{"length_min", &S::length_min, Unit::metre, {1, 1e5}, Tier::basic, "Shorter passes do not count."},
+      Number{"angle_max_deg",
+             &S::angle_max_deg,
+             Unit::degree,
+             {0.5, 45},
+             Tier::advanced,
+             "A pass is where the way is within this angle of the line."},
+      Number{"speed_step_km_h",
+             &S::speed_step_km_h,
+             Unit::none,
+             {0.1, 40},
+             Tier::advanced,
+             "Measured speeds are grouped in steps of this, where the log names none."},
+  });
+  return table;
+}
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct Drive {
+  std::int64_t run = 1;
+  double speed_km_h = nan;
+  Track track;
+};
+
+// `reference` at the times of the log; NaN outside of it and in gaps of more than a second.
+std::vector<Eigen::Vector2d> at_times(const Table& reference, const std::vector<double>& times) {
+  const auto t = reference.numbers("time_s"), x = reference.numbers("x_m"), y = reference.numbers("y_m");
+  if (!std::is_sorted(t.begin(), t.end())) throw bad_input("the times of the reference fall", "rising time_s");
+  std::vector<Eigen::Vector2d> found;
+  for (const double time : times) {
+    const auto j = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin());
+    const bool exact = j > 0 && t[j - 1] == time;
+    if (!exact && (j == 0 || j == t.size() || t[j] - t[j - 1] > 1)) {
+      found.emplace_back(nan, nan);
+      continue;
+    }
+    const double s = exact ? 0 : (time - t[j - 1]) / (t[j] - t[j - 1]);
+    const std::size_t k = exact ? j - 1 : j;
+    found.emplace_back(std::lerp(x[j - 1], x[k], s), std::lerp(y[j - 1], y[k], s));
+  }
+  return found;
+}
+
+std::vector<Drive> drives_of(const Table& log, const Table* reference) {
+  const auto time = log.numbers("time_s"), x = log.numbers("x_m"), y = log.numbers("y_m");
+  std::vector<Eigen::Vector2d> truth;
+  if (log.has("ref_x_m") && log.has("ref_y_m")) {
+    const auto rx = log.numbers("ref_x_m"), ry = log.numbers("ref_y_m");
+    for (std::size_t i = 0; i < rx.size(); ++i) truth.emplace_back(rx[i], ry[i]);
+  } else if (reference != nullptr) {
+    truth = at_times(*reference, time);
+  }
+  const auto runs = log.has("run") ? log.integers("run") : std::vector<std::int64_t>(log.rows(), 1);
+  const auto speeds = log.has("speed_km_h") ? log.numbers("speed_km_h") : std::vector<double>(log.rows(), nan);
+  std::vector<Drive> drives;
+  for (std::size_t i = 0; i < log.rows(); ++i) {
+    const Eigen::Vector2d navigated(x[i], y[i]), real = truth.empty() ? navigated : truth[i];
+    if (!navigated.allFinite() || !real.allFinite() || !std::isfinite(time[i])) continue;
+    if (drives.empty() || drives.back().run != runs[i]) drives.push_back({runs[i], speeds[i], {}});
+    auto& track = drives.back().track;
+    if (!track.time_s.empty() && !(time[i] > track.time_s.back()))
+      throw bad_input(fmt::format("time_s does not rise at row {} of the log", i + 1), "rising times within a run");
+    track.time_s.push_back(time[i]), track.truth.push_back(real);
+    if (!truth.empty()) track.navigated.push_back(navigated);
+  }
+  return drives;
+}
+
+GuidanceLine line_of(const Table* lines, const Drive& drive, const PassLimits& limits) {
+  if (lines != nullptr && lines->rows() > 0) {
+    const Eigen::Vector2d a(lines->numbers("a_x_m")[0], lines->numbers("a_y_m")[0]),
+        b(lines->numbers("b_x_m")[0], lines->numbers("b_y_m")[0]), d = b - a;
+    if (!(d.norm() > 0.1)) throw bad_input("A and B are the same place", "two points of the line");
+    return {a, std::atan2(d.y(), d.x())};
+  }
+  const auto line = longest_straight(drive.track, limits);
+  if (!line)
+    throw bad_input(fmt::format("run {} has no straight stretch of {} m", drive.run, limits.length_min_m),
+                    "a line to measure against", "Give A and B (lines), or lower length_min");
+  return *line;
+}
+
+double median_speed_km_h(const Track& track, const Pass& pass) {
+  std::vector<double> v;
+  for (std::size_t i = pass.first + 1; i <= pass.last; ++i)
+    v.push_back(3.6 * (track.truth[i] - track.truth[i - 1]).norm() / (track.time_s[i] - track.time_s[i - 1]));
+  if (v.empty()) return nan;
+  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
+// Offsets of an earlier pass by place along the line, for the distance to it.
+class Neighbour {
+ public:
+  Neighbour(const Track& track, const Pass& pass, const GuidanceLine& line) {
+    for (std::size_t i = pass.first; i <= pass.last; ++i)
+      offset_at_[line.along_m(track.truth[i])] = line.offset_m(track.truth[i]);
+  }
+  double offset_m(double along_m) const {
+    const auto after = offset_at_.lower_bound(along_m);
+    if (after == offset_at_.end() || (after == offset_at_.begin() && after->first > along_m)) return nan;
+    if (after == offset_at_.begin()) return after->second;
+    const auto before = std::prev(after);
+    return std::lerp(before->second, after->second, (along_m - before->first) / (after->first - before->first));
+  }
+
+ private:
+  std::map<double, double> offset_at_;
+};
+
+void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimits& limits, double speed_step_km_h,
+                   std::vector<MeasuredPass>& found) {
+  const auto passes = find_passes(drive.track, line, limits);
+  std::map<std::int64_t, Neighbour> driven;  // the last pass on each row
+  for (const auto& pass : passes) {
+    MeasuredPass m;
+    m.run = drive.run, m.row = pass.row, m.direction = pass.direction;
+    m.speed_km_h = drive.speed_km_h;
+    if (!std::isfinite(m.speed_km_h))
+      m.speed_km_h = speed_step_km_h * std::round(median_speed_km_h(drive.track, pass) / speed_step_km_h);
+    const double middle = static_cast<double>(pass.row) * limits.row_width_m;
+    const Neighbour* neighbour = nullptr;
+    for (const std::int64_t row : {pass.row - 1, pass.row + 1})
+      if (const auto it = driven.find(row); it != driven.end() && limits.row_width_m > 0) neighbour = &it->second;
+    for (std::size_t i = pass.first; i <= pass.last; ++i) {
+      const auto& truth = drive.track.truth[i];
+      const double along = line.along_m(truth), offset = line.offset_m(truth);
+      ErrorSample s{drive.track.time_s[i], along, pass.direction * (offset - middle), nan, nan};
+      if (!drive.track.navigated.empty())
+        s.controller_m = pass.direction * (line.offset_m(drive.track.navigated[i]) - middle);
+      if (neighbour != nullptr) s.adjacent_m = std::abs(offset - neighbour->offset_m(along)) - limits.row_width_m;
+      m.samples.push_back(s);
+    }
+    driven.insert_or_assign(pass.row, Neighbour(drive.track, pass, line));
+    found.push_back(std::move(m));
+  }
+}
+
+}  // namespace
+
+TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table* reference,
+                               const ErrorOptions& options, const Run& run) {
+  PassLimits limits{options.row_width, options.run_in, options.run_out, options.length_min,
+                    options.angle_max_deg * std::numbers::pi / 180};
+  if (const auto it = log.facts.find("row_width_m"); limits.row_width_m == 0 && it != log.facts.end())
+    limits.row_width_m = std::stod(it->second);
+  const auto drives = drives_of(log, reference);
+  std::vector<MeasuredPass> passes;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    run.check_cancel();
+    run.report(static_cast<double>(i) / static_cast<double>(drives.size()), "measuring passes");
+    measure_drive(drives[i], line_of(lines, drives[i], limits), limits, options.speed_step_km_h, passes);
+  }
+  if (passes.empty())
+    throw bad_input(fmt::format("none of {} fixes is on a pass of {} m along the line", log.rows(), options.length_min),
+                    "a drive along the line from A to B", "Check A and B, or lower run_in and length_min");
+  TrackingErrors result;
+  result.passes = pass_table(passes);
+  result.summary = summary_table(passes);
+  result.errors = error_table(passes);
+  result.report.counts["passes"] = static_cast<std::int64_t>(passes.size());
+  const auto all = overall(passes);
+  result.report.metrics["line_sd"] = {all.line.sd, Unit::metre};
+  result.report.metrics["line_max"] = {all.line.max, Unit::metre};
+  if (all.adjacent.count > 0) {
+    result.report.metrics["adjacent_sd"] = {all.adjacent.sd, Unit::metre};
+    result.report.metrics["adjacent_max"] = {all.adjacent.max, Unit::metre};
+  } else {
+    result.report.warn("no neighbouring passes: no adjacent-row error (row_width, or drive the next line)");
+  }
+  result.report.message = fmt::format("{} passes, standard deviation {:.1f} cm", passes.size(), 100 * all.line.sd);
+  return result;
+}
+
+}  // namespace bole::steering

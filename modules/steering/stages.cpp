@@ -1,0 +1,96 @@
+// Registers the stages of the module steering.
+#include "pipeline/stage.h"
+#include "steering/core/field_test.h"
+#include "steering/core/tracking_errors.h"
+#include "steering/core/tuning.h"
+
+namespace bole {
+namespace {
+
+constexpr const char* paper = "SPEC E: satellite-based auto-steering";
+
+StageType simulate_stage() {
+  StageType t;
+  t.name = "steering.simulate";
+  t.title = "Simulate a steering test";
+  t.help =
+      "Drives a simulated tractor along a line, turns, and drives the neighbouring line back, at several speeds: a "
+      "receiver with noise, drift, jumps and outages, the position-velocity Kalman filter, the preview-follow PID with "
+      "the published gains, a bicycle with lag, limits and slip. The log holds the navigated and the true positions.";
+  t.source = paper;
+  t.outputs = {{"log", DataKind::table, "A row per fix.", false, {}},
+               {"lines", DataKind::table, "A and B of the first line.", false, {}}};
+  t.options = &option_table(static_cast<const steering::FieldTestOptions*>(nullptr));
+  t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    auto test = steering::simulate_field_test(options.as<steering::FieldTestOptions>(), run);
+    StageResult result;
+    result.outputs.set("log", std::move(test.log));
+    result.outputs.set("lines", std::move(test.lines));
+    result.report = std::move(test.report);
+    return result;
+  };
+  return t;
+}
+
+StageType errors_stage() {
+  StageType t;
+  t.name = "steering.errors";
+  t.title = "Measure steering errors";
+  t.help =
+      "Finds the passes of a log along a line and its neighbours and measures straight-line and adjacent-row errors "
+      "per "
+      "pass and speed. Where the true way is known, by a reference receiver or a simulation, the receiver's share is "
+      "told from the controller's.";
+  t.source = paper;
+  t.inputs = {{"log", DataKind::table, "time_s, x_m, y_m; run, speed_km_h, ref_x_m, ref_y_m where known.", false, {}},
+              {"lines", DataKind::table, "a_x_m, a_y_m, b_x_m, b_y_m; else the longest straight stretch.", true, {}},
+              {"reference", DataKind::table, "time_s, x_m, y_m of a better receiver.", true, {}}};
+  t.outputs = {{"passes", DataKind::table, "A row per pass.", false, {}},
+               {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}},
+               {"errors", DataKind::table, "A row per fix on a pass.", false, {}}};
+  t.options = &option_table(static_cast<const steering::ErrorOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
+    auto found = steering::tracking_errors(in.table("log"), in.has("lines") ? &in.table("lines") : nullptr,
+                                           in.has("reference") ? &in.table("reference") : nullptr,
+                                           options.as<steering::ErrorOptions>(), run);
+    StageResult result;
+    result.outputs.set("passes", std::move(found.passes));
+    result.outputs.set("summary", std::move(found.summary));
+    result.outputs.set("errors", std::move(found.errors));
+    result.report = std::move(found.report);
+    return result;
+  };
+  return t;
+}
+
+StageType tune_stage() {
+  StageType t;
+  t.name = "steering.tune";
+  t.title = "Tune the steering";
+  t.help =
+      "The paper's tuning by trial: preview distance down to slight oscillation and one metre back, P up to slight "
+      "oscillation, D up until it is gone, I up while nothing oscillates.";
+  t.source = paper;
+  t.outputs = {{"steps", DataKind::table, "Every try and its lasting swing.", false, {}},
+               {"parameters", DataKind::table, "What was found, the published table beside.", false, {}}};
+  t.options = &option_table(static_cast<const steering::TuneOptions*>(nullptr));
+  t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    auto tuning = steering::tune(options.as<steering::TuneOptions>(), run);
+    StageResult result;
+    result.outputs.set("steps", std::move(tuning.steps));
+    result.outputs.set("parameters", std::move(tuning.parameters));
+    result.report = std::move(tuning.report);
+    return result;
+  };
+  return t;
+}
+
+}  // namespace
+
+void register_steering_stages(StageRegistry& registry) {
+  registry.add(simulate_stage());
+  registry.add(errors_stage());
+  registry.add(tune_stage());
+}
+
+}  // namespace bole

@@ -1,0 +1,5 @@
+#include "vtkBoleSimulateSteering.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSimulateSteering)

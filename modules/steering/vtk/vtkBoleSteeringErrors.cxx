@@ -1,0 +1,5 @@
+#include "vtkBoleSteeringErrors.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSteeringErrors)

@@ -1,0 +1,5 @@
+#include "vtkBoleTuneSteering.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleTuneSteering)

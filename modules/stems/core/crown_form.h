@@ -1,0 +1,20 @@
+// Where the crowns of the trees begin and the ground that they cover.
+#pragma once
+
+#include <vector>
+
+#include "base/run.h"
+#include "stems/core/assign_points.h"
+
+namespace bole {
+
+// Area that points cover in the plan: that of their alpha shape (a disk of `reach_m` rolls around them), so that
+// hollows in the outline are not counted. 0 for fewer than three points.
+double covered_area_m2(const std::vector<Eigen::Vector2d>& points, double reach_m);
+
+// Sets crown_base_m, the height above ground from which branches stand out on three sides at least over a metre of
+// height, and crown_area_m2, the area that the points above cover. NaN where no crown is seen. Crowns are cut where
+// the points of a tree end (crown_radius).
+void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run);
+
+}  // namespace bole

@@ -1,0 +1,37 @@
+// The stem above the layer that it was found in, and its volume.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/run.h"
+#include "stems/core/assign_points.h"
+
+namespace bole {
+
+// Follows every stem upwards from its highest section, circle by circle every 0.5 m, as long as the bark is seen: adds
+// sections with `curve` set and `used` not set, and sets `curve` of the sections that the diameter comes from.
+void follow_stems(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
+                  const MeasureOptions& options, const Run& run);
+
+struct CurvePoint {
+  double height_m = 0, radius_m = 0;
+};
+
+struct StemVolume {
+  double m3 = 0;
+  std::string method;  // in words
+};
+
+// Frustums between the points of a stem curve, from the ground (the taper of `curve` carried on) to its highest point,
+// and a paraboloid from there to the top. `curve` by increasing height, two points at least, below the top.
+StemVolume volume_of(const std::vector<CurvePoint>& curve, double top_m);
+
+// Heights and radii of the stem curve: circles less what they are too wide at breast height against the joint fit, each
+// the median of three.
+std::vector<CurvePoint> stem_curve(const Stem& stem, double breast_height_m);
+
+// Sets volume_m3 and volume_method of the stems whose top was seen.
+void measure_volumes(std::vector<Stem>& stems, double breast_height_m);
+
+}  // namespace bole

@@ -1,0 +1,112 @@
+// The files of a survey speak of the same trees.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "../render/small_survey.h"
+#include "io/core/cloud_reader.h"
+#include "io/core/table_file.h"
+#include "report/exports.h"
+#include "report/stem_mesh.h"
+
+namespace bole {
+namespace {
+
+using Ids = std::set<std::int64_t>;
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Ids ids_in(const std::string& text, const std::regex& pattern) {
+  Ids ids;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+    ids.insert(std::stoll((*it)[1]));
+  return ids;
+}
+
+Ids ids_of_layer(const std::filesystem::path& file, const char* layer) {
+  GDALAllRegister();
+  auto* data = static_cast<GDALDataset*>(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+  if (data == nullptr) return {};
+  Ids ids;
+  auto* features = layer == nullptr ? data->GetLayer(0) : data->GetLayerByName(layer);
+  for (const auto& feature : features) ids.insert(feature->GetFieldAsInteger64("tree_id"));
+  GDALClose(data);
+  return ids;
+}
+
+// Numbers of the DataArray of a name.
+Ids ids_of_vtp(const std::string& text) {
+  const auto at = text.find('>', text.find("Name=\"tree_id\"")) + 1;
+  std::istringstream numbers(text.substr(at, text.find('<', at) - at));
+  Ids ids;
+  for (std::int64_t id; numbers >> id;) ids.insert(id);
+  return ids;
+}
+
+TEST(Exports, TreeIdsAreTheSameInEveryFile) {
+  const auto s = testing_data::make_small_survey();
+  SurveyData data;
+  data.stems = &s.stems, data.points = &s.points, data.sections = &s.sections, data.dem = &s.dem;
+  const auto dir = std::filesystem::path(testing::TempDir()) / "bole_export_ids";
+  std::filesystem::create_directories(dir);
+  Report report;
+  for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
+
+  Ids ids;
+  for (const auto id : read_table(dir / "stems.csv").integers("tree_id")) ids.insert(id);
+  ASSERT_EQ(ids.size(), s.stems.rows());
+  Ids of_sections, of_points;
+  for (const auto id : read_table(dir / "sections.csv").integers("tree_id")) of_sections.insert(id);
+  const auto cloud = read_cloud(dir / "cloud.las").cloud;
+  for (const auto id : cloud.values<std::int32_t>(arrays::tree_id))
+    if (id > 0) of_points.insert(id);
+  EXPECT_EQ(of_sections, ids);
+  EXPECT_EQ(of_points, ids);
+  EXPECT_EQ(ids_of_layer(dir / "plot.gpkg", "stems"), ids);
+  EXPECT_EQ(ids_of_layer(dir / "plot.gpkg", "sections"), ids);
+  EXPECT_EQ(ids_of_layer(dir / "stems.geojson", nullptr), ids);
+  EXPECT_EQ(ids_in(contents(dir / "stems.obj"), std::regex("o tree_(\\d+)\n")), ids);
+  EXPECT_EQ(ids_in(contents(dir / "stems.ply"), std::regex("\n24(?: \\d+){24} (\\d+)\n")), ids);
+  EXPECT_EQ(ids_of_vtp(contents(dir / "stems.vtp")), ids);
+  EXPECT_EQ(ids_of_vtp(contents(dir / "stem_curves.vtp")), ids);
+  std::filesystem::remove_all(dir);
+}
+
+TEST(StemMesh, ATubeHasTheVolumeOfItsCone) {
+  StemShape s;
+  s.tree_id = 5, s.axis = {{500000, 5400000, 0}, {500000, 5400000, 3}}, s.radius_m = {0.2, 0.1};
+  std::istringstream text(stems_obj({s}));
+  std::vector<Eigen::Vector3d> points;
+  double volume = 0;
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v") {
+      Eigen::Vector3d p;
+      words >> p.x() >> p.y() >> p.z();
+      points.push_back(p - Eigen::Vector3d(500000, 5400000, 1));
+    } else if (kind == "f") {
+      std::vector<std::size_t> face;
+      for (std::size_t i; words >> i;) face.push_back(i - 1);
+      for (std::size_t k = 1; k + 1 < face.size(); ++k)
+        volume += points[face[0]].dot(points[face[k]].cross(points[face[k + 1]])) / 6;
+    }
+  }
+  ASSERT_EQ(points.size(), 48U);
+  EXPECT_NEAR(volume, std::numbers::pi * (0.04 + 0.02 + 0.01), 0.003);  // faces turn outwards, or it would be negative
+}
+
+}  // namespace
+}  // namespace bole

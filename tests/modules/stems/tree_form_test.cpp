@@ -1,0 +1,220 @@
+// What is told of a tree beside its diameter: outline, stem curve, volume, crown, forks, and how blur is judged.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "stems/core/breast_height_slice.h"
+#include "stems/core/contour.h"
+#include "stems/core/crown_form.h"
+#include "stems/core/measure_stems.h"
+#include "stems/core/stem_curve.h"
+#include "stems/core/stem_quality.h"
+#include "synthetic/stem_cloud.h"
+
+namespace bole {
+namespace {
+
+using synthetic::make_stem_cloud;
+using synthetic::StemCloud;
+using synthetic::StemCloudOptions;
+using synthetic::TrueStem;
+
+StemCloudOptions coarse() {
+  StemCloudOptions o;
+  o.pass_step = 0.5, o.azimuth_step = 0.4;
+  return o;
+}
+
+StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
+  return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {});
+}
+
+// Adds points with a height to a synthetic cloud; the other columns repeat those of the first point.
+void add_points(StemCloud& cloud, const std::vector<Eigen::Vector3f>& more) {
+  auto positions = cloud.points.positions();
+  const auto n = positions.size();
+  positions.insert(positions.end(), more.begin(), more.end());
+  PointCloud grown(positions, cloud.points.origin);
+  grown.axes = cloud.points.axes;
+  for (const auto& [name, column] : cloud.points.columns())
+    std::visit(
+        [&, &key = name](auto values) {
+          for (std::size_t i = n; i < positions.size(); ++i)
+            values.push_back(key == arrays::height_above_ground.name
+                                 ? static_cast<typename decltype(values)::value_type>(positions[i].z())
+                                 : values[0]);
+          grown.set_column(key, std::move(values));
+        },
+        *column);
+  cloud.points = std::move(grown);
+}
+
+// Leaves in a ball of a crown.
+std::vector<Eigen::Vector3f> crown(double radius, double bottom, double top, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::vector<Eigen::Vector3f> points;
+  while (points.size() < 30000) {
+    const Eigen::Vector3d q(u(random), u(random), u(random));
+    if (q.head<2>().norm() > 1) continue;
+    points.push_back(
+        Eigen::Vector3d(radius * q.x(), radius * q.y(), (bottom + top) / 2 + (top - bottom) / 2 * q.z()).cast<float>());
+  }
+  return points;
+}
+
+std::vector<OutlinePoint> outline(double ovality, double radius, double from_deg, double to_deg) {
+  std::vector<OutlinePoint> points;
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.004);
+  for (double d = from_deg; d < to_deg; d += 0.5) {
+    const double bearing = d * std::numbers::pi / 180;
+    points.push_back({bearing, radius * ovality / 2 * std::cos(2 * bearing - 0.7) + noise(random)});
+  }
+  return points;
+}
+
+TEST(Contour, AnOvalStemIsSeenSo) {
+  const auto contour = fit_contour(outline(0.12, 0.15, -180, 180), 0.15);
+  ASSERT_TRUE(contour);
+  EXPECT_NEAR(contour->ovality, 0.12, 0.015);
+  // Girth of r (1 + e cos 2t): 2 pi r (1 + e^2) to second order, e = 0.06.
+  EXPECT_NEAR(contour->girth_m, 2 * std::numbers::pi * 0.15 * 1.0036, 0.004);
+}
+
+TEST(Contour, ARoundStemIsNearlyRound) {
+  const auto contour = fit_contour(outline(0, 0.15, -180, 180), 0.15);
+  ASSERT_TRUE(contour);
+  EXPECT_LT(contour->ovality, 0.02);
+  EXPECT_NEAR(contour->girth_m / std::numbers::pi, 0.30, 0.001);
+}
+
+TEST(Contour, HalfAnOutlineIsNotGuessed) { EXPECT_FALSE(fit_contour(outline(0.1, 0.15, 0, 180), 0.15)); }
+
+TEST(TreeForm, TheGirthOfAnOvalStemStandsBesideItsFittedDiameter) {
+  TrueStem s;
+  s.dbh = 0.30, s.ellipse = 0.05;
+  const auto table = stem_table(measure(make_stem_cloud({s}, coarse())));
+  ASSERT_EQ(table.rows(), 1U);
+  EXPECT_NEAR(table.numbers("ovality_pct")[0], 10, 2.5);
+  EXPECT_NEAR(table.numbers("girth_dbh_cm")[0], 30 * 1.0025, 0.4);
+  EXPECT_GT(table.numbers("wall_cm")[0], 1.0);  // range noise of 1.5 cm
+  EXPECT_LT(table.numbers("wall_cm")[0], 2.0);
+}
+
+TEST(TreeForm, TheBaseOfALeaningStemIsWhereItLeavesTheGround) {
+  TrueStem s;
+  s.dbh = 0.25, s.slope = {std::tan(15 * std::numbers::pi / 180), 0}, s.base = {1, 2};
+  const auto table = stem_table(measure(make_stem_cloud({s}, coarse())));
+  ASSERT_EQ(table.rows(), 1U);
+  EXPECT_NEAR(table.numbers("base_x_m")[0], 1, 0.03);
+  EXPECT_NEAR(table.numbers("base_y_m")[0], 2, 0.01);
+  EXPECT_NEAR(table.numbers("x_m")[0], 1 + 1.3 * std::sin(15 * std::numbers::pi / 180), 0.03);
+}
+
+TEST(TreeForm, AForkAboveBreastHeightIsOneStemAndMarked) {
+  TrueStem trunk, left, right;
+  trunk.dbh = 0.30, trunk.length = 2.0;
+  left.dbh = right.dbh = 0.18, left.start = right.start = 1.95, left.length = right.length = 7;
+  left.slope = {-0.22, 0}, right.slope = {0.22, 0.02};
+  left.base = -1.9 * left.slope, right.base = -1.9 * right.slope;  // all axes meet 1.9 m above the ground
+  auto o = coarse();
+  o.highest_elevation = 30;
+  const auto survey = measure(make_stem_cloud({trunk, left, right}, o));
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(200 * survey.stems[0].radius, 30, 0.8);
+  EXPECT_GT(survey.stems[0].fork_m, 1.9);  // where the limbs are seen apart
+  EXPECT_LT(survey.stems[0].fork_m, 2.8);
+  EXPECT_THAT(stem_table(survey).texts("reasons")[0], testing::HasSubstr("forks at about"));
+}
+
+TEST(TreeForm, StemsFromFourCentimetresAreFound) {
+  std::vector<TrueStem> stems(3);
+  for (int i = 0; i < 3; ++i)
+    stems[static_cast<std::size_t>(i)].base = {1.5 * i - 1.5, 0.4 * i},
+    stems[static_cast<std::size_t>(i)].dbh = 0.04 + 0.01 * i, stems[static_cast<std::size_t>(i)].taper = 0.004;
+  MeasureOptions options;
+  options.min_dbh_cm = 3.5;
+  const auto survey = measure(make_stem_cloud(stems), options);
+  ASSERT_EQ(survey.stems.size(), 3U);
+  for (const auto& t : stems) {
+    const auto s = std::ranges::find_if(
+        survey.stems, [&](const Stem& o) { return (o.breast_height.head<2>() - t.base).norm() < 0.03; });
+    ASSERT_NE(s, survey.stems.end());
+    EXPECT_NEAR(200 * s->radius, 100 * t.dbh, 1.2);  // ranges of 1.5 cm noise on 2 cm of radius
+    EXPECT_LE(2 * s->radius_low, t.dbh);
+    EXPECT_GE(2 * s->radius_high, t.dbh);
+  }
+}
+
+TEST(TreeForm, ACrownHasABaseAndAnAreaAndADeadStemHasNone) {
+  TrueStem living, dead;
+  dead.base = {7, 0};
+  auto cloud = make_stem_cloud({living, dead}, coarse());
+  add_points(cloud, crown(2.0, 6, 11, 1));
+  const auto table = stem_table(measure(cloud));
+  ASSERT_EQ(table.rows(), 2U);
+  const std::size_t alive = std::abs(table.numbers("x_m")[0]) < 1 ? 0 : 1;
+  EXPECT_NEAR(table.numbers("crown_base_m")[alive], 6, 0.3);
+  EXPECT_NEAR(table.numbers("crown_area_m2")[alive], 4 * std::numbers::pi, 0.8);
+  EXPECT_NEAR(table.numbers("height_m")[alive], 11, 0.2);
+  EXPECT_TRUE(std::isnan(table.numbers("crown_base_m")[1 - alive]));
+}
+
+TEST(CoveredArea, OfASquareWithAHole) {
+  std::vector<Eigen::Vector2d> points;
+  for (double x = -2; x <= 2; x += 0.1)
+    for (double y = -2; y <= 2; y += 0.1)
+      if (std::max(std::abs(x), std::abs(y)) > 1) points.emplace_back(x, y);
+  EXPECT_NEAR(covered_area_m2(points, 0.3), 16 - 2.2 * 2.2, 0.4);
+  EXPECT_EQ(covered_area_m2({{0, 0}, {1, 1}}, 0.3), 0);
+}
+
+TEST(StemVolume, OfAConeBelowAndAParaboloidAbove) {
+  std::vector<CurvePoint> curve;
+  for (double h = 0.5; h <= 5.01; h += 0.5) curve.push_back({h, 0.20 - 0.01 * h});
+  const auto v = volume_of(curve, 15);
+  const double cone = std::numbers::pi / 3 * 5 * (0.04 + 0.20 * 0.15 + 0.15 * 0.15),
+               top = std::numbers::pi / 2 * 0.15 * 0.15 * 10;
+  EXPECT_NEAR(v.m3, cone + top, 1e-6);
+  EXPECT_EQ(v.method, "frustums to 5.0 m, paraboloid above");
+}
+
+TEST(StemCurve, FollowsTheStemAboveTheLayerItWasFoundIn) {
+  TrueStem s;
+  s.dbh = 0.30, s.taper = 0.012, s.length = 8, s.slope = {0.05, 0};
+  auto o = coarse();
+  o.highest_elevation = 50;
+  const auto survey = measure(make_stem_cloud({s}, o));
+  ASSERT_EQ(survey.stems.size(), 1U);
+  const auto curve = stem_curve(survey.stems[0], 1.3);
+  ASSERT_GE(curve.size(), 8U);
+  EXPECT_GT(curve.back().height_m, 5);
+  for (const auto& c : curve) EXPECT_NEAR(200 * c.radius_m, 30 - 1.2 * (c.height_m - 1.3), 1.6) << c.height_m;
+}
+
+TEST(Quality, BlurLowersTheQualityOfAStemAndDoesNotRejectIt) {
+  Stem s;
+  s.radius = 0.15, s.radius_low = 0.13, s.radius_high = 0.17, s.arc_rad = s.unbroken_arc_rad = 6.2;
+  s.sections_used = 12, s.lowest = 0.6, s.highest = 2.0, s.rays_known = true, s.ray_through = 0.02;
+  for (int i = 0; i < 12; ++i) {
+    Section section;
+    section.centre.setZero(), section.height = 0.7 + 0.1 * i, section.used = true;
+    s.sections.push_back(section);
+  }
+  s.sigma_m = 0.04, s.inside_share = 0.3, s.contrast = 2, s.pass_spread_m = 0.08;
+  judge(s, 1.3);
+  EXPECT_EQ(s.quality, "poor");
+  EXPECT_EQ(s.state, "check");
+  EXPECT_FALSE(objection(s, {}));
+  // The same picture where rays pass is a bush.
+  s.ray_through = 0.25;
+  judge(s, 1.3);
+  EXPECT_TRUE(objection(s, {}));
+}
+
+}  // namespace
+}  // namespace bole
