@@ -118,6 +118,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
 
 void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
   constexpr double bin_m = 0.5, widest_gap_m = 3;
+  constexpr double overhang_m = 0.5;
   constexpr double leader_m = 1.0;  // a top stands over its stem; branches of a taller neighbour reach in from the side
   constexpr std::uint32_t least_points = 3;
   std::int32_t largest = 0;
@@ -132,6 +133,7 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
     double highest = 0;
   };
   std::vector<std::vector<Bin>> bins(by_id.size(), std::vector<Bin>(static_cast<std::size_t>(tallest_m / bin_m)));
+  std::vector<double> overhead(by_id.size(), 0);  // highest point beside the leader: of this tree or of a neighbour
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
@@ -139,7 +141,11 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
     const double h = static_cast<double>(points.positions()[i].z()) - by_id[id]->ground_z;
     if (h < 0 || h >= tallest_m) continue;
     const auto& p = points.positions()[i];
-    if ((p.head<2>().cast<double>() - axes[id - 1].at(p.z())).norm() > by_id[id]->radius + leader_m) continue;
+    auto& wide = overhead[id];
+    if ((p.head<2>().cast<double>() - axes[id - 1].at(p.z())).norm() > by_id[id]->radius + leader_m) {
+      wide = std::max(wide, h);
+      continue;
+    }
     auto& bin = bins[id][static_cast<std::size_t>(h / bin_m)];
     ++bin.points, bin.highest = std::max(bin.highest, h);
   }
@@ -152,6 +158,7 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
         break;
       }
     }
+    s.overhung = overhead[static_cast<std::size_t>(s.id)] > s.height_m + overhang_m;
   }
 }
 
@@ -196,7 +203,7 @@ void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointL
   constexpr double bare_stem_m = 5, beyond_m = 1.5;
   constexpr int least_views = 50;
   if (!sensor_of) {
-    for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m;
+    for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m && !s.overhung;
     return;
   }
   const SensorReach reach = sensor_reach(points, labels, sensor_of);
@@ -211,7 +218,7 @@ void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointL
     const Eigen::Vector3d above_top(s.breast_height.x(), s.breast_height.y(), s.ground_z + s.height_m + beyond_m);
     views[id] += reach.covers(sensor->template cast<double>(), above_top) ? 1 : 0;
   }
-  for (auto& s : stems) s.height_seen = views[static_cast<std::size_t>(s.id)] >= least_views;
+  for (auto& s : stems) s.height_seen = views[static_cast<std::size_t>(s.id)] >= least_views && !s.overhung;
 }
 
 }  // namespace bole

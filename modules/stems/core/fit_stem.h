@@ -51,11 +51,13 @@ struct Stem {
   double ray_through = 0;   // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
+  bool overhung = false;  // points beside its leader are higher: whose they are is not known
   double crown_base_m = std::numeric_limits<double>::quiet_NaN();   // above ground
   double crown_area_m2 = std::numeric_limits<double>::quiet_NaN();  // in the plan
   double volume_m3 = std::numeric_limits<double>::quiet_NaN();      // of the stem; NaN where the top was not seen
   std::string volume_method;
-  double fork_m = std::numeric_limits<double>::quiet_NaN();  // where its limbs are seen apart, above ground; NaN without
+  double fork_m =
+      std::numeric_limits<double>::quiet_NaN();  // where its limbs are seen apart, above ground; NaN without
   int passes = 1, inliers = 0, sections_used = 0;
   bool rays_known = false, along_rays = false;  // along_rays: fitted so
   double lowest = 0, highest = 0;               // heights of the sections used
