@@ -212,7 +212,6 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   } else {
     renderer_->ResetCamera();
   }
-  camera->Zoom(1.2);
   redraw();
 }
 

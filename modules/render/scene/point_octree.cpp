@@ -16,6 +16,7 @@ constexpr int bits = 16;          // of a cell index along one axis
 constexpr int cell_levels = 7;    // 2^7 = cells_per_side
 constexpr int bucket_levels = 4;  // of the Morton code, that points are first sorted by
 constexpr int levels = bits - cell_levels + 1;
+constexpr std::size_t small_node = 12'000;  // points
 constexpr std::size_t buckets = std::size_t{1} << (3 * bucket_levels);
 static_assert(PointOctree::cells_per_side == 1 << cell_levels);
 
@@ -61,12 +62,26 @@ Cube cube_around(const PointCloud::Positions& positions) {
   return {lo, std::max((hi - lo).maxCoeff() * 1.0001f, 1e-3f)};
 }
 
-// The level whose grid first tells a point from the one before it on the curve.
-std::uint8_t level_of(std::uint64_t code, std::uint64_t before) {
+// How many levels of cells hold a point together with the one before it on the curve.
+std::uint8_t shared_levels(std::uint64_t code, std::uint64_t before) {
   const std::uint64_t differ = code ^ before;
-  const int top_bit = differ == 0 ? -1 : 63 - std::countl_zero(differ);
-  const int shared = bits - 1 - (top_bit < 0 ? -1 : top_bit / 3);  // levels of cells that hold both
+  return static_cast<std::uint8_t>(differ == 0 ? bits : bits - 1 - (63 - std::countl_zero(differ)) / 3);
+}
+
+// The level whose grid first tells a point from the one before it.
+std::uint8_t level_of(std::uint8_t shared) {
   return static_cast<std::uint8_t>(std::clamp(shared + 1 - cell_levels, 0, levels - 1));
+}
+
+// A node whose points and those of all nodes below it are few takes them all: many small nodes are slow to draw.
+void gather_small_nodes(const std::vector<std::uint8_t>& shared, std::vector<std::uint8_t>& level) {
+  for (std::uint8_t l = 0; l + 1 < levels; ++l)
+    for (std::size_t begin = 0, end = 0; begin < shared.size(); begin = end) {
+      std::size_t count = level[begin] >= l ? 1 : 0;
+      for (end = begin + 1; end < shared.size() && shared[end] >= l; ++end) count += level[end] >= l ? 1 : 0;
+      if (count <= small_node)
+        for (std::size_t k = begin; k < end; ++k) level[k] = std::min(level[k], l);
+    }
 }
 
 struct Sorted {
@@ -83,6 +98,7 @@ Sorted along_the_curve(const PointCloud::Positions& positions, const Cube& cube,
   run.check_cancel();
   run.report(0.2, "sorting points for display");
   Sorted sorted{std::vector<std::uint32_t>(begin.back()), std::vector<std::uint8_t>(begin.back())};
+  std::vector<std::uint8_t> shared(begin.back(), 0);
   auto next = begin;
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (positions[i].allFinite())
@@ -97,15 +113,16 @@ Sorted along_the_curve(const PointCloud::Positions& positions, const Cube& cube,
     std::ranges::sort(coded);
     for (std::size_t k = 0; k < coded.size(); ++k) {
       sorted.index[begin[b] + k] = coded[k].second;
-      if (k > 0) sorted.level[begin[b] + k] = level_of(coded[k].first, coded[k - 1].first);
+      if (k > 0) shared[begin[b] + k] = shared_levels(coded[k].first, coded[k - 1].first);
     }
   });
   run.check_cancel();
-  // The first of each bucket follows the last of the one before; the very first belongs to the root.
+  // The first of each bucket follows the last of the one before; the very first shares nothing.
   for (std::size_t b = 0; b < buckets; ++b)
     if (const auto k = begin[b]; k != begin[b + 1] && k > 0)
-      sorted.level[k] =
-          level_of(morton(positions[sorted.index[k]], cube), morton(positions[sorted.index[k - 1]], cube));
+      shared[k] = shared_levels(morton(positions[sorted.index[k]], cube), morton(positions[sorted.index[k - 1]], cube));
+  std::ranges::transform(shared, sorted.level.begin(), level_of);
+  gather_small_nodes(shared, sorted.level);
   return sorted;
 }
 
@@ -214,7 +231,7 @@ std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::siz
     const auto [px, i] = waiting.top();
     waiting.pop();
     const auto& node = nodes_[i];
-    if (points + node.size() > budget) break;
+    if (points + node.size() > budget && (i > 0 || budget == 0)) break;  // something is drawn in any case
     points += node.size();
     if (node.size() > 0) chosen.push_back(i);
     if (px / cells_per_side > least_px)

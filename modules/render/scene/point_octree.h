@@ -20,8 +20,9 @@ struct OctreeView {
 
 // An octree in which every point lies in exactly one node: a node holds one point of each of its 128^3 cells that none
 // of its ancestors took already, so nodes down to some depth together are an even sample of the cloud whose spacing
-// halves with each level (M. Schuetz, Potree, thesis, Vienna 2016). Built without sampling: along the Morton curve the
-// level of a point follows from the leading bits that it shares with the one before. 4 bytes per point.
+// halves with each level (M. Schuetz, Potree, thesis, Vienna 2016). Where few points are left a node takes them all.
+// Built without sampling: along the Morton curve the level of a point follows from the leading bits that it shares with
+// the one before. 4 bytes per point.
 class PointOctree {
  public:
   struct Node {
