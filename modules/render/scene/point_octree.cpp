@@ -13,7 +13,7 @@ namespace bole {
 namespace {
 
 constexpr int bits = 16;          // of a cell index along one axis
-constexpr int cell_levels = 7;    // 2^7 = cells_per_side
+constexpr int cell_levels = 6;    // 2^6 = cells_per_side
 constexpr int bucket_levels = 4;  // of the Morton code, that points are first sorted by
 constexpr int levels = bits - cell_levels + 1;
 constexpr std::size_t small_node = 12'000;  // points

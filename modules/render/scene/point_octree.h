@@ -18,7 +18,7 @@ struct OctreeView {
   double height_px = 1;
 };
 
-// An octree in which every point lies in exactly one node: a node holds one point of each of its 128^3 cells that none
+// An octree in which every point lies in exactly one node: a node holds one point of each of its 64^3 cells that none
 // of its ancestors took already, so nodes down to some depth together are an even sample of the cloud whose spacing
 // halves with each level (M. Schuetz, Potree, thesis, Vienna 2016). Where few points are left a node takes them all.
 // Built without sampling: along the Morton curve the level of a point follows from the leading bits that it shares with
@@ -34,7 +34,7 @@ class PointOctree {
     std::uint32_t size() const { return end - begin; }
     double spacing_m() const { return 2.0 * static_cast<double>(half_m) / cells_per_side; }
   };
-  static constexpr int cells_per_side = 128;
+  static constexpr int cells_per_side = 64;
 
   // Points that are not finite are left out. The same for the same cloud at any number of threads. Throws
   // Error{cancelled}, Error{bad_input} beyond 2^32 - 1 points.
