@@ -19,6 +19,7 @@ int run_program(int argc, char** argv) {
   bole::cli::add_stages(program);
   bole::cli::add_info(program);
   bole::cli::add_simulate(program);
+  bole::cli::add_simulate_field(program);
   bole::cli::add_evaluate(program);
   bole::cli::add_version(program);
   try {

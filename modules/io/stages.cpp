@@ -2,6 +2,7 @@
 #include "io/core/cloud_reader.h"
 #include "io/core/frame_source.h"
 #include "io/core/table_file.h"
+#include "io/core/track_file.h"
 #include "io/core/trajectory_file.h"
 #include "pipeline/stage.h"
 
@@ -13,6 +14,10 @@ struct ReadScanOptions : FrameSourceOptions {
 };
 
 struct ReadCloudOptions : CloudReadOptions {
+  std::string file;
+};
+
+struct ReadTrackOptions : TrackOptions {
   std::string file;
 };
 
@@ -130,6 +135,32 @@ StageType read_table_stage() {
   return type;
 }
 
+StageType read_track_stage() {
+  static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(
+      "Track to read: the NMEA log of a receiver, CSV with named columns, or columns of numbers.");
+  StageType type;
+  type.name = "io.read_track";
+  type.title = "Read a track";
+  type.help =
+      "Reads where a receiver was: NMEA 0183 (GGA, RMC, VTG, GST, HDT), also in between binary messages, CSV with "
+      "time_s and latitude_deg, longitude_deg or x_m, y_m, or columns of numbers such as UTM coordinates. Sentences "
+      "with "
+      "a wrong checksum, without one or with unreadable fields, positions without a fix, gaps and steps back in time "
+      "are counted and passed over.";
+  type.source = "NMEA 0183";
+  type.outputs = {{"track", DataKind::table, "time_s, positions, quality and what else the file has.", false, {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    const auto& o = options.as<ReadTrackOptions>();
+    StageResult result;
+    auto track = read_track(o.file, o, run);
+    result.outputs.set("track", std::move(track.table));
+    result.report = std::move(track.report);
+    return result;
+  };
+  return type;
+}
+
 StageType read_trajectory_stage() {
   using S = ReadTrajectoryOptions;
   static const OptionTable table = make_option_table<S>({
@@ -181,6 +212,7 @@ void register_io_stages(StageRegistry& registry) {
   registry.add(read_scan());
   registry.add(read_cloud_stage());
   registry.add(read_table_stage());
+  registry.add(read_track_stage());
   registry.add(read_trajectory_stage());
 }
 

@@ -60,6 +60,25 @@ StageType point_step(const char* name, const char* title, const char* help, Step
   return type;
 }
 
+StageType level_stage() {
+  auto type = point_step<rows::LevelOptions>(
+      "rows.level", "Level a frame",
+      "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every point "
+      "is "
+      "turned by that of its own time; else the frame takes one attitude.",
+      [](const PointCloud& c, const rows::LevelOptions& o, const Run&) { return rows::level(c, o); });
+  type.inputs.push_back({"attitude", DataKind::table, "time_s, roll_deg, pitch_deg, yaw_deg of the IMU.", true, {}});
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
+    const Table* attitude = inputs.has("attitude") ? &inputs.table("attitude") : nullptr;
+    StageResult result;
+    result.outputs.set("points", rows::level(inputs.cloud("points"), options.as<rows::LevelOptions>(), attitude));
+    result.report.counts["points"] = static_cast<std::int64_t>(inputs.cloud("points").size());
+    result.report.message = attitude != nullptr ? "levelled point by point" : "levelled with one attitude";
+    return result;
+  };
+  return type;
+}
+
 StageType trunks() {
   StageType type;
   type.name = "rows.trunks";
@@ -67,15 +86,18 @@ StageType trunks() {
   type.help =
       "Cuts every plant into horizontal layers and keeps those that are no wider than a trunk, so that leaves and "
       "branches do not move the centre, wherever on the plant they are. The mean of the trunk points in plan is the "
-      "centre of the plant.";
+      "centre of the plant; as the sensor sees one side only, that lies too near by most of a radius, which centre = "
+      "face makes good.";
   type.source = paper;
-  type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}}};
-  type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points.", false, {}}};
+  type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}},
+                 {"dense", DataKind::cloud, "The levelled frame before it was thinned; for centre = face.", true, {}}};
+  type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points, diameter_cm.", false, {}}};
   type.options = &option_table(static_cast<const rows::TrunkOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
     StageResult result;
-    result.outputs.set("stems",
-                       rows::trunk_centres(inputs.cloud("points"), options.as<rows::TrunkOptions>(), result.report));
+    const PointCloud* dense = inputs.has("dense") ? &inputs.cloud("dense") : nullptr;
+    result.outputs.set(
+        "stems", rows::trunk_centres(inputs.cloud("points"), dense, options.as<rows::TrunkOptions>(), result.report));
     return result;
   };
   return type;
@@ -104,9 +126,7 @@ StageType place() {
 
 void add_frame_steps(StageRegistry& registry) {
   using namespace rows;
-  registry.add(point_step<LevelOptions>(
-      "rows.level", "Level a frame", "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll).",
-      [](const PointCloud& c, const LevelOptions& o, const Run&) { return level(c, o); }));
+  registry.add(level_stage());
   registry.add(point_step<RegionOptions>(
       "rows.region", "Cut a region", "Pass-through filter: keeps the points inside a box.",
       [](const PointCloud& c, const RegionOptions& o, const Run&) { return cut_region(c, o); }));

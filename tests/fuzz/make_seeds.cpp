@@ -55,6 +55,11 @@ void write_tables(const std::filesystem::path& folder) {
   write_text_file(folder / "table" / "csv", "# axes: plot\ntree_id,dbh_cm,note\n1,20.5,\"a, \"\"b\"\"\"\n2,,\n");
   write_text_file(folder / "table" / "tum", "# time x y z\n1.5 0 0 0 0 0 0 1\n2.5 1 0 0 0 0 0.707 0.707\n");
   write_text_file(folder / "table" / "kitti", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  write_text_file(folder / "track" / "nmea",
+                  "$GNGGA,132819.60,4134.49795459,N,09345.03431408,W,2,10,0.9,278.161,M,-31.442,M,6.6,0133*6A\r\n"
+                  "$GNRMC,132819.60,A,4134.49795459,N,09345.03431408,W,0.148,124.888,180320,11.5985,E,D*3F\r\n");
+  write_text_file(folder / "track" / "columns", "80150.95 0 288334.55 4615913.838 283.908 0\n");
+  write_text_file(folder / "track" / "csv", "time_s,x_m,y_m\n0,1,2\n1,2,2\n");
 }
 
 }  // namespace

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
+#include "base/error.h"
+#include "base/option.h"
 #include "base/transform.h"
 
 namespace bole::rows {
@@ -31,11 +34,74 @@ std::map<Cell, std::vector<std::uint32_t>> cells_of(const PointCloud& cloud, dou
 
 }  // namespace
 
-PointCloud level(const PointCloud& frame, const LevelOptions& o) {
-  const Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * deg, o.pitch_deg * deg, o.yaw_deg * deg);
+namespace {
+
+// Attitude at any time of a recording.
+class AttitudeTrack {
+ public:
+  explicit AttitudeTrack(const Table& t)
+      : time_(t.numbers("time_s")),
+        roll_(t.numbers("roll_deg")),
+        pitch_(t.numbers("pitch_deg")),
+        yaw_(t.numbers("yaw_deg")) {
+    for (std::size_t i = 0; i < time_.size(); ++i)
+      if (!std::isfinite(time_[i] + roll_[i] + pitch_[i] + yaw_[i]) || (i > 0 && !(time_[i] > time_[i - 1])))
+        throw bad_input("attitude " + std::to_string(i + 1) + " has no number or a time that does not increase",
+                        "time_s in increasing order, roll_deg, pitch_deg, yaw_deg");
+    if (time_.empty()) throw bad_input("the attitude table is empty", "time_s, roll_deg, pitch_deg, yaw_deg");
+  }
+  Eigen::Vector3d rpy_deg(double t) const {
+    constexpr double slack_s = 0.5;
+    if (!(t >= time_.front() - slack_s && t <= time_.back() + slack_s))
+      throw bad_input(
+          "a point has the time " + number_text(t) + " s",
+          "attitudes around it: they run from " + number_text(time_.front()) + " to " + number_text(time_.back()));
+    const auto after = std::upper_bound(time_.begin(), time_.end(), t);
+    const auto j = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(after - time_.begin(), 1, std::max<std::ptrdiff_t>(std::ssize(time_) - 1, 1)));
+    if (time_.size() == 1) return {roll_[0], pitch_[0], yaw_[0]};
+    const double s = std::clamp((t - time_[j - 1]) / (time_[j] - time_[j - 1]), 0.0, 1.0);
+    const auto mixed = [&](const std::vector<double>& v) { return v[j - 1] + s * (v[j] - v[j - 1]); };
+    const double turn = std::remainder(yaw_[j] - yaw_[j - 1], 360.0);
+    return {mixed(roll_), mixed(pitch_), yaw_[j - 1] + s * turn};
+  }
+
+ private:
+  std::vector<double> time_, roll_, pitch_, yaw_;
+};
+
+std::vector<double> times_of(const PointCloud& frame) {
+  if (!frame.has("time"))
+    throw bad_input("the frame has no column time and attitudes are connected", "a time for every point",
+                    "Give roll_deg and pitch_deg instead");
+  std::vector<double> times;
+  const auto& column = frame.column("time");
+  for (std::size_t i = 0; i < frame.size(); ++i) times.push_back(column_value(column, i));
+  return times;
+}
+
+}  // namespace
+
+PointCloud level(const PointCloud& frame, const LevelOptions& o, const Table* attitude) {
   PointCloud::Positions positions;
   positions.reserve(frame.size());
-  for (std::size_t i = 0; i < frame.size(); ++i) positions.push_back((R * frame.position(i)).cast<float>());
+  Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * deg, o.pitch_deg * deg, o.yaw_deg * deg);
+  if (attitude == nullptr) {
+    for (std::size_t i = 0; i < frame.size(); ++i) positions.push_back((R * frame.position(i)).cast<float>());
+  } else {
+    constexpr double step_s = 0.0005;  // one rotation serves so long
+    const AttitudeTrack track(*attitude);
+    const auto times = times_of(frame);
+    double done = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+      if (!(std::abs(times[i] - done) <= step_s / 2)) {
+        done = times[i];
+        const Eigen::Vector3d a = deg * (track.rpy_deg(done) + Eigen::Vector3d(o.roll_deg, o.pitch_deg, o.yaw_deg));
+        R = rotation_from_rpy(a[0], a[1], a[2]);
+      }
+      positions.push_back((R * frame.position(i)).cast<float>());
+    }
+  }
   PointCloud levelled = frame;
   levelled.origin.setZero();
   levelled.set_positions(std::move(positions));

@@ -3,12 +3,16 @@
 
 #include "base/run.h"
 #include "cloud/point_cloud.h"
+#include "cloud/table.h"
 #include "rows/core/frame_options.h"
 
 namespace bole::rows {
 
-// p' = Rz(yaw) Ry(pitch) Rx(roll) p (eqs. 1 and 2). Columns are kept.
-PointCloud level(const PointCloud& frame, const LevelOptions& options);
+// p' = Rz(yaw) Ry(pitch) Rx(roll) p (eqs. 1 and 2). Columns are kept. With `attitude` (time_s, roll_deg, pitch_deg,
+// yaw_deg; times increase) every point of a frame with the column time is turned by the attitude of its own moment,
+// interpolated; the angles of the options are added. Throws Error{bad_input} when points have no time or a time more
+// than half a second outside the attitudes.
+PointCloud level(const PointCloud& frame, const LevelOptions& options, const Table* attitude = nullptr);
 
 // Points inside the box (eq. 5).
 PointCloud cut_region(const PointCloud& frame, const RegionOptions& options);

@@ -1,6 +1,8 @@
 // Options of the chain from one LiDAR frame to plant centres (SPEC B), with the paper's values where it gives them.
 #pragma once
 
+#include <string>
+
 #include "base/option.h"
 
 namespace bole::rows {
@@ -42,6 +44,11 @@ struct TrunkOptions {
   double layer_height = 0.1;
   double d_x = 0.12, d_y = 0.12;
   int layers_min = 3;
+  std::string centre = "mean";
+  double range_sigma = 0.02;
+  double reach = 0.3;
+  double height_min = 0.3, narrowest = 0;
+  double filled_min = 0.6;
 };
 
 struct PlaceOptions {

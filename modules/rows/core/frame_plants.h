@@ -18,8 +18,9 @@ PointCloud mean_shift(const PointCloud& frame, const MeanShiftOptions& options, 
 
 // Centres: each plant is cut into layers; layers whose extents along x and y are within d_x and d_y are trunk
 // ("scan-area-adaptive", eq. 7), and the mean of the trunk points in plan is the centre. Table x_m, y_m, tree_id,
-// layers, points. Plants with too few trunk layers are named in the report.
-Table trunk_centres(const PointCloud& plants, const TrunkOptions& options, Report& report);
+// layers, points, diameter_cm (NaN for centre = mean). Plants with too few trunk layers are named in the report.
+// `dense`: the same frame before it was thinned, levelled, the sensor at its origin; needed for centre = face.
+Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const TrunkOptions& options, Report& report);
 
 // Centres moved from frame axes to navigation axes (x east, y north): turned by yaw, then shifted (eq. 4).
 Table place_stems(const Table& stems, const PlaceOptions& options);

@@ -79,7 +79,7 @@ TEST(Frame, TheTubesOfThePaperAreFound) {
     frame = remove_ground(frame, {}, run);
     frame = mean_shift(radius_filter(frame, {}, run), {}, run);
     Report report;
-    const auto centres = trunk_centres(frame, {}, report);
+    const auto centres = trunk_centres(frame, nullptr, {}, report);
     ASSERT_EQ(centres.rows(), 8U) << "seed " << seed;
     PlaceOptions place;  // the frame's x axis points south
     place.x = sensor.x(), place.y = sensor.y(), place.yaw_deg = -90;

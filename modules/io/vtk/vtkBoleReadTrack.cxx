@@ -1,0 +1,5 @@
+#include "vtkBoleReadTrack.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleReadTrack)

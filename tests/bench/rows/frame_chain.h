@@ -1,0 +1,28 @@
+// The chain from one frame to rows, with the paper's settings or with ours: what plant_rows.json runs, in one function.
+#pragma once
+
+#include "rows/core/find_rows.h"
+#include "rows/core/frame_filters.h"
+#include "rows/core/frame_plants.h"
+
+namespace bole::rows {
+
+struct ChainSettings {
+  RegionOptions region;
+  VoxelOptions voxel;
+  RayGroundOptions ground;
+  RadiusOptions radius;
+  MeanShiftOptions mean_shift;
+  TrunkOptions trunks;
+  RowOptions rows;
+};
+
+inline Table centres_of(const PointCloud& frame, const Table* attitude, const ChainSettings& s, Report& report) {
+  const bole::Run run;
+  const auto dense = cut_region(level(frame, {}, attitude), s.region);
+  auto points = remove_ground(voxel_centroids(dense, s.voxel), s.ground, run);
+  points = mean_shift(radius_filter(points, s.radius, run), s.mean_shift, run);
+  return trunk_centres(points, &dense, s.trunks, report);
+}
+
+}  // namespace bole::rows
