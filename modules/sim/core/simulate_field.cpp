@@ -23,7 +23,7 @@ constexpr double deg = std::numbers::pi / 180, two_pi = 2 * std::numbers::pi;
 class RobotMotion {
  public:
   RobotMotion(const Field& field, const FieldSimulationOptions& o, std::uint64_t seed) : field_(field), o_(o) {
-    Random random(seed, Stream::walk, 31);
+    sim::Random random(seed, Stream::walk, 31);
     roll_deg_ = o.tilt * random.bounded_normal(), pitch_deg_ = o.tilt * random.bounded_normal();
     for (auto& wave : waves_)
       wave = {o.sway * random.uniform(0.2, 0.6), random.uniform(0.4, 3.5), random.angle(), random.chance(0.5)};
@@ -121,13 +121,13 @@ class FieldSimulator {
   }
 
   Eigen::Vector2d imu_bias_deg() const {
-    Random random(seed_, Stream::walk, 33);
+    sim::Random random(seed_, Stream::walk, 33);
     return o_.imu_bias * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal());
   }
 
   Table attitude() const {
     constexpr double hz = 200;
-    Random random(seed_, Stream::walk, 32);
+    sim::Random random(seed_, Stream::walk, 32);
     const auto bias = imu_bias_deg();
     std::vector<double> time, roll, pitch;
     for (double t = -1 / hz; t < o_.frames * o_.integration + 2 / hz; t += 1 / hz) {
@@ -161,7 +161,7 @@ class FieldSimulator {
   // SPEC B1: an antenna stands at E, F and G. Positions have the receiver's noise; the LiDAR sees the antenna with an
   // averaged range and a direction good to a few hundredths of a degree, levelled with the IMU's constant error.
   Table marks() const {
-    Random random(seed_, Stream::targets, 71);
+    sim::Random random(seed_, Stream::targets, 71);
     const Pose T = robot_.pose(0.5 * o_.integration);
     const auto tilt = robot_.tilt_deg(0.5 * o_.integration);
     const Eigen::Vector2d seen_tilt = deg * (tilt + imu_bias_deg());

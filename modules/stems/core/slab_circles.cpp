@@ -259,7 +259,9 @@ bool circle_through(const Voxel& a, const Voxel& b, const Voxel& c, float& x, fl
 constexpr std::array<float, 4> reaches{0.08F, 0.2F, 0.45F, 1.0F};
 constexpr std::uint32_t most_seeds = 6;  // per cell
 constexpr double usual_radius_m = 0.12;
-constexpr int attempts = 5;  // per seed and reach
+
+// Tries per seed and reach. Few points cost little, and there each must do.
+int attempts_among(std::size_t points) { return points < 150 ? 25 : 5; }
 
 using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
 
@@ -272,7 +274,7 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
   for (std::size_t scale = 0; scale < reaches.size() && reaches[scale] <= 4 * most; ++scale) {
     const auto& local = near[scale];
     if (local.size() < 5) continue;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
+    for (int attempt = 0; attempt < attempts_among(local.size()); ++attempt) {
       float x = 0, y = 0, radius = 0;
       if (!circle_through(seed, slab[local[random.below(local.size())]], slab[local[random.below(local.size())]], x, y,
                           radius))
