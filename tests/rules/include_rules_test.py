@@ -64,11 +64,37 @@ def violations_of(path, text_includes):
     return found
 
 
+TYPE = re.compile(r"(?:struct|class|enum class) (?:\w+_EXPORT )?(\w+)[^;]*\{")
+
+
+def types_of(text):
+    """Names of the types that a source declares at namespace level, with their namespaces; those without a name left out."""
+    spaces, found = [], []
+    for line in text.splitlines():
+        if begin := re.match(r"namespace ([\w:]*)\s*\{", line):
+            spaces.append(begin.group(1))
+        elif line.startswith("}  // namespace") and spaces:
+            spaces.pop()
+        elif (declared := TYPE.match(line)) and spaces and "" not in spaces:
+            found.append("::".join(spaces) + "::" + declared.group(1))
+    return found
+
+
 class IncludeRules(unittest.TestCase):
     def test_modules(self):
         files = sources(MODULES)
         self.assertGreater(len(files), 10, "no sources found: the test looks in the wrong place")
         found = [f"{p.relative_to(ROOT)} {v}" for p in files for v in violations_of(p, includes(p))]
+        self.assertEqual(found, [], "\n".join(found))
+
+    def test_no_type_has_the_name_of_another_modules(self):
+        # The linker would take one module's destructor for the other's type, and say nothing.
+        owners = {}
+        for p in sources(MODULES):
+            for name in types_of(p.read_text(encoding="utf-8", errors="replace")):
+                owners.setdefault(name, set()).add(p.relative_to(MODULES).parts[0])
+        self.assertGreater(len(owners), 100, "no types found: the test looks in the wrong way")
+        found = [f"{name} is declared in {', '.join(sorted(modules))}" for name, modules in owners.items() if len(modules) > 1]
         self.assertEqual(found, [], "\n".join(found))
 
     def test_every_module_has_a_layer(self):

@@ -180,8 +180,8 @@ const OptionTable& option_table(const TrackOptions*) {
   return table;
 }
 
-Track read_track(Bytes file, const std::string& name, const TrackOptions& o, const Run& run) {
-  Track track;
+TrackFile read_track(Bytes file, const std::string& name, const TrackOptions& o, const Run& run) {
+  TrackFile track;
   auto format = o.format;
   if (format == "auto") format = looks_like_nmea(file) ? "nmea" : (has_header(file) ? "csv" : "columns");
   try {
@@ -200,7 +200,7 @@ Track read_track(Bytes file, const std::string& name, const TrackOptions& o, con
   return track;
 }
 
-Track read_track(const std::filesystem::path& path, const TrackOptions& options, const Run& run) {
+TrackFile read_track(const std::filesystem::path& path, const TrackOptions& options, const Run& run) {
   const MappedFile file(path);
   return read_track(file.bytes(), path.string(), options, run);
 }

@@ -20,14 +20,14 @@ struct TrackOptions {
 };
 const OptionTable& option_table(const TrackOptions*);
 
-struct Track {
+struct TrackFile {
   Table table;    // time_s, and latitude_deg, longitude_deg or x_m, y_m, and what else the file has
   Report report;  // sentences, bad ones, gaps, qualities
 };
 
 // Lines that cannot be used are counted, the first ones named as warnings; only a file without any position is an error
 // (Error{bad_input}). Times increase; rows that go back in time are dropped and counted.
-Track read_track(const std::filesystem::path& path, const TrackOptions& options, const Run& run = {});
-Track read_track(Bytes file, const std::string& name, const TrackOptions& options, const Run& run = {});
+TrackFile read_track(const std::filesystem::path& path, const TrackOptions& options, const Run& run = {});
+TrackFile read_track(Bytes file, const std::string& name, const TrackOptions& options, const Run& run = {});
 
 }  // namespace bole

@@ -94,7 +94,7 @@ void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& po
                   const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s);
   const Eigen::Vector3d x = lever + poses.translation(p.s);
-  const auto target = find_target(map, x, line, 0, settings.sigma_m, Window::cell);
+  const auto target = find_target(map, x, line, 0, settings.sigma_m, CellChoice::cell);
   if (target.kind == Target::Kind::none) return;
   const auto e = pose_equations(target, x, lever, settings.kernel_sigmas);
   if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;

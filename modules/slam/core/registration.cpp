@@ -205,9 +205,10 @@ double shift_conditioning(const Matrix6d& H) {
 }  // namespace
 
 std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
-                                         int first_level, int least_lines, Window window) {
+                                         int first_level, int least_lines, CellChoice window) {
   for (int level = first_level; level < DistributionMap::levels; ++level) {
-    auto surface = window == Window::cell ? map.cell_surface(point_in_map, level) : map.surface(point_in_map, level);
+    auto surface =
+        window == CellChoice::cell ? map.cell_surface(point_in_map, level) : map.surface(point_in_map, level);
     if (surface && surface->lines >= least_lines &&
         (line ? surface->linearity() >= least_linearity : surface->planarity() >= least_planarity))
       return surface;
@@ -229,7 +230,7 @@ Target as_target(const LocalSurface& surface, bool line, double sigma_m) {
 }
 
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
-                   double sigma_m, Window window) {
+                   double sigma_m, CellChoice window) {
   const auto surface = find_surface(map, point_in_map, line, first_level, 0, window);
   return surface ? as_target(*surface, line, sigma_m) : Target{};
 }

@@ -23,7 +23,7 @@ struct FeatureMaps {
 // that holds it. The first reaches farther. But a window that moves with the place lies behind every point of a convex
 // surface: its mean is within the bark, and all points are drawn towards what they show, by 5 mm on trunks with cells
 // of 0.1 m. In fixed cells, where the points are those that make the mean, these pulls cancel.
-enum class Window { about, cell };
+enum class CellChoice { about, cell };
 
 // What a point is held to: the normal distance to a plane, or the distance to a line.
 struct Target {
@@ -37,11 +37,11 @@ struct Target {
 // The surface about the place that is plane (or line) enough, on the finest level from `first_level` that has one made
 // of at least so many scan lines.
 std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
-                                         int first_level, int least_lines = 0, Window window = Window::about);
+                                         int first_level, int least_lines = 0, CellChoice window = CellChoice::about);
 Target as_target(const LocalSurface& surface, bool line, double sigma_m);
 // Both in one; Kind::none where there is none.
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
-                   double sigma_m, Window window = Window::about);
+                   double sigma_m, CellChoice window = CellChoice::about);
 
 // Normal equations of one pose: the unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m),
 // and d(point)/d(turn) = -[lever]x with `lever` the point less the sensor's position.
