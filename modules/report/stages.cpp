@@ -1,7 +1,8 @@
-// Registers report.plot and report.rows. They live in bole_report and not with the stages of the core modules, because
-// they draw.
+// Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core
+// modules, because they draw.
 #include "report/make_report.h"
 #include "report/rows_report.h"
+#include "report/steering_report.h"
 
 namespace bole {
 
@@ -40,6 +41,7 @@ void register_report_stages(StageRegistry& registry) {
   };
   registry.add(std::move(type));
   registry.add(rows_report_stage());
+  registry.add(steering_report_stage());
 }
 
 }  // namespace bole

@@ -1,0 +1,5 @@
+#include "vtkBoleAnalysePasses.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleAnalysePasses)

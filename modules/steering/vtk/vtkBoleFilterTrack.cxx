@@ -1,0 +1,5 @@
+#include "vtkBoleFilterTrack.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleFilterTrack)

@@ -1,0 +1,5 @@
+#include "vtkBoleSteeringDrive.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSteeringDrive)

@@ -1,0 +1,5 @@
+#include "vtkBoleSteeringTune.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleSteeringTune)
