@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
+#include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "io/core/table_file.h"
@@ -74,6 +75,13 @@ void add_evaluate(Program& program) {
                  [](const Arguments& args) {
                    print_summary(evaluate_trajectory(read_trajectory(args.estimate), read_trajectory(args.reference),
                                                      args.options.as<EvaluationOptions>())
+                                     .summary,
+                                 args.json);
+                 });
+  add_comparison(*command, "rows", "Rows (CSV: row_id, x0_m, y0_m, x1_m, y1_m) or plants in rows (row_id, x_m, y_m)",
+                 [](const Arguments& args) {
+                   print_summary(evaluate_rows(read_table(args.estimate), read_table(args.reference),
+                                               args.options.as<EvaluationOptions>())
                                      .summary,
                                  args.json);
                  });

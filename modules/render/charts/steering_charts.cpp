@@ -12,6 +12,7 @@ namespace bole {
 namespace {
 
 constexpr double panel_mm = 34, gap_mm = 3, legend_mm = 7;
+constexpr double shown_share = 0.93;  // of the errors that the panels hold
 
 // In order of station, so that a way back is drawn from left to right too.
 std::vector<std::size_t> by_station(const ErrorCurve& c) {
@@ -41,21 +42,29 @@ void draw_curve(Canvas& canvas, const Frame& frame, const ErrorCurve& c, const s
 
 void draw(Canvas& canvas, const std::vector<ErrorCurve>& curves, const std::string& error_label,
           const std::string& second_label) {
-  double most = 1, lo = std::numeric_limits<double>::infinity(), hi = -lo;
+  std::vector<double> sizes;
+  double lo = std::numeric_limits<double>::infinity(), hi = -lo;
   for (const auto& c : curves) {
     for (const auto* values : {&c.error_m, &c.second_m})
       for (const double e : *values)
-        if (std::isfinite(e)) most = std::max(most, 100 * std::abs(e));
+        if (std::isfinite(e)) sizes.push_back(100 * std::abs(e));
     for (const double s : c.station_m)
       if (std::isfinite(s)) lo = std::min(lo, s), hi = std::max(hi, s);
   }
-  const Interval x = nice_interval({lo, hi}, 8), y = nice_interval({-1.05 * most, 1.05 * most}, 4);
+  // The way onto the line would flatten what follows: it may leave the panel.
+  double most = 1;
+  if (!sizes.empty()) {
+    const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>(shown_share * static_cast<double>(sizes.size() - 1));
+    std::nth_element(sizes.begin(), rank, sizes.end());
+    most = std::max(most, 1.4 * *rank);
+  }
+  const Interval x = nice_interval({lo, hi}, 8), y{-most, most};
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const double top = legend_mm + static_cast<double>(k) * (panel_mm + gap_mm);
     const Frame frame{{axis_space_left_mm, top, canvas.width_mm() - 3, top + panel_mm}, x, y};
     AxesStyle style;
     style.x_label = k + 1 == curves.size() ? "Way along the line (m)" : "";
-    style.y_label = "Error (cm)", style.x_ticks = 8, style.y_ticks = 4, style.x_axis = k + 1 == curves.size();
+    style.y_label = "Error (cm)", style.x_ticks = 8, style.y_ticks = 5, style.x_axis = k + 1 == curves.size();
     draw_grid(canvas, frame, style);
     canvas.line(frame.map(x.lo, 0), frame.map(x.hi, 0), Stroke{ink::muted, 0.2});
     {
@@ -79,7 +88,9 @@ Figure error_curves(const std::string& name, const std::string& title, const std
                     const std::string& error_label, const std::string& second_label, double width_mm) {
   Figure figure;
   figure.name = name, figure.title = title;
-  figure.caption = "Distance from the line over the way along it, left of the line positive.";
+  figure.caption =
+      "Distance from the line over the way along it, left of the line positive. Larger errors than most leave the "
+      "panel.";
   figure.width_mm = width_mm;
   figure.height_mm = legend_mm + static_cast<double>(std::max<std::size_t>(curves.size(), 1)) * (panel_mm + gap_mm) +
                      axis_space_below_mm;

@@ -195,6 +195,7 @@ LogAnalysis analyse_log(const Table& track, const LogOptions& o, const Run& run)
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();
   auto passes = passes_of(places_of(track, origin), o, run);
   for (auto& pass : passes) fit(pass, o);
+  const auto bent = std::erase_if(passes, [&](const Pass& p) { return !(figures_of(p.error).sd_m <= o.bend); });
   std::vector<double> distances;
   for (std::size_t k = 0; k < passes.size(); ++k) {
     find_neighbour(passes, k);
@@ -220,6 +221,7 @@ LogAnalysis analyse_log(const Table& track, const LogOptions& o, const Run& run)
     r.metrics["adjacent_max"] = {next.most_m, Unit::metre}, r.metrics["adjacent_mean"] = {next.mean_m, Unit::metre};
   }
   r.message = fmt::format("{} passes", passes.size());
+  r.counts["bent"] = static_cast<std::int64_t>(bent);
   if (passes.empty()) r.warn(fmt::format("no straight stretch of {:g} m: lower line_min or raise turn", o.line_min));
   return out;
 }

@@ -70,8 +70,8 @@ Table run_cases(const DriveOptions& o, const std::vector<double>& speeds, const 
 
 // Scatter of the wheel angle (deg) over the last half of the first line.
 double oscillation_deg(const TuneOptions& o, const Gains& g, double v, const Run& run) {
-  DriveOptions quiet = without_receiver_errors(o);
-  quiet.roughness = 0.3 * o.roughness;
+  DriveOptions quiet = o;  // what a driver sees: noise and rough ground, but nothing out of the ordinary
+  quiet.jumps_per_hour = quiet.outages_per_hour = 0;
   const auto test = drive_test(quiet, g, v, static_cast<std::uint64_t>(o.seed), run);
   std::vector<double> wheel;
   for (const auto& s : test.samples)
@@ -87,7 +87,7 @@ class Tuner {
   Gains tune(double v) {
     v_ = v;
     Gains g{o_.start_preview, o_.start_p, 0, 0};
-    while (g.preview_m > 1 && calm("preview_m", g.preview_m, g)) g.preview_m -= 1;
+    while (calm("preview_m", g.preview_m, g) && g.preview_m > 0) g.preview_m = std::max(0.0, g.preview_m - 1);
     if (!calm_) g.preview_m += 1;
     while (g.p < 400 && calm("p", g.p, g)) g.p += 5;
     while (g.d < 200 && !calm("d", g.d, g)) g.d += 1;

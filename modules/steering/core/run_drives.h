@@ -20,8 +20,8 @@ struct DriveResult {
 DriveResult run_drives(const DriveOptions& options, const Run& run);
 
 struct TuneOptions : DriveOptions {
-  double start_preview = 6, start_p = 150;
-  double oscillation = 1.5;
+  double start_preview = 5, start_p = 100;
+  double oscillation = 2.5;
 };
 const OptionTable& option_table(const TuneOptions*);
 

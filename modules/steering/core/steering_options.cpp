@@ -153,6 +153,7 @@ const OptionTable& option_table(const LogOptions*) {
               Tier::basic),
       real<S>("line_min", &S::line_min, Unit::metre, 1, 10000, "Shorter straight stretches are no lines.", Tier::basic),
       real<S>("turn", &S::turn, Unit::degree, 1, 90, "A line ends where the course leaves its direction by more."),
+      real<S>("bend", &S::bend, Unit::metre, 0.01, 100, "Stretches that scatter more about their line are no lines."),
   });
   return table;
 }

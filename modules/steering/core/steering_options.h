@@ -37,7 +37,7 @@ struct DriveOptions : FilterOptions {
   double preview = 0, gain_p = 0, gain_i = 0, gain_d = 0;
   // Tractor.
   double wheelbase = 2.6;
-  double steering_lag = 0.12, steering_delay = 0.1, steering_rate = 30, steering_limit = 35, dead_band = 0.15;
+  double steering_lag = 0.1, steering_delay = 0.05, steering_rate = 30, steering_limit = 35, dead_band = 0.15;
   double line_limit = 10;
   double cross_slope = 0, slip = 0.15;
   double roughness = 0.6;
@@ -59,6 +59,7 @@ struct LogOptions {
   double settle = 15;
   double line_min = 30;
   double turn = 20;
+  double bend = 0.5;
 };
 
 const OptionTable& option_table(const FilterOptions*);

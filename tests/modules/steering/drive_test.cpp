@@ -21,7 +21,8 @@ DriveOptions ideal() {
 }
 
 TEST(Gains, AreThoseOfThePaper) {
-  for (const auto& [v, d, p, i, k] : {std::array{3.0, 1.4, 170.0, 13.0, 39.0}, {5.0, 2.4, 150.0, 10.0, 30.0}, {7.0, 3.2, 130.0, 8.0, 22.0}}) {
+  for (const auto& [v, d, p, i, k] :
+       {std::array{3.0, 1.4, 170.0, 13.0, 39.0}, {5.0, 2.4, 150.0, 10.0, 30.0}, {7.0, 3.2, 130.0, 8.0, 22.0}}) {
     const auto g = table_gains(v);
     EXPECT_NEAR(g.preview_m, d, 1e-12);
     EXPECT_NEAR(g.p, p, 1e-12);
@@ -78,7 +79,8 @@ TEST(Drive, WithoutErrorsTheLineIsKept) {
     for (const int line : {1, 2}) {
       const auto samples = counted(test, line, o);
       ASSERT_GT(samples.size(), 100U) << v;
-      for (const auto* s : samples) ASSERT_LT(std::abs(s->error_m), 0.03) << v << " km/h, line " << line << " at " << s->station_m;
+      for (const auto* s : samples)
+        ASSERT_LT(std::abs(s->error_m), 0.03) << v << " km/h, line " << line << " at " << s->station_m;
     }
     EXPECT_EQ(test.stopped_s, 0);
   }
@@ -132,17 +134,20 @@ TEST(Drive, TableAndCases) {
   const auto& f = result.figures;
   ASSERT_EQ(f.rows(), 3U);
   for (std::size_t k = 0; k < 3; ++k)
-    printf("%g km/h: line mean %+.4f sd %.4f max %.4f (published %+.4f %.4f %.4f)  adjacent %+.4f %.4f %.4f (published %+.4f %.4f %.4f)\n"
-           "        true sd %.4f, receiver %.4f, controller %.4f, perfect receiver %.4f\n",
-           f.numbers("speed_km_h")[k], f.numbers("line_mean_m")[k], f.numbers("line_sd_m")[k], f.numbers("line_max_m")[k],
-           f.numbers("published_line_mean_m")[k], f.numbers("published_line_sd_m")[k], f.numbers("published_line_max_m")[k],
-           f.numbers("adjacent_mean_m")[k], f.numbers("adjacent_sd_m")[k], f.numbers("adjacent_max_m")[k],
-           f.numbers("published_adjacent_mean_m")[k], f.numbers("published_adjacent_sd_m")[k], f.numbers("published_adjacent_max_m")[k],
-           f.numbers("true_sd_m")[k], f.numbers("receiver_sd_m")[k], f.numbers("controller_sd_m")[k], f.numbers("perfect_sd_m")[k]);
+    printf(
+        "%g km/h: line mean %+.4f sd %.4f max %.4f (published %+.4f %.4f %.4f)  adjacent %+.4f %.4f %.4f (published "
+        "%+.4f %.4f %.4f)\n"
+        "        true sd %.4f, receiver %.4f, controller %.4f, perfect receiver %.4f\n",
+        f.numbers("speed_km_h")[k], f.numbers("line_mean_m")[k], f.numbers("line_sd_m")[k], f.numbers("line_max_m")[k],
+        f.numbers("published_line_mean_m")[k], f.numbers("published_line_sd_m")[k],
+        f.numbers("published_line_max_m")[k], f.numbers("adjacent_mean_m")[k], f.numbers("adjacent_sd_m")[k],
+        f.numbers("adjacent_max_m")[k], f.numbers("published_adjacent_mean_m")[k],
+        f.numbers("published_adjacent_sd_m")[k], f.numbers("published_adjacent_max_m")[k], f.numbers("true_sd_m")[k],
+        f.numbers("receiver_sd_m")[k], f.numbers("controller_sd_m")[k], f.numbers("perfect_sd_m")[k]);
   const auto& c = result.cases;
   for (std::size_t k = 0; k < c.rows(); ++k) {
-    printf("%g km/h %s %g: %.3f m, stood %.1f s\n", c.numbers("speed_km_h")[k], c.texts("case")[k].c_str(), c.numbers("size")[k],
-           c.numbers("peak_error_m")[k], c.numbers("stopped_s")[k]);
+    printf("%g km/h %s %g: %.3f m, stood %.1f s\n", c.numbers("speed_km_h")[k], c.texts("case")[k].c_str(),
+           c.numbers("size")[k], c.numbers("peak_error_m")[k], c.numbers("stopped_s")[k]);
     const bool jump = c.texts("case")[k] == "jump";
     // A jump moves the tractor by no more than half again its size; an outage not by half a metre.
     EXPECT_LT(c.numbers("peak_error_m")[k], jump ? 0.15 + 1.5 * c.numbers("size")[k] : 0.5);
