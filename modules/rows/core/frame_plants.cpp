@@ -237,7 +237,9 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
       layers[label[i]][static_cast<std::int64_t>(std::floor(p.z() / o.layer_height))].push_back(p.head<2>());
 
   std::int64_t without = 0;
-  const auto trunks = face ? trunks_by_face(layers, *dense, o, without) : trunks_by_mean(layers, o, without);
+  auto trunks = face ? trunks_by_face(layers, *dense, o, without) : trunks_by_mean(layers, o, without);
+  const auto cut = std::erase_if(trunks, [&](const FoundTrunk& t) { return t.centre.y() < o.ahead_min; });
+  if (cut > 0) report.counts["too_near"] = static_cast<std::int64_t>(cut);
   if (without > 0)
     report.warn(
         face ? fmt::format("{} clusters hold no trunk of {:g} m or more", without, o.height_min)
