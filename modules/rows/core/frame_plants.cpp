@@ -109,8 +109,7 @@ class FaceFinder {
     const auto near = about(strip.at, widest_ / 2 + 4 * o_.range_sigma, strip.low_m, strip.high_m);
     const auto fit = fit_trunk_face(near, strip.at, widest_, o_.range_sigma);
     // What a nearer trunk leaves to see may be too little for a fit.
-    if (!fit && o_.narrowest == 0) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
-    if (!fit || 2 * fit->radius_m < o_.narrowest) return {};
+    if (!fit) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
     return FoundTrunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points};
   }
 
@@ -220,6 +219,8 @@ std::vector<FoundTrunk> trunks_by_face(const Plants& plants, const PointCloud& d
   }
   trunks = finder.distinct(std::move(trunks));
   finder.uncover(trunks);
+  without += static_cast<std::int64_t>(
+      std::erase_if(trunks, [&](const FoundTrunk& t) { return t.diameter_cm < 100 * o.narrowest; }));
   return trunks;
 }
 
