@@ -8,6 +8,7 @@
 #include "io/core/gdal_writer.h"
 #include "io/core/table_file.h"
 #include "render/charts/row_map.h"
+#include "report/core/simple_page.h"
 
 namespace bole {
 
@@ -98,6 +99,7 @@ class Writer {
     attempt("rows.geojson", [&](const auto& path) { write_geojson(path, guidance); });
     attempt("ab_lines.geojson", [&](const auto& path) { write_geojson(path, ab); });
     if (o_.figures) draw();
+    write_page();
     auto& r = result_.report;
     r.counts["files"] = files_;
     r.message = fmt::format("{} files in {}", files_, run_.output_dir.string());
@@ -123,6 +125,45 @@ class Writer {
     attempt("figures/row_map.png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
     attempt("figures/row_map.svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
     attempt("figures/row_map.pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
+    page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", figure_svg(figure), true});
+  }
+
+  void write_page() {
+    page_.title = "Plant rows";
+    Table missing = missing_plants();
+    page_.paragraphs.push_back(fmt::format("{} rows; {} plants are missing.", rows_.rows(), missing.rows()));
+    page_.tables.push_back({"Rows",
+                            "Angles to due east with standard errors and 95 % intervals; lengths in metres.",
+                            &rows_,
+                            {{"row_id", "row"},
+                             {"block", "block"},
+                             {"angle_deg", "angle (deg)"},
+                             {"angle_se_deg", "standard error"},
+                             {"angle_lo_deg", "from"},
+                             {"angle_hi_deg", "to"},
+                             {"plants", "plants"},
+                             {"missing", "missing"},
+                             {"spacing_m", "spacing (m)"},
+                             {"to_next_m", "to next row (m)"},
+                             {"length_m", "length (m)"},
+                             {"shape", "shape"}},
+                            2});
+    if (missing.rows() > 0)
+      page_.tables.push_back({"Missing plants",
+                              "",
+                              &missing,
+                              {{"row_id", "row"}, {"number", "place"}, {"x_m", "x (m)"}, {"y_m", "y (m)"}},
+                              2});
+    page_.warnings = result_.report.warnings;
+    attempt("rows.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+  }
+
+  Table missing_plants() const {
+    std::vector<std::size_t> picked;
+    const auto& state = plants_.texts("state");
+    for (std::size_t i = 0; i < state.size(); ++i)
+      if (state[i] == "missing") picked.push_back(i);
+    return plants_.subset(picked);
   }
 
   const Table &rows_, &plants_, &lines_;
@@ -130,6 +171,7 @@ class Writer {
   const RowsReportOptions& o_;
   const Run& run_;
   StageResult result_;
+  SimplePage page_;
   std::int64_t files_ = 0;
 };
 
@@ -147,9 +189,8 @@ StageType rows_report_stage() {
   type.title = "Write the rows";
   type.help =
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "
-      "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, and the row map as PNG, "
-      "SVG "
-      "and PDF.";
+      "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG "
+      "and PDF, and rows.html with the tables and the map.";
   type.source = "Bole";
   type.inputs = {{"rows", DataKind::table, "Rows with their ends and directions.", false, {}},
                  {"plants", DataKind::table, "Plants in their rows.", false, {}},

@@ -1,5 +1,5 @@
-// Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core modules, because
-// they draw.
+// Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core
+// modules, because they draw.
 #include "report/make_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"

@@ -1,5 +1,10 @@
 // Registers the stages of the module rows.
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
 #include "pipeline/stage.h"
+#include "rows/core/apply_row_edits.h"
 #include "rows/core/find_rows.h"
 #include "rows/core/frame_filters.h"
 #include "rows/core/frame_plants.h"
@@ -124,6 +129,62 @@ StageType place() {
   return type;
 }
 
+std::vector<rows::RowEdit> edits_of(const rows::RowEditOptions& options) {
+  std::vector<rows::RowEdit> edits;
+  if (!options.file.empty()) {
+    std::ifstream file(options.file);
+    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
+    std::ostringstream text;
+    text << file.rdbuf();
+    try {
+      edits = rows::parse_row_edits(text.str());
+    } catch (const Error& e) {
+      throw e.at(options.file);
+    }
+  }
+  const auto more = rows::parse_row_edits(options.edits);
+  edits.insert(edits.end(), more.begin(), more.end());
+  return edits;
+}
+
+StageType edit_stage() {
+  StageType t;
+  t.name = "rows.edit";
+  t.title = "Edit rows";
+  t.help =
+      "Applies what a person decided about rows: move (the ends), add, delete, split, merge, renumber and note, each "
+      "with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied anew "
+      "after every run, by place. Rows whose plants changed are measured again. What no longer fits is a conflict: it "
+      "changes nothing and is listed.";
+  t.source = "Bole";
+  t.inputs = {{"rows", DataKind::table, "Rows as found.", false, {}},
+              {"plants", DataKind::table, "Plants in their rows.", false, {}},
+              {"lines", DataKind::table, "Vertices of the guidance lines.", false, {}},
+              {"strays", DataKind::table, "Plants in no row.", true, {}}};
+  t.outputs = {{"rows", DataKind::table, "Rows after the edits; state is auto or edited.", false, {}},
+               {"plants", DataKind::table, "Plants after the edits.", false, {}},
+               {"lines", DataKind::table, "Guidance lines after the edits.", false, {}},
+               {"strays", DataKind::table, "Plants in no row after the edits.", false, {}},
+               {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};
+  t.options = &option_table(static_cast<const rows::RowEditOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
+    const auto& options = set.as<rows::RowEditOptions>();
+    rows::FoundRows found;
+    found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
+    if (in.has("strays")) found.strays = in.table("strays");
+    auto edited = rows::apply_row_edits(found, edits_of(options), options, run);
+    StageResult result;
+    result.outputs.set("rows", std::move(edited.found.rows));
+    result.outputs.set("plants", std::move(edited.found.plants));
+    result.outputs.set("lines", std::move(edited.found.lines));
+    result.outputs.set("strays", std::move(edited.found.strays));
+    result.outputs.set("log", std::move(edited.log));
+    result.report = std::move(edited.found.report);
+    return result;
+  };
+  return t;
+}
+
 void add_frame_steps(StageRegistry& registry) {
   using namespace rows;
   registry.add(level_stage());
@@ -153,6 +214,7 @@ void add_frame_steps(StageRegistry& registry) {
 
 void register_rows_stages(StageRegistry& registry) {
   registry.add(from_stems());
+  registry.add(edit_stage());
   add_frame_steps(registry);
 }
 

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
+#include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "io/core/table_file.h"
@@ -95,6 +96,13 @@ void add_evaluate(Program& program) {
   });
   add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw; or KITTI)",
                  [](const Arguments& args) { compare_trajectories(args); });
+  add_comparison(*command, "rows", "Rows (CSV: row_id, x0_m, y0_m, x1_m, y1_m) or plants in rows (row_id, x_m, y_m)",
+                 [](const Arguments& args) {
+                   print_summary(evaluate_rows(read_table(args.estimate), read_table(args.reference),
+                                               args.options.as<EvaluationOptions>())
+                                     .summary,
+                                 args.json);
+                 });
   add_comparison(*command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory",
                  [](const Arguments& args) {
                    print_summary(evaluate_loops(read_table(args.estimate), read_trajectory(args.reference),

@@ -44,6 +44,7 @@ struct TrunkOptions {
   double layer_height = 0.1;
   double d_x = 0.12, d_y = 0.12;
   int layers_min = 3;
+  double ahead_min = 0;
   std::string centre = "mean";
   double range_sigma = 0.02;
   double reach = 0.3;

@@ -109,8 +109,7 @@ class FaceFinder {
     const auto near = about(strip.at, widest_ / 2 + 4 * o_.range_sigma, strip.low_m, strip.high_m);
     const auto fit = fit_trunk_face(near, strip.at, widest_, o_.range_sigma);
     // What a nearer trunk leaves to see may be too little for a fit.
-    if (!fit && o_.narrowest == 0) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
-    if (!fit || 2 * fit->radius_m < o_.narrowest) return {};
+    if (!fit) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
     return FoundTrunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points};
   }
 
@@ -220,6 +219,8 @@ std::vector<FoundTrunk> trunks_by_face(const Plants& plants, const PointCloud& d
   }
   trunks = finder.distinct(std::move(trunks));
   finder.uncover(trunks);
+  without += static_cast<std::int64_t>(
+      std::erase_if(trunks, [&](const FoundTrunk& t) { return t.diameter_cm < 100 * o.narrowest; }));
   return trunks;
 }
 
@@ -237,7 +238,9 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
       layers[label[i]][static_cast<std::int64_t>(std::floor(p.z() / o.layer_height))].push_back(p.head<2>());
 
   std::int64_t without = 0;
-  const auto trunks = face ? trunks_by_face(layers, *dense, o, without) : trunks_by_mean(layers, o, without);
+  auto trunks = face ? trunks_by_face(layers, *dense, o, without) : trunks_by_mean(layers, o, without);
+  const auto cut = std::erase_if(trunks, [&](const FoundTrunk& t) { return t.centre.y() < o.ahead_min; });
+  if (cut > 0) report.counts["too_near"] = static_cast<std::int64_t>(cut);
   if (without > 0)
     report.warn(
         face ? fmt::format("{} clusters hold no trunk of {:g} m or more", without, o.height_min)

@@ -25,6 +25,15 @@ double tukey(double residual, double cut) {
   return std::abs(s) < 1 ? (1 - s * s) * (1 - s * s) : 0;
 }
 
+// Half width of a strip that is evenly filled to its edges, from distances to its middle: twice their median, or root
+// three times their root mean square, which is twice as sharp, where no leaves make the two differ.
+double radius_of_strip(const std::vector<double>& off) {
+  double square = 0;
+  for (const double d : off) square += d * d / static_cast<double>(off.size());
+  const double by_median = 2 * median_of(off), by_square = std::sqrt(3 * square);
+  return std::abs(by_square - by_median) < 0.12 * by_median ? by_square : by_median;
+}
+
 // Weighted line y = at0 + slope h with a prior on the slope; `sigma` scales the prior against the residuals.
 struct HeightLine {
   double at0 = 0, slope = 0;
@@ -107,8 +116,7 @@ std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& poin
     if (std::ssize(off) < fewest_points) return {};
     across = fit_line(h, u, wu, radius / 1.73);
     face = fit_line(h, back, wv, range_sigma_m);
-    // Evenly filled to its edges, a strip has a median distance of half its half width from the middle.
-    const double half = std::min(2 * median_of(off), widest_m / 2);
+    const double half = std::min(radius_of_strip(off), widest_m / 2);
     radius = round < 2 ? std::max(half, 0.5 * radius) : half;
   }
   TrunkFace found;

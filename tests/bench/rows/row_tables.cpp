@@ -121,7 +121,7 @@ ChainSettings paper_settings(const std::string& field) {
   s.rows.direction = "given", s.rows.direction_deg = 0, s.rows.lateral_tolerance = 0.6;  // rows run ahead of the robot
   if (field == "metasequoia") {
     s.trunks.d_x = s.trunks.d_y = 0.5, s.mean_shift.bandwidth = 0.5;
-    s.region.y_min = 2.5, s.region.y_max = 14, s.region.z_min = -0.15;  // above the weeds
+    s.region.y_min = 2.5, s.trunks.ahead_min = 2.8, s.region.y_max = 14, s.region.z_min = -0.15;  // above the weeds
   }
   return s;
 }

@@ -1,0 +1,5 @@
+#include "vtkBoleEditRows.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleEditRows)

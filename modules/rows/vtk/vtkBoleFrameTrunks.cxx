@@ -1,0 +1,5 @@
+#include "vtkBoleFrameTrunks.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleFrameTrunks)

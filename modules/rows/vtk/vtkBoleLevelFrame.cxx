@@ -1,0 +1,5 @@
+#include "vtkBoleLevelFrame.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkBoleLevelFrame)
