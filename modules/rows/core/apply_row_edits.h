@@ -25,8 +25,9 @@ struct EditedRows {
 
 // `found` are the tables of find_rows. Every edit is applied by place: to the row that passes within match_distance of
 // `at`. What no longer fits (no row there, two of them, an id that is taken) is a conflict: it changes nothing and is
-// listed. Rows whose plants changed are measured again; a moved or drawn row keeps the ends that were given, its angle
-// is theirs and has no standard error. Throws Error{bad_input} for tables without the columns.
+// listed. Edited rows are measured anew, the others stay as they were but for their place in the block; a moved or
+// drawn row keeps the ends that were given, its angle is theirs and has no standard error. Plants of deleted rows
+// become strays. Throws Error{bad_input} for tables without the columns.
 EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& edits, const RowEditOptions& options,
                            const Run& run);
 

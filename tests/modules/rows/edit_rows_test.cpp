@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "base/error.h"
 #include "rows/core/apply_row_edits.h"
@@ -97,6 +98,105 @@ TEST(EditRows, WhatDoesNotFitIsAConflict) {
   EXPECT_THAT(out.log.texts("message")[5], HasSubstr("30.00 deg"));
   EXPECT_EQ(out.log.texts("outcome")[5], "applied");
   EXPECT_EQ(out.found.rows.rows(), 3U);
+}
+
+// What a person did to one row must not change a digit of another, whatever is odd about it.
+TEST(EditRows, RowsThatNobodyTouchedStayAsTheyWere) {
+  std::vector<double> x, y;
+  for (const double across : {0.0, 4.0, 8.0})
+    for (int i = 0; i < 24; ++i)
+      if (i % 7 != 3) x.push_back(2.0 * i + 0.3 * ((i * 5) % 3)), y.push_back(across + 0.0012 * 4 * i * i);
+  Table t;
+  t.set("x_m", x), t.set("y_m", y);
+  RowOptions options;
+  options.plant_spacing = 2;
+  const auto found = find_rows(t, options, bole::Run{});
+  ASSERT_EQ(found.rows.rows(), 3U);
+  const auto out = edit(R"([{"action": "move", "at": [10, 4.5], "from": [0, 4], "to": [46, 5]}])", found);
+  int edited = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool moved = out.found.rows.texts("state")[i] == "edited";
+    edited += moved;
+    const auto j = row_named(found.rows, out.found.rows.text("row_id", i));
+    for (const char* name : {"plants", "missing", "spacing_m", "spacing_sd_m"})
+      EXPECT_EQ(out.found.rows.text(name, i), found.rows.text(name, j)) << name;
+    if (moved) continue;
+    const std::set<std::string> of_the_block{"block", "row_in_block", "to_next_m"};
+    for (const auto& column : found.rows.columns()) {
+      if (of_the_block.contains(column.name)) continue;
+      EXPECT_EQ(out.found.rows.text(column.name, i), found.rows.text(column.name, j)) << column.name;
+    }
+  }
+  EXPECT_EQ(edited, 1);
+  EXPECT_EQ(out.found.plants.rows(), found.plants.rows());  // missing ones too
+}
+
+TEST(EditRows, PartsOfAMovedRowKeepItsLine) {
+  const auto out = edit(R"([{"action": "move", "at": [5, 4], "from": [0, 4], "to": [20, 5]},
+    {"action": "split", "at": [10, 4.4]}])");
+  ASSERT_EQ(out.found.report.counts.at("conflicts"), 0);
+  const auto k = row_named(out.found.rows, "4");
+  const double angle = std::atan2(1, 20);
+  EXPECT_NEAR(out.found.rows.numbers("angle_deg")[k], angle * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(out.found.rows.numbers("x1_m")[k], 20, 1e-9);
+  const double x = out.found.rows.numbers("x0_m")[k], y = out.found.rows.numbers("y0_m")[k];
+  EXPECT_NEAR(y, 4 + x / 20, 1e-9);                  // on the line
+  EXPECT_NEAR(x, 10 - 0.1 * std::sin(angle), 0.01);  // at the foot of the cut
+  // Plants are told their distance from the line that was given.
+  for (std::size_t i = 0; i < out.found.plants.rows(); ++i)
+    if (out.found.plants.text("row_id", i) == "4") {
+      const double px = out.found.plants.numbers("x_m")[i], py = out.found.plants.numbers("y_m")[i];
+      EXPECT_NEAR(out.found.plants.numbers("across_m")[i], (py - 4 - px / 20) * std::cos(angle), 1e-9);
+    }
+}
+
+TEST(EditRows, DrawnRowsWithoutPlantsCanBeSplitAndMerged) {
+  const std::string drawn = R"({"action": "add", "from": [0, 40], "to": [20, 40]})";
+  auto out = edit("[" + drawn + R"(, {"action": "split", "at": [8, 40]}])");
+  ASSERT_EQ(out.found.rows.rows(), 5U);
+  EXPECT_NEAR(out.found.rows.numbers("x1_m")[row_named(out.found.rows, "4")], 8, 1e-9);
+  EXPECT_NEAR(out.found.rows.numbers("x0_m")[row_named(out.found.rows, "5")], 8, 1e-9);
+  out = edit("[" + drawn + R"(, {"action": "add", "from": [24, 40], "to": [30, 40]},
+    {"action": "merge", "at": [10, 40], "with": [[27, 40]]}])");
+  ASSERT_EQ(out.found.rows.rows(), 4U);
+  EXPECT_NEAR(out.found.rows.numbers("length_m")[row_named(out.found.rows, "4")], 30, 1e-9);
+  out = edit(
+      R"([{"action": "delete", "at": [5, 0]}, {"action": "delete", "at": [5, 4]}, {"action": "delete", "at": [5, 8]}, )" +
+      drawn + "]");
+  ASSERT_EQ(out.found.rows.rows(), 1U);  // no plant in any row
+  EXPECT_EQ(out.found.lines.rows(), 2U);
+  EXPECT_EQ(out.found.strays.rows(), 32U);
+}
+
+TEST(EditRows, NamesAreKeptAsTheyAreWritten) {
+  auto out = edit(
+      R"([{"action": "renumber", "at": [5, 4], "row_id": "007"}, {"action": "move", "at": [5, 8], "from": [0, 8], "to": [18, 8]}])");
+  EXPECT_EQ(out.found.rows.rows(), 3U);
+  EXPECT_EQ(out.found.rows.integers("plants")[row_named(out.found.rows, "007")], 10);
+  for (const Table* t : {&out.found.rows, &out.found.plants, &out.found.lines}) {
+    EXPECT_TRUE(std::holds_alternative<std::vector<std::string>>(*t->find("row_id")));
+    for (std::size_t i = 0; i < t->rows(); ++i) EXPECT_NE(t->text("row_id", i), "");
+  }
+  // A second list of edits does not forget the first.
+  const auto again = edit(R"([{"action": "renumber", "at": [5, 0], "row_id": "A"}])", out.found);
+  EXPECT_EQ(again.found.rows.texts("state")[row_named(again.found.rows, "007")], "edited");
+}
+
+TEST(EditRows, TreeIdsStayWithTheirPlants) {
+  std::vector<double> x, y;
+  std::vector<std::int64_t> id;
+  for (const double across : {0.0, 4.0, 8.0})
+    for (int i = 0; i < 10; ++i)
+      x.push_back(2.0 * i), y.push_back(across), id.push_back(static_cast<std::int64_t>(100 * across) + i);
+  Table t;
+  t.set("x_m", x), t.set("y_m", y), t.set("tree_id", id);
+  const auto out =
+      edit(R"([{"action": "split", "at": [9, 4]}, {"action": "delete", "at": [5, 8]}])", find_rows(t, {}, bole::Run{}));
+  for (const Table* part : {&out.found.plants, &out.found.strays})
+    for (std::size_t i = 0; i < part->rows(); ++i)
+      EXPECT_EQ(part->text("tree_id", i),
+                std::to_string(static_cast<int>(100 * part->numbers("y_m")[i] + part->numbers("x_m")[i] / 2)));
+  EXPECT_EQ(out.found.plants.rows() + out.found.strays.rows(), 30U);
 }
 
 // The same edits after a run that found the rows a little elsewhere and in another order.
