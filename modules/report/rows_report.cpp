@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "base/atomic_file.h"
@@ -61,10 +62,9 @@ VectorLayer guidance_layer(const Table& rows, const Table& lines, const std::str
 VectorLayer ab_layer(const Table& rows, const std::string& crs) {
   VectorLayer layer{"ab_lines", GeometryKind::line, {}, {}, crs};
   const auto x0 = rows.numbers("x0_m"), y0 = rows.numbers("y0_m"), x1 = rows.numbers("x1_m"), y1 = rows.numbers("y1_m");
-  const auto plants = rows.integers("plants");
   std::vector<std::size_t> picked;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
-    if (plants[i] < 2) continue;
+    if (!(std::hypot(x1[i] - x0[i], y1[i] - y0[i]) > 0)) continue;  // a plant alone leads nowhere
     layer.shapes.push_back({{x0[i], y0[i], 0}, {x1[i], y1[i], 0}}), picked.push_back(i);
   }
   Table attributes;
@@ -82,6 +82,7 @@ class Writer {
         plants_(inputs.table("plants")),
         lines_(inputs.table("lines")),
         strays_(inputs.has("strays") ? &inputs.table("strays") : nullptr),
+        edits_(inputs.has("edits") ? &inputs.table("edits") : nullptr),
         o_(options),
         run_(run) {}
 
@@ -89,6 +90,8 @@ class Writer {
     attempt("rows.csv", [&](const auto& path) { write_table(path, rows_, decimals()); });
     attempt("plants.csv", [&](const auto& path) { write_table(path, plants_, decimals()); });
     if (strays_ != nullptr) attempt("strays.csv", [&](const auto& path) { write_table(path, *strays_, decimals()); });
+    if (edits_ != nullptr && edits_->rows() > 0)
+      attempt("edits.csv", [&](const auto& path) { write_table(path, *edits_, decimals()); });
     const std::string crs = fact(rows_, "crs");
     const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
     attempt("rows.gpkg", [&](const auto& path) {
@@ -131,7 +134,12 @@ class Writer {
   void write_page() {
     page_.title = "Plant rows";
     Table missing = missing_plants();
-    page_.paragraphs.push_back(fmt::format("{} rows; {} plants are missing.", rows_.rows(), missing.rows()));
+    page_.paragraphs.push_back(fmt::format("{} rows of {} plants; {} plants are missing, {} stand in no row.",
+                                           rows_.rows(), plants_.rows() - missing.rows(), missing.rows(),
+                                           strays_ != nullptr ? strays_->rows() : 0));
+    page_.paragraphs.emplace_back(
+        "Guidance lines for machines: ab_lines.geojson (from the first end of each row to the last), rows.geojson (the "
+        "course of curved rows, a vertex per metre), and both as layers of rows.gpkg.");
     page_.tables.push_back({"Rows",
                             "Angles to due east with standard errors and 95 % intervals; lengths in metres.",
                             &rows_,
@@ -154,8 +162,21 @@ class Writer {
                               &missing,
                               {{"row_id", "row"}, {"number", "place"}, {"x_m", "x (m)"}, {"y_m", "y (m)"}},
                               2});
+    if (edits_ != nullptr && edits_->rows() > 0)
+      page_.tables.push_back({"Edits",
+                              "What a person changed after the rows were found.",
+                              edits_,
+                              {{"edit", "edit"},
+                               {"action", "action"},
+                               {"row_id", "row"},
+                               {"outcome", "outcome"},
+                               {"message", "message"},
+                               {"author", "author"},
+                               {"time", "time"},
+                               {"reason", "reason"}},
+                              2});
     page_.warnings = result_.report.warnings;
-    attempt("rows.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+    attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 
   Table missing_plants() const {
@@ -167,7 +188,7 @@ class Writer {
   }
 
   const Table &rows_, &plants_, &lines_;
-  const Table* strays_;
+  const Table *strays_, *edits_;
   const RowsReportOptions& o_;
   const Run& run_;
   StageResult result_;
@@ -190,12 +211,13 @@ StageType rows_report_stage() {
   type.help =
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "
       "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG "
-      "and PDF, and rows.html with the tables and the map.";
+      "and PDF, edits.csv where a person changed something, and report.html with the tables and the map.";
   type.source = "Bole";
   type.inputs = {{"rows", DataKind::table, "Rows with their ends and directions.", false, {}},
                  {"plants", DataKind::table, "Plants in their rows.", false, {}},
                  {"lines", DataKind::table, "Vertices of the guidance lines.", false, {}},
-                 {"strays", DataKind::table, "Plants in no row.", true, {}}};
+                 {"strays", DataKind::table, "Plants in no row.", true, {}},
+                 {"edits", DataKind::table, "What a person changed, from rows.edit.", true, {}}};
   type.options = &option_table(static_cast<const RowsReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

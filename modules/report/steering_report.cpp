@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 
 #include "base/atomic_file.h"
 #include "io/core/table_file.h"
 #include "render/charts/steering_charts.h"
+#include "report/core/simple_page.h"
 
 namespace bole {
 
@@ -43,43 +47,150 @@ Decimals decimals_of(const Table& table) {
   return d;
 }
 
+// Metres as centimetres, for reading.
+Table in_centimetres(const Table& table) {
+  Table out;
+  for (const auto& column : table.columns()) {
+    if (!column.name.ends_with("_m") || column.name == "length_m" || column.name == "preview_m") {
+      out.set(column.name, column.values);
+      continue;
+    }
+    auto values = table.numbers(column.name);
+    for (double& v : values) v *= 100;
+    out.set(column.name.substr(0, column.name.size() - 2) + "_cm", std::move(values));
+  }
+  return out;
+}
+
+using Columns = std::vector<std::pair<std::string, std::string>>;
+
+const Columns& spread_columns() {
+  static const Columns columns{{"line_mean_cm", "line mean"},
+                               {"line_sd_cm", "SD"},
+                               {"line_max_cm", "max"},
+                               {"adjacent_mean_cm", "adjacent mean"},
+                               {"adjacent_sd_cm", "SD"},
+                               {"adjacent_max_cm", "max"},
+                               {"controller_sd_cm", "controller SD"},
+                               {"receiver_sd_cm", "receiver SD"}};
+  return columns;
+}
+
+class Writer {
+ public:
+  Writer(const DataSet& inputs, const SteeringReportOptions& options, const Run& run)
+      : inputs_(inputs), o_(options), run_(run) {}
+
+  StageResult write() {
+    for (const auto& file : files)
+      if (inputs_.has(file.port))
+        attempt(file.name, [&](const auto& path) {
+          const auto& table = inputs_.table(file.port);
+          write_table(path, table, decimals_of(table));
+        });
+    if (o_.figures && inputs_.has("errors")) draw();
+    if (written_ == 0 && result_.report.warnings.empty())
+      throw bad_input("report.steering has no input",
+                      "at least one of summary, passes, errors, log, parameters, steps");
+    write_page();
+    result_.report.counts["files"] = written_;
+    result_.report.message = fmt::format("{} files in {}", written_, run_.output_dir.string());
+    return std::move(result_);
+  }
+
+ private:
+  template <class Part>
+  void attempt(const std::string& file, Part part) {
+    run_.check_cancel();
+    try {
+      part(run_.output_dir / file);
+      ++written_;
+    } catch (const std::exception& e) {
+      result_.report.warn(file + ": " + e.what());
+    }
+  }
+
+  void draw() {
+    const auto& errors = inputs_.table("errors");
+    for (const auto& figure :
+         {tracking_error_curves(errors, o_.figure_width), adjacent_error_curves(errors, o_.figure_width)}) {
+      const auto stem = "figures/" + figure.name;
+      attempt(stem + ".png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
+      attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
+      attempt(stem + ".pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
+      page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", figure_svg(figure), true});
+    }
+  }
+
+  void add_table(std::string title, std::string note, const Table& table, Columns first, const Columns& more,
+                 int decimals) {
+    first.insert(first.end(), more.begin(), more.end());
+    tables_.push_back(std::make_unique<Table>(in_centimetres(table)));
+    page_.tables.push_back({std::move(title), std::move(note), tables_.back().get(), std::move(first), decimals});
+  }
+
+  void add_errors() {
+    const auto& summary = inputs_.table("summary");
+    add_table("Errors by speed",
+              "In centimetres. Line: true distance of the control point from its line, positive to the left. Adjacent: "
+              "distance of neighbouring passes minus the row width. SD: about the mean. Controller: what the steering "
+              "left of the distance that it was told; receiver: told minus true, which no steering can mend.",
+              summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
+    const auto published =
+        summary.has("published_line_sd_m") ? summary.numbers("published_line_sd_m") : std::vector<double>();
+    if (std::ranges::any_of(published, [](double v) { return std::isfinite(v); }))
+      add_table("Published",
+                "In centimetres, by a tractor in the field, which a simulated one is held beside and not fitted to.",
+                summary, {{"speed_km_h", "km/h"}},
+                {{"published_line_mean_cm", "line mean"},
+                 {"published_line_sd_cm", "SD"},
+                 {"published_line_max_cm", "max"},
+                 {"published_adjacent_mean_cm", "adjacent mean"},
+                 {"published_adjacent_sd_cm", "SD"},
+                 {"published_adjacent_max_cm", "max"}},
+                2);
+  }
+
+  void write_page() {
+    page_.title = inputs_.has("parameters") ? "Tuning of the steering" : "Steering test";
+    if (inputs_.has("passes"))
+      page_.paragraphs.push_back(fmt::format("{} passes along their lines.", inputs_.table("passes").rows()));
+    if (inputs_.has("summary")) add_errors();
+    if (inputs_.has("passes"))
+      add_table("Passes", "In centimetres; lengths in metres. Direction 1: from A to B.", inputs_.table("passes"),
+                {{"run", "run"},
+                 {"pass", "pass"},
+                 {"row", "row"},
+                 {"direction", "direction"},
+                 {"speed_km_h", "km/h"},
+                 {"length_m", "length (m)"}},
+                spread_columns(), 2);
+    for (const auto& [port, title] : {std::pair{"parameters", "Gains"}, {"steps", "Tries"}})
+      if (inputs_.has(port)) {
+        Columns columns;
+        const Table shown = in_centimetres(inputs_.table(port));
+        for (const auto& c : shown.columns()) columns.emplace_back(c.name, c.name);
+        add_table(title, "", inputs_.table(port), std::move(columns), {}, 3);
+      }
+    page_.warnings = result_.report.warnings;
+    attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+  }
+
+  const DataSet& inputs_;
+  const SteeringReportOptions& o_;
+  const Run& run_;
+  StageResult result_;
+  SimplePage page_;
+  std::vector<std::unique_ptr<Table>> tables_;  // those of the page
+  std::int64_t written_ = 0;
+};
+
 }  // namespace
 
 StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options, const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
-  StageResult result;
-  std::int64_t written = 0;
-  const auto attempt = [&](const std::string& file, const auto& part) {
-    run.check_cancel();
-    try {
-      part(run.output_dir / file);
-      ++written;
-    } catch (const std::exception& e) {
-      result.report.warn(file + ": " + e.what());
-    }
-  };
-  for (const auto& file : files)
-    if (inputs.has(file.port))
-      attempt(file.name, [&](const auto& path) {
-        const auto& table = inputs.table(file.port);
-        write_table(path, table, decimals_of(table));
-      });
-  if (options.figures && inputs.has("errors")) {
-    const auto& errors = inputs.table("errors");
-    for (const auto& figure :
-         {tracking_error_curves(errors, options.figure_width), adjacent_error_curves(errors, options.figure_width)}) {
-      const auto stem = "figures/" + figure.name;
-      attempt(stem + ".png", [&](const auto& path) { write_text_file(path, figure_png(figure, options.dpi)); });
-      attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
-      attempt(stem + ".pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
-    }
-  }
-  if (written == 0 && result.report.warnings.empty())
-    throw bad_input("report.steering has no input", "at least one of summary, passes, errors, log, parameters, steps");
-  result.report.counts["files"] = written;
-  result.report.message = fmt::format("{} files in {}", written, run.output_dir.string());
-  return result;
+  return Writer(inputs, options, run).write();
 }
 
 StageType steering_report_stage() {
@@ -88,7 +199,8 @@ StageType steering_report_stage() {
   type.title = "Write the steering test";
   type.help =
       "Writes the errors of a steering test by speed, pass and fix, the log, the tuning, and the error curves as PNG, "
-      "SVG and PDF into the output folder. Inputs that are not connected are left out.";
+      "SVG and PDF into the output folder, and report.html, one page with the tables and curves. Inputs that are not "
+      "connected are left out.";
   type.source = "Bole";
   for (const auto& file : files) type.inputs.push_back({file.port, DataKind::table, file.help, true, {}});
   type.options = &option_table(static_cast<const SteeringReportOptions*>(nullptr));

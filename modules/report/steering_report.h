@@ -14,8 +14,8 @@ struct SteeringReportOptions {
 const OptionTable& option_table(const SteeringReportOptions*);
 
 // Writes what is connected: steering_summary.csv, steering_passes.csv, steering_errors.csv, steering_log.csv,
-// steering_gains.csv, steering_tuning.csv, and the error curves, into run.output_dir. What cannot be written becomes a
-// warning. Throws Error{bad_input} without an output folder or anything to write, Error{cancelled}.
+// steering_gains.csv, steering_tuning.csv, the error curves and report.html, into run.output_dir. What cannot be
+// written becomes a warning. Throws Error{bad_input} without an output folder or anything to write, Error{cancelled}.
 StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options, const Run& run);
 
 StageType steering_report_stage();
