@@ -8,6 +8,7 @@
 #include "rows/core/find_rows.h"
 #include "rows/core/frame_filters.h"
 #include "rows/core/frame_plants.h"
+#include "rows/core/hedge_rows.h"
 
 namespace bole {
 namespace {
@@ -103,6 +104,29 @@ StageType trunks() {
     const PointCloud* dense = inputs.has("dense") ? &inputs.cloud("dense") : nullptr;
     result.outputs.set(
         "stems", rows::trunk_centres(inputs.cloud("points"), dense, options.as<rows::TrunkOptions>(), result.report));
+    return result;
+  };
+  return type;
+}
+
+StageType hedges() {
+  StageType type;
+  type.name = "rows.hedges";
+  type.title = "Find hedge rows";
+  type.help =
+      "Finds rows whose canopy hides the trunks (vines, fruit walls, hedges): the peaks of the points' profile across "
+      "the rows, whose direction is given or found as the one with the sharpest profile. Along each row every piece "
+      "gives a point in the middle of the canopy, and the window follows the row, so that it may bend. "
+      "rows.from_stems makes rows and guidance lines of the points. The points must be canopy only: cut the ground off "
+      "with rows.region or rows.remove_ground.";
+  type.source = "Bole";
+  type.inputs = {{"points", DataKind::cloud, "Canopy without the ground, z up.", false, {}}};
+  type.outputs = {{"stems", DataKind::table, "Points of the hedges' lines: row_id, x_m, y_m, points.", false, {}}};
+  type.options = &option_table(static_cast<const rows::HedgeOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
+    StageResult result;
+    result.outputs.set("stems",
+                       rows::hedge_rows(inputs.cloud("points"), options.as<rows::HedgeOptions>(), run, result.report));
     return result;
   };
   return type;
@@ -215,6 +239,7 @@ void add_frame_steps(StageRegistry& registry) {
 void register_rows_stages(StageRegistry& registry) {
   registry.add(from_stems());
   registry.add(edit_stage());
+  registry.add(hedges());
   add_frame_steps(registry);
 }
 

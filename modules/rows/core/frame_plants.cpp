@@ -259,6 +259,7 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
   t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("layers", trunk_layers), t.set("points", points);
   t.set("diameter_cm", diameter);
   t.facts["axes"] = std::string(axes_name(plants.axes));
+  if (!plants.crs_wkt.empty()) t.facts["crs"] = plants.crs_wkt;
   return t;
 }
 

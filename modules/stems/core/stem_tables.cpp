@@ -52,6 +52,7 @@ void texts(Table& table, const char* name, const std::vector<T>& items, F&& valu
 Table stem_table(const StemSurvey& survey) {
   Table t;
   t.facts["axes"] = axes_name(survey.points.axes);
+  if (!survey.points.crs_wkt.empty()) t.facts["crs"] = survey.points.crs_wkt;
   const auto& stems = survey.stems;
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", stems, [](const Stem& s) { return s.id; });
