@@ -62,6 +62,12 @@ Table in_centimetres(const Table& table) {
   return out;
 }
 
+bool has_numbers(const Table& table, const std::string& column) {
+  if (!table.has(column)) return false;
+  const auto values = table.numbers(column);
+  return std::ranges::any_of(values, [](double v) { return std::isfinite(v); });
+}
+
 using Columns = std::vector<std::pair<std::string, std::string>>;
 
 const Columns& spread_columns() {
@@ -112,8 +118,9 @@ class Writer {
 
   void draw() {
     const auto& errors = inputs_.table("errors");
-    for (const auto& figure :
-         {tracking_error_curves(errors, o_.figure_width), adjacent_error_curves(errors, o_.figure_width)}) {
+    std::vector<Figure> figures{tracking_error_curves(errors, o_.figure_width)};
+    if (has_numbers(errors, "adjacent_m")) figures.push_back(adjacent_error_curves(errors, o_.figure_width));
+    for (const auto& figure : figures) {
       const auto stem = "figures/" + figure.name;
       attempt(stem + ".png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
       attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
@@ -124,8 +131,9 @@ class Writer {
 
   void add_table(std::string title, std::string note, const Table& table, Columns first, const Columns& more,
                  int decimals) {
-    first.insert(first.end(), more.begin(), more.end());
     tables_.push_back(std::make_unique<Table>(in_centimetres(table)));
+    for (const auto& column : more)  // what is not known has no column
+      if (has_numbers(*tables_.back(), column.first)) first.push_back(column);
     page_.tables.push_back({std::move(title), std::move(note), tables_.back().get(), std::move(first), decimals});
   }
 
@@ -136,9 +144,7 @@ class Writer {
               "distance of neighbouring passes minus the row width. SD: about the mean. Controller: what the steering "
               "left of the distance that it was told; receiver: told minus true, which no steering can mend.",
               summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
-    const auto published =
-        summary.has("published_line_sd_m") ? summary.numbers("published_line_sd_m") : std::vector<double>();
-    if (std::ranges::any_of(published, [](double v) { return std::isfinite(v); }))
+    if (has_numbers(summary, "published_line_sd_m"))
       add_table("Published",
                 "In centimetres, by a tractor in the field, which a simulated one is held beside and not fitted to.",
                 summary, {{"speed_km_h", "km/h"}},

@@ -272,7 +272,8 @@ Table place_stems(const Table& stems, const PlaceOptions& o) {
   }
   Table placed = stems;
   placed.set("x_m", std::move(x)), placed.set("y_m", std::move(y));
-  placed.facts["axes"] = "global";
+  // Without a place the axes stay those of the frame, whose y need not point north.
+  if (o.x != 0 || o.y != 0 || o.yaw_deg != 0) placed.facts["axes"] = "global";
   return placed;
 }
 

@@ -40,6 +40,13 @@ Entries<S> tractor_entries() {
                 {0, 3},
                 Tier::advanced,
                 "Dead time between command and movement of the wheels."},
+      Number<S>{
+          "steering_deadband_deg",
+          &S::steering_deadband_deg,
+          Unit::degree,
+          {0, 5},
+          Tier::advanced,
+          "The valve does not open while the wheels are nearer than this to the angle asked for (Qiu et al. 2001)."},
       Number<S>{"steering_offset_deg",
                 &S::steering_offset_deg,
                 Unit::degree,

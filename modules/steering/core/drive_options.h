@@ -14,6 +14,7 @@ struct TractorOptions {
   double steering_rate_deg_s = 30;
   double steering_lag = 0.1;
   double steering_delay = 0.05;
+  double steering_deadband_deg = 0;
   double steering_offset_deg = 0.3;
   double wheel_disturbance_deg = 0.6;
   double roughness_deg = 0.7;

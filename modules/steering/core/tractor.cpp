@@ -37,7 +37,9 @@ void Tractor::turn_wheels(double dt_s, double command_rad) {
   const double target = std::clamp(commands_.front(), -most, most);
   commands_.pop_front();
   const double share = o_.steering_lag > 0 ? 1 - std::exp(-dt_s / o_.steering_lag) : 1;
-  wheel_ += std::clamp(share * (target - wheel_), -fastest * dt_s, fastest * dt_s);
+  const double missing = target - wheel_, deadband = o_.steering_deadband_deg * rad_per_deg;
+  const double seen = std::copysign(std::max(0.0, std::abs(missing) - deadband), missing);
+  wheel_ += std::clamp(share * seen, -fastest * dt_s, fastest * dt_s);
 }
 
 // First-order Gauss-Markov processes over the way.

@@ -65,6 +65,17 @@ TEST(FieldTest, FindsTheWheelOffsetAndTheSlipBySumming) {
   EXPECT_GT(std::abs(value(measured(o).passes, "line_mean_m", 0)), 0.005);
 }
 
+// Within the deadband nothing steers: the tractor weaves about the line.
+TEST(FieldTest, WeavesWithADeadbandOfTheValve) {
+  auto o = calm();
+  o.speeds = "5", o.steering_offset_deg = 0.3;
+  const double without = value(measured(o).summary, "controller_sd_m", 0);
+  o.steering_deadband_deg = 1;
+  const double with = value(measured(o).summary, "controller_sd_m", 0);
+  EXPECT_GT(with, 2 * without);
+  EXPECT_LT(with, 0.1);
+}
+
 TEST(FieldTest, StaysNearTheLineThroughOutagesAndJumps) {
   FieldTestOptions o;
   o.speeds = "5", o.repeats = 4;

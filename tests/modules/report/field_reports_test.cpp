@@ -1,0 +1,92 @@
+// The reports of rows and of steering tests.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "report/rows_report.h"
+#include "report/steering_report.h"
+
+namespace bole {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+struct Folder {
+  Folder() { fs::remove_all(run.output_dir), fs::create_directories(run.output_dir); }
+  ~Folder() { fs::remove_all(run.output_dir); }
+  Run run{.output_dir = fs::path(::testing::TempDir()) / "field_reports"};
+};
+
+template <class... Columns>
+Table table(Columns&&... columns) {
+  Table t;
+  (t.set(columns.first, columns.second), ...);
+  return t;
+}
+
+using Numbers = std::vector<double>;
+using Integers = std::vector<std::int64_t>;
+using Texts = std::vector<std::string>;
+
+TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
+  Folder folder;
+  DataSet in;
+  in.set("rows",
+         table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{0, 90}),
+               std::pair("x0_m", Numbers{0, 3}), std::pair("y0_m", Numbers{0, 5}), std::pair("x1_m", Numbers{4, 3}),
+               std::pair("y1_m", Numbers{0, 9}), std::pair("plants", Integers{2, 0})));
+  in.set("plants",
+         table(std::pair("row_id", Integers{1, 1, 1}), std::pair("number", Integers{1, 2, 3}),
+               std::pair("x_m", Numbers{0, 2, 4}), std::pair("y_m", Numbers{0, 0, 0}),
+               std::pair("state", Texts{"present", "missing", "present"}), std::pair("across_m", Numbers{0, 0, 0})));
+  in.set("lines", table(std::pair("row_id", Integers{1, 1, 2, 2}), std::pair("number", Integers{1, 2, 1, 2}),
+                        std::pair("x_m", Numbers{0, 4, 3, 3}), std::pair("y_m", Numbers{0, 0, 5, 9})));
+  in.set("edits", table(std::pair("edit", Integers{1}), std::pair("action", Texts{"add"}),
+                        std::pair("row_id", Texts{"2"}), std::pair("outcome", Texts{"applied"}),
+                        std::pair("message", Texts{""}), std::pair("author", Texts{"A. Smith"}),
+                        std::pair("time", Texts{""}), std::pair("reason", Texts{"<seen>"})));
+  RowsReportOptions options;
+  options.figures = false;
+  const auto result = write_rows_report(in, options, folder.run);
+  EXPECT_TRUE(result.report.warnings.empty()) << result.report.warnings.front();
+  for (const char* name : {"rows.csv", "plants.csv", "edits.csv", "rows.gpkg", "rows.geojson", "report.html"})
+    EXPECT_TRUE(fs::exists(folder.run.output_dir / name)) << name;
+  // A drawn row without a plant leads a machine too.
+  EXPECT_THAT(text_of(folder.run.output_dir / "ab_lines.geojson"), HasSubstr("\"row_id\": 2"));
+  const auto page = text_of(folder.run.output_dir / "report.html");
+  EXPECT_THAT(page, HasSubstr("2 rows of 2 plants; 1 plants are missing"));
+  EXPECT_THAT(page, HasSubstr("A. Smith"));
+  EXPECT_THAT(page, HasSubstr("&lt;seen&gt;"));
+}
+
+TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {
+  Folder folder;
+  const double nan = std::nan("");
+  DataSet in;
+  in.set("summary", table(std::pair("speed_km_h", Texts{"5", "mean"}), std::pair("line_mean_m", Numbers{0.001, 0.001}),
+                          std::pair("line_sd_m", Numbers{0.0123, 0.0123}), std::pair("line_max_m", Numbers{0.04, 0.04}),
+                          std::pair("receiver_sd_m", Numbers{nan, nan})));
+  SteeringReportOptions options;
+  options.figures = false;
+  EXPECT_TRUE(write_steering_report(in, options, folder.run).report.warnings.empty());
+  const auto page = text_of(folder.run.output_dir / "report.html");
+  EXPECT_THAT(page, HasSubstr("1.23"));
+  EXPECT_THAT(page, Not(HasSubstr("receiver SD")));
+  EXPECT_THAT(page, Not(HasSubstr("Published")));
+  EXPECT_THROW(write_steering_report(DataSet(), options, folder.run), Error);
+}
+
+}  // namespace
+}  // namespace bole
