@@ -134,8 +134,8 @@ class Writer {
   void write_page() {
     page_.title = "Plant rows";
     Table missing = missing_plants();
-    page_.paragraphs.push_back(fmt::format("{} rows of {} plants; {} plants are missing, {} stand in no row.",
-                                           rows_.rows(), plants_.rows() - missing.rows(), missing.rows(),
+    page_.paragraphs.push_back(fmt::format("Plants in rows: {} in {}; missing within rows: {}; in no row: {}.",
+                                           plants_.rows() - missing.rows(), rows_.rows(), missing.rows(),
                                            strays_ != nullptr ? strays_->rows() : 0));
     page_.paragraphs.emplace_back(
         "Guidance lines for machines: ab_lines.geojson (from the first end of each row to the last), rows.geojson (the "

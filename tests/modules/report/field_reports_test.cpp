@@ -24,9 +24,12 @@ std::string text_of(const fs::path& path) {
 }
 
 struct Folder {
-  Folder() { fs::remove_all(run.output_dir), fs::create_directories(run.output_dir); }
+  Folder() {
+    run.output_dir = fs::path(::testing::TempDir()) / "field_reports";
+    fs::remove_all(run.output_dir), fs::create_directories(run.output_dir);
+  }
   ~Folder() { fs::remove_all(run.output_dir); }
-  Run run{.output_dir = fs::path(::testing::TempDir()) / "field_reports"};
+  bole::Run run;
 };
 
 template <class... Columns>
@@ -66,7 +69,7 @@ TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
   // A drawn row without a plant leads a machine too.
   EXPECT_THAT(text_of(folder.run.output_dir / "ab_lines.geojson"), HasSubstr("\"row_id\": 2"));
   const auto page = text_of(folder.run.output_dir / "report.html");
-  EXPECT_THAT(page, HasSubstr("2 rows of 2 plants; 1 plants are missing"));
+  EXPECT_THAT(page, HasSubstr("Plants in rows: 2 in 2; missing within rows: 1"));
   EXPECT_THAT(page, HasSubstr("A. Smith"));
   EXPECT_THAT(page, HasSubstr("&lt;seen&gt;"));
 }

@@ -92,6 +92,17 @@ TEST(HedgeRows, FarFromTheOriginNothingChanges) {
     EXPECT_NEAR(far.numbers("x_m")[i] - utm.x(), near.numbers("x_m")[i], 1e-5);
 }
 
+TEST(HedgeRows, TheReferenceSystemOfTheCloudGoesWithTheRows) {
+  Report report;
+  auto canopy = hedges(0, 2);
+  canopy.axes = Axes::global, canopy.crs_wkt = "PROJCS[...]";
+  const auto found = find_rows(hedge_rows(canopy, {}, bole::Run{}, report), {}, bole::Run{});
+  for (const Table* t : {&found.rows, &found.lines, &found.plants}) {
+    EXPECT_EQ(t->facts.at("crs"), "PROJCS[...]");
+    EXPECT_EQ(t->facts.at("axes"), "global");
+  }
+}
+
 TEST(HedgeRows, RefusesWhatIsNoField) {
   Report report;
   EXPECT_THROW(hedge_rows(PointCloud(), {}, bole::Run{}, report), Error);
