@@ -44,7 +44,7 @@ struct SlamOptions {
   double continuity_sigma_deg = 0.05;
   double lost_overlap = 0.25;
   int lost_frames = 5;
-  double least_observability = 3;
+  double least_observability = 2.3;
   double speed_max_m_s = 5;
 
   // Loops.
