@@ -59,6 +59,8 @@ Frame frame_of(const Content& c, double width_mm) {
   Eigen::Vector2d lo(inf, inf), hi(-inf, -inf);
   for (const auto* points : {&c.present, &c.missing, &c.strays})
     for (const auto& p : *points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+  for (const auto& line : c.lines)  // of a drawn row without plants too
+    for (const auto& p : line.vertices) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
   if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
   const Eigen::Vector2d middle = (lo + hi) / 2;
   const double pad = 0.05 * std::max((hi - lo).maxCoeff(), 1.0);
