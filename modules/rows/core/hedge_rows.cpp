@@ -56,11 +56,15 @@ double sharpest_angle(const Points2& points, const Run& run) {
 
 std::vector<double> smooth(const std::vector<double>& values, double sigma_bins) {
   const int reach = static_cast<int>(std::ceil(3 * sigma_bins)), n = static_cast<int>(values.size());
+  std::vector<double> kernel;  // by distance
+  for (int d = 0; d <= reach; ++d) kernel.push_back(std::exp(-d * d / (2 * sigma_bins * sigma_bins)));
   std::vector<double> out(values.size());
-  for (int i = 0; i < n; ++i)
-    for (int j = std::max(0, i - reach); j <= std::min(n - 1, i + reach); ++j)
+  for (int j = 0; j < n; ++j) {
+    if (values[static_cast<std::size_t>(j)] == 0) continue;
+    for (int i = std::max(0, j - reach); i <= std::min(n - 1, j + reach); ++i)
       out[static_cast<std::size_t>(i)] +=
-          values[static_cast<std::size_t>(j)] * std::exp(-(i - j) * (i - j) / (2 * sigma_bins * sigma_bins));
+          values[static_cast<std::size_t>(j)] * kernel[static_cast<std::size_t>(std::abs(i - j))];
+  }
   return out;
 }
 
