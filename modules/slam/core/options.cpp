@@ -126,6 +126,14 @@ SlamOptionEntries options_of_presets() {
         "Where to look for revisits: nowhere, where the estimated path comes near itself, where the surroundings "
         "look "
         "alike (Scan Context), or both."},
+      T{"context_search",
+        &S::context_search,
+        TextKind::choice,
+        {"preset", "single", "placed", "sequence"},
+        Tier::advanced,
+        "How a place that looks alike is chosen: the one that does most, its turn being all that is known of the pose "
+        "(SPEC D); of the three that do most the one on whose occupancy the key frame lies best; or the same of places "
+        "that the odometry can have drifted to and that look alike along the last metres of the way."},
       T{"loop_registration",
         &S::loop_registration,
         TextKind::choice,

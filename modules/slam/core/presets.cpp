@@ -35,6 +35,7 @@ const std::vector<PresetRow>& preset_rows() {
       {"keyframe_distance", {0.3, 0.3, 0.3, 0.3, 0.3}},
       {"keyframe_angle", {10.0, 10.0, 10.0, 10.0, 10.0}},
       {"loops", {"none", "both", "odometry", "context", "odometry"}},
+      {"context_search", {"placed", "placed", "placed", "sequence", "placed"}},
       {"loop_registration", {"features", "features", "icp", "ndt_icp", "features"}},
       {"weights", {"thickness", "priors", "thickness", "thickness", "thickness"}},
       {"solve", {"joint", "joint", "two_step", "two_step", "joint"}},
