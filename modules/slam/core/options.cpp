@@ -14,10 +14,9 @@ using T = Option<S, std::string>;
 SlamOptionEntries general_options() {
   return {
       T{"preset", &S::preset, TextKind::choice, preset_names(), Tier::basic,
-        "Which system: loam (baseline), forest (improved LOAM for forest plots), lego_loam (ground-aware "
-        "baseline), "
-        "orchard (the same with loops by Scan Context and NDT-ICP), best (elastic frames and a final adjustment of "
-        "the whole path)."},
+        "Which system: loam (baseline), forest (improved LOAM for forest plots), lego_loam (ground-aware baseline), "
+        "orchard (for rows and leaves: all points, loops by Scan Context and NDT-ICP), best (elastic frames and a "
+        "final adjustment of the whole path)."},
       T{"trajectory",
         &S::trajectory,
         TextKind::input_path,
