@@ -1,0 +1,10 @@
+#include "window_features.h"
+
+#include "features/field_check/field_check.h"
+
+namespace bole::desktop {
+
+// One line for each feature, in the order in which their actions appear in the menus.
+void install_features(MainWindow& window) { install_field_check(window); }
+
+}  // namespace bole::desktop
