@@ -44,7 +44,7 @@ Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey
   if (survey.points && before.points && before.index && same_places(*survey.points, *before.points))
     survey.index = before.index;
   else if (survey.points)
-    survey.index = std::make_shared<const PointOctree>(*survey.points, run);
+    survey.index = std::make_shared<const PointIndex>(survey.points, run);
   return survey;
 }
 
