@@ -169,7 +169,10 @@ void MainWindow::open(const QString& path) {
   Q_EMIT document_opened();
 }
 
-void MainWindow::save(const QString& path) { session_.save(path); }
+void MainWindow::save(const QString& path) {
+  session_.save(path);
+  Q_EMIT document_saved();
+}
 
 void MainWindow::run() { start(true); }
 

@@ -1,10 +1,18 @@
 #include "window_features.h"
 
+#include "behaviors/figure_export.h"
+#include "behaviors/measure_behavior.h"
+#include "behaviors/row_behavior.h"
 #include "behaviors/view_tools.h"
 
 namespace bole::desktop {
 
 // One line for each feature, in the order in which their actions appear in the menus.
-void install_features(MainWindow& window) { install_view_tools(window); }
+void install_features(MainWindow& window) {
+  install_view_tools(window);
+  install_measuring(window);
+  install_rows(window);
+  install_figure_export(window);
+}
 
 }  // namespace bole::desktop

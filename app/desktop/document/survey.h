@@ -19,9 +19,10 @@ struct Survey {
   std::shared_ptr<const PointCloud> points, slice;
   std::shared_ptr<const PointIndex> index;  // of `points`
   std::shared_ptr<const Table> stems, sections, matches;
+  std::shared_ptr<const Table> rows, plants, lines, strays;  // of plants in rows
   std::shared_ptr<const Trajectory> walk;
 
-  bool empty() const { return !points && !stems; }
+  bool empty() const { return !points && !stems && !rows; }
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`
 };
 

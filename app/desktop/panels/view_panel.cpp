@@ -27,8 +27,8 @@ QDoubleSpinBox* number(const char* id, const QString& tip, double step, int deci
   box->setDecimals(decimals);
   box->setSuffix(unit);
   box->setKeyboardTracking(false);
-  box->setMinimumWidth(70);
-  box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  box->setMinimumWidth(box->fontMetrics().horizontalAdvance("000000.00 m"));  // not that of the widest number
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return box;
 }
 

@@ -12,7 +12,7 @@ void add_to(ViewFurniture& furniture, const SceneDrawing& drawing, const PickVie
   for (const auto& line : drawing.lines) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
       if (const auto ends = segment_on_screen(view, line[k], line[k + 1]))
-        furniture.lines.push_back({{sheet(ends->first), sheet(ends->second)}, drawing.strong});
+        furniture.lines.push_back({{sheet(ends->first), sheet(ends->second)}, drawing.strong, drawing.warning});
   }
   for (const auto& places : {drawing.marks, drawing.strong ? drawing.grips : std::vector<Eigen::Vector3d>()})
     for (const auto& place : places)

@@ -17,7 +17,8 @@ struct SceneDrawing {
   std::vector<Eigen::Vector3d> grips;  // places that can be dragged, at their height
   std::string label;                   // at `label_at`; none when empty
   Eigen::Vector3d label_at = Eigen::Vector3d::Zero();
-  bool strong = false;  // selected
+  bool strong = false;   // selected
+  bool warning = false;  // something is doubtful here
 };
 
 // Projects a drawing and adds it; `mm_per_px` of the view's pixels.

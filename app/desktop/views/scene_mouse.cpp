@@ -42,9 +42,11 @@ void SceneView::pick(const QPoint& at) {
   redraw();
 }
 
-void SceneView::set_taking_places(bool on) {
-  taking_places_ = on;
-  setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+void SceneView::set_place_taker(const QObject* taker) {
+  if (taker == place_taker_) return;
+  place_taker_ = taker;
+  setCursor(taker != nullptr ? Qt::CrossCursor : Qt::ArrowCursor);
+  Q_EMIT place_taker_changed(taker);
 }
 
 void SceneView::take_place(const QPoint& at) {
@@ -85,13 +87,13 @@ bool SceneView::click_drawing(const QPoint& at) {
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
-  dragged_ = event->button() == Qt::LeftButton ? grip_at(event->pos()) : std::nullopt;
+  dragged_ = event->button() == Qt::LeftButton && place_taker_ == nullptr ? grip_at(event->pos()) : std::nullopt;
   if (!dragged_) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (!dragged_) {
-    if (!taking_places_ && event->buttons() == Qt::NoButton)
+    if (place_taker_ == nullptr && event->buttons() == Qt::NoButton)
       setCursor(grip_at(event->pos()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
   }
@@ -113,7 +115,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   const bool click =
       event->button() == Qt::LeftButton && has_survey() && (event->pos() - pressed_at_).manhattanLength() <= click_px;
   if (!click) return;
-  if (taking_places_) return take_place(event->pos());
+  if (place_taker_ != nullptr) return take_place(event->pos());
   if (!click_drawing(event->pos())) pick(event->pos());
 }
 

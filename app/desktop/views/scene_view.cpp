@@ -85,6 +85,7 @@ void SceneView::show_survey(const Survey& survey) {
     settings_.clip.reset();
     show_clip_handles(false);
     layer_.set_clip({});
+    begin_motion();  // something is seen at once; the rest follows
     reset_camera();
   } else {
     redraw();  // an edit leaves the camera where it is
@@ -172,11 +173,18 @@ std::vector<double> SceneView::sorted_sample(int axis) const {
 }
 
 void SceneView::measure_extent() {
-  whole_ = {}, heights_ = {};
+  whole_ = {}, heights_ = {}, extent_known_ = false;
   for (int axis = 0; axis < 3; ++axis)
     if (const auto v = sorted_sample(axis); !v.empty())
-      whole_.lo[axis] = v[v.size() / 100], whole_.hi[axis] = v[v.size() - 1 - v.size() / 100];
+      extent_known_ = true, whole_.lo[axis] = v[v.size() / 100], whole_.hi[axis] = v[v.size() - 1 - v.size() / 100];
   if (const auto v = sorted_sample(3); !v.empty()) heights_ = {v[v.size() / 1000], v[v.size() - 1 - v.size() / 1000]};
+  if (extent_known_ || !survey_.plants || survey_.plants->rows() == 0) return;
+  // Rows without a cloud.
+  for (const auto& [axis, name] : {std::pair{0, "x_m"}, {1, "y_m"}}) {
+    const auto v = survey_.plants->numbers(name);
+    whole_.lo[axis] = *std::ranges::min_element(v), whole_.hi[axis] = *std::ranges::max_element(v);
+  }
+  extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
 
 int SceneView::actor_count() { return renderer_->GetActors()->GetNumberOfItems(); }
@@ -189,15 +197,16 @@ void SceneView::rebuild() {
     renderer_->AddActor(actor);
     actors_.push_back(std::move(actor));
   };
-  origin_ = survey_.points ? survey_.points->origin : Eigen::Vector3d::Zero().eval();
-  shapes_.clear();
   measure_extent();
+  origin_ = survey_.points ? survey_.points->origin : whole_.lo;
+  shapes_.clear();
   if (survey_.points) {
     repaint_points();
     layer_.set_filter(settings_.filter);
     layer_.show(survey_.points, survey_.index ? survey_.index->octree() : nullptr, origin_);
   }
-  if (survey_.stems && survey_.stems->rows() > 0) {
+  // Plants of rows have places only.
+  if (survey_.stems && survey_.stems->rows() > 0 && survey_.stems->has("dbh_cm") && survey_.stems->has("z_m")) {
     shapes_ = stem_shapes(*survey_.stems, survey_.sections.get());
     add(stems_actor(shapes_, origin_, true));
     add(breast_height_actor(shapes_, origin_, 0.04));
@@ -319,7 +328,7 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(from.x(), from.y(), from.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
-  if (survey_.index && survey_.index->octree()->size() > 0) {
+  if (extent_known_) {
     // Strays far away do not set the scale.
     const auto box = whole();
     const Eigen::Vector3d lo = box.lo - origin_, hi = box.hi - origin_;

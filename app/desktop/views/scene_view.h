@@ -62,9 +62,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void pick(const QPoint& at);
   std::optional<std::uint32_t> picked() const { return picked_; }
 
-  // While on, a click gives a place instead of selecting what is there.
-  void set_taking_places(bool on);
-  bool taking_places() const { return taking_places_; }
+  // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
+  // who is told of another taker stops. Null: nobody.
+  void set_place_taker(const QObject* taker);
+  const QObject* place_taker() const { return place_taker_; }
 
   // What lies over the picture, one list for each layer ("rows", "measurements").
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
@@ -80,6 +81,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
  Q_SIGNALS:
   void point_picked(const QStringList& facts);
   void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
+  void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
   void settings_changed();  // by the view: handles of the clip box, another survey
@@ -117,6 +119,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   ViewSettings settings_;
   ClipBox whole_;
   Interval heights_;
+  bool extent_known_ = false;
   std::vector<StemShape> shapes_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   PointLayer layer_;
@@ -131,7 +134,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QStringList facts_;
 
   QTimer rest_;
-  bool moving_ = false, complete_ = true, timed_ = false, taking_places_ = false;
+  bool moving_ = false, complete_ = true, timed_ = false;
+  const QObject* place_taker_ = nullptr;
   std::size_t moving_budget_;
   std::chrono::steady_clock::time_point frame_start_;
   double last_frame_s_ = 0;

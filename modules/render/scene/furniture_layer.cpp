@@ -18,10 +18,10 @@
 namespace bole {
 namespace {
 
-constexpr double px_per_inch_mm = 25.4;
+constexpr double mm_per_inch = 25.4;
 
-// A rectangle of the window, its lower left corner at the actor's position, that shows an image.
-vtkSmartPointer<vtkActor2D> image_actor(vtkImageData* image) {
+// Makes an actor a rectangle of the window, its lower left corner at the actor's position, that shows an image.
+void show_image(vtkTexturedActor2D* actor, vtkImageData* image) {
   const int* size = image->GetDimensions();
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> texture_coordinates;
@@ -42,10 +42,8 @@ vtkSmartPointer<vtkActor2D> image_actor(vtkImageData* image) {
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->InterpolateOff();
-  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
   actor->SetMapper(mapper);
   actor->SetTexture(texture);
-  return actor;
 }
 
 vtkSmartPointer<vtkImageData> empty_image(int width, int height) {
@@ -56,35 +54,43 @@ vtkSmartPointer<vtkImageData> empty_image(int width, int height) {
 }
 
 vtkSmartPointer<vtkActor2D> patch_actor(const Figure& figure, double px_per_mm) {
-  const auto picture = figure_overlay(figure, px_per_mm * px_per_inch_mm);
+  const auto picture = figure_overlay(figure, px_per_mm * mm_per_inch);
   const auto image = empty_image(picture.width, picture.height);
   const std::size_t row = 4 * static_cast<std::size_t>(picture.width);
   auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
   for (int y = 0; y < picture.height; ++y)
     std::memcpy(target + row * static_cast<std::size_t>(picture.height - 1 - y),
                 picture.rgba.data() + row * static_cast<std::size_t>(y), row);
-  return image_actor(image);
+  auto actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+  show_image(actor, image);
+  return actor;
 }
 
-vtkSmartPointer<vtkActor2D> polyline_actor(const std::vector<ViewFurniture::Line>& lines, double height_mm,
-                                           double px_per_mm, const Color& color, double width_px) {
+// Lines of one kind; all of them have a rim of paper below.
+struct LineKind {
+  Color color;
+  double width_px;
+  bool (*holds)(const ViewFurniture::Line&);
+};
+
+bool plain(const ViewFurniture::Line& line) { return !line.strong && !line.warning; }
+bool warning(const ViewFurniture::Line& line) { return !line.strong && line.warning; }
+bool strong(const ViewFurniture::Line& line) { return line.strong; }
+
+constexpr LineKind line_kinds[] = {{ink::paper, 4, plain},  {ink::primary, 2, plain}, {ink::paper, 4, warning},
+                                   {ink::fair, 2, warning}, {ink::paper, 4, strong},  {ink::accent, 2, strong}};
+
+void put_lines(const ViewFurniture& furniture, const LineKind& kind, double px_per_mm, vtkPolyData* data) {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
-  for (const auto& line : lines) {
+  for (const auto& line : furniture.lines) {
+    if (line.points_mm.size() < 2 || !kind.holds(line)) continue;
     cells->InsertNextCell(static_cast<int>(line.points_mm.size()));
     for (const auto& p : line.points_mm)
-      cells->InsertCellPoint(points->InsertNextPoint(p.x() * px_per_mm, (height_mm - p.y()) * px_per_mm, 0));
+      cells->InsertCellPoint(points->InsertNextPoint(p.x() * px_per_mm, (furniture.height_mm - p.y()) * px_per_mm, 0));
   }
-  vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetLines(cells);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  auto actor = vtkSmartPointer<vtkActor2D>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color.r, color.g, color.b);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width_px));
-  return actor;
 }
 
 }  // namespace
@@ -93,6 +99,19 @@ FurnitureLayer::FurnitureLayer() {
   renderer_->SetLayer(1);
   renderer_->InteractiveOff();
   renderer_->PreserveDepthBufferOn();  // nothing here has a depth: spare the clearing
+  shadow_ = vtkSmartPointer<vtkTexturedActor2D>::New();
+  show_image(shadow_, empty_image(1, 1));
+  shadow_->VisibilityOff();
+  renderer_->AddActor2D(shadow_);
+  for (const auto& kind : line_kinds) {
+    LineActor line{vtkSmartPointer<vtkActor2D>::New(), vtkSmartPointer<vtkPolyData>::New()};
+    vtkNew<vtkPolyDataMapper2D> mapper;
+    mapper->SetInputData(line.data);
+    line.actor->SetMapper(mapper);
+    line.actor->GetProperty()->SetColor(kind.color.r, kind.color.g, kind.color.b);
+    renderer_->AddActor2D(line.actor);
+    lines_.push_back(std::move(line));
+  }
 }
 
 void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
@@ -119,31 +138,24 @@ void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
 }
 
 void FurnitureLayer::draw_lines(const ViewFurniture& furniture, double px_per_mm) {
-  for (const auto& actor : lines_) renderer_->RemoveActor2D(actor);
-  lines_.clear();
-  const double px = px_per_mm * px_per_inch_mm / 96;
-  for (const bool strong : {false, true}) {
-    std::vector<ViewFurniture::Line> lines;
-    std::ranges::copy_if(furniture.lines, std::back_inserter(lines),
-                         [&](const auto& line) { return line.strong == strong && line.points_mm.size() > 1; });
-    if (lines.empty()) continue;
-    for (const auto& [color, width] : {std::pair{ink::paper, 4.0}, {strong ? ink::accent : ink::primary, 2.0}}) {
-      lines_.push_back(polyline_actor(lines, furniture.height_mm, px_per_mm, color, width * px));
-      renderer_->AddActor2D(lines_.back());
-    }
+  const double px = px_per_mm * mm_per_inch / 96;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const auto& kind = line_kinds[k];
+    const bool any = std::ranges::any_of(furniture.lines, kind.holds);
+    lines_[k].actor->SetVisibility(any);
+    if (!any) continue;
+    lines_[k].actor->GetProperty()->SetLineWidth(static_cast<float>(kind.width_px * px));
+    put_lines(furniture, kind, px_per_mm, lines_[k].data);
   }
 }
 
 void FurnitureLayer::set_shadow(const std::vector<std::uint8_t>& alpha, int width, int height) {
-  if (shadow_) renderer_->RemoveActor2D(shadow_);
-  shadow_ = nullptr;
+  shadow_->SetVisibility(!alpha.empty());
   if (alpha.empty()) return;
   const auto image = empty_image(width, height);
   auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
   for (const auto a : alpha) target[0] = target[1] = target[2] = 0, target[3] = a, target += 4;
-  shadow_ = image_actor(image);
-  shadow_->SetLayerNumber(-1);  // below the rest
-  renderer_->AddActor2D(shadow_);
+  show_image(shadow_, image);
 }
 
 }  // namespace bole

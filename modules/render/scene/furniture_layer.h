@@ -3,8 +3,10 @@
 
 #include <vtkActor2D.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTexturedActor2D.h>
 
 #include <cstdint>
 #include <unordered_map>
@@ -32,12 +34,17 @@ class FurnitureLayer {
     vtkSmartPointer<vtkActor2D> actor;
     std::uint64_t last_use = 0;
   };
+  struct LineActor {
+    vtkSmartPointer<vtkActor2D> actor;
+    vtkSmartPointer<vtkPolyData> data;
+  };
   void draw_lines(const ViewFurniture& furniture, double px_per_mm);
 
   vtkNew<vtkRenderer> renderer_;
   std::unordered_map<std::string, Slot> slots_;
-  std::vector<vtkSmartPointer<vtkActor2D>> lines_;
-  vtkSmartPointer<vtkActor2D> shadow_;
+  // Drawn in the order in which they were added: the shadow, lines with their rims, patches.
+  vtkSmartPointer<vtkTexturedActor2D> shadow_;
+  std::vector<LineActor> lines_;
   std::uint64_t round_ = 0;
 };
 

@@ -236,7 +236,7 @@ PointOctree PointOctree::sample(const PointCloud& cloud, std::size_t points) {
   const auto& positions = *tree.positions_;
   if (positions.empty() || positions.size() >= std::numeric_limits<std::uint32_t>::max()) return tree;
   // One of every `step` points, at a place that wanders: points of a scan come in regular lines.
-  const std::size_t step = std::max<std::size_t>(1, positions.size() / std::max<std::size_t>(points, 1));
+  const std::size_t step = std::max<std::size_t>(1, (positions.size() + points - 1) / std::max<std::size_t>(points, 1));
   const std::size_t strides = (positions.size() + step - 1) / step;
   constexpr float inf = std::numeric_limits<float>::infinity();
   Eigen::Vector3f lo(inf, inf, inf), hi(-inf, -inf, -inf);

@@ -28,7 +28,7 @@ struct ViewFurniture {
   };
   struct Line {
     std::vector<Eigen::Vector2d> points_mm;
-    bool strong = false;
+    bool strong = false, warning = false;
   };
   std::vector<Eigen::Vector2d> marks_mm;  // picked points
   std::vector<Label> labels;              // of measurements
