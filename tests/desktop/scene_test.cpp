@@ -286,13 +286,15 @@ class SceneTest : public QObject {
     picture("rows");
 
     // An end is dragged along.
+    QTest::qWait(100);  // the dock of the rows has come: the view takes its new size
+    settle();
     const auto before = ends(1);
     const Eigen::Vector3d grip(before.x(), before.y(), 0.05), to(before.x() + 0.3, before.y() - 0.5, 0.05);
     drag(scene().place_of(grip), scene().place_of(to));
     QVERIFY(wait());
     const auto edit = row_edits().at(0);
     QVERIFY2((*edit.from - to.head<2>()).norm() < 0.08,
-             qPrintable(QString("%1 %2").arg(edit.from->x()).arg(edit.from->y())));
+             qPrintable(QString("%1 %2 for %3 %4").arg(edit.from->x()).arg(edit.from->y()).arg(to.x()).arg(to.y())));
     QVERIFY((*edit.to - before.tail<2>()).norm() < 1e-6);
     QVERIFY2((ends(row_of(*id)) - before).norm() > 0.2, qPrintable(QString::number(ends(row_of(*id)).x())));
     window_->session().undo_stack().undo();

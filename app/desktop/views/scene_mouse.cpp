@@ -85,9 +85,22 @@ bool SceneView::click_drawing(const QPoint& at) {
   return true;
 }
 
+// The superclass hands every event to VTK before the handlers below see it: a grip that is dragged would turn the
+// camera.
+bool SceneView::event(QEvent* event) {
+  const auto type = event->type();
+  if (type == QEvent::MouseButtonPress) {
+    const auto* press = static_cast<QMouseEvent*>(event);
+    const bool grips = press->button() == Qt::LeftButton && place_taker_ == nullptr;
+    dragged_ = grips ? grip_at(press->pos()) : std::nullopt;
+  }
+  const bool mouse =
+      type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
+  return dragged_ && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+}
+
 void SceneView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
-  dragged_ = event->button() == Qt::LeftButton && place_taker_ == nullptr ? grip_at(event->pos()) : std::nullopt;
   if (!dragged_) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 

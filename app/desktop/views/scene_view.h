@@ -88,6 +88,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void index_built();
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
