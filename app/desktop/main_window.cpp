@@ -222,6 +222,7 @@ void MainWindow::open_sample() { sample_->prepare(SampleBehavior::default_folder
 void MainWindow::save(const QString& path) {
   session_.save(path);
   note_recent_file(path);
+  Q_EMIT document_saved();
 }
 
 void MainWindow::run() { start(true, results_folder()); }

@@ -72,6 +72,7 @@ class MainWindow : public QMainWindow {
 
  Q_SIGNALS:
   void document_opened();
+  void document_saved();
   void run_started();
   void survey_shown(const Survey& survey);  // an empty one after a document was opened
 
