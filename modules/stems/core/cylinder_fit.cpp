@@ -337,15 +337,41 @@ void JointFit::describe(CylinderFit& fit) const {
 
 }  // namespace
 
-double drift_log_likelihood(const DriftEvidence& evidence, const DriftPrior& prior) {
-  const DriftPrecision drift(evidence.pass_of_view, prior);
+namespace {
+
+// Inverse covariance of the offsets, x and y by view, under the data and a prior.
+Eigen::MatrixXd with_prior(const DriftEvidence& evidence, const DriftPrecision& drift) {
   const auto views = drift.matrix.rows();
   Eigen::MatrixXd posterior = evidence.information;
   for (int axis = 0; axis < 2; ++axis)
     posterior(Eigen::seqN(axis, views, 2), Eigen::seqN(axis, views, 2)) += drift.matrix;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(posterior);
+  return posterior;
+}
+
+// Means over the views of each pass.
+std::vector<Eigen::Vector2d> means_by_pass(const std::vector<int>& pass_of_view, const Eigen::VectorXd& offsets) {
+  std::vector<Eigen::Vector2d> mean;
+  std::vector<int> views;
+  for (std::size_t k = 0; k < pass_of_view.size(); ++k) {
+    const auto pass = static_cast<std::size_t>(pass_of_view[k]);
+    if (views.size() <= pass) views.resize(pass + 1, 0), mean.resize(pass + 1, Eigen::Vector2d::Zero());
+    ++views[pass], mean[pass] += (offsets.segment<2>(static_cast<Eigen::Index>(2 * k)) - mean[pass]) / views[pass];
+  }
+  return mean;
+}
+
+}  // namespace
+
+double drift_log_likelihood(const DriftEvidence& evidence, const DriftPrior& prior) {
+  const DriftPrecision drift(evidence.pass_of_view, prior);
+  const Eigen::LDLT<Eigen::MatrixXd> solver(with_prior(evidence, drift));
   return 0.5 * evidence.target.dot(solver.solve(evidence.target)) -
          0.5 * solver.vectorD().cwiseMax(1e-300).array().log().sum() + drift.log_determinant;
+}
+
+std::vector<Eigen::Vector2d> likeliest_offsets(const DriftEvidence& evidence, const DriftPrior& prior) {
+  const DriftPrecision drift(evidence.pass_of_view, prior);
+  return means_by_pass(evidence.pass_of_view, with_prior(evidence, drift).ldlt().solve(evidence.target));
 }
 
 std::vector<int> number_views(std::vector<BarkPoint>& points, bool by_bearing) {

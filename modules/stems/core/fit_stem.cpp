@@ -17,8 +17,8 @@ namespace bole {
 namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
-// an even choice.
-constexpr std::size_t most_fit_points = 8000;
+// an even choice. A first look tells what stems share, and needs fewer.
+constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
 double student_975(double freedom) {
@@ -71,11 +71,11 @@ class StemFitter {
     StemFitResult result;
     auto attempt = prepare(axis);
     if (!has_sections(attempt, result)) return result;
-    auto fit = surface_fit(attempt, used_points(attempt));
+    auto fit = surface_fit(attempt, used_points(attempt, most_first_points));
     if (!fit) return no_cylinder();
     attempt = prepare(line_of(attempt.axes, fit->cylinder));
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt);
+    const auto points = used_points(attempt, most_first_points);
     fit = surface_fit(attempt, points);
     if (!fit) return no_cylinder();
     if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
@@ -88,7 +88,7 @@ class StemFitter {
     const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
     const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt);
+    const auto points = used_points(attempt, most_fit_points);
     auto fit =
         before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
     if (!fit) return no_cylinder();
@@ -139,11 +139,11 @@ class StemFitter {
 
   static StemFitResult no_cylinder() { return {std::nullopt, "no cylinder fits its points"}; }
 
-  static std::vector<BarkPoint> used_points(const Attempt& a) {
+  static std::vector<BarkPoint> used_points(const Attempt& a, std::size_t most) {
     std::vector<BarkPoint> used;
     for (const auto& p : a.points)
       if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
-    if (const std::size_t stride = used.size() / most_fit_points + 1; stride > 1) {
+    if (const std::size_t stride = used.size() / most + 1; stride > 1) {
       for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
       used.resize((used.size() - 1) / stride + 1);
     }
@@ -176,6 +176,7 @@ class StemFitter {
   }
 
   Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
+  std::vector<PassSeen> seen_from(const Attempt& a) const;
 
   const StemCandidate& candidate_;
   const StemLayer& layer_;
@@ -198,6 +199,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
+  s.pass_seen = seen_from(a);
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
   std::vector<double> errors, angles, unaligned;
@@ -240,6 +242,20 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
                        s.highest = std::max(s.highest, m.section.height);
   }
   return s;
+}
+
+std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
+  std::vector<PassSeen> seen(static_cast<std::size_t>(a.passes));
+  for (const auto& p : a.points) {
+    if (const auto* m = find_section(a.sections, p.section); !m || !m->section.used) continue;
+    auto& s = seen[static_cast<std::size_t>(p.pass)];
+    if (rays_.pass) s.pass = (*rays_.pass)[p.source];
+    if (rays_.time)
+      s.time_s += ((*rays_.time)[p.source] - s.time_s) / ++s.points;
+    else
+      ++s.points;
+  }
+  return seen;
 }
 
 }  // namespace
