@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,6 +41,39 @@ double blur_sd(double range_offset_m) {
   constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
   return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
 }
+
+// Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
+// leaves; what lies inside had to pass through bark.
+class ContraryArc {
+ public:
+  void add(double bearing_rad, double inside_m, bool on) {
+    auto& s =
+        sectors_[static_cast<std::size_t>(std::floor((bearing_rad / (2 * std::numbers::pi) + 1) * count)) % count];
+    if (on)
+      ++s.on;
+    else if (inside_m > 0)
+      s.inside.push_back(inside_m);
+  }
+  // By how much the mean radius would shrink if the points inside were the bark, and the arc where they lie.
+  void judge(double& shrink_m, double& arc_rad) {
+    double depth = 0;
+    int contrary = 0, seen = 0;
+    for (auto& s : sectors_) {
+      const bool against = s.inside.size() >= least && s.inside.size() > 2 * s.on;
+      if (s.on >= least || against) ++seen;
+      if (against) ++contrary, depth += median_of(s.inside);
+    }
+    shrink_m = seen > 0 ? depth / seen : 0, arc_rad = 2 * std::numbers::pi * contrary / count;
+  }
+
+ private:
+  static constexpr std::size_t count = 18, least = 3;
+  struct Sector {
+    std::size_t on = 0;
+    std::vector<double> inside;
+  };
+  std::array<Sector, count> sectors_;
+};
 
 struct Attempt {
   StemAxes axes;
@@ -194,9 +228,6 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
   s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
-               half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
-  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   s.pass_seen = seen_from(a);
@@ -208,6 +239,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   together.view_offset.clear();
   int inside = 0, on = 0;
   RingDensity density(s.radius);
+  ContraryArc contrary;
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
@@ -216,8 +248,9 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     density.add(e.value);
     unaligned.push_back(surface_residual(together, p, false).value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
+    const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
+    contrary.add(bearing, -e.value, std::abs(e.value) < reach);
     if (std::abs(e.value) < reach) {
-      const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
       ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
       if (!fit.along_rays)
         outline.push_back({bearing, e.value});
@@ -228,6 +261,11 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
       ++inside;
     }
   }
+  double shrink = 0;
+  contrary.judge(shrink, s.contrary_arc_rad);
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
+               half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
+  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),

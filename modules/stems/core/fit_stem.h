@@ -53,9 +53,10 @@ struct Stem {
   double arc_rad = 0;
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
   double pass_spread_m = 0;
-  double inside_share = 0;  // points well inside the stem, of all on and in it
-  double contrast = 0;      // density of points on the surface by that just beside it
-  double ray_through = 0;   // share of rays through the core; NaN when not tested
+  double inside_share = 0;      // points well inside the stem, of all on and in it
+  double contrary_arc_rad = 0;  // where points lie well inside and hardly any on the circle: it does not hold there
+  double contrast = 0;          // density of points on the surface by that just beside it
+  double ray_through = 0;       // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
   bool overhung = false;  // points beside its leader are higher: whose they are is not known

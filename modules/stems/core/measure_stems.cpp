@@ -235,7 +235,7 @@ class Survey {
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
     }
     if (!offsets.empty() && options_.estimate_range_offset) {
-      priors.range_offset = mean_range_offset(std::move(offsets));
+      priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd_m);
       out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
     }
     priors.learnt = !drift.empty() || !offsets.empty();
