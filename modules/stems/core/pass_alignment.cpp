@@ -13,7 +13,7 @@ namespace {
 
 constexpr double step_s = 1.0;       // of the tables
 constexpr double bandwidth_s = 6.0;  // poses of SLAM drift within seconds
-constexpr double as_good_as = 6;     // sightings that the mean of the pass counts for, against those near in time
+constexpr double as_good_as = 4;     // sightings that the mean of the pass counts for, against those near in time
 constexpr double spread_m = 0.01;    // of the sightings of one moment
 constexpr int rounds = 20;
 
@@ -37,6 +37,19 @@ Eigen::Vector2d middle(const std::vector<std::pair<double, Eigen::Vector2d>>& va
   return {median_of(x), median_of(y)};
 }
 
+// Puts every stem where most of its sightings agree, given the displacements.
+void move_stems(const std::vector<PassSighting>& sightings, const std::vector<Eigen::Vector2d>& shift,
+                std::map<int, Eigen::Vector2d>& place) {
+  std::map<int, std::pair<Eigen::Vector2d, double>> sums;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const Eigen::Vector2d v = sightings[i].offset - shift[i];
+    auto& [sum, weight] = sums.try_emplace(sightings[i].stem, Eigen::Vector2d::Zero(), 0).first->second;
+    const double w = 0.01 + tukey_weight((v - place[sightings[i].stem]).norm() / (3 * spread_m));
+    sum += w * v, weight += w;
+  }
+  for (const auto& [stem, sum] : sums) place[stem] = sum.first / sum.second;
+}
+
 }  // namespace
 
 PassAlignment::PassAlignment(const std::vector<PassSighting>& sightings) {
@@ -56,12 +69,8 @@ PassAlignment::PassAlignment(const std::vector<PassSighting>& sightings) {
       shift[i] = near_in_time(by_pass[s.pass], s.time_s, of_pass[s.pass]);
       mean += shift[i] / static_cast<double>(sightings.size());
     }
-    std::map<int, std::pair<Eigen::Vector2d, int>> sums;
-    for (std::size_t i = 0; i < sightings.size(); ++i) {
-      auto& [sum, n] = sums.try_emplace(sightings[i].stem, Eigen::Vector2d::Zero(), 0).first->second;
-      sum += sightings[i].offset - shift[i] + mean, ++n;
-    }
-    for (const auto& [stem, sum] : sums) place[stem] = sum.first / sum.second;
+    for (std::size_t i = 0; i < sightings.size(); ++i) shift[i] -= mean;
+    move_stems(sightings, shift, place);
   }
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const auto& d : shift) mean += d / static_cast<double>(shift.size());
