@@ -29,19 +29,26 @@ DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems) {
   return {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]};
 }
 
-RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems) {
-  constexpr double between_m = 0.003, prior_sd_m = 0.005, least_spread_m = 0.0005;
-  double mean = 0, variance = prior_sd_m * prior_sd_m;
+RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m) {
+  // Stems share the lasers that meet them at breast height and the model of the beam: no number of stems averages
+  // these out.
+  constexpr double between_m = 0.003, shared_m = 0.0005, least_spread_m = 0.0005, weak_m = 0.05, freedom = 3;
+  double mean = 0, variance = weak_m * weak_m;
   for (int round = 0; round < 10; ++round) {
-    double weight = 1 / (prior_sd_m * prior_sd_m), moment = 0;
+    double weight = 1 / (weak_m * weak_m), moment = 0;
     for (const auto& e : stems) {
       const double v = e.sd_m * e.sd_m + between_m * between_m;
       const double w = tukey_weight((e.value_m - mean) / std::sqrt(v)) / v;
       weight += w, moment += w * e.value_m;
     }
-    mean = moment / weight, variance = 1 / weight;
+    mean = moment / weight, variance = 1 / weight + shared_m * shared_m;
   }
-  return {mean, std::hypot(std::sqrt(variance), least_spread_m)};
+  double drawn = mean, precision = 1 / variance;
+  for (int round = 0; round < 20; ++round) {
+    const double expected = (freedom + 1) / (freedom * expected_sd_m * expected_sd_m + drawn * drawn);
+    precision = 1 / variance + expected, drawn = mean / variance / precision;
+  }
+  return {drawn, std::hypot(std::sqrt(1 / precision), least_spread_m)};
 }
 
 }  // namespace bole

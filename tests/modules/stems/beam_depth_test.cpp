@@ -101,7 +101,7 @@ TEST(RangeOffset, IsToldFromTheRadiusByStemsSeenAllRound) {
     ASSERT_GT(fit->range_offset.sd_m, 0);
     evidence.push_back(fit->range_offset);
   }
-  const auto prior = mean_range_offset(evidence);
+  const auto prior = mean_range_offset(evidence, 0.005);
   EXPECT_NEAR(prior.mean_m, 0.005, 0.0015);
   EXPECT_LT(prior.sd_m, 0.002);
 }
@@ -109,8 +109,19 @@ TEST(RangeOffset, IsToldFromTheRadiusByStemsSeenAllRound) {
 TEST(RangeOffset, OneWildStemDoesNotDecide) {
   std::vector<RangeOffsetEvidence> evidence(10, {0.004, 0.002});
   evidence.push_back({-0.09, 0.01});
-  EXPECT_NEAR(mean_range_offset(evidence).mean_m, 0.004, 0.0006);
-  EXPECT_EQ(mean_range_offset({}).mean_m, 0);
+  EXPECT_NEAR(mean_range_offset(evidence, 0.01).mean_m, 0.004, 0.0006);
+  EXPECT_EQ(mean_range_offset({}, 0.01).mean_m, 0);
+}
+
+TEST(RangeOffset, WeakEvidenceIsDrawnToZeroAndStrongEvidenceIsNot) {
+  const std::vector<RangeOffsetEvidence> few(3, {0.001, 0.003}), many(100, {0.005, 0.002});
+  const auto weak = mean_range_offset(few, 0.001), strong = mean_range_offset(many, 0.001);
+  EXPECT_LT(weak.mean_m, 0.0003);
+  EXPECT_GT(weak.mean_m, 0);
+  EXPECT_GT(strong.mean_m, 0.0043);
+  EXPECT_GT(weak.sd_m, strong.sd_m);
+  // However many stems agree, what they share stays unknown.
+  EXPECT_GT(mean_range_offset(std::vector<RangeOffsetEvidence>(100'000, {0.005, 0.002}), 0.001).sd_m, 0.0005);
 }
 
 }  // namespace
