@@ -59,7 +59,7 @@ struct Stem {
   double ray_through = 0;       // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
-  bool overhung = false;  // points beside its leader are higher: whose they are is not known
+  bool overhung = false;  // something beside its leader is higher: the top may be a branch of that
   double crown_base_m = std::numeric_limits<double>::quiet_NaN();   // above ground
   double crown_area_m2 = std::numeric_limits<double>::quiet_NaN();  // in the plan
   double volume_m3 = std::numeric_limits<double>::quiet_NaN();      // of the stem; NaN where the top was not seen

@@ -24,7 +24,8 @@ namespace {
 constexpr double all_round_rad = 6.0;
 constexpr double least_drift_to_align_m = 0.01;
 constexpr int most_alignments = 2;
-constexpr int least_sighting = 20;  // points of a pass that tell where it sees a stem
+constexpr double share_left_unknown = 0.02;  // of a displacement that was taken out, as an error of all radii alike
+constexpr int least_sighting = 20;           // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -94,8 +95,24 @@ class Survey {
     if (alignment.rms_m() < least_drift_to_align_m / 3) return false;
     if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
     points_ = aligned(points_, alignment);
-    moved_m_ = std::hypot(moved_m_, alignment.rms_m());
+    alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
+    options_.range_bias_m = std::hypot(options_.range_bias_m, share_left_unknown * alignment.rms_m());
     return true;
+  }
+
+  // What a person sees of the passes in the cloud as it is: the displacements taken out and those that were left.
+  void restore_spread(Stem& s) const {
+    std::vector<Eigen::Vector2d> offset;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < std::min(s.pass_offset.size(), s.pass_seen.size()); ++i) {
+      const auto& seen = s.pass_seen[i];
+      if (seen.points < least_sighting) continue;
+      offset.push_back(s.pass_offset[i]);
+      for (const auto& a : alignments_) offset.back() += a.at(seen.pass, seen.time_s);
+      mean += offset.back();
+    }
+    for (const auto& o : offset)
+      s.pass_spread_m = std::max(s.pass_spread_m, (o - mean / static_cast<double>(offset.size())).norm());
   }
 
   // From the trajectory, so that they move with the points.
@@ -231,7 +248,8 @@ class Survey {
     }
     if (!drift.empty()) {
       priors.drift = likeliest_drift(drift);
-      out_.report.metrics["drift_between_passes"] = {100 * priors.drift.pass_sd_m, Unit::centimetre};
+      out_.report.metrics["drift_between_passes"] = {100 * std::hypot(priors.drift.pass_sd_m, moved_m_),
+                                                     Unit::centimetre};
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
     }
     if (!offsets.empty() && options_.estimate_range_offset) {
@@ -258,6 +276,8 @@ class Survey {
       else
         out_.stems.push_back(std::move(s));
     }
+    if (!alignments_.empty())
+      for (auto& s : out_.stems) restore_spread(s);
     for (auto& s : out_.stems)
       if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
     number();
@@ -380,11 +400,12 @@ class Survey {
   }
 
   const PointCloud& input_;
-  PointCloud points_;   // with the passes brought together
+  PointCloud points_;  // with the passes brought together
+  std::vector<PassAlignment> alignments_;
   double moved_m_ = 0;  // by which they were
   const Raster& dem_;
   const Trajectory* trajectory_;
-  const MeasureOptions& options_;
+  MeasureOptions options_;
   const Run& run_;
   double breast_height_;
   StemLayer layer_;
