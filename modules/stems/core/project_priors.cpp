@@ -51,7 +51,9 @@ RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, doubl
   // that all share comes out threefold, and no number of stems averages it out: on maps with true poses the mean was
   // right to 1 mm, on SLAM maps of the same walks it was 4 to 5 mm too low.
   constexpr double between_m = 0.003, shared_m = 0.0035, least_spread_m = 0.0005, weak_m = 0.05;
-  double mean = 0, variance = weak_m * weak_m;
+  std::vector<double> values;
+  for (const auto& e : stems) values.push_back(e.value_m);
+  double mean = values.empty() ? 0 : median_of(values), variance = weak_m * weak_m;
   for (int round = 0; round < 10; ++round) {
     double weight = 1 / (weak_m * weak_m), moment = 0;
     for (const auto& e : stems) {
