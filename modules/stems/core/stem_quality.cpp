@@ -28,7 +28,7 @@ std::pair<double, double> sections_beside(const Stem& s, double height) {
 // Many sections, seen nearly all round, that stop the rays: a stem stands here however blurred the map of it is. Leaves
 // let rays through.
 bool certainly_stands(const Stem& s) {
-  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.2;
+  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.15;
 }
 }  // namespace
 
