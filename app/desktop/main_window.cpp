@@ -1,30 +1,36 @@
 #include "main_window.h"
 
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPlainTextEdit>
-#include <QProgressBar>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "behaviors/review_behavior.h"
+#include "behaviors/sample_behavior.h"
+#include "document/new_document.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
+#include "shell/language.h"
+#include "shell/layouts.h"
+#include "shell/menus.h"
+#include "shell/modes.h"
+#include "shell/recent_files.h"
+#include "shell/shortcut_sheet.h"
+#include "shell/theme.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
 #include "views/slice_view.h"
+#include "window_features.h"
 
 namespace bole::desktop {
 namespace {
@@ -44,37 +50,70 @@ StageState panel_state(const StageOutcome& stage) {
 }  // namespace
 
 MainWindow::MainWindow()
-    : run_(new RunBehavior(session_, this)),
+    : docks_(*this),
+      run_(new RunBehavior(session_, this)),
+      sample_(new SampleBehavior(this)),
       edit_(new EditBehavior(session_, this)),
       review_(new ReviewBehavior(selection_, this)),
-      pipeline_(new PipelinePanel(session_, this)),
+      pipeline_(new PipelinePanel(session_, visibility_, this)),
       properties_(new PropertiesPanel(session_, this)),
       scene_(new SceneView(selection_, this)),
       slice_(new SliceView(selection_, this)),
       profile_(new ProfileView(selection_, this)),
       chart_(new ChartView(selection_, this)),
       stems_(new TablePanel(selection_, this)),
-      log_(new QPlainTextEdit(this)),
-      progress_(new QProgressBar(this)) {
+      log_(new QPlainTextEdit(this)) {
   setWindowTitle(tr("Bole"));
   resize(1600, 1000);
   setAcceptDrops(true);
   setCentralWidget(scene_);
   log_->setReadOnly(true);
-  progress_->setMaximumWidth(320);
-  progress_->hide();
-  statusBar()->addPermanentWidget(progress_);
   make_docks();
-  make_actions();
+  make_menus();
+  connect_document();
+  connect_views();
+  install_features(*this);
+  for (auto* menu : menus_) menu->menuAction()->setVisible(!menu->isEmpty());
+}
+
+void MainWindow::make_menus() {
+  const QString titles[] = {tr("&File"), tr("&Edit"), tr("&Run"), tr("&Stem"), tr("&View"), tr("&Tools"), tr("&Help")};
+  const char* names[] = {"file", "edit", "run", "stem", "view", "tools", "help"};
+  for (std::size_t i = 0; i < menus_.size(); ++i) {
+    menus_[i] = menuBar()->addMenu(titles[i]);
+    menus_[i]->setObjectName(names[i]);
+  }
+  for (auto* make : {make_file_menu, make_edit_menu, make_run_bar, make_stem_menu, make_view_menu}) make(*this);
+  menu(Menu::view)->addSeparator();
+  for (auto* make : {make_mode_menu, make_layout_menu, make_theme_menu, make_language_menu, make_help_menu})
+    make(*this);
+}
+
+QAction* MainWindow::add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
+                                const QKeySequence& key) {
+  auto* action = menu->addAction(text);
+  action->setObjectName(id);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, [this, act] { guarded(act); });
+  return action;
+}
+
+void MainWindow::connect_document() {
   connect(pipeline_, &PipelinePanel::stage_selected, properties_, &PropertiesPanel::show_stage);
   connect(properties_, &PropertiesPanel::refused, this, &MainWindow::say);
-  connect(run_, &RunBehavior::progressed, this, [this](const QString& stage, double fraction, const QString& what) {
-    pipeline_->set_state(stage, StageState::running);
-    progress_->setValue(static_cast<int>(1000 * fraction));
-    statusBar()->showMessage(stage + ": " + what);
+  connect(pipeline_, &PipelinePanel::refused, this, &MainWindow::say);
+  connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
+  connect(sample_, &SampleBehavior::ready, this, [this](const auto& document, const QString& path) {
+    guarded([&] {
+      if (!may_lose_changes()) return;
+      session_.start(*document, path);
+      document_is_open();
+      refresh();
+    });
   });
+  connect(run_, &RunBehavior::progressed, this,
+          [this](const QString& stage) { pipeline_->set_state(stage, StageState::running); });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
-  connect_views();
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
     if (session_.document().at(stage.toStdString()).type->name == "stems.edit" && scene_->has_survey())
@@ -102,127 +141,27 @@ void MainWindow::connect_views() {
 }
 
 void MainWindow::make_docks() {
-  QDockWidget* below = nullptr;
-  const auto dock = [&, this](const QString& title, QWidget* widget, Qt::DockWidgetArea area) {
-    auto* d = new QDockWidget(title, this);
-    d->setObjectName(title);
-    d->setWidget(widget);
-    addDockWidget(area, d);
-    if (area == Qt::BottomDockWidgetArea) below = d;
-  };
-  dock(tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
-  dock(tr("Options"), properties_, Qt::LeftDockWidgetArea);
   auto* stems = new QWidget(this);
   auto* filter = new QLineEdit(stems);
-  filter->setPlaceholderText(tr("Filter: poor, check, a number…"));
+  filter->setPlaceholderText(tr("Filter: words, or conditions such as dbh_cm > 20 quality = poor"));
   filter->setClearButtonEnabled(true);
-  connect(filter, &QLineEdit::textChanged, stems_, &TablePanel::filter);
+  connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+    if (const QString problem = stems_->filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
+  });
   auto* layout = new QVBoxLayout(stems);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   layout->addWidget(filter);
   layout->addWidget(stems_);
-  dock(tr("Stems"), stems, Qt::BottomDockWidgetArea);
-  dock(tr("Chart"), chart_, Qt::BottomDockWidgetArea);
-  dock(tr("Log"), log_, Qt::LeftDockWidgetArea);
-  dock(tr("Slice"), slice_, Qt::RightDockWidgetArea);
-  dock(tr("Profile"), profile_, Qt::RightDockWidgetArea);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
+  docks_.add("pipeline", tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
+  docks_.add("options", tr("Options"), properties_, Qt::LeftDockWidgetArea);
+  docks_.add("stems", tr("Stems"), stems, Qt::BottomDockWidgetArea);
+  auto* below = docks_.add("chart", tr("Chart"), chart_, Qt::BottomDockWidgetArea);
+  docks_.add("log", tr("Log"), log_, Qt::LeftDockWidgetArea);
+  docks_.add("slice", tr("Slice"), slice_, Qt::RightDockWidgetArea);
+  docks_.add("profile", tr("Profile"), profile_, Qt::RightDockWidgetArea);
   resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
-}
-
-void MainWindow::make_actions() {
-  auto* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(
-      tr("Open pipeline…"), this,
-      [this] {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open pipeline"), {}, tr("Pipelines (*.json)"));
-        if (!path.isEmpty()) guarded([&] { open(path); });
-      },
-      QKeySequence::Open);
-  file->addAction(
-      tr("Save pipeline"), this,
-      [this] {
-        guarded([&] {
-          if (session_.has_document()) save(session_.path());
-        });
-      },
-      QKeySequence::Save);
-  file->addAction(
-      tr("Save pipeline as…"), this,
-      [this] {
-        const QString path =
-            QFileDialog::getSaveFileName(this, tr("Save pipeline"), session_.path(), tr("Pipelines (*.json)"));
-        if (!path.isEmpty()) guarded([&] { save(path); });
-      },
-      QKeySequence::SaveAs);
-  file->addSeparator();
-  file->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
-
-  auto* edit = menuBar()->addMenu(tr("&Edit"));
-  auto* undo = session_.undo_stack().createUndoAction(this);
-  auto* redo = session_.undo_stack().createRedoAction(this);
-  undo->setShortcut(QKeySequence::Undo);
-  redo->setShortcut(QKeySequence::Redo);
-  edit->addAction(undo);
-  edit->addAction(redo);
-
-  make_stem_menu();
-  make_view_menu();
-
-  auto* bar = addToolBar(tr("Run"));
-  bar->setObjectName("run");
-  run_action_ = bar->addAction(tr("Run"), this, [this] { guarded([&] { run(); }); });
-  finish_action_ = bar->addAction(tr("Keep result"), this, [this] { run_->finish(); });
-  cancel_action_ = bar->addAction(tr("Cancel"), this, [this] { run_->cancel(); });
-  run_action_->setShortcut(Qt::Key_F5);
-  finish_action_->setEnabled(false);
-  cancel_action_->setEnabled(false);
-}
-
-void MainWindow::make_stem_menu() {
-  auto* menu = menuBar()->addMenu(tr("&Stem"));
-  menu->addAction(tr("Next doubtful stem"), review_, &ReviewBehavior::next, QKeySequence("Ctrl+Right"));
-  menu->addAction(tr("Previous doubtful stem"), review_, &ReviewBehavior::previous, QKeySequence("Ctrl+Left"));
-  menu->addAction(
-      tr("Zoom to the selected stem"), this,
-      [this] {
-        if (selection_.tree()) scene_->zoom_to_tree(*selection_.tree());
-      },
-      Qt::Key_Z);
-  menu->addSeparator();
-  menu->addActions(stems_->actions());
-  auto* add = menu->addAction(tr("Add a tree by a circle"));
-  add->setCheckable(true);
-  add->setShortcut(Qt::Key_C);
-  connect(add, &QAction::toggled, slice_, &SliceView::set_adding);
-  connect(slice_, &SliceView::adding_changed, add, &QAction::setChecked);
-}
-
-void MainWindow::make_view_menu() {
-  auto* view = menuBar()->addMenu(tr("&View"));
-  color_menu_ = view->addMenu(tr("Colour points by"));
-  connect(color_menu_, &QMenu::aboutToShow, this, [this] {
-    color_menu_->clear();
-    for (const auto& array : scene_->colorable()) {
-      auto* action = color_menu_->addAction(QString::fromStdString(array).replace('_', ' '));
-      connect(action, &QAction::triggered, this, [this, array] { scene_->color_by(array); });
-    }
-  });
-  const auto look = [&, this](const QString& text, int key, const Eigen::Vector3d& along, const Eigen::Vector3d& up) {
-    view->addAction(
-        text, this, [this, along, up] { scene_->look_along(along, up); }, QKeySequence(key));
-  };
-  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
-  view->addAction(
-      tr("Whole survey"), this, [this] { scene_->reset_camera(); }, Qt::Key_0);
-  look(tr("From above"), Qt::Key_8, -z, y);
-  look(tr("From the south"), Qt::Key_2, y, z);
-  look(tr("From the west"), Qt::Key_4, x, z);
-  look(tr("From the east"), Qt::Key_6, -x, z);
-  auto* parallel = view->addAction(tr("Parallel projection"));
-  parallel->setCheckable(true);
-  parallel->setShortcut(Qt::Key_5);
-  connect(parallel, &QAction::toggled, scene_, &SceneView::set_parallel);
 }
 
 void MainWindow::guarded(const std::function<void()>& act) {
@@ -239,6 +178,20 @@ void MainWindow::say(const QString& text) {
 }
 
 void MainWindow::open(const QString& path) {
+  if (kind_of_file(path) == FileKind::pipeline) {
+    open_pipeline(path);
+  } else {
+    const QString pipeline = pipeline_path_for_file(path);
+    if (QFileInfo::exists(pipeline))
+      open_pipeline(pipeline);  // made for this file before
+    else
+      session_.start(document_for_file(path), pipeline);
+  }
+  document_is_open();
+  if (QFileInfo::exists(session_.path())) note_recent_file(session_.path());
+}
+
+void MainWindow::open_pipeline(const QString& path) {
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost && QMessageBox::question(this, tr("Changes were not saved"),
                                     tr("The program ended before changes to %1 were saved. Take them up again?")
@@ -246,8 +199,12 @@ void MainWindow::open(const QString& path) {
     session_.recover(path);
   else
     session_.open(path);
+}
+
+void MainWindow::document_is_open() {
   run_->forget_survey();
   selection_.select({});
+  visibility_.show_all();
   show_survey({});
   for (const auto& node : session_.document().stages())
     if (node.type->name == "stems.slice") {
@@ -256,50 +213,59 @@ void MainWindow::open(const QString& path) {
       profile_->set_breast_height(height);
     }
   setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
+  last_export_ = results_folder();
+  Q_EMIT document_opened();
 }
 
-void MainWindow::save(const QString& path) { session_.save(path); }
+void MainWindow::open_sample() { sample_->prepare(SampleBehavior::default_folder()); }
 
-void MainWindow::run() { start(true); }
+void MainWindow::save(const QString& path) {
+  session_.save(path);
+  note_recent_file(path);
+  Q_EMIT document_saved();
+}
+
+void MainWindow::run() { start(true, results_folder()); }
+
+void MainWindow::export_to(const QString& folder) { start(true, folder); }
 
 void MainWindow::refresh() {
   refresh_again_ = run_->running();
-  if (!refresh_again_) start(false);
+  if (!refresh_again_) start(false, results_folder());
 }
 
-void MainWindow::start(bool sinks) {
+void MainWindow::start(bool sinks, const QString& folder) {
   if (!session_.has_document() || run_->running()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
-  const QString out =
-      QFileInfo(session_.path()).absolutePath() + "/" + QFileInfo(session_.path()).completeBaseName() + "_results";
-  run_action_->setEnabled(false);
-  finish_action_->setEnabled(true);
-  cancel_action_->setEnabled(true);
-  progress_->setRange(0, 1000);
-  progress_->show();
-  run_->start(out, sinks);
+  if (sinks) last_export_ = folder;
+  run_->start(folder, sinks);
+  Q_EMIT run_started();
+}
+
+QString MainWindow::results_folder() const {
+  const QFileInfo file(session_.path());
+  return file.absolutePath() + "/" + file.completeBaseName() + "_results";
 }
 
 void MainWindow::show_survey(const Survey& survey) {
-  scene_->show_survey(survey);
-  slice_->show_survey(survey);
-  profile_->show_survey(survey);
+  const Survey cuts = visibility_.survey_for(ViewKind::cuts, survey);
+  scene_->show_survey(visibility_.survey_for(ViewKind::scene, survey));
+  slice_->show_survey(cuts);
+  profile_->show_survey(cuts);
   chart_->show_survey(survey);
   review_->show_survey(survey);
   stems_->show_table(survey.stems);
+  Q_EMIT survey_shown(survey);
 }
 
-void MainWindow::show_outcome(const RunOutcome& outcome) {
-  run_action_->setEnabled(true);
-  finish_action_->setEnabled(false);
-  cancel_action_->setEnabled(false);
-  progress_->hide();
+void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results) {
   for (const auto& stage : outcome.stages) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
     say(QString::fromStdString(stage.record.id + ": " +
                                (stage.error.empty() ? stage.record.report.message : stage.error)));
   }
+  visibility_.take(outcome, results);
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
   if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
@@ -309,13 +275,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (run_->running() &&
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
-  if (session_.has_document() && !session_.undo_stack().isClean() && !may_lose_changes()) return event->ignore();
+  if (!may_lose_changes()) return event->ignore();
   run_->cancel();
+  keep_layout(*this);
   event->accept();
 }
 
-// Asks what to do with changes that are not saved; false: stay.
 bool MainWindow::may_lose_changes() {
+  if (!session_.has_document() || session_.undo_stack().isClean()) return true;
+  const bool made_here = !QFileInfo::exists(session_.path()) && session_.undo_stack().count() == 0;
+  if (made_here) return true;  // a pipeline that the program made and nobody changed
   const auto answer =
       QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
@@ -330,7 +299,10 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) guarded([&] { open(urls.front().toLocalFile()); });
+  if (urls.isEmpty()) return;
+  guarded([&] {
+    if (may_lose_changes()) open(urls.front().toLocalFile());
+  });
 }
 
 }  // namespace bole::desktop

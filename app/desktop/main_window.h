@@ -1,17 +1,20 @@
-// The window: a list of panels, views and behaviors around one session.
+// The window: panels, views and behaviors around one session. Menus are filled in shell/, further features in
+// window_features.cpp; both hook in through the public face below.
 #pragma once
 
+#include <QAction>
 #include <QMainWindow>
+#include <QMenu>
+#include <array>
 
 #include "behaviors/edit_behavior.h"
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
+#include "document/visibility.h"
 #include "selection/selection.h"
+#include "shell/docks.h"
 
-class QAction;
-class QMenu;
 class QPlainTextEdit;
-class QProgressBar;
 
 namespace bole::desktop {
 
@@ -20,9 +23,14 @@ class PipelinePanel;
 class ProfileView;
 class PropertiesPanel;
 class ReviewBehavior;
+class SampleBehavior;
 class SceneView;
 class SliceView;
 class TablePanel;
+
+enum class Menu { file, edit, run, stem, view, tools, help };  // as they stand in the bar
+inline constexpr Menu all_menus[] = {Menu::file, Menu::edit,  Menu::run, Menu::stem,
+                                     Menu::view, Menu::tools, Menu::help};
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -30,17 +38,43 @@ class MainWindow : public QMainWindow {
  public:
   MainWindow();
 
-  void open(const QString& path);
+  void open(const QString& path);  // a pipeline; a cloud or a scan, for which a pipeline is made
+  void open_sample();              // made where it is not there yet, opened and run; in the background
   void save(const QString& path);
-  void run();      // the whole pipeline
-  void refresh();  // all but what writes files; after the run under way, when there is one
+  void run();                             // the whole pipeline
+  void refresh();                         // all but what writes files; after the run under way, when there is one
+  void export_to(const QString& folder);  // the whole pipeline, its files into that folder
+  QString results_folder() const;         // where a run of the document writes
+  QString last_export() const { return last_export_; }
 
   Session& session() { return session_; }
   RunBehavior& runner() { return *run_; }
   EditBehavior& editor() { return *edit_; }
+  ReviewBehavior& review() { return *review_; }
   SceneView& scene() { return *scene_; }
   SliceView& slice() { return *slice_; }
+  ProfileView& profile() { return *profile_; }
+  ChartView& chart() { return *chart_; }
+  TablePanel& stems() { return *stems_; }
+  PipelinePanel& pipeline() { return *pipeline_; }
+  PropertiesPanel& properties() { return *properties_; }
   Selection& selection() { return selection_; }
+  Visibility& visibility() { return visibility_; }
+  SampleBehavior& sample() { return *sample_; }
+
+  Docks& docks() { return docks_; }
+  QMenu* menu(Menu which) { return menus_[static_cast<std::size_t>(which)]; }
+  // An action with an id, by which modes, key settings and tests know it. A bole::Error from `act` becomes a sentence.
+  QAction* add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
+                      const QKeySequence& key = {});
+  void guarded(const std::function<void()>& act);  // errors become a sentence in the log and the status bar
+  void say(const QString& text);
+
+ Q_SIGNALS:
+  void document_opened();
+  void document_saved();
+  void run_started();
+  void survey_shown(const Survey& survey);  // an empty one after a document was opened
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -48,22 +82,24 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void start(bool sinks);
-  bool may_lose_changes();
+  void start(bool sinks, const QString& folder);
+  bool may_lose_changes();  // asks what to do with changes that are not saved; false: stay
+  void document_is_open();
+  void open_pipeline(const QString& path);
+  void make_menus();
   void make_docks();
-  void make_actions();
-  void make_stem_menu();
-  void make_view_menu();
+  void connect_document();
   void connect_views();
-  void show_outcome(const RunOutcome& outcome);
+  void show_outcome(const RunOutcome& outcome, const Results& results);
   void show_survey(const Survey& survey);
-  void say(const QString& text);
-  // Errors become a sentence in the log and the status bar.
-  void guarded(const std::function<void()>& act);
 
   Session session_;
   Selection selection_;
+  Visibility visibility_;
+  Docks docks_;
+  std::array<QMenu*, 7> menus_{};
   RunBehavior* run_;
+  SampleBehavior* sample_;
   EditBehavior* edit_;
   ReviewBehavior* review_;
   PipelinePanel* pipeline_;
@@ -73,11 +109,9 @@ class MainWindow : public QMainWindow {
   ProfileView* profile_;
   ChartView* chart_;
   TablePanel* stems_;
-  bool refresh_again_ = false;
   QPlainTextEdit* log_;
-  QProgressBar* progress_;
-  QMenu* color_menu_ = nullptr;
-  QAction *run_action_ = nullptr, *finish_action_ = nullptr, *cancel_action_ = nullptr;
+  QString last_export_;
+  bool refresh_again_ = false;
 };
 
 }  // namespace bole::desktop

@@ -42,7 +42,9 @@ StageType measure_stage() {
       "fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per "
       "pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the "
       "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
-      "surface (model); candidates that rays pass through are rejected. Every point gets the id of its tree.";
+      "surface (model); candidates that rays pass through are rejected. Passes of "
+      "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
+      "of its tree.";
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,

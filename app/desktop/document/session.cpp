@@ -26,6 +26,19 @@ class EditOption : public QUndoCommand {
   OptionValue before_, after_;
 };
 
+class ReplaceDocument : public QUndoCommand {
+ public:
+  ReplaceDocument(Session& session, const QString& what, PipelineDocument before, PipelineDocument after)
+      : QUndoCommand(what), session_(session), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override { session_.put(before_); }
+  void redo() override { session_.put(after_); }
+
+ private:
+  Session& session_;
+  PipelineDocument before_, after_;
+};
+
 Session::Session(QObject* parent) : QObject(parent) {}
 
 void Session::open(const QString& path) {
@@ -36,6 +49,21 @@ void Session::recover(const QString& path) {
   // Beside the document, so that relative paths hold.
   take(PipelineDocument::load(recovery_path(path).toStdString(), StageRegistry::global()), path);
   undo_.resetClean();
+}
+
+void Session::start(PipelineDocument document, const QString& path) {
+  take(std::move(document), path);
+  undo_.resetClean();
+}
+
+void Session::change(const QString& what, PipelineDocument after) {
+  undo_.push(new ReplaceDocument(*this, what, *document_, std::move(after)));
+}
+
+void Session::put(const PipelineDocument& document) {
+  document_ = std::make_unique<PipelineDocument>(document);
+  journal();
+  Q_EMIT document_replaced();
 }
 
 void Session::take(PipelineDocument document, const QString& path) {

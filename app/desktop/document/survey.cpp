@@ -40,11 +40,15 @@ Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey
   survey.stems = latest<Table>(outcome, results, "stems");
   survey.sections = latest<Table>(outcome, results, "sections");
   survey.matches = latest<Table>(outcome, results, "matches");
+  survey.rows = latest<Table>(outcome, results, "rows");
+  survey.plants = latest<Table>(outcome, results, "plants");
+  survey.lines = latest<Table>(outcome, results, "lines");
+  survey.strays = latest<Table>(outcome, results, "strays");
   survey.walk = latest<Trajectory>(outcome, results, "trajectory");
   if (survey.points && before.points && before.index && same_places(*survey.points, *before.points))
     survey.index = before.index;
   else if (survey.points)
-    survey.index = std::make_shared<const PointOctree>(*survey.points, run);
+    survey.index = std::make_shared<const PointIndex>(survey.points, run);
   return survey;
 }
 

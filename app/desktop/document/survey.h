@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "cloud/data.h"
-#include "render/scene/point_octree.h"
+#include "document/point_index.h"
 #include "vtkbridge/executor.h"
 
 namespace bole::desktop {
@@ -17,11 +17,12 @@ using Results = std::map<std::string, DataSet>;
 // Any of them may be null.
 struct Survey {
   std::shared_ptr<const PointCloud> points, slice;
-  std::shared_ptr<const PointOctree> index;  // of `points`
+  std::shared_ptr<const PointIndex> index;  // of `points`
   std::shared_ptr<const Table> stems, sections, matches;
+  std::shared_ptr<const Table> rows, plants, lines, strays;  // of plants in rows
   std::shared_ptr<const Trajectory> walk;
 
-  bool empty() const { return !points && !stems; }
+  bool empty() const { return !points && !stems && !rows; }
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`
 };
 

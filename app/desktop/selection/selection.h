@@ -4,6 +4,7 @@
 #include <QObject>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace bole::desktop {
 
@@ -19,11 +20,20 @@ class Selection : public QObject {
     Q_EMIT changed();
   }
 
+  const std::optional<std::string>& row() const { return row_; }  // of plants
+  void select_row(const std::optional<std::string>& row) {
+    if (row == row_) return;
+    row_ = row;
+    Q_EMIT row_changed();
+  }
+
  Q_SIGNALS:
   void changed();
+  void row_changed();
 
  private:
   std::optional<std::int64_t> tree_;
+  std::optional<std::string> row_;
 };
 
 }  // namespace bole::desktop

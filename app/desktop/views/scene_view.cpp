@@ -12,55 +12,67 @@
 
 #include <QGuiApplication>
 #include <QMouseEvent>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "render/draw/color.h"
 #include "render/scene/actors.h"
+#include "render/scene/eye_dome.h"
 #include "render/scene/stem_shapes.h"
 #include "render/scene/view_camera.h"
-#include "views/scene_overlay.h"
+#include "views/clip_handles.h"
+#include "views/scene_camera.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr double target_s = 0.036;  // of a frame while the camera moves: 20 frames/s with time left for the window
+constexpr double target_s = 0.042;  // of a frame while the camera moves, until it is on the screen: above 20 frames/s
 constexpr std::size_t least_budget = 60'000, first_budget = 400'000, most_budget = 2'500'000;
 constexpr std::size_t rest_budget = 4'000'000;                          // points of a view at rest
 constexpr std::size_t fresh_moving = 150'000, fresh_resting = 500'000;  // points prepared for one frame
 constexpr int rest_ms = 150;
-constexpr double highlight_m = 0.12;  // by how much the ring of the selected tree stands off its bark
-constexpr double pick_reach_px = 6, click_px = 4;
+constexpr double highlight_m = 0.12;     // by how much the ring of the selected tree stands off its bark
+constexpr double mm_per_px = 25.4 / 96;  // of the widget's own pixels
+constexpr double approach_m = 7;
 
 }  // namespace
 
 SceneView::SceneView(Selection& selection, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent),
-      selection_(selection),
-      overlay_(new SceneOverlay(this)),
-      moving_budget_(first_budget) {
+    : QVTKOpenGLNativeWidget(parent), selection_(selection), moving_budget_(first_budget) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
+  window->SetNumberOfLayers(2);
   window->AddRenderer(renderer_);
+  window->AddRenderer(furniture_.renderer());
   renderer_->SetBackground(1, 1, 1);
   setRenderWindow(window);
+  setMouseTracking(true);
   vtkNew<vtkInteractorStyleTerrain> style;  // z stays up
   interactor()->SetInteractorStyle(style);
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_motion);
   renderer_->AddObserver(vtkCommand::StartEvent, this, &SceneView::before_frame);
   renderer_->AddObserver(vtkCommand::EndEvent, this, &SceneView::after_frame);
+  clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const ClipBox& box) {
+    settings_.clip = box;
+    layer_.set_clip(box);
+    begin_motion();
+    Q_EMIT settings_changed();
+  });
   rest_.setSingleShot(true);
   connect(&rest_, &QTimer::timeout, this, [this] {
     moving_ = QGuiApplication::mouseButtons() != Qt::NoButton && moving_;
     if (moving_) return rest_.start(rest_ms);
     redraw();
   });
+  connect(this, &QOpenGLWidget::frameSwapped, this, &SceneView::frame_shown);
   connect(&selection_, &Selection::changed, this, [this] {
     draw_highlight();
     redraw();
   });
 }
+
+SceneView::~SceneView() = default;
 
 void SceneView::show_survey(const Survey& survey) {
   const bool first = !has_survey();
@@ -68,16 +80,50 @@ void SceneView::show_survey(const Survey& survey) {
   picked_.reset();
   facts_.clear();
   rebuild();
-  if (first)
+  follow_index();
+  if (first) {
+    settings_.clip.reset();
+    show_clip_handles(false);
+    layer_.set_clip({});
+    begin_motion();  // something is seen at once; the rest follows
     reset_camera();
-  else
+  } else {
     redraw();  // an edit leaves the camera where it is
+  }
+  Q_EMIT settings_changed();
+}
+
+// Until the octree is built the points are a sample of the cloud.
+void SceneView::follow_index() {
+  if (!survey_.index || survey_.index->complete()) return;
+  connect(survey_.index.get(), &PointIndex::built, this, [this, index = survey_.index.get()] {
+    if (survey_.index.get() != index) return;
+    layer_.show(survey_.points, survey_.index->octree(), origin_);
+    redraw();
+    Q_EMIT index_built();
+  });
+  if (survey_.index->complete()) layer_.show(survey_.points, survey_.index->octree(), origin_);  // in between
+}
+
+void SceneView::set_settings(const ViewSettings& settings) {
+  const auto before = std::exchange(settings_, settings);
+  const auto same = [](const std::optional<Interval>& a, const std::optional<Interval>& b) {
+    return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
+  };
+  if (before.color != settings_.color || !same(before.color_range, settings_.color_range)) repaint_points();
+  if (!same(before.filter.height, settings_.filter.height)) layer_.set_filter(settings_.filter);
+  layer_.set_clip(settings_.clip);
+  layer_.set_point_size(settings_.point_size_px);
+  if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
+  if (before.grid != settings_.grid) rebuild_grid();
+  redraw();
 }
 
 void SceneView::color_by(const std::string& array) {
-  color_array_ = array;
-  if (survey_.points) layer_.set_paint(paint_by(*survey_.points, color_array_));
-  redraw();
+  auto settings = settings_;
+  settings.color = array, settings.color_range.reset();
+  set_settings(settings);
+  Q_EMIT settings_changed();
 }
 
 std::vector<std::string> SceneView::colorable() const {
@@ -85,32 +131,100 @@ std::vector<std::string> SceneView::colorable() const {
 }
 
 void SceneView::set_filter(const PointFilter& filter) {
-  filter_ = filter;
-  layer_.set_filter(filter);
+  auto settings = settings_;
+  settings.filter = filter;
+  set_settings(settings);
+  Q_EMIT settings_changed();
+}
+
+void SceneView::repaint_points() {
+  if (!survey_.points) return;
+  auto paint = paint_by(*survey_.points, settings_.color);
+  if (settings_.color_range && paint.kind == PointPaint::Kind::map) paint.range = *settings_.color_range;
+  layer_.set_paint(std::move(paint));
+}
+
+void SceneView::show_clip_handles(bool on) {
+  if (on && settings_.clip)
+    clip_handles_->show(*settings_.clip, origin_);
+  else
+    clip_handles_->hide();
   redraw();
+}
+
+bool SceneView::clip_handles_shown() const { return clip_handles_->shown(); }
+
+// The first node of the index is an even sample of the cloud.
+std::vector<double> SceneView::sorted_sample(int axis) const {
+  std::vector<double> values;
+  const auto octree = survey_.index ? survey_.index->octree() : nullptr;
+  if (!octree || octree->nodes().empty()) return values;
+  const auto* heights = survey_.points->has(arrays::height_above_ground)
+                            ? std::get_if<std::vector<float>>(&survey_.points->column(arrays::height_above_ground.name))
+                            : nullptr;
+  for (const auto i : octree->points(octree->nodes().front())) {
+    const double v = axis < 3             ? survey_.points->position(i)[axis]
+                     : heights != nullptr ? static_cast<double>((*heights)[i])
+                                          : survey_.points->position(i).z();
+    if (std::isfinite(v)) values.push_back(v);
+  }
+  std::ranges::sort(values);
+  return values;
+}
+
+void SceneView::measure_extent() {
+  whole_ = {}, heights_ = {}, extent_known_ = false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (const auto v = sorted_sample(axis); !v.empty())
+      extent_known_ = true, whole_.lo[axis] = v[v.size() / 100], whole_.hi[axis] = v[v.size() - 1 - v.size() / 100];
+  if (const auto v = sorted_sample(3); !v.empty()) heights_ = {v[v.size() / 1000], v[v.size() - 1 - v.size() / 1000]};
+  if (extent_known_ || !survey_.plants || survey_.plants->rows() == 0) return;
+  // Rows without a cloud.
+  for (const auto& [axis, name] : {std::pair{0, "x_m"}, {1, "y_m"}}) {
+    const auto v = survey_.plants->numbers(name);
+    whole_.lo[axis] = *std::ranges::min_element(v), whole_.hi[axis] = *std::ranges::max_element(v);
+  }
+  extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
 
 int SceneView::actor_count() { return renderer_->GetActors()->GetNumberOfItems(); }
 
 void SceneView::rebuild() {
   layer_.show(nullptr, nullptr, origin_);
-  renderer_->RemoveAllViewProps();
-  highlight_ = nullptr;
-  origin_ = survey_.points ? survey_.points->origin : Eigen::Vector3d::Zero().eval();
+  for (const auto& actor : actors_) renderer_->RemoveActor(actor);
+  actors_.clear();
+  const auto add = [this](vtkSmartPointer<vtkActor> actor) {
+    renderer_->AddActor(actor);
+    actors_.push_back(std::move(actor));
+  };
+  measure_extent();
+  origin_ = survey_.points ? survey_.points->origin : whole_.lo;
   shapes_.clear();
   if (survey_.points) {
-    layer_.set_paint(paint_by(*survey_.points, color_array_));
-    layer_.set_filter(filter_);
-    layer_.show(survey_.points, survey_.index, origin_);
+    repaint_points();
+    layer_.set_filter(settings_.filter);
+    layer_.show(survey_.points, survey_.index ? survey_.index->octree() : nullptr, origin_);
   }
-  if (survey_.stems && survey_.stems->rows() > 0) {
+  // Plants of rows have places only.
+  if (survey_.stems && survey_.stems->rows() > 0 && survey_.stems->has("dbh_cm") && survey_.stems->has("z_m")) {
     shapes_ = stem_shapes(*survey_.stems, survey_.sections.get());
-    renderer_->AddActor(stems_actor(shapes_, origin_, true));
-    renderer_->AddActor(breast_height_actor(shapes_, origin_, 0.04));
+    add(stems_actor(shapes_, origin_, true));
+    add(breast_height_actor(shapes_, origin_, 0.04));
   }
-  if (survey_.walk && survey_.walk->poses.size() > 1)
-    renderer_->AddActor(path_actor(*survey_.walk, origin_, 0.05, hex(0x1f6f9f)));
+  if (survey_.walk && survey_.walk->poses.size() > 1) add(path_actor(*survey_.walk, origin_, 0.05, hex(0x1f6f9f)));
+  rebuild_grid();
   draw_highlight();
+}
+
+void SceneView::rebuild_grid() {
+  if (grid_) renderer_->RemoveActor(grid_);
+  grid_ = nullptr, grid_step_m_ = 0;
+  if (!settings_.grid || !survey_.points) return;
+  const auto box = whole();
+  grid_step_m_ = nice_step((box.hi - box.lo).head<2>().maxCoeff(), 8);
+  grid_ =
+      grid_actor({box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}, box.lo.z(), grid_step_m_, origin_, hex(0x8d99a1));
+  renderer_->AddActor(grid_);
 }
 
 void SceneView::draw_highlight() {
@@ -127,6 +241,12 @@ void SceneView::draw_highlight() {
   renderer_->AddActor(highlight_);
 }
 
+void SceneView::set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings) {
+  if (drawings.empty() && !drawings_.contains(layer)) return;
+  drawings_[layer] = std::move(drawings);
+  redraw();
+}
+
 // Not before the window is there: VTK would make a context of its own.
 void SceneView::redraw() {
   if (isValid()) renderWindow()->Render();
@@ -139,23 +259,33 @@ void SceneView::begin_motion() {
 
 void SceneView::before_frame() {
   frame_start_ = std::chrono::steady_clock::now();
+  timed_ = moving_;
   complete_ = layer_.update(renderer_, moving_ ? moving_budget_ : rest_budget, moving_ ? fresh_moving : fresh_resting);
   renderer_->ResetCameraClippingRange();
+  furniture_.set_shadow({}, 0, 0);
+  place_furniture();
 }
 
 void SceneView::after_frame() {
-  if (moving_) {
-    renderWindow()->WaitForCompletion();
-    last_frame_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
-    // Half way to what this frame says: single slow frames (another program's work) do not count much.
-    const double better = static_cast<double>(moving_budget_) * std::clamp(target_s / last_frame_s_, 0.5, 1.3);
-    moving_budget_ = std::clamp(static_cast<std::size_t>(0.5 * (better + static_cast<double>(moving_budget_))),
-                                least_budget, most_budget);
-    rest_.start(rest_ms);
-  } else if (!complete_) {
-    rest_.start(0);
-  }
-  place_furniture();
+  if (moving_) return rest_.start(rest_ms);
+  if (!complete_) return rest_.start(0);
+  if (!settings_.eye_dome) return;
+  const int* size = renderWindow()->GetSize();
+  EyeDomeOptions shading;
+  shading.radius_px = 1.6 * devicePixelRatioF();
+  furniture_.set_shadow(
+      eye_dome_shadow(window_depths_m(renderWindow(), renderer_->GetActiveCamera()), size[0], size[1], shading),
+      size[0], size[1]);
+}
+
+// The picture is on the screen: all that a frame costs has been paid.
+void SceneView::frame_shown() {
+  if (!std::exchange(timed_, false)) return;
+  last_frame_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
+  // Half way to what this frame says: single slow frames (another program's work) do not count much.
+  const double better = static_cast<double>(moving_budget_) * std::clamp(target_s / last_frame_s_, 0.5, 1.3);
+  moving_budget_ = std::clamp(static_cast<std::size_t>(0.5 * (better + static_cast<double>(moving_budget_))),
+                              least_budget, most_budget);
 }
 
 double SceneView::frame_target_s() const { return target_s; }
@@ -163,30 +293,31 @@ double SceneView::frame_target_s() const { return target_s; }
 double SceneView::draw_moving_frame() {
   moving_ = true;
   renderWindow()->Render();
-  return last_frame_s_;
+  renderWindow()->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
 }
 
 void SceneView::place_furniture() {
   ViewFurniture f;
-  if (survey_.points && !survey_.points->empty()) f.paint = layer_.paint();
+  f.width_mm = width() * mm_per_px, f.height_mm = height() * mm_per_px;
+  if (settings_.legend && survey_.points && !survey_.points->empty()) f.paint = layer_.paint();
   auto* camera = renderer_->GetActiveCamera();
-  const double half_px = height() / 2.0;
-  const double half_m = camera->GetParallelProjection()
-                            ? camera->GetParallelScale()
-                            : camera->GetDistance() * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
-  if (has_survey() && half_m > 0) f.mm_per_metre = half_px * SceneOverlay::mm_per_px / half_m;
+  const double half_m = half_height_m(camera);
+  if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;
   f.perspective = camera->GetParallelProjection() == 0;
-  const Eigen::Vector3d view(camera->GetDirectionOfProjection()), up(camera->GetViewUp());
-  const Eigen::Vector3d right = view.cross(up).normalized(), screen_up = right.cross(view);
-  f.north_rad = -std::atan2(right.y(), screen_up.y());
+  f.grid_step_m = grid_step_m_;
+  f.north_rad = north_on_screen_rad(camera);
   const Axes axes = survey_.points ? survey_.points->axes : Axes::unknown;
-  f.north_known = axes == Axes::plot || axes == Axes::global;
+  f.north = settings_.north && (axes == Axes::plot || axes == Axes::global);
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
-  if (picked_ && survey_.points && *picked_ < survey_.points->size())
-    if (const auto at = on_screen(pick_view(), survey_.points->position(*picked_)))
-      f.mark_mm = Eigen::Vector2d(at->px.x() / devicePixelRatioF(), height() - at->px.y() / devicePixelRatioF()) *
-                  SceneOverlay::mm_per_px;
-  overlay_->show_furniture(std::move(f));
+  const auto view = pick_view();
+  const double mm = mm_per_px / devicePixelRatioF();
+  SceneDrawing mark;
+  if (picked_ && survey_.points && *picked_ < survey_.points->size()) mark.marks = {survey_.points->position(*picked_)};
+  add_to(f, mark, view, mm);
+  for (const auto& [layer, drawings] : drawings_)
+    for (const auto& drawing : drawings) add_to(f, drawing, view, mm);
+  furniture_.show(f, 1 / mm);
 }
 
 void SceneView::reset_camera() { look_along(Eigen::Vector3d(0.5, 1.0, -0.55), Eigen::Vector3d::UnitZ()); }
@@ -197,17 +328,11 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(from.x(), from.y(), from.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
-  if (survey_.index && !survey_.index->nodes().empty()) {
-    // The root's first points are an even sample: strays far away do not set the scale.
-    std::vector<double> axis[3];
-    for (const auto i : survey_.index->points(survey_.index->nodes().front()))
-      for (int k = 0; k < 3; ++k) axis[k].push_back(static_cast<double>(survey_.points->positions()[i][k]));
-    double bounds[6];
-    for (int k = 0; k < 3; ++k) {
-      std::ranges::sort(axis[k]);
-      bounds[2 * k] = axis[k][axis[k].size() / 100];
-      bounds[2 * k + 1] = axis[k][axis[k].size() - 1 - axis[k].size() / 100];
-    }
+  if (extent_known_) {
+    // Strays far away do not set the scale.
+    const auto box = whole();
+    const Eigen::Vector3d lo = box.lo - origin_, hi = box.hi - origin_;
+    const double bounds[6] = {lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z()};
     renderer_->ResetCamera(bounds);
   } else {
     renderer_->ResetCamera();
@@ -216,9 +341,7 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
 }
 
 void SceneView::set_parallel(bool on) {
-  auto* camera = renderer_->GetActiveCamera();
-  if (on) camera->SetParallelScale(camera->GetDistance() * std::tan(camera->GetViewAngle() * std::numbers::pi / 360));
-  camera->SetParallelProjection(on);
+  desktop::set_parallel(renderer_->GetActiveCamera(), on);
   redraw();
 }
 
@@ -226,17 +349,11 @@ bool SceneView::parallel() const { return renderer_->GetActiveCamera()->GetParal
 
 void SceneView::zoom_to_tree(std::int64_t id) {
   const auto it = std::ranges::find(shapes_, id, &StemShape::tree_id);
-  if (it == shapes_.end()) return;
-  constexpr double distance_m = 7;
-  auto* camera = renderer_->GetActiveCamera();
-  Eigen::Vector3d from = -Eigen::Vector3d(camera->GetDirectionOfProjection());
-  from.z() = std::clamp(from.z(), 0.15, 0.6);  // a stem is judged from the side
-  const Eigen::Vector3d target = it->breast_height - origin_,
-                        eye = target + std::min(distance_m, std::max(camera->GetDistance(), 3.0)) * from.normalized();
-  camera->SetFocalPoint(target.data());
-  camera->SetPosition(eye.data());
-  camera->SetViewUp(0, 0, 1);
-  camera->SetParallelScale(3);
+  if (it != shapes_.end()) zoom_to(it->breast_height);
+}
+
+void SceneView::zoom_to(const Eigen::Vector3d& place) {
+  approach(renderer_->GetActiveCamera(), place - origin_, approach_m);
   redraw();
 }
 
@@ -251,69 +368,11 @@ Eigen::Vector2d SceneView::to_pixels(const QPoint& at) const {
   return Eigen::Vector2d(at.x(), height() - at.y()) * devicePixelRatioF();
 }
 
-void SceneView::pick(const QPoint& at) {
-  const auto view = pick_view();
-  const auto px = to_pixels(at);
-  picked_.reset();
-  facts_.clear();
-  std::optional<std::int64_t> tree;
-  if (survey_.points) {
-    picked_ = pick_point(view, *survey_.points, layer_.drawn_points(), px, pick_reach_px * devicePixelRatioF());
-    if (picked_) {
-      for (const auto& line : describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
-      if (survey_.points->has(arrays::tree_id))
-        if (const auto id = survey_.points->values<std::int32_t>(arrays::tree_id)[*picked_]; id > 0) tree = id;
-    }
-  }
-  if (const auto stem = pick_stem(view, shapes_, px, 2 * devicePixelRatioF())) {
-    // A stem hides what lies behind it, and is hidden by points before it.
-    const auto point = picked_ ? on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
-    if (!tree && (!point || stem->depth <= point->depth)) tree = stem->tree_id;
-  }
-  if (tree && survey_.row_of(*tree)) selection_.select(tree);
-  Q_EMIT point_picked(facts_);
-  redraw();
-}
-
-void SceneView::mousePressEvent(QMouseEvent* event) {
-  pressed_at_ = event->pos();
-  QVTKOpenGLNativeWidget::mousePressEvent(event);
-}
-
-void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  if (event->button() == Qt::LeftButton && (event->pos() - pressed_at_).manhattanLength() <= click_px && has_survey())
-    pick(event->pos());
-}
-
-// Towards what lies under the cursor, at the depth of the focal point.
-void SceneView::wheelEvent(QWheelEvent* event) {
-  auto* camera = renderer_->GetActiveCamera();
-  const double factor = std::pow(1.2, event->angleDelta().y() / 120.0);
-  const auto view = pick_view();
-  const Eigen::Vector2d px = to_pixels(event->position().toPoint());
-  const Eigen::Vector2d off(2 * px.x() / view.width_px - 1, 2 * px.y() / view.height_px - 1);
-  const double half_m = camera->GetParallelProjection()
-                            ? camera->GetParallelScale()
-                            : camera->GetDistance() * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
-  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection()), up(camera->GetViewUp());
-  const Eigen::Vector3d right = ahead.cross(up).normalized();
-  const Eigen::Vector3d shift =
-      (1 - 1 / factor) * half_m * (off.x() * view.width_px / view.height_px * right + off.y() * right.cross(ahead));
-  const Eigen::Vector3d target = Eigen::Vector3d(camera->GetFocalPoint()) + shift;
-  const Eigen::Vector3d eye = target - camera->GetDistance() / factor * ahead;
-  camera->SetFocalPoint(target.data());
-  camera->SetPosition(eye.data());
-  camera->SetParallelScale(camera->GetParallelScale() / factor);
-  begin_motion();
-  redraw();
-  event->accept();
-}
-
-void SceneView::resizeEvent(QResizeEvent* event) {
-  QVTKOpenGLNativeWidget::resizeEvent(event);
-  overlay_->setGeometry(rect());
-  overlay_->raise();
+QPoint SceneView::place_of(const Eigen::Vector3d& world) {
+  const auto at = on_screen(pick_view(), world);
+  if (!at) return {-1, -1};
+  const Eigen::Vector2d px = at->px / devicePixelRatioF();
+  return {static_cast<int>(std::lround(px.x())), static_cast<int>(std::lround(height() - px.y()))};
 }
 
 }  // namespace bole::desktop

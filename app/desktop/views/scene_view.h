@@ -11,42 +11,65 @@
 #include <QPoint>
 #include <QTimer>
 #include <chrono>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "document/survey.h"
+#include "render/scene/furniture_layer.h"
 #include "render/scene/pick.h"
 #include "render/scene/point_layer.h"
 #include "selection/selection.h"
+#include "views/scene_drawing.h"
+#include "views/view_settings.h"
 
 class vtkActor;
 
 namespace bole::desktop {
 
-class SceneOverlay;
+class ClipHandles;
 
 class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
  public:
   SceneView(Selection& selection, QWidget* parent);
+  ~SceneView() override;
 
   void show_survey(const Survey& survey);
   bool has_survey() const { return !survey_.empty(); }
+  const Survey& survey() const { return survey_; }
 
+  const ViewSettings& settings() const { return settings_; }
+  void set_settings(const ViewSettings& settings);  // takes effect at once
   void color_by(const std::string& array);
   std::vector<std::string> colorable() const;  // arrays of the cloud
   const PointPaint& paint() const { return layer_.paint(); }
   void set_filter(const PointFilter& filter);
+  const ClipBox& whole() const { return whole_; }       // around the cloud but its strays
+  const Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
+  void show_clip_handles(bool on);
+  bool clip_handles_shown() const;
 
   void reset_camera();
   void look_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up);  // all of the survey
   void set_parallel(bool on);
   bool parallel() const;
   void zoom_to_tree(std::int64_t id);
+  void zoom_to(const Eigen::Vector3d& place);
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
   std::optional<std::uint32_t> picked() const { return picked_; }
+
+  // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
+  // who is told of another taker stops. Null: nobody.
+  void set_place_taker(const QObject* taker);
+  const QObject* place_taker() const { return place_taker_; }
+
+  // What lies over the picture, one list for each layer ("rows", "measurements").
+  void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
+  QPoint place_of(const Eigen::Vector3d& world);  // in the widget; (-1, -1) behind the eye
 
   int actor_count();
   std::size_t drawn_points() const { return layer_.drawn(); }
@@ -57,44 +80,68 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
  Q_SIGNALS:
   void point_picked(const QStringList& facts);
+  void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
+  void place_taker_changed(const QObject* taker);
+  void drawing_clicked(const QString& layer, int drawing);
+  void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
+  void settings_changed();  // by the view: handles of the clip box, another survey
+  void index_built();
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
-  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void follow_index();
   void rebuild();
+  void repaint_points();
+  void measure_extent();
+  void rebuild_grid();
   void draw_highlight();
   void redraw();
   void begin_motion();
   void before_frame();
   void after_frame();
+  void frame_shown();
   void place_furniture();
+  std::vector<double> sorted_sample(int axis) const;
   PickView pick_view();
   Eigen::Vector2d to_pixels(const QPoint& at) const;
+  std::optional<std::uint32_t> point_at(const QPoint& at);
+  std::optional<Grip> grip_at(const QPoint& at);
+  bool click_drawing(const QPoint& at);
+  void take_place(const QPoint& at);
 
   Selection& selection_;
   Survey survey_;
+  ViewSettings settings_;
+  ClipBox whole_;
+  Interval heights_;
+  bool extent_known_ = false;
   std::vector<StemShape> shapes_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::string color_array_ = "height_above_ground";
-  PointFilter filter_;
   PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
-  std::vector<vtkSmartPointer<vtkActor>> furniture_;
-  vtkSmartPointer<vtkActor> highlight_;
-  SceneOverlay* overlay_;
+  FurnitureLayer furniture_;
+  std::vector<vtkSmartPointer<vtkActor>> actors_;
+  vtkSmartPointer<vtkActor> highlight_, grid_;
+  double grid_step_m_ = 0;
+  std::unique_ptr<ClipHandles> clip_handles_;
+  std::map<std::string, std::vector<SceneDrawing>> drawings_;
   std::optional<std::uint32_t> picked_;
   QStringList facts_;
 
   QTimer rest_;
-  bool moving_ = false, complete_ = true;
+  bool moving_ = false, complete_ = true, timed_ = false;
+  const QObject* place_taker_ = nullptr;
   std::size_t moving_budget_;
   std::chrono::steady_clock::time_point frame_start_;
   double last_frame_s_ = 0;
   QPoint pressed_at_;
+  std::optional<Grip> dragged_;
 };
 
 }  // namespace bole::desktop

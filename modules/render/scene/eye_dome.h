@@ -5,6 +5,9 @@
 #include <span>
 #include <vector>
 
+class vtkCamera;
+class vtkRenderWindow;
+
 namespace bole {
 
 struct EyeDomeOptions {
@@ -20,5 +23,12 @@ struct EyeDomeOptions {
 // of `width`.
 void shade_eye_dome(std::span<std::uint8_t> rgb, const std::vector<float>& depth_m, int width, int height,
                     const EyeDomeOptions& options);
+
+// The same as black to be laid over the picture: its opacity for each pixel.
+std::vector<std::uint8_t> eye_dome_shadow(const std::vector<float>& depth_m, int width, int height,
+                                          const EyeDomeOptions& options);
+
+// Distances from the eye's plane of all pixels of a drawn window, rows from below, infinity for the background.
+std::vector<float> window_depths_m(vtkRenderWindow* window, vtkCamera* camera);
 
 }  // namespace bole

@@ -1,7 +1,6 @@
 #include "render/scene/map_figure.h"
 
 #include <vtkCamera.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -121,22 +119,6 @@ Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
   return image;
 }
 
-// Distances from the eye's plane of all pixels, infinity for the background.
-std::vector<float> depths_m(vtkRenderWindow* window, vtkCamera* camera) {
-  vtkNew<vtkFloatArray> buffer;
-  window->GetZbufferData(0, 0, window->GetSize()[0] - 1, window->GetSize()[1] - 1, buffer);
-  const auto* z = buffer->GetPointer(0);
-  const auto n = static_cast<float>(camera->GetClippingRange()[0]),
-             f = static_cast<float>(camera->GetClippingRange()[1]);
-  const bool parallel = camera->GetParallelProjection() != 0;
-  std::vector<float> depth(static_cast<std::size_t>(buffer->GetNumberOfValues()));
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    depth[i] = z[i] >= 1  ? std::numeric_limits<float>::infinity()
-               : parallel ? n + z[i] * (f - n)
-                          : n * f / (f - z[i] * (f - n));
-  return depth;
-}
-
 double grid_step(const Extent& extent) {
   return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8);
 }
@@ -201,7 +183,7 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   shading.radius_px = 1.2 * supersampling * options.dpi / 150;
   shading.strength = options.view == MapView::top ? 0.45 : 0.62;
   shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())},
-                 depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
+                 window_depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
   return {shrunk(rgb, width, height), projection};
 }
 

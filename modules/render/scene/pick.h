@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cloud/point_cloud.h"
@@ -25,6 +26,11 @@ struct OnScreen {
   double depth = 0;
 };
 std::optional<OnScreen> on_screen(const PickView& view, const Eigen::Vector3d& world);
+
+// The ends of a stretch on the screen, cut off at the eye; nothing when all of it lies behind.
+std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(const PickView& view,
+                                                                             const Eigen::Vector3d& a,
+                                                                             const Eigen::Vector3d& b);
 
 // Where the ray through a pixel meets the plane z = `z`; nothing when it runs away from it.
 std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vector2d& at_px, double z);

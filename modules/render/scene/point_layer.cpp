@@ -3,6 +3,7 @@
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -31,14 +32,11 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
 
 }  // namespace
 
-bool PointFilter::everything() const {
-  return height.lo <= -1e9 && height.hi >= 1e9 && (lo.array() <= -1e12).all() && (hi.array() >= 1e12).all();
-}
-
 void PointLayer::show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
                       const Eigen::Vector3d& origin) {
   clear();
   cloud_ = std::move(cloud), octree_ = std::move(octree), origin_ = origin;
+  set_clip(clip_);  // its planes are relative to the origin
 }
 
 void PointLayer::set_paint(PointPaint paint) {
@@ -49,6 +47,30 @@ void PointLayer::set_paint(PointPaint paint) {
 void PointLayer::set_filter(const PointFilter& filter) {
   clear();
   filter_ = filter;
+}
+
+void PointLayer::set_clip(const std::optional<ClipBox>& box) {
+  clip_ = box;
+  clip_planes_->RemoveAllItems();
+  if (box)
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {1.0, -1.0}) {
+        const Eigen::Vector3d at = (side > 0 ? box->lo : box->hi) - origin_,
+                              normal = side * Eigen::Vector3d::Unit(axis);
+        vtkNew<vtkPlane> plane;
+        plane->SetOrigin(at.x(), at.y(), at.z());
+        plane->SetNormal(normal.x(), normal.y(), normal.z());
+        clip_planes_->AddItem(plane);
+      }
+  for (auto& [i, tile] : tiles_) clip(tile);
+}
+
+void PointLayer::clip(Tile& tile) const {
+  if (!tile.actor) return;
+  if (clip_)
+    tile.actor->GetMapper()->SetClippingPlanes(clip_planes_);
+  else
+    tile.actor->GetMapper()->RemoveAllClippingPlanes();
 }
 
 void PointLayer::set_point_size(double px) {
@@ -75,9 +97,7 @@ PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
     if (!unfiltered) {
       const Eigen::Vector3d p = cloud_->position(i);
       const double height = heights != nullptr ? static_cast<double>((*heights)[i]) : p.z();
-      if (!(height >= filter_.height.lo && height <= filter_.height.hi) || (p.array() < filter_.lo.array()).any() ||
-          (p.array() > filter_.hi.array()).any())
-        continue;
+      if (!(height >= filter_.height.lo && height <= filter_.height.hi)) continue;
     }
     tile.indices.push_back(i);
   }
@@ -113,6 +133,7 @@ PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
   tile.actor->GetProperty()->SetPointSize(static_cast<float>(size_px_));
   tile.actor->GetProperty()->LightingOff();
   tile.actor->PickableOff();
+  clip(tile);
   return tile;
 }
 
@@ -120,7 +141,9 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
   if (!cloud_ || !octree_) return true;
   renderer_ = renderer;
   ++frame_;
-  const auto chosen = octree_->visible(view_of(renderer, cloud_->origin - origin_), budget, least_px);
+  auto view = view_of(renderer, cloud_->origin - origin_);
+  if (clip_) view.lo = (clip_->lo - cloud_->origin).cast<float>(), view.hi = (clip_->hi - cloud_->origin).cast<float>();
+  const auto chosen = octree_->visible(view, budget, least_px);
   drawn_ = 0;
   bool complete = true;
   std::size_t prepared = 0;
@@ -166,7 +189,9 @@ void PointLayer::forget_unused() {
 std::vector<std::uint32_t> PointLayer::drawn_points() const {
   std::vector<std::uint32_t> points;
   for (const auto& [i, tile] : tiles_)
-    if (tile.last_use == frame_) points.insert(points.end(), tile.indices.begin(), tile.indices.end());
+    if (tile.last_use == frame_)
+      std::ranges::copy_if(tile.indices, std::back_inserter(points),
+                           [&](auto index) { return !clip_ || clip_->contains(cloud_->position(index)); });
   return points;
 }
 

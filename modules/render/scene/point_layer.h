@@ -2,10 +2,13 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "render/scene/point_octree.h"
@@ -15,9 +18,16 @@ namespace bole {
 
 // What is left out of the drawing.
 struct PointFilter {
-  Interval height{-1e9, 1e9};                                     // above ground where known, else z
-  Eigen::Vector3d lo{-1e12, -1e12, -1e12}, hi{1e12, 1e12, 1e12};  // clip box, world axes
-  bool everything() const;
+  Interval height{-1e9, 1e9};  // above ground where known, else z
+  bool everything() const { return height.lo <= -1e9 && height.hi >= 1e9; }
+};
+
+// World axes; nothing beyond it is drawn. Cheap to change: prepared points stay.
+struct ClipBox {
+  Eigen::Vector3d lo = Eigen::Vector3d::Zero(), hi = Eigen::Vector3d::Ones();
+  bool contains(const Eigen::Vector3d& p) const {
+    return (p.array() >= lo.array()).all() && (p.array() <= hi.array()).all();
+  }
 };
 
 class PointLayer {
@@ -27,6 +37,7 @@ class PointLayer {
             const Eigen::Vector3d& origin);
   void set_paint(PointPaint paint);
   void set_filter(const PointFilter& filter);
+  void set_clip(const std::optional<ClipBox>& box);
   void set_point_size(double px);
 
   // Chooses what the renderer's camera sees, at most `budget` points, and prepares at most `fresh` points that were not
@@ -34,7 +45,7 @@ class PointLayer {
   bool update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh);
 
   std::size_t drawn() const { return drawn_; }      // points of the last update
-  std::vector<std::uint32_t> drawn_points() const;  // their indices in the cloud
+  std::vector<std::uint32_t> drawn_points() const;  // indices in the cloud of those that are seen
   const PointPaint& paint() const { return paint_; }
 
  private:
@@ -45,6 +56,7 @@ class PointLayer {
   };
   void clear();
   Tile make_tile(const PointOctree::Node& node) const;
+  void clip(Tile& tile) const;
   void forget_unused();
 
   std::shared_ptr<const PointCloud> cloud_;
@@ -52,6 +64,8 @@ class PointLayer {
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   PointPaint paint_;
   PointFilter filter_;
+  std::optional<ClipBox> clip_;
+  vtkNew<vtkPlaneCollection> clip_planes_;
   double size_px_ = 2;
   std::unordered_map<std::uint32_t, Tile> tiles_;
   vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to

@@ -18,6 +18,8 @@ constexpr int bucket_levels = 4;  // of the Morton code, that points are first s
 constexpr int levels = bits - cell_levels + 1;
 constexpr std::size_t small_node = 12'000;  // points
 constexpr std::size_t buckets = std::size_t{1} << (3 * bucket_levels);
+constexpr std::size_t poll_every = 0x100000;  // points between two looks at the cancel flag
+constexpr std::size_t sample_nodes = 32;
 static_assert(PointOctree::cells_per_side == 1 << cell_levels);
 
 struct Cube {
@@ -74,14 +76,16 @@ std::uint8_t level_of(std::uint8_t shared) {
 }
 
 // A node whose points and those of all nodes below it are few takes them all: many small nodes are slow to draw.
-void gather_small_nodes(const std::vector<std::uint8_t>& shared, std::vector<std::uint8_t>& level) {
-  for (std::uint8_t l = 0; l + 1 < levels; ++l)
+void gather_small_nodes(const std::vector<std::uint8_t>& shared, std::vector<std::uint8_t>& level, const Run& run) {
+  for (std::uint8_t l = 0; l + 1 < levels; ++l) {
+    run.check_cancel();
     for (std::size_t begin = 0, end = 0; begin < shared.size(); begin = end) {
       std::size_t count = level[begin] >= l ? 1 : 0;
       for (end = begin + 1; end < shared.size() && shared[end] >= l; ++end) count += level[end] >= l ? 1 : 0;
       if (count <= small_node)
         for (std::size_t k = begin; k < end; ++k) level[k] = std::min(level[k], l);
     }
+  }
 }
 
 struct Sorted {
@@ -92,18 +96,21 @@ struct Sorted {
 Sorted along_the_curve(const PointCloud::Positions& positions, const Cube& cube, const Run& run) {
   constexpr int shift = 3 * (bits - bucket_levels);
   std::vector<std::uint32_t> begin(buckets + 1, 0);
-  for (const auto& p : positions)
-    if (p.allFinite()) ++begin[(morton(p, cube) >> shift) + 1];
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (i % poll_every == 0) run.check_cancel();
+    if (positions[i].allFinite()) ++begin[(morton(positions[i], cube) >> shift) + 1];
+  }
   for (std::size_t b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
   run.check_cancel();
   run.report(0.2, "sorting points for display");
   Sorted sorted{std::vector<std::uint32_t>(begin.back()), std::vector<std::uint8_t>(begin.back())};
   std::vector<std::uint8_t> shared(begin.back(), 0);
   auto next = begin;
-  for (std::size_t i = 0; i < positions.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (i % poll_every == 0) run.check_cancel();
     if (positions[i].allFinite())
       sorted.index[next[morton(positions[i], cube) >> shift]++] = static_cast<std::uint32_t>(i);
-  run.check_cancel();
+  }
   run.report(0.4, "sorting points for display");
   tbb::parallel_for(std::size_t{0}, buckets, [&](std::size_t b) {
     if (begin[b] == begin[b + 1] || run.cancelled()) return;
@@ -122,7 +129,7 @@ Sorted along_the_curve(const PointCloud::Positions& positions, const Cube& cube,
     if (const auto k = begin[b]; k != begin[b + 1] && k > 0)
       shared[k] = shared_levels(morton(positions[sorted.index[k]], cube), morton(positions[sorted.index[k - 1]], cube));
   std::ranges::transform(shared, sorted.level.begin(), level_of);
-  gather_small_nodes(shared, sorted.level);
+  gather_small_nodes(shared, sorted.level, run);
   return sorted;
 }
 
@@ -178,6 +185,9 @@ std::vector<PointOctree::Node> linked_nodes(std::array<Parts, levels>& parts, co
 // How large a node is on the screen, pixels; negative when it is outside of the view.
 double size_on_screen(const PointOctree::Node& node, const OctreeView& view) {
   const auto& m = view.world_to_clip;
+  if ((node.centre.array() - node.half_m > view.hi.array()).any() ||
+      (node.centre.array() + node.half_m < view.lo.array()).any())
+    return -1;
   const Eigen::Vector4d centre(static_cast<double>(node.centre.x()), static_cast<double>(node.centre.y()),
                                static_cast<double>(node.centre.z()), 1);
   const double half = static_cast<double>(node.half_m);
@@ -208,6 +218,7 @@ PointOctree::PointOctree(const PointCloud& cloud, const Run& run) : positions_(c
   std::array<Parts, levels> parts;
   auto next = begin;
   for (std::size_t k = 0; k < sorted.index.size(); ++k) {
+    if (k % poll_every == 0) run.check_cancel();
     const auto level = sorted.level[k];
     const auto at = next[level]++;
     order_[at] = sorted.index[k];
@@ -217,6 +228,40 @@ PointOctree::PointOctree(const PointCloud& cloud, const Run& run) : positions_(c
   }
   run.check_cancel();
   nodes_ = linked_nodes(parts, cube);
+}
+
+PointOctree PointOctree::sample(const PointCloud& cloud, std::size_t points) {
+  PointOctree tree;
+  tree.positions_ = cloud.shared_positions();
+  const auto& positions = *tree.positions_;
+  if (positions.empty() || positions.size() >= std::numeric_limits<std::uint32_t>::max()) return tree;
+  // One of every `step` points, at a place that wanders: points of a scan come in regular lines.
+  const std::size_t step = std::max<std::size_t>(1, (positions.size() + points - 1) / std::max<std::size_t>(points, 1));
+  const std::size_t strides = (positions.size() + step - 1) / step;
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  Eigen::Vector3f lo(inf, inf, inf), hi(-inf, -inf, -inf);
+  for (std::size_t share = 0; share < sample_nodes; ++share) {
+    Node node;
+    node.begin = static_cast<std::uint32_t>(tree.order_.size());
+    for (std::size_t k = share; k < strides; k += sample_nodes) {
+      const std::size_t i = std::min(k * step + (k * 2654435761U >> 8) % step, positions.size() - 1);
+      if (!positions[i].allFinite()) continue;
+      tree.order_.push_back(static_cast<std::uint32_t>(i));
+      lo = lo.cwiseMin(positions[i]), hi = hi.cwiseMax(positions[i]);
+    }
+    node.end = static_cast<std::uint32_t>(tree.order_.size());
+    if (node.size() == 0) continue;
+    node.level = static_cast<std::uint8_t>(tree.nodes_.size());
+    tree.nodes_.push_back(node);
+  }
+  for (std::size_t i = 0; i < tree.nodes_.size(); ++i) {
+    auto& node = tree.nodes_[i];
+    node.centre = (lo + hi) / 2;
+    node.half_m = std::max((hi - lo).maxCoeff() / 2, 1e-3F);
+    node.children = i + 1 < tree.nodes_.size() ? 1 : 0;
+    node.first_child = static_cast<std::uint32_t>(i + 1);
+  }
+  return tree;
 }
 
 std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::size_t budget, double least_px) const {

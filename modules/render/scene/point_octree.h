@@ -16,6 +16,7 @@ namespace bole {
 struct OctreeView {
   Eigen::Matrix4d world_to_clip = Eigen::Matrix4d::Identity();  // takes coordinates relative to the cloud's origin
   double height_px = 1;
+  Eigen::Vector3f lo{-1e30F, -1e30F, -1e30F}, hi{1e30F, 1e30F, 1e30F};  // a box outside of which nothing is wanted
 };
 
 // An octree in which every point lies in exactly one node: a node holds one point of each of its 64^3 cells that none
@@ -40,6 +41,10 @@ class PointOctree {
   // Error{cancelled}, Error{bad_input} beyond 2^32 - 1 points.
   explicit PointOctree(const PointCloud& cloud, const Run& run = {});
 
+  // An even share of about `points` of a cloud, at once: to be shown while the octree is built. All nodes are as large
+  // as the cloud, each a share of its own, so that budgets hold; far more than `points` are never touched.
+  static PointOctree sample(const PointCloud& cloud, std::size_t points);
+
   const std::vector<Node>& nodes() const { return nodes_; }  // the root first, level by level; empty without points
   std::size_t size() const { return order_.size(); }
   std::span<const std::uint32_t> points(const Node& node) const {
@@ -54,6 +59,7 @@ class PointOctree {
   std::vector<std::uint32_t> in_box(const Eigen::Vector3f& lo, const Eigen::Vector3f& hi) const;
 
  private:
+  PointOctree() = default;
   std::shared_ptr<const PointCloud::Positions> positions_;
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;

@@ -190,7 +190,7 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   }
   if (!std::isfinite(s.volume_m3)) return rows;
   const std::string how =
-      std::to_string(s.own_volume) + " by their stem curve, the others as paraboloids through DBH and top";
+      std::to_string(s.own_volume) + " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
   rows.push_back(
       {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
   if (std::isfinite(m.area_m2))

@@ -64,9 +64,11 @@ std::optional<HeightCurve> fit_height_curve(const std::vector<SizedStem>& stems)
   return seen.size() == curve->trees ? curve : fit_once(seen);
 }
 
-double paraboloid_m3(double dbh_cm, double height_m) {
-  return height_m > breast_height_m ? basal_area_m2(dbh_cm) * height_m * height_m / (2 * (height_m - breast_height_m))
-                                    : nan;
+double form_volume_m3(double dbh_cm, double height_m) {
+  constexpr double power = 1.5;
+  return height_m > breast_height_m
+             ? basal_area_m2(dbh_cm) * height_m / (power + 1) * std::pow(height_m / (height_m - breast_height_m), power)
+             : nan;
 }
 
 StandValues stand_values(const std::vector<SizedStem>& stems) {
@@ -80,7 +82,7 @@ StandValues stand_values(const std::vector<SizedStem>& stems) {
     const bool by_curve = !std::isfinite(height);
     if (by_curve && v.curve) height = v.curve->height_m(s.dbh_cm), v.by_curve += std::isfinite(height);
     const bool own = std::isfinite(s.volume_m3);
-    const double m3 = own ? s.volume_m3 : paraboloid_m3(s.dbh_cm, height);
+    const double m3 = own ? s.volume_m3 : form_volume_m3(s.dbh_cm, height);
     v.own_volume += own;
     basal_area += g, weighted += g * height, heights += height, v.volume_m3 += m3, sum_d2 += s.dbh_cm * s.dbh_cm;
     area_squares += g * g, volume_squares += m3 * m3;

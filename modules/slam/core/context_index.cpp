@@ -110,10 +110,15 @@ std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& 
       offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range_m / shape_.columns * match.shift);
     }
   }
+  return most_alike(keyframes, std::move(found), most_places, apart_m);
+}
+
+std::vector<ContextCandidate> most_alike(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+                                         std::size_t most, double apart_m) {
   std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
   std::vector<ContextCandidate> apart;
   for (const auto& c : found) {
-    if (apart.size() == most_places) break;
+    if (apart.size() == most) break;
     if (std::ranges::none_of(apart, [&](const ContextCandidate& a) {
           return std::abs(keyframes[a.keyframe].path_m - keyframes[c.keyframe].path_m) < apart_m;
         }))

@@ -33,6 +33,10 @@ ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanCo
 // Axes at a pose that look along its heading and are level in map axes.
 Pose levelled(const Pose& T_map_sensor);
 
+// The best of `found`, the most alike first, no two of them within `apart_m` of way.
+std::vector<ContextCandidate> most_alike(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+                                         std::size_t most, double apart_m);
+
 class ContextIndex {
  public:
   explicit ContextIndex(const ScanContextShape& shape);
@@ -44,7 +48,7 @@ class ContextIndex {
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
-  // Those that look most alike, the best first, no two of them within `apart_m` of way.
+  // See most_alike().
   std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search, std::size_t most, double apart_m) const;
 

@@ -24,10 +24,9 @@ struct LoopSearch {
   std::size_t candidates = 0;
 };
 
-// Candidates are at least loop_path apart along the way. By odometry they lie within loop_radius; by context they look
-// alike (scan_context.h; with loops "both" the cart context is asked as well) and lie no farther off than the odometry
-// may have drifted. Each is verified by registering the key frame against the map of the stretch about its partner;
-// enough overlap and no open direction make it a loop.
+// Each candidate (loop_candidates.h) is verified by registering the key frame against the map of the stretch about its
+// partner; enough overlap, no open direction and a place within loop_radius of the partner make it a loop. Throws
+// Error{cancelled}.
 LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions& options, const Run& run);
 
 }  // namespace bole

@@ -30,6 +30,7 @@ struct SlamOptions {
   double keyframe_distance_m = 0;
   double keyframe_angle_deg = 0;
   std::string loops = "preset";
+  std::string context_search = "preset";
   std::string loop_registration = "preset";
   std::string weights = "preset";
   std::string solve = "preset";

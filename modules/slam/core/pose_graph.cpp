@@ -3,18 +3,34 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace bole {
 namespace {
 
-// Odometry drifts by about 1 % of the way and 0.5 mrad per key frame; a loop is good to a centimetre whatever its
-// Hessian claims, for the errors of neighbouring points go together.
-constexpr double odometry_sigma_floor_m = 0.002, odometry_sigma_per_m = 0.01, odometry_sigma_rad = 0.0005;
+// A loop is good to a centimetre whatever its Hessian claims, for the errors of neighbouring points go together.
 constexpr double loop_sigma_m = 0.01, loop_sigma_rad = 0.001;
 constexpr double kernel_sigmas = 3;
 // What is so far from where the rest puts it is no imprecise loop but another place.
 constexpr double refused_m = 0.5, refused_rad = 0.1;
+// Of the loops; where more are refused it is the odometry that is in doubt.
+constexpr double most_refused = 0.25;
+
+// How far the odometry is believed from one key frame to the next, and the kernels of the loops, in standard
+// deviations, of the solutions that follow one another.
+struct Trust {
+  double sigma_floor_m, sigma_per_m, sigma_rad;
+  std::span<const double> kernels;
+};
+
+constexpr std::array<double, 1> narrow_kernel{kernel_sigmas};
+constexpr std::array<double, 6> narrowing_kernel{1000, 300, 100, 30, 10, kernel_sigmas};
+constexpr Trust drifts{0.002, 0.01, 0.0005, narrow_kernel};
+// A kernel of centimetres does not feel loops that put the path metres off, however many agree. So it begins wide and
+// is narrowed (graduated non-convexity: Yang, Antonante, Tzoumas and Carlone 2020).
+constexpr Trust slips{0.002, 0.05, 0.002, narrowing_kernel};
 
 struct GraphPose {
   Eigen::Quaterniond q;
@@ -56,13 +72,13 @@ class CancelCallback : public ceres::IterationCallback {
   const Run& run_;
 };
 
-// One adjustment with the loops that are not refused.
+// One adjustment from `start` on with the loops that are not refused, a solution for each kernel in turn.
 PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
-                         const std::vector<std::uint8_t>& refused, const Run& run) {
+                         const std::vector<std::uint8_t>& refused, const std::vector<Pose>& start, const Trust& trust,
+                         const Run& run) {
   std::vector<GraphPose> nodes;
   nodes.reserve(keyframes.size());
-  for (const auto& k : keyframes)
-    nodes.push_back({Eigen::Quaterniond(k.T_map_keyframe.linear()), k.T_map_keyframe.translation()});
+  for (const auto& T : start) nodes.push_back({Eigen::Quaterniond(T.linear()), T.translation()});
 
   ceres::Problem problem;
   for (auto& n : nodes) {
@@ -75,15 +91,15 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
   };
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     const Pose T = keyframes[k - 1].T_map_keyframe.inverse() * keyframes[k].T_map_keyframe;
-    add(k - 1, k, edge(T, odometry_sigma_rad, odometry_sigma_floor_m + odometry_sigma_per_m * T.translation().norm()),
-        nullptr);
+    add(k - 1, k, edge(T, trust.sigma_rad, trust.sigma_floor_m + trust.sigma_per_m * T.translation().norm()), nullptr);
   }
   std::vector<ceres::ResidualBlockId> loop_blocks;
+  std::vector<ceres::LossFunctionWrapper*> losses;  // owned by the problem
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const auto& l = loops[i];
     if (refused[i]) continue;
-    loop_blocks.push_back(
-        add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), new ceres::CauchyLoss(kernel_sigmas)));
+    losses.push_back(new ceres::LossFunctionWrapper(nullptr, ceres::TAKE_OWNERSHIP));
+    loop_blocks.push_back(add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), losses.back()));
   }
 
   PoseGraphResult out;
@@ -96,10 +112,13 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
     options.num_threads = 1;  // the same sums in the same order
     CancelCallback cancel(run);
     options.callbacks.push_back(&cancel);
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    run.check_cancel();
-    out.initial_cost = summary.initial_cost, out.final_cost = summary.final_cost;
+    for (const double kernel : trust.kernels) {
+      for (auto* loss : losses) loss->Reset(new ceres::CauchyLoss(kernel), ceres::TAKE_OWNERSHIP);
+      ceres::Solver::Summary summary;
+      ceres::Solve(options, &problem, &summary);
+      run.check_cancel();
+      out.initial_cost = summary.initial_cost, out.final_cost = summary.final_cost;
+    }
   }
   for (const auto id : loop_blocks) {
     double cost = 0;  // without the kernel: half the squared norm
@@ -116,18 +135,35 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
   return out;
 }
 
+std::vector<std::uint8_t> contradicting(const std::vector<Loop>& loops, const std::vector<Pose>& T_map_keyframe) {
+  std::vector<std::uint8_t> refused;
+  for (const auto& l : loops) {
+    const Pose error = l.T_from_to.inverse() * (T_map_keyframe[l.from].inverse() * T_map_keyframe[l.to]);
+    refused.push_back(error.translation().norm() > refused_m ||
+                      Eigen::AngleAxisd(error.linear()).angle() > refused_rad);
+  }
+  return refused;
+}
+
 }  // namespace
 
 PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                                     const Run& run) {
-  std::vector<std::uint8_t> refused(loops.size(), 0);
-  auto out = adjusted(keyframes, loops, refused, run);
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    const Pose error =
-        loops[i].T_from_to.inverse() * (out.T_map_keyframe[loops[i].from].inverse() * out.T_map_keyframe[loops[i].to]);
-    refused[i] = error.translation().norm() > refused_m || Eigen::AngleAxisd(error.linear()).angle() > refused_rad;
+  const std::vector<std::uint8_t> none(loops.size(), 0);
+  std::vector<Pose> start;
+  for (const auto& k : keyframes) start.push_back(k.T_map_keyframe);
+  Trust trust = drifts;
+  auto out = adjusted(keyframes, loops, none, start, trust, run);
+  auto refused = contradicting(loops, out.T_map_keyframe);
+  if (static_cast<double>(std::ranges::count(refused, 1)) > most_refused * static_cast<double>(loops.size())) {
+    auto again = adjusted(keyframes, loops, none, start, slips, run);
+    auto refused_again = contradicting(loops, again.T_map_keyframe);
+    if (std::ranges::count(refused_again, 1) < std::ranges::count(refused, 1)) {
+      trust = slips, trust.kernels = narrow_kernel;
+      start = again.T_map_keyframe, out = std::move(again), refused = std::move(refused_again);
+    }
   }
-  if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, run);
+  if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, start, trust, run);
   out.refused = std::move(refused);
   return out;
 }

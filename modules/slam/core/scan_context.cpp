@@ -81,8 +81,12 @@ ScanContext make_scan_context(const std::vector<Eigen::Vector3f>& points, const 
 }
 
 ContextMatch match_polar(const ScanContext& a, const ScanContext& b) {
+  return match_polar(a, b, 0, static_cast<int>(a.polar.cols()) - 1);
+}
+
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift) {
   const auto na = column_norms(a.polar), nb = column_norms(b.polar);
-  return best_shift(0, static_cast<int>(a.polar.cols()) - 1,
+  return best_shift(first_shift, last_shift,
                     [&](int shift) { return column_distance(a.polar, b.polar, na, nb, shift, true, false); });
 }
 

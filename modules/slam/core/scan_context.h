@@ -35,6 +35,8 @@ struct ContextMatch {
 
 // Over all turns; `b` seen in the axes of `a` is turned by 2 pi shift / sectors about z.
 ContextMatch match_polar(const ScanContext& a, const ScanContext& b);
+// Over turns of first_shift to last_shift sectors only, which may be negative: where the heading is known about.
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift);
 // Over offsets abeam of up to a quarter of the width; `b` lies 2 range_m / columns * shift to the left in the axes of
 // `a`. With `reversed`, `b` is turned about by 180 deg first: the same lane walked the other way.
 ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed);

@@ -116,9 +116,63 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
   return labels;
 }
 
+namespace {
+
+// The highest point of every square of the plot.
+class CanopyTop {
+ public:
+  CanopyTop(const PointCloud& points, const Run& run) {
+    constexpr double most_cells = 1 << 24;
+    Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    for (const auto& p : points.positions())
+      if (p.allFinite()) low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
+    if (!(low.array() <= high.array()).all()) return;
+    corner_ = low;
+    while ((std::floor((high - low).x() / cell_) + 1) * (std::floor((high - low).y() / cell_) + 1) > most_cells)
+      cell_ *= 2;
+    nx_ = static_cast<int>((high - low).x() / cell_) + 1, ny_ = static_cast<int>((high - low).y() / cell_) + 1;
+    highest_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_),
+                    -std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if ((i & 0xfffffU) == 0) run.check_cancel();
+      const auto& p = points.positions()[i];
+      if (!p.allFinite()) continue;
+      auto& top = highest_[index(static_cast<int>((p.x() - corner_.x()) / cell_),
+                                 static_cast<int>((p.y() - corner_.y()) / cell_))];
+      top = std::max(top, p.z());
+    }
+  }
+
+  // Highest z of the squares whose middle lies between two distances of a place; -infinity for none.
+  double around(const Eigen::Vector2d& place, double inner_m, double outer_m) const {
+    double highest = -std::numeric_limits<double>::infinity();
+    const Eigen::Vector2d q = (place - corner_.cast<double>()) / cell_;
+    const double reach = outer_m / cell_;
+    for (int iy = std::max(0, static_cast<int>(q.y() - reach));
+         iy <= std::min(ny_ - 1, static_cast<int>(q.y() + reach)); ++iy)
+      for (int ix = std::max(0, static_cast<int>(q.x() - reach));
+           ix <= std::min(nx_ - 1, static_cast<int>(q.x() + reach)); ++ix)
+        if (const double d = cell_ * std::hypot(ix + 0.5 - q.x(), iy + 0.5 - q.y()); d >= inner_m && d <= outer_m)
+          highest = std::max(highest, static_cast<double>(highest_[index(ix, iy)]));
+    return highest;
+  }
+
+ private:
+  std::size_t index(int ix, int iy) const {
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix);
+  }
+  Eigen::Vector2f corner_ = Eigen::Vector2f::Zero();
+  float cell_ = 0.5F;
+  int nx_ = 0, ny_ = 0;
+  std::vector<float> highest_;
+};
+
+}  // namespace
+
 void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
   constexpr double bin_m = 0.5, widest_gap_m = 3;
-  constexpr double overhang_m = 0.5;
+  // What stands over a stem is its own top where nothing within the reach of a neighbour's branches is higher.
+  constexpr double free_m = 2.5, overhang_m = 0.2;
   constexpr double leader_m = 1.0;  // a top stands over its stem; branches of a taller neighbour reach in from the side
   constexpr std::uint32_t least_points = 3;
   std::int32_t largest = 0;
@@ -133,7 +187,6 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
     double highest = 0;
   };
   std::vector<std::vector<Bin>> bins(by_id.size(), std::vector<Bin>(static_cast<std::size_t>(tallest_m / bin_m)));
-  std::vector<double> overhead(by_id.size(), 0);  // highest point beside the leader: of this tree or of a neighbour
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
@@ -141,14 +194,11 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
     const double h = static_cast<double>(points.positions()[i].z()) - by_id[id]->ground_z;
     if (h < 0 || h >= tallest_m) continue;
     const auto& p = points.positions()[i];
-    auto& wide = overhead[id];
-    if ((p.head<2>().cast<double>() - axes[id - 1].at(p.z())).norm() > by_id[id]->radius + leader_m) {
-      wide = std::max(wide, h);
-      continue;
-    }
+    if ((p.head<2>().cast<double>() - axes[id - 1].at(p.z())).norm() > by_id[id]->radius + leader_m) continue;
     auto& bin = bins[id][static_cast<std::size_t>(h / bin_m)];
     ++bin.points, bin.highest = std::max(bin.highest, h);
   }
+  const CanopyTop canopy(points, run);
   for (auto& s : stems) {  // upwards until a gap that no tree has
     double gap = 0;
     for (const auto& bin : bins[static_cast<std::size_t>(s.id)]) {
@@ -158,7 +208,17 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
         break;
       }
     }
-    s.overhung = overhead[static_cast<std::size_t>(s.id)] > s.height_m + overhang_m;
+    const double top = s.ground_z + s.height_m;
+    s.overhung = canopy.around(axes[static_cast<std::size_t>(s.id) - 1].at(top), leader_m, free_m) > top + overhang_m;
+  }
+  // A top that a neighbour's may be: both stems stand below it.
+  for (auto& s : stems) {
+    const double top = s.ground_z + s.height_m;
+    const Eigen::Vector2d at = axes[static_cast<std::size_t>(s.id) - 1].at(top);
+    s.overhung = s.overhung || std::ranges::any_of(stems, [&](const Stem& o) {
+                   return o.id != s.id && o.ground_z + o.height_m > top - 2 * overhang_m &&
+                          (axes[static_cast<std::size_t>(o.id) - 1].at(top) - at).norm() < free_m;
+                 });
   }
 }
 

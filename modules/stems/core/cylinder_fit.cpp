@@ -43,6 +43,18 @@ struct DriftPrecision {
   }
 };
 
+// Means over the views of each pass.
+std::vector<Eigen::Vector2d> means_by_pass(const std::vector<int>& pass_of_view, const Eigen::VectorXd& offsets) {
+  std::vector<Eigen::Vector2d> mean;
+  std::vector<int> views;
+  for (std::size_t k = 0; k < pass_of_view.size(); ++k) {
+    const auto pass = static_cast<std::size_t>(pass_of_view[k]);
+    if (views.size() <= pass) views.resize(pass + 1, 0), mean.resize(pass + 1, Eigen::Vector2d::Zero());
+    ++views[pass], mean[pass] += (offsets.segment<2>(static_cast<Eigen::Index>(2 * k)) - mean[pass]) / views[pass];
+  }
+  return mean;
+}
+
 class JointFit {
  public:
   JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::vector<int> pass_of_view)
@@ -56,7 +68,7 @@ class JointFit {
 
   bool solve(TaperedCylinder& c, double& scale) {
     double damping = 1e-4;
-    evaluate(c);
+    evaluate(c, values_);
     for (int i = 0; i < 40; ++i) {
       choose_active();
       Eigen::MatrixXd normal;
@@ -72,19 +84,19 @@ class JointFit {
         if (!step.allFinite()) return false;
         const auto next = moved_by(c, step);
         if (next.radius > 0.004 && cost_of(next, scale) <= cost) {
+          values_.swap(tried_);
           c = next, step_norm = step.norm(), moved = true, damping = std::max(1e-9, damping * 0.3);
         } else {
           damping *= 10;
         }
       }
-      if (moved) evaluate(c);
       const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
       const double shrunk =
           std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
       scale = shrunk;
-      if (settled && (!moved || step_norm < 1e-6)) break;
+      if (settled && (!moved || step_norm < 5e-6)) break;
     }
     return c.radius > 0.004 && std::abs(c.slope_x) < 1 && std::abs(c.slope_y) < 1;
   }
@@ -102,11 +114,16 @@ class JointFit {
       active_[i] = values_[i].usable && values_[i].impact < options_.ray_gate;
   }
 
-  void evaluate(const TaperedCylinder& c) {
-    values_.resize(points_.size());
+  struct Value {
+    double value = 0, impact = 0;
+    bool usable = false;
+  };
+
+  void evaluate(const TaperedCylinder& c, std::vector<Value>& values) const {
+    values.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const auto e = value(c, points_[i]);
-      values_[i] = {e.value, e.impact, e.usable};
+      values[i] = {e.value, e.impact, e.usable};
     }
   }
 
@@ -145,17 +162,14 @@ class JointFit {
     return cost / 2;
   }
 
-  // Tukey's rho in units of the scale, summed. An active ray that would miss the stem costs as an outlier.
-  double cost_of(const TaperedCylinder& c, double scale) const {
+  // Tukey's rho in units of the scale, summed. An active ray that would miss the stem costs as an outlier. Keeps the
+  // values, which are those of the next step where this one is taken.
+  double cost_of(const TaperedCylinder& c, double scale) {
     constexpr double k2 = 4.685 * 4.685;
     double sum = 0;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (!active_[i]) continue;
-      const auto& p = points_[i];
-      const auto e = value(c, p);
-      const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
-      sum += rho(u2);
-    }
+    evaluate(c, tried_);
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (const auto& e = tried_[i]; active_[i]) sum += rho(e.usable ? square(e.value) / (scale * scale * k2) : 1);
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
 
@@ -237,15 +251,10 @@ class JointFit {
     return 1.4826 * median_of(errors);
   }
 
-  struct Value {
-    double value = 0, impact = 0;
-    bool usable = false;
-  };
-
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
   std::vector<bool> active_;
-  std::vector<Value> values_;  // at the present cylinder
+  std::vector<Value> values_, tried_;  // at the present cylinder; at the last one tried
   std::vector<int> pass_of_view_;
   std::size_t views_;
   std::size_t size_;
@@ -327,25 +336,36 @@ void JointFit::describe(CylinderFit& fit) const {
   }
   if (views_ < 2) return;
   fit.drift = drift_evidence(c, normal);
-  std::vector<int> views;
-  for (std::size_t k = 0; k < views_; ++k) {
-    const auto pass = static_cast<std::size_t>(pass_of_view_[k]);
-    if (views.size() <= pass) views.resize(pass + 1, 0), fit.pass_offset.resize(pass + 1, Eigen::Vector2d::Zero());
-    ++views[pass], fit.pass_offset[pass] += (c.view_offset[k] - fit.pass_offset[pass]) / views[pass];
-  }
+  Eigen::VectorXd offsets(static_cast<Eigen::Index>(2 * views_));
+  for (std::size_t k = 0; k < views_; ++k) offsets.segment<2>(static_cast<Eigen::Index>(2 * k)) = c.view_offset[k];
+  fit.pass_offset = means_by_pass(pass_of_view_, offsets);
+}
+
+}  // namespace
+
+namespace {
+
+// Inverse covariance of the offsets, x and y by view, under the data and a prior.
+Eigen::MatrixXd with_prior(const DriftEvidence& evidence, const DriftPrecision& drift) {
+  const auto views = drift.matrix.rows();
+  Eigen::MatrixXd posterior = evidence.information;
+  for (int axis = 0; axis < 2; ++axis)
+    posterior(Eigen::seqN(axis, views, 2), Eigen::seqN(axis, views, 2)) += drift.matrix;
+  return posterior;
 }
 
 }  // namespace
 
 double drift_log_likelihood(const DriftEvidence& evidence, const DriftPrior& prior) {
   const DriftPrecision drift(evidence.pass_of_view, prior);
-  const auto views = drift.matrix.rows();
-  Eigen::MatrixXd posterior = evidence.information;
-  for (int axis = 0; axis < 2; ++axis)
-    posterior(Eigen::seqN(axis, views, 2), Eigen::seqN(axis, views, 2)) += drift.matrix;
-  const Eigen::LDLT<Eigen::MatrixXd> solver(posterior);
+  const Eigen::LDLT<Eigen::MatrixXd> solver(with_prior(evidence, drift));
   return 0.5 * evidence.target.dot(solver.solve(evidence.target)) -
          0.5 * solver.vectorD().cwiseMax(1e-300).array().log().sum() + drift.log_determinant;
+}
+
+std::vector<Eigen::Vector2d> likeliest_offsets(const DriftEvidence& evidence, const DriftPrior& prior) {
+  const DriftPrecision drift(evidence.pass_of_view, prior);
+  return means_by_pass(evidence.pass_of_view, with_prior(evidence, drift).ldlt().solve(evidence.target));
 }
 
 std::vector<int> number_views(std::vector<BarkPoint>& points, bool by_bearing) {

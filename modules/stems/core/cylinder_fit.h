@@ -62,6 +62,9 @@ struct DriftEvidence {
 // Log of the marginal likelihood of a prior, up to a constant.
 double drift_log_likelihood(const DriftEvidence& evidence, const DriftPrior& prior);
 
+// By pass, the mean offset of its views that is likeliest under a prior, in stem axes, metres.
+std::vector<Eigen::Vector2d> likeliest_offsets(const DriftEvidence& evidence, const DriftPrior& prior);
+
 // What the points alone say about the range offset.
 struct RangeOffsetEvidence {
   double value_m = 0, sd_m = 0;  // sd 0: nothing

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,8 +18,8 @@ namespace bole {
 namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
-// an even choice.
-constexpr std::size_t most_fit_points = 8000;
+// an even choice. A first look tells what stems share, and needs fewer.
+constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
 
 // Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
 double student_975(double freedom) {
@@ -40,6 +41,39 @@ double blur_sd(double range_offset_m) {
   constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
   return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
 }
+
+// Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
+// leaves; what lies inside had to pass through bark.
+class ContraryArc {
+ public:
+  void add(double bearing_rad, double inside_m, bool on) {
+    auto& s =
+        sectors_[static_cast<std::size_t>(std::floor((bearing_rad / (2 * std::numbers::pi) + 1) * count)) % count];
+    if (on)
+      ++s.on;
+    else if (inside_m > 0)
+      s.inside.push_back(inside_m);
+  }
+  // By how much the mean radius would shrink if the points inside were the bark, and the arc where they lie.
+  void judge(double& shrink_m, double& arc_rad) {
+    double depth = 0;
+    int contrary = 0, seen = 0;
+    for (auto& s : sectors_) {
+      const bool against = s.inside.size() >= least && s.inside.size() > 2 * s.on;
+      if (s.on >= least || against) ++seen;
+      if (against) ++contrary, depth += median_of(s.inside);
+    }
+    shrink_m = seen > 0 ? depth / seen : 0, arc_rad = 2 * std::numbers::pi * contrary / count;
+  }
+
+ private:
+  static constexpr std::size_t count = 18, least = 3;
+  struct Sector {
+    std::size_t on = 0;
+    std::vector<double> inside;
+  };
+  std::array<Sector, count> sectors_;
+};
 
 struct Attempt {
   StemAxes axes;
@@ -71,11 +105,11 @@ class StemFitter {
     StemFitResult result;
     auto attempt = prepare(axis);
     if (!has_sections(attempt, result)) return result;
-    auto fit = surface_fit(attempt, used_points(attempt));
+    auto fit = surface_fit(attempt, used_points(attempt, most_first_points));
     if (!fit) return no_cylinder();
     attempt = prepare(line_of(attempt.axes, fit->cylinder));
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt);
+    const auto points = used_points(attempt, most_first_points);
     fit = surface_fit(attempt, points);
     if (!fit) return no_cylinder();
     if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
@@ -88,7 +122,7 @@ class StemFitter {
     const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
     const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt);
+    const auto points = used_points(attempt, most_fit_points);
     auto fit =
         before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
     if (!fit) return no_cylinder();
@@ -139,11 +173,11 @@ class StemFitter {
 
   static StemFitResult no_cylinder() { return {std::nullopt, "no cylinder fits its points"}; }
 
-  static std::vector<BarkPoint> used_points(const Attempt& a) {
+  static std::vector<BarkPoint> used_points(const Attempt& a, std::size_t most) {
     std::vector<BarkPoint> used;
     for (const auto& p : a.points)
       if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
-    if (const std::size_t stride = used.size() / most_fit_points + 1; stride > 1) {
+    if (const std::size_t stride = used.size() / most + 1; stride > 1) {
       for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
       used.resize((used.size() - 1) / stride + 1);
     }
@@ -176,6 +210,7 @@ class StemFitter {
   }
 
   Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
+  std::vector<PassSeen> seen_from(const Attempt& a) const;
 
   const StemCandidate& candidate_;
   const StemLayer& layer_;
@@ -193,11 +228,9 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
   s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
-               half = student_975(std::max(2.0, fit.blocks - 4.0)) * sd;
-  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
+  s.pass_seen = seen_from(a);
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
   std::vector<double> errors, angles, unaligned;
@@ -206,6 +239,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   together.view_offset.clear();
   int inside = 0, on = 0;
   RingDensity density(s.radius);
+  ContraryArc contrary;
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
@@ -214,8 +248,9 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     density.add(e.value);
     unaligned.push_back(surface_residual(together, p, false).value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
+    const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
+    contrary.add(bearing, -e.value, std::abs(e.value) < reach);
     if (std::abs(e.value) < reach) {
-      const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
       ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
       if (!fit.along_rays)
         outline.push_back({bearing, e.value});
@@ -226,6 +261,11 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
       ++inside;
     }
   }
+  double shrink = 0;
+  contrary.judge(shrink, s.contrary_arc_rad);
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
+               half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
+  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
@@ -240,6 +280,20 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
                        s.highest = std::max(s.highest, m.section.height);
   }
   return s;
+}
+
+std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
+  std::vector<PassSeen> seen(static_cast<std::size_t>(a.passes));
+  for (const auto& p : a.points) {
+    if (const auto* m = find_section(a.sections, p.section); !m || !m->section.used) continue;
+    auto& s = seen[static_cast<std::size_t>(p.pass)];
+    if (rays_.pass) s.pass = (*rays_.pass)[p.source];
+    if (rays_.time)
+      s.time_s += ((*rays_.time)[p.source] - s.time_s) / ++s.points;
+    else
+      ++s.points;
+  }
+  return seen;
 }
 
 }  // namespace

@@ -32,6 +32,13 @@ struct Section {
   bool curve = false;  // belongs to the stem curve
 };
 
+// A stretch of the walk from which a stem was seen.
+struct PassSeen {
+  std::int32_t pass = 0;  // of the cloud; 0 where it has none
+  double time_s = 0;      // mean of its returns; 0 where times are not known
+  int points = 0;         // in the joint fit
+};
+
 struct Stem {
   int id = 0;
   Eigen::Vector3d breast_height = Eigen::Vector3d::Zero();  // on the axis, offsets from the cloud's origin
@@ -46,12 +53,13 @@ struct Stem {
   double arc_rad = 0;
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
   double pass_spread_m = 0;
-  double inside_share = 0;  // points well inside the stem, of all on and in it
-  double contrast = 0;      // density of points on the surface by that just beside it
-  double ray_through = 0;   // share of rays through the core; NaN when not tested
+  double inside_share = 0;      // points well inside the stem, of all on and in it
+  double contrary_arc_rad = 0;  // where points lie well inside and hardly any on the circle: it does not hold there
+  double contrast = 0;          // density of points on the surface by that just beside it
+  double ray_through = 0;       // share of rays through the core; NaN when not tested
   double height_m = 0;
   bool height_seen = false;
-  bool overhung = false;  // points beside its leader are higher: whose they are is not known
+  bool overhung = false;  // something beside its leader is higher: the top may be a branch of that
   double crown_base_m = std::numeric_limits<double>::quiet_NaN();   // above ground
   double crown_area_m2 = std::numeric_limits<double>::quiet_NaN();  // in the plan
   double volume_m3 = std::numeric_limits<double>::quiet_NaN();      // of the stem; NaN where the top was not seen
@@ -61,8 +69,9 @@ struct Stem {
   int passes = 1, inliers = 0, sections_used = 0;
   bool rays_known = false, along_rays = false;  // along_rays: fitted so
   double lowest = 0, highest = 0;               // heights of the sections used
-  std::vector<Eigen::Vector2d> pass_offset;
-  DriftEvidence drift;  // what the views say about their displacements
+  std::vector<Eigen::Vector2d> pass_offset;     // in the plan
+  std::vector<PassSeen> pass_seen;              // by pass of the stem
+  DriftEvidence drift;                          // what the views say about their displacements
   RangeOffsetEvidence range_offset;
   int doubts = 0;  // faults that speak against a stem
   std::vector<Section> sections;
@@ -78,13 +87,15 @@ struct StemFitResult {
 
 // What all stems of a project share.
 struct ProjectPriors {
+  bool learnt = false;  // from stems; else what is assumed before any was seen
   DriftPrior drift;
   RangeOffsetPrior range_offset;
 };
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);
 
-// Neither throws for a bad tree. The second starts from a stem that was fitted before, with what was learnt since.
+// Neither throws for a bad tree. The first is a look: of very many points it takes fewer. The second starts from a stem
+// that was fitted before, with what was learnt since.
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
                        const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                        const MeasureOptions& options);

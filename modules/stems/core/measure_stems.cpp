@@ -12,6 +12,7 @@
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/crown_form.h"
+#include "stems/core/pass_alignment.h"
 #include "stems/core/project_priors.h"
 #include "stems/core/ray_test.h"
 #include "stems/core/stem_curve.h"
@@ -21,6 +22,10 @@ namespace bole {
 namespace {
 
 constexpr double all_round_rad = 6.0;
+constexpr double least_drift_to_align_m = 0.01;
+constexpr int most_alignments = 2;
+constexpr double share_left_unknown = 0.02;  // of a displacement that was taken out, as an error of all radii alike
+constexpr int least_sighting = 20;           // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -39,7 +44,8 @@ class Survey {
  public:
   Survey(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory,
          const MeasureOptions& options, const Run& run)
-      : points_(points),
+      : input_(points),
+        points_(points),
         dem_(dem),
         trajectory_(trajectory),
         options_(options),
@@ -47,13 +53,9 @@ class Survey {
         breast_height_(slice_height_m(slice)) {}
 
   StemSurvey measure() {
-    detect();
-    ProjectPriors priors;
-    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
-    fit_all(priors);
-    test_rays();
-    retry_displaced(priors);
-    if (learn(priors)) refit_all(priors);
+    auto priors = search();
+    for (int round = 0; round < most_alignments && align_passes(priors); ++round) priors = search();
+    if (priors.learnt) refit_all(priors);
     accept();
     label();
     summarise();
@@ -61,6 +63,70 @@ class Survey {
   }
 
  private:
+  // Stems by their first fits, and what they say together.
+  ProjectPriors search() {
+    fitted_.clear(), unfitted_.clear(), out_.rejected.clear(), tried_ = 0;
+    detect();
+    ProjectPriors priors;
+    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    fit_all(priors);
+    test_rays();
+    retry_displaced(priors);
+    learn(priors);
+    return priors;
+  }
+
+  // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
+  // were found all the same. False when there is nothing to gain.
+  bool align_passes(const ProjectPriors& priors) {
+    if (!priors.learnt || priors.drift.pass_sd_m < least_drift_to_align_m) return false;
+    std::vector<PassSighting> sightings;
+    for (std::size_t k = 0; k < fitted_.size(); ++k) {
+      const auto& s = fitted_[k];
+      if (objection(s, options_) || s.drift.target.size() == 0) continue;
+      const Eigen::Matrix3d to_plan = rotation_between(Eigen::Vector3d::UnitZ(), s.direction);
+      const auto offsets = likeliest_offsets(s.drift, priors.drift);
+      for (std::size_t i = 0; i < std::min(offsets.size(), s.pass_seen.size()); ++i)
+        if (const auto& seen = s.pass_seen[i]; seen.points >= least_sighting)
+          sightings.push_back({static_cast<int>(k), seen.pass, seen.time_s,
+                               (to_plan * Eigen::Vector3d(offsets[i].x(), offsets[i].y(), 0)).head<2>()});
+    }
+    const PassAlignment alignment(sightings);
+    if (alignment.rms_m() < least_drift_to_align_m / 3) return false;
+    if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
+    points_ = aligned(points_, alignment);
+    alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
+    options_.range_bias_m = std::hypot(options_.range_bias_m, share_left_unknown * alignment.rms_m());
+    return true;
+  }
+
+  // What a person sees of the passes in the cloud as it is: the displacements taken out and those that were left.
+  void restore_spread(Stem& s) const {
+    std::vector<Eigen::Vector2d> offset;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < std::min(s.pass_offset.size(), s.pass_seen.size()); ++i) {
+      const auto& seen = s.pass_seen[i];
+      if (seen.points < least_sighting) continue;
+      offset.push_back(s.pass_offset[i]);
+      for (const auto& a : alignments_) offset.back() += a.at(seen.pass, seen.time_s);
+      mean += offset.back();
+    }
+    for (const auto& o : offset)
+      s.pass_spread_m = std::max(s.pass_spread_m, (o - mean / static_cast<double>(offset.size())).norm());
+  }
+
+  // From the trajectory, so that they move with the points.
+  void add_sensors() {
+    const auto sensor_of = sensor_of_point();
+    std::vector<float> x(points_.size()), y(x.size()), z(x.size());
+    tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
+      const auto s = sensor_of(i).value_or(Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+      x[i] = s.x(), y[i] = s.y(), z[i] = s.z();
+    });
+    points_.set_column(arrays::sensor_x, std::move(x)), points_.set_column(arrays::sensor_y, std::move(y)),
+        points_.set_column(arrays::sensor_z, std::move(z));
+  }
+
   void detect() {
     run_.report(0, "stem layer");
     layer_ =
@@ -82,6 +148,7 @@ class Survey {
   }
 
   void gather_rays() {
+    rays_ = {};
     rays_.time = column_or_null<double>(points_, arrays::time);
     rays_.pass = column_or_null<std::int32_t>(points_, arrays::pass);
     if (points_.has(arrays::sensor_x) && points_.has(arrays::sensor_y) && points_.has(arrays::sensor_z)) {
@@ -169,8 +236,8 @@ class Survey {
     });
   }
 
-  // Empirical Bayes: what all stems share is the prior of a second round. False when there is nothing to learn.
-  bool learn(ProjectPriors& priors) {
+  // Empirical Bayes: what all stems share is the prior of a second round.
+  void learn(ProjectPriors& priors) {
     std::vector<const DriftEvidence*> drift;
     std::vector<RangeOffsetEvidence> offsets;
     for (const auto& s : fitted_) {
@@ -181,14 +248,15 @@ class Survey {
     }
     if (!drift.empty()) {
       priors.drift = likeliest_drift(drift);
-      out_.report.metrics["drift_between_passes"] = {100 * priors.drift.pass_sd_m, Unit::centimetre};
+      out_.report.metrics["drift_between_passes"] = {100 * std::hypot(priors.drift.pass_sd_m, moved_m_),
+                                                     Unit::centimetre};
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
     }
     if (!offsets.empty() && options_.estimate_range_offset) {
-      priors.range_offset = mean_range_offset(std::move(offsets));
+      priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd_m);
       out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
     }
-    return !drift.empty() || !offsets.empty();
+    priors.learnt = !drift.empty() || !offsets.empty();
   }
 
   void accept() {
@@ -208,6 +276,8 @@ class Survey {
       else
         out_.stems.push_back(std::move(s));
     }
+    if (!alignments_.empty())
+      for (auto& s : out_.stems) restore_spread(s);
     for (auto& s : out_.stems)
       if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
     number();
@@ -251,7 +321,10 @@ class Survey {
   SensorOf sensor_of_point() const {
     if (!rays_.has_sensor()) return {};
     return [this](std::size_t i) -> std::optional<Eigen::Vector3f> {
-      if (rays_.sensor_x) return Eigen::Vector3f((*rays_.sensor_x)[i], (*rays_.sensor_y)[i], (*rays_.sensor_z)[i]);
+      if (rays_.sensor_x) {
+        const Eigen::Vector3f s((*rays_.sensor_x)[i], (*rays_.sensor_y)[i], (*rays_.sensor_z)[i]);
+        return s.allFinite() ? std::optional(s) : std::nullopt;
+      }
       return sensor_at(*trajectory_, points_.origin, (*rays_.time)[i]);
     };
   }
@@ -276,7 +349,7 @@ class Survey {
     follow_stems(out_.stems, points_, labels, options_, run_);
     measure_volumes(out_.stems, breast_height_);
     measure_crowns(out_.stems, points_, labels, run_);
-    out_.points = points_;
+    out_.points = input_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
   }
@@ -297,6 +370,11 @@ class Survey {
           "model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, "
           "sensor_z, or time with a trajectory");
     if (out_.stems.empty()) r.warn(no_stems());
+    if (moved_m_ > 0) {
+      r.metrics["passes_moved"] = {100 * moved_m_, Unit::centimetre};
+      r.warn(fmt::format("passes of the walk disagree by {:.1f} cm: they were brought together by the stems",
+                         100 * moved_m_));
+    }
     if (to_check > 0)
       r.warn(fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
   }
@@ -321,10 +399,13 @@ class Survey {
     return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why", tried_);
   }
 
-  const PointCloud& points_;
+  const PointCloud& input_;
+  PointCloud points_;  // with the passes brought together
+  std::vector<PassAlignment> alignments_;
+  double moved_m_ = 0;  // by which they were
   const Raster& dem_;
   const Trajectory* trajectory_;
-  const MeasureOptions& options_;
+  MeasureOptions options_;
   const Run& run_;
   double breast_height_;
   StemLayer layer_;

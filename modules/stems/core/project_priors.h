@@ -12,8 +12,10 @@ inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the ra
 // The spreads of passes and views that make the evidence of all stems likeliest.
 DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems);
 
-// Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean with
-// a weak prior at zero, of bounded influence.
-RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems);
+// Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean of
+// bounded influence, drawn to zero by what is expected of a sensor: Student's distribution of three degrees of freedom
+// and scale `expected_sd_m`. Offsets of a few millimetres, which a common error of shape can feign, count little, those
+// of centimetres nearly in full.
+RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m);
 
 }  // namespace bole

@@ -126,8 +126,10 @@ StemVolume volume_of(const std::vector<CurvePoint>& curve, double top_m) {
   v.m3 = frustum(low.height_m, low.radius_m + std::max(0.0, taper) * low.height_m, low.radius_m);
   for (std::size_t i = 1; i < curve.size(); ++i)
     v.m3 += frustum(curve[i].height_m - curve[i - 1].height_m, curve[i - 1].radius_m, curve[i].radius_m);
-  v.m3 += std::numbers::pi / 2 * high.radius_m * high.radius_m * std::max(0.0, top_m - high.height_m);
-  v.method = fmt::format("frustums to {:.1f} m, paraboloid above", high.height_m);
+  // Between a paraboloid (1) and a cone (2), as tables of volumes are: form factors of pines are 0.44 to 0.46.
+  constexpr double power = 1.5;
+  v.m3 += std::numbers::pi / (power + 1) * high.radius_m * high.radius_m * std::max(0.0, top_m - high.height_m);
+  v.method = fmt::format("frustums to {:.1f} m, between paraboloid and cone above", high.height_m);
   return v;
 }
 

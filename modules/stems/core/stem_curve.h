@@ -24,7 +24,8 @@ struct StemVolume {
 };
 
 // Frustums between the points of a stem curve, from the ground (the taper of `curve` carried on) to its highest point,
-// and a paraboloid from there to the top. `curve` by increasing height, two points at least, below the top.
+// and a form half way between paraboloid and cone from there to the top. `curve` by increasing height, two points at
+// least, below the top.
 StemVolume volume_of(const std::vector<CurvePoint>& curve, double top_m);
 
 // Heights and radii of the stem curve: circles less what they are too wide at breast height against the joint fit, each

@@ -135,6 +135,13 @@ const OptionTable& option_table(const MeasureOptions*) {
               "estimate_range_offset", &S::estimate_range_offset, Tier::expert,
               "Estimate over all stems what the rays measure too far on average, by lasers or by poses that "
               "lean towards the stems, and take it out (ray model)."},
+          Option<S, double>{"range_offset_sd",
+                            &S::range_offset_sd_m,
+                            Unit::metre,
+                            {0.0001, 0.05},
+                            Tier::expert,
+                            "Range offset expected of a calibrated sensor, a standard deviation: where the stems say "
+                            "little about the offset, it is drawn to zero by this."},
           Option<S, double>{"range_bias",
                             &S::range_bias_m,
                             Unit::metre,

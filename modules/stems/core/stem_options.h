@@ -31,9 +31,10 @@ struct MeasureOptions {
   double ray_gate = 0.95;
   double beam_divergence_mrad = 3.0;
   double beam_aperture_m = 0.0095;
-  double bark_relief_m = 0.001;
+  double bark_relief_m = 0.0015;
   bool estimate_range_offset = true;
-  double range_bias_m = 0.0006;
+  double range_offset_sd_m = 0.001;
+  double range_bias_m = 0.0004;
   double pass_gap_s = 10;
   double max_range_m = 20;
   double max_ray_through = 0.30;

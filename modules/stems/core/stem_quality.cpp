@@ -28,7 +28,7 @@ std::pair<double, double> sections_beside(const Stem& s, double height) {
 // Many sections, seen nearly all round, that stop the rays: a stem stands here however blurred the map of it is. Leaves
 // let rays through.
 bool certainly_stands(const Stem& s) {
-  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.2;
+  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.15;
 }
 }  // namespace
 
@@ -52,6 +52,8 @@ void judge(Stem& s, double breast_height_m) {
     fault(1, fmt::format("only {} sections", s.sections_used));
   if (s.inside_share > 0.10)
     blur(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
+  if (s.contrary_arc_rad > 0)
+    blur(1, fmt::format("on {:.0f} deg of the bark the points lie inside the circle", s.contrary_arc_rad * to_deg));
   if (s.contrast < 6)
     blur(s.contrast < 3 ? 2 : 1,
          fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Stems of real and simulated clouds by Bole and by 3DFin, in the same run, beside the lists that come with the clouds.
 
-    against_3dfin.py --bole build/headless/bin/bole --data DATA [--threads N] [--list]
+    against_3dfin.py --bole build/headless/bin/bole --data DATA [--dense CLOUD=TRUTH...] [--threads N] [--list]
 
 DATA holds tls_pine_plot, tls_spanner and tls_simulated_boles. Run it with a Python that has 3DFin (`pip install 3DFin`;
 its window library is not needed): 3DFin's own standalone processing is called with its default parameters, normalising
@@ -9,9 +9,15 @@ heights itself; where it stops, which it does when clusters are smaller than 100
 and 20, and the time is that of the run that ended. Without 3DFin the script says so and ends with success. Bole runs pipelines/stem_map_from_cloud.json
 with its defaults, tables only. Both start from the LAZ file and end with their tables; user plus system time of the
 whole process is compared, and its wall clock. The lists are independent circle fits, no tape: differences are not errors.
+
+--dense adds clouds that both can measure, with known truth: CLOUD is cloud.las of `bole run` on a scan of a dense scanner
+(docs/dev/diameters.md), TRUTH the folder of `bole simulate`. It is cut to the plot and a margin of a metre, thinned to one
+point in `--every`, and written without rays, times and classes; trees of the plot from 7.5 cm count, and others are stems
+inside the plot that belong to no tree.
 """
 import argparse
 import csv
+import json
 import math
 import os
 import pathlib
@@ -85,6 +91,49 @@ def run_3dfin(cloud, out, threads, points):
     return stems, cpu, wall, ""
 
 
+def dense_case(cloud, truth, every, folder):
+    """The cut cloud, the trees that count, and the trees that do not; stems outside the plot are left out by `inside`."""
+    import laspy
+    import numpy
+    trees = [(float(r["x_m"]), float(r["y_m"]), float(r["dbh_cm"]), "" if r["in_plot"] == "1" and float(r["dbh_cm"]) >= 7.5 else "around") for r in rows_of(truth / "trees.csv")]
+    counted = [t for t in trees if not t[3]]
+    half = json.loads((truth / "recipe.json").read_text())["plot"]["size_m"] / 2
+    full = laspy.read(cloud)
+    x, y, z = (numpy.asarray(v) for v in (full.x, full.y, full.z))
+    keep = numpy.flatnonzero((abs(x) < half + 1) & (abs(y) < half + 1))[::every]
+    cut = laspy.LasData(laspy.LasHeader(point_format=0, version="1.2"))
+    cut.header.scales = [0.001, 0.001, 0.001]
+    cut.x, cut.y, cut.z = x[keep], y[keep], z[keep]
+    path = folder / "cut.las"
+    cut.write(path)
+    return path, counted, trees, half, len(keep)
+
+
+def dense_line(program, counted, trees, half, result):
+    stems, cpu, wall, trouble = result
+    if stems is None:
+        return f"| {program} | failed: {trouble} | | | | {cpu:.1f} | {wall:.1f} |"
+    pairs = pairs_of(counted, stems, 0.5)
+    known = set(pairs_of(trees, stems, 0.5).values()) | set(pairs.values())
+    false = [s for k, s in enumerate(stems) if k not in known and max(abs(s[0]), abs(s[1])) < half and s[2] >= 7.5]
+    errors = [stems[k][2] - counted[i][2] for i, k in pairs.items() if stems[k][2] > 0]
+    dbh = f"{statistics.fmean(errors):+.2f} / {math.sqrt(statistics.fmean([e * e for e in errors])):.2f}" if errors else ""
+    return f"| {program} | {len(pairs)} of {len(counted)} | {len(errors)} | {len(false)} | {dbh} | {cpu:.1f} | {wall:.1f} |"
+
+
+def compare_dense(pair, options):
+    cloud, _, truth = pair.partition("=")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        path, counted, trees, half, points = dense_case(pathlib.Path(cloud), pathlib.Path(truth), options.every, folder)
+        print(f"\n{pathlib.Path(truth).name}: {1e-6 * points:.1f} million points\n\n| program | found | with a DBH | false | DBH bias / RMSE, cm | CPU, s | wall, s |\n|---|---|---|---|---|---|---|", flush=True)
+        ours = by_bole(options.bole, path, folder / "bole")
+        print(dense_line("Bole", counted, trees, half, ours), flush=True)
+        theirs = by_3dfin(path, folder / "3dfin", options.threads)
+        print(dense_line(f"3DFin, {theirs[3]}" if theirs[0] is not None else "3DFin", counted, trees, half, theirs), flush=True)
+        print(f"\nTime of 3DFin by that of Bole: {theirs[1] / ours[1]:.1f} (CPU), {theirs[2] / ours[2]:.1f} (wall)", flush=True)
+
+
 def pairs_of(reference, stems, gate):
     offers = sorted((math.hypot(r[0] - s[0], r[1] - s[1]), i, k) for i, r in enumerate(reference) for k, s in enumerate(stems))
     pairs, used = {}, set()
@@ -117,7 +166,9 @@ def line(name, program, reference, stems, cpu, wall, trouble):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bole", required=True, type=pathlib.Path)
-    parser.add_argument("--data", required=True, type=pathlib.Path)
+    parser.add_argument("--data", type=pathlib.Path, help="folder of the real clouds; left out: those of --dense alone")
+    parser.add_argument("--dense", action="append", default=[], metavar="CLOUD=TRUTH")
+    parser.add_argument("--every", type=int, default=1, help="take one point in so many of the dense clouds")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="print every stem of the lists")
     options = parser.parse_args()
@@ -125,6 +176,10 @@ def main():
         import three_d_fin  # noqa: F401
     except ImportError as error:
         print(f"SKIPPED: {error}; pip install 3DFin")
+        return 0
+    for pair in options.dense:
+        compare_dense(pair, options)
+    if options.data is None:
         return 0
     print("| cloud | program | of the list found | with a DBH | others | DBH less list, good fits: mean / RMS, cm (n) | CPU, s | wall, s |\n|---|---|---|---|---|---|---|---|")
     ratios, details = [], []

@@ -1,25 +1,29 @@
-// orchard_loops SCAN [frames=N] [out=DIR] [registrations=icp,ndt_icp,features] [option=value ...]
-// SPEC D: one odometry over a simulated recording (preset lego_loam, or as the options say), then its revisits looked
-// for in each way and registered in each way, so that nothing else differs. Prints a JSON object with a row per way:
-// loops found, right by place, true by pose, recall, and RMSE and SD of the key frames' trajectory (SPEC D 16, 17).
-// With `out`, writes reference.tum and for each row NAME.tum and NAME-loops.csv, for `bole evaluate`. What
-// orchard_tables.py runs.
+// orchard_loops SCAN [frames=N] [out=DIR] [path=odometry|truth] [drifts=0,0.01] [drift_seed=N]
+//               [searches=radius,single,placed,sequence] [registrations=icp,ndt_icp,features] [option=value ...]
+// SPEC D: one path over a simulated recording, that of the odometry (preset lego_loam, or as the options say) or the
+// true one, bent by a drift (orchard_keyframes.h), then its revisits looked for in each way and registered in each way,
+// so that nothing else differs. Prints a JSON object with a row per way: what the search proposes and how much of it is
+// right, what registration accepts, and what the graph keeps: loops found, right by place, true by pose, recall, and
+// RMSE and SD of the key frames' trajectory (SPEC D 16, 17). `registrations=` leaves it at the search. With `out`,
+// writes reference.tum and for each row NAME.tum and NAME-loops.csv, for `bole evaluate`. What orchard_tables.py runs.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "evaluation/core/evaluate_loops.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "io/core/frame_source.h"
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
-#include "slam/core/context_index.h"
+#include "slam/core/loop_candidates.h"
 #include "slam/core/loops.h"
-#include "slam/core/odometry.h"
 #include "slam/core/pose_graph.h"
 #include "slam/core/tum_poses.h"
+#include "slam/orchard_keyframes.h"
 
 namespace {
 
@@ -27,32 +31,48 @@ using namespace bole;
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string scan, out, registrations = "icp,ndt_icp,features";
+  std::string scan, out, path = "odometry";
+  std::vector<std::string> searches{"radius", "single", "placed", "sequence"},
+      registrations{"icp", "ndt_icp", "features"}, drifts{"0"};
   std::size_t frames = 1000000;
+  unsigned drift_seed = 1;
   OptionSet options{option_table(static_cast<const SlamOptions*>(nullptr))};
 };
 
-std::vector<Keyframe> followed(const Settings& settings, const SlamOptions& options, std::size_t& frames_used) {
-  const auto source = open_frame_source(settings.scan);
-  const ScanGate gate{options.range_min_m, options.range_max_m, source->rings() > 0 ? source->rings() : 1024};
-  FeatureExtractor extractor(options);
-  Odometry odometry(options);
-  ScanFrame frame;
-  Scan scan;
-  Features features;
-  for (std::size_t i = 0; i < std::min(settings.frames, source->size()); ++i) {
-    source->read(i, frame);
-    prepare_scan(frame, gate, scan);
-    extractor.extract(scan, features);
-    const auto keyframes = odometry.keyframes().size();
-    odometry.add(i, scan.begin_time_s, scan.end_time_s, features, {});
-    if (odometry.keyframes().size() > keyframes)
-      odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
-    if (odometry.lost()) throw failure("the track was lost at frame " + std::to_string(i), odometry.why_failed());
-    frames_used = i + 1;
-    if (i % 500 == 0) std::fprintf(stderr, "frame %zu of %zu\n", i, source->size());
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> out;
+  std::istringstream in(list);
+  for (std::string part; std::getline(in, part, ',');) out.push_back(part);
+  return out;
+}
+
+Settings settings_of(int count, char** arguments) {
+  Settings settings;
+  settings.options.set_text("preset", "lego_loam");
+  for (int i = 1; i < count; ++i) {
+    const std::string word = arguments[i];
+    const auto equals = word.find('=');
+    const auto name = word.substr(0, equals), value = equals == std::string::npos ? "" : word.substr(equals + 1);
+    if (equals == std::string::npos)
+      settings.scan = word;
+    else if (name == "frames")
+      settings.frames = std::stoul(value);
+    else if (name == "drift_seed")
+      settings.drift_seed = static_cast<unsigned>(std::stoul(value));
+    else if (name == "registrations")
+      settings.registrations = parts_of(value);
+    else if (name == "searches")
+      settings.searches = parts_of(value);
+    else if (name == "drifts")
+      settings.drifts = parts_of(value);
+    else if (name == "path")
+      settings.path = value;
+    else if (name == "out")
+      settings.out = value;
+    else
+      settings.options.set_text(name, value);
   }
-  return odometry.take_keyframes();
+  return settings;
 }
 
 Trajectory path_of(const std::vector<Keyframe>& keyframes, const std::vector<Pose>& T_map_keyframe) {
@@ -94,71 +114,139 @@ void add_summary(const Table& summary, const std::vector<std::string>& measures,
       row[names[i]] = std::isfinite(values[i]) ? Json(values[i]) : Json(nullptr);
 }
 
+// What a search proposes, before anything is registered.
+Json judged(const std::vector<LoopCandidate>& candidates, const std::vector<Keyframe>& keyframes,
+            const Trajectory& truth) {
+  std::vector<double> from_s, to_s;
+  std::size_t opposite = 0, beside = 0, good_guesses = 0;
+  for (const auto& c : candidates) {
+    from_s.push_back(keyframes[c.from].time_s), to_s.push_back(keyframes[c.to].time_s);
+    const Pose T_from = truth.at(from_s.back()), T_to = truth.at(to_s.back());
+    const Pose T_from_to = T_from.inverse() * T_to, guess = keyframes[c.from].T_map_keyframe.inverse() * c.T_map_to;
+    const double apart_m = T_from_to.translation().norm();
+    if (apart_m > 3) continue;
+    opposite += T_from_to.linear()(0, 0) < 0;
+    beside += apart_m > 1.5;  // most likely in the next alley
+    const Pose error = T_from_to.inverse() * guess;
+    good_guesses += error.translation().norm() < 1 && Eigen::AngleAxisd(error.linear()).angle() < 0.17;
+  }
+  Table table;
+  table.set("from_time_s", from_s), table.set("to_time_s", to_s);
+  const auto found = evaluate_loops(table, truth, {});
+  Json row{{"proposed", found.found},
+           {"proposed_right", found.right},
+           {"of_these_opposite", opposite},
+           {"of_these_beside", beside},
+           {"guesses_within_1_m_10_deg", good_guesses}};
+  add_summary(found.summary, {"loop_chances", "loop_recall"}, row);
+  return row;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Everything that is done with one path of key frames.
+class Experiment {
+ public:
+  Experiment(const Settings& settings, const SlamOptions& options, const std::vector<Keyframe>& keyframes,
+             const Trajectory& truth, const std::string& drift)
+      : settings_(settings), options_(options), keyframes_(keyframes), drift_(drift) {
+    for (const auto& p : truth.poses)  // the part that was followed
+      if (p.time_s <= keyframes.back().time_s + 0.05) driven_.poses.push_back(p);
+    if (!settings.out.empty()) write_tum(std::filesystem::path(settings.out) / "reference.tum", driven_);
+  }
+
+  Json without_loops() const {
+    Json row{{"drift", drift_}};
+    judge(name("no_loops"), path_of(keyframes_, poses_of(keyframes_)), row);
+    return row;
+  }
+
+  std::vector<Json> searched(const std::string& search) const {
+    auto way = options_;
+    way.loops = search == "radius" ? "odometry" : "context";
+    if (search != "radius") way.context_search = search;
+    const auto begin = std::chrono::steady_clock::now();
+    Json head{{"drift", drift_}, {"search", search}};
+    head.update(judged(find_loop_candidates(keyframes_, way, {}), keyframes_, driven_));
+    head["search_seconds"] = seconds_since(begin);
+    if (settings_.registrations.empty()) return {head};
+    std::vector<Json> rows;
+    for (const auto& registration : settings_.registrations) {
+      way.loop_registration = registration;
+      auto row = head;
+      row["registration"] = registration;
+      registered(name(search + "-" + registration), way, row);
+      rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+ private:
+  std::string name(const std::string& of) const { return drift_ == "0" ? of : of + "-drift" + drift_; }
+
+  void registered(const std::string& name, const SlamOptions& way, Json& row) const {
+    const std::vector<std::string> measures{
+        "loops_found",           "loops_right",         "loops_wrong", "loop_precision",
+        "loops_true_pose",       "loop_pose_precision", "loop_recall", "loop_shift_error_median",
+        "loop_turn_error_median"};
+    const auto begin = std::chrono::steady_clock::now();
+    const auto found = find_loops(keyframes_, way, {});
+    const auto accepted = evaluate_loops(table_of(found.loops, keyframes_), driven_, {});
+    add_summary(accepted.summary, measures, row["accepted"]);
+    const auto graph = optimise_pose_graph(keyframes_, found.loops, {});
+    const auto kept = evaluate_loops(table_of(kept_loops(found.loops, graph), keyframes_), driven_, {});
+    add_summary(kept.summary, measures, row["kept"]);
+    row["refused"] = std::ranges::count(graph.refused, 1), row["doubted"] = graph.doubted_loops;
+    row["seconds"] = seconds_since(begin);
+    if (!settings_.out.empty()) write_table(std::filesystem::path(settings_.out) / (name + "-loops.csv"), kept.loops);
+    judge(name, path_of(keyframes_, graph.T_map_keyframe), row);
+  }
+
+  void judge(const std::string& name, const Trajectory& path, Json& row) const {
+    add_summary(evaluate_trajectory(path, driven_, {}).summary,
+                {"length", "ate_rmse", "ate_sd", "ate_mean", "ate_max", "end_error"}, row);
+    if (!settings_.out.empty()) write_tum(std::filesystem::path(settings_.out) / (name + ".tum"), path);
+  }
+
+  const Settings& settings_;
+  const SlamOptions& options_;
+  const std::vector<Keyframe>& keyframes_;
+  std::string drift_;
+  Trajectory driven_;
+};
+
 }  // namespace
 
 int main(int count, char** arguments) try {
-  Settings settings;
-  settings.options.set_text("preset", "lego_loam");
-  for (int i = 1; i < count; ++i) {
-    const std::string word = arguments[i];
-    const auto equals = word.find('=');
-    const auto name = word.substr(0, equals), value = equals == std::string::npos ? "" : word.substr(equals + 1);
-    if (equals == std::string::npos)
-      settings.scan = word;
-    else if (name == "frames")
-      settings.frames = std::stoul(value);
-    else if (name == "registrations")
-      settings.registrations = value;
-    else if (name == "out")
-      settings.out = value;
-    else
-      settings.options.set_text(name, value);
-  }
+  const auto settings = settings_of(count, arguments);
   namespace fs = std::filesystem;
   const auto options = resolved(settings.options.as<SlamOptions>());
   Trajectory truth;
   truth.poses = read_tum_poses((fs::path(settings.scan).parent_path() / "trajectory.tum").string());
-  std::size_t frames = 0;
+  const auto source = open_frame_source(settings.scan);
   const auto start = std::chrono::steady_clock::now();
-  const auto keyframes = followed(settings, options, frames);
+  const auto straight = settings.path == "truth" ? true_keyframes(*source, options, truth, settings.frames)
+                                                 : followed_keyframes(*source, options, settings.frames);
   if (!settings.out.empty()) fs::create_directories(settings.out);
-
-  Json report{{"scan", settings.scan}, {"frames", frames}, {"keyframes", keyframes.size()}};
-  report["ms_per_frame"] = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() /
-                           static_cast<double>(frames);
-  const std::vector<std::string> path_measures{"length", "ate_rmse", "ate_sd", "ate_mean", "ate_max", "end_error"},
-      loop_measures{"loops_found",         "loops_right",  "loops_wrong", "loop_precision",         "loops_true_pose",
-                    "loop_pose_precision", "loop_chances", "loop_recall", "loop_shift_error_median"};
-  const auto judge = [&](const std::string& name, const Trajectory& path, Json& row) {
-    add_summary(evaluate_trajectory(path, truth, {}).summary, path_measures, row);
-    if (!settings.out.empty()) write_tum(fs::path(settings.out) / (name + ".tum"), path);
-  };
-  judge("no_loops", path_of(keyframes, poses_of(keyframes)), report["no_loops"]);
-  Trajectory driven;  // the part of the truth that was followed
-  for (const auto& p : truth.poses)
-    if (p.time_s <= keyframes.back().time_s) driven.poses.push_back(p);
-  if (!settings.out.empty()) write_tum(fs::path(settings.out) / "reference.tum", driven);
-
-  for (const std::string search : {"odometry", "context"})
-    for (const std::string registration : {"icp", "ndt_icp", "features"}) {
-      if (("," + settings.registrations + ",").find("," + registration + ",") == std::string::npos) continue;
-      auto way = options;
-      way.loops = search, way.loop_registration = registration;
-      const auto begin = std::chrono::steady_clock::now();
-      const auto found = find_loops(keyframes, way, {});
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      const auto graph = optimise_pose_graph(keyframes, found.loops, {});
-      const std::string name = search + "-" + registration;
-      Json row{{"search", search}, {"registration", registration}, {"candidates", found.candidates}};
-      row["refused"] = std::ranges::count(graph.refused, 1);
-      const auto loops = evaluate_loops(table_of(kept_loops(found.loops, graph), keyframes), driven, {});
-      add_summary(loops.summary, loop_measures, row);
-      row["doubted"] = graph.doubted_loops, row["seconds"] = seconds;
-      if (!settings.out.empty()) write_table(fs::path(settings.out) / (name + "-loops.csv"), loops.loops);
-      judge(name, path_of(keyframes, graph.T_map_keyframe), row);
-      report["ways"].push_back(row);
-      std::fprintf(stderr, "%s\n", row.dump().c_str());
-    }
+  Json report{{"scan", settings.scan},
+              {"frames", std::min(settings.frames, source->size())},
+              {"keyframes", straight.size()},
+              {"path", settings.path},
+              {"seconds", seconds_since(start)}};
+  for (const auto& drift : settings.drifts) {
+    auto keyframes = straight;
+    if (drift != "0") add_drift(keyframes, std::stod(drift), settings.drift_seed);
+    const Experiment experiment(settings, options, keyframes, truth, drift);
+    report["no_loops"].push_back(experiment.without_loops());
+    std::fprintf(stderr, "%s\n", report["no_loops"].back().dump().c_str());
+    for (const auto& search : settings.searches)
+      for (const auto& row : experiment.searched(search)) {
+        report["ways"].push_back(row);
+        std::fprintf(stderr, "%s\n", row.dump().c_str());
+      }
+  }
   std::printf("%s\n", report.dump(1).c_str());
   return 0;
 } catch (const std::exception& error) {

@@ -120,6 +120,39 @@ TEST(PointOctree, TakesEmptyAndCoincidentPoints) {
   EXPECT_EQ(same.size(), 1000u);
 }
 
+TEST(PointOctree, ASampleIsAnEvenShareWithinTheBudget) {
+  const auto cloud = floor_with_posts(400'000);
+  const auto sample = PointOctree::sample(cloud, 20'000);
+  EXPECT_NEAR(static_cast<double>(sample.size()), 20'000, 500);
+  std::set<std::uint32_t> seen;
+  double posts = 0;
+  for (const auto& node : sample.nodes())
+    for (const auto i : sample.points(node)) {
+      EXPECT_TRUE(seen.insert(i).second);
+      posts += i % 2;
+    }
+  EXPECT_NEAR(posts / static_cast<double>(seen.size()), 0.5, 0.03);  // as in the cloud
+  std::size_t drawn = 0;
+  for (const auto i : sample.visible(from_above(12, 1000), 5000, 0.7)) drawn += sample.nodes()[i].size();
+  EXPECT_GT(drawn, 4000u);
+  EXPECT_LE(drawn, 5000u);
+  EXPECT_TRUE(PointOctree::sample(PointCloud(), 10).nodes().empty());
+  EXPECT_EQ(PointOctree::sample(floor_with_posts(7), 100).size(), 7u);
+}
+
+TEST(PointOctree, NothingBeyondAClipBoxIsChosen) {
+  const PointOctree tree(floor_with_posts(400'000));
+  auto view = from_above(12, 4000);
+  const auto all = tree.visible(view, 1'000'000, 0.7).size();
+  view.lo = {0, 0, -1}, view.hi = {4, 4, 5};
+  const auto chosen = tree.visible(view, 1'000'000, 0.7);
+  EXPECT_LT(chosen.size(), all);
+  for (const auto i : chosen) {
+    const auto& node = tree.nodes()[i];
+    EXPECT_TRUE((node.centre.array() - node.half_m <= view.hi.array()).all());
+  }
+}
+
 TEST(PointOctree, BuildingCanBeCancelled) {
   std::stop_source stop;
   stop.request_stop();

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "slam/core/context_index.h"
+#include "slam/core/loop_candidates.h"
 #include "slam/core/place_guess.h"
 #include "slam/core/pose_graph.h"
 
@@ -89,6 +91,80 @@ TEST(PoseGraph, ALoopThatContradictsTheRestIsRefused) {
   loops.pop_back();
   const auto without = optimise_pose_graph(keyframes, loops, {});
   EXPECT_LT((without.T_map_keyframe[45].translation() - graph.T_map_keyframe[45].translation()).norm(), 1e-9);
+}
+
+TEST(PoseGraph, ManyLoopsThatAgreePrevailOverAnOdometryThatSlipped) {
+  // Out and back over 40 m; on the way back the odometry slips by a tenth and drifts aside: 4 m at the end.
+  std::vector<Keyframe> keyframes;
+  std::vector<Pose> truth;
+  for (int i = 0; i <= 160; ++i) {
+    const double x = i <= 80 ? 0.5 * i : 80 - 0.5 * i, back = std::max(0, i - 80);
+    truth.push_back(pose_at(x, i <= 80 ? 0 : 0.5));
+    keyframes.push_back(
+        seen_from({}, truth.back(), pose_at(x + 0.05 * back, truth.back().translation().y() + 0.01 * back), 0.5 * i));
+  }
+  std::vector<Loop> loops;
+  const auto add = [&](std::size_t from, std::size_t to, const Pose& error) {
+    Loop l;
+    l.from = from, l.to = to, l.T_from_to = truth[from].inverse() * truth[to] * error;
+    loops.push_back(l);
+  };
+  for (std::size_t to = 100; to <= 160; to += 4) add(160 - to, to, Pose::Identity());
+  add(20, 140, pose_at(0, 2.75)), add(50, 110, pose_at(-3, 0));
+  const auto graph = optimise_pose_graph(keyframes, loops, {});
+  std::vector<std::uint8_t> expected(loops.size(), 0);
+  expected[expected.size() - 2] = expected.back() = 1;
+  EXPECT_EQ(graph.refused, expected);
+  EXPECT_LT((graph.T_map_keyframe.back().translation() - truth.back().translation()).norm(), 0.05);
+  // Out and back share the slip, but lie on one another.
+  const Pose T_from_to = graph.T_map_keyframe[40].inverse() * graph.T_map_keyframe[120];
+  EXPECT_LT((T_from_to.translation() - (truth[40].inverse() * truth[120]).translation()).norm(), 0.05);
+}
+
+// Key frames along an alley of posts at x0 and back, 0.5 m apart; `at` puts a true pose where the odometry has it.
+template <class At>
+void walk_alley(const std::vector<Eigen::Vector3d>& world, bool back, double& path_m, const At& at,
+                std::vector<Keyframe>& keyframes, std::vector<Pose>& truth) {
+  for (int i = 0; i <= 60; ++i) {
+    const Pose T = back ? pose_at(15 - 0.5 * i, 0.3, std::numbers::pi) : pose_at(0.5 * i - 15, 0);
+    keyframes.push_back(seen_from(world, T, at(T), path_m += 0.5));
+    keyframes.back().context = make_scan_context(keyframes.back().edges, context_shape(SlamOptions{}));
+    truth.push_back(T);
+  }
+}
+
+TEST(LoopCandidates, AlongTheWayAPlaceIsFoundAmongPlacesThatLookTheSame) {
+  // The same posts twice, 300 m apart: by look alone either may be meant. Then back through the second with a slip of
+  // 4 m and 6 deg.
+  const auto world = posts(7);
+  std::vector<Keyframe> keyframes;
+  std::vector<Pose> truth;
+  double path_m = 0;
+  const Pose decoy = pose_at(0, 300), slip = pose_at(4, 0.5, 0.1);
+  walk_alley(
+      world, false, path_m, [&](const Pose& T) { return decoy * T; }, keyframes, truth);
+  path_m += 300;
+  walk_alley(
+      world, false, path_m, [](const Pose& T) { return T; }, keyframes, truth);
+  const std::size_t begin_back = keyframes.size();
+  walk_alley(
+      world, true, path_m, [&](const Pose& T) { return slip * T; }, keyframes, truth);
+
+  SlamOptions options;
+  options.preset = "orchard";
+  options = resolved(options);
+  ASSERT_EQ(options.context_search, "sequence");
+  const auto candidates = find_loop_candidates(keyframes, options, {});
+  EXPECT_GE(candidates.size(), 10u);
+  int right = 0;
+  for (const auto& c : candidates) {
+    EXPECT_GE(c.from, 61u) << "the decoy is too far off";
+    EXPECT_GE(c.to, begin_back);
+    const Pose guess = keyframes[c.from].T_map_keyframe.inverse() * c.T_map_to,
+               T_from_to = truth[c.from].inverse() * truth[c.to];
+    right += (guess.translation() - T_from_to.translation()).norm() < 0.6;
+  }
+  EXPECT_GE(right, static_cast<int>(0.9 * static_cast<double>(candidates.size())));
 }
 
 TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {

@@ -317,20 +317,20 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
     keyframe.context = make_scan_context(seen, {});
     keyframes.push_back(std::move(keyframe));
   }
-  for (const char* way : {"icp", "ndt_icp", "features"}) {
-    for (const char* where : {"context", "odometry"}) {
-      options.loop_registration = way, options.loops = where;
-      const auto found = find_loops(keyframes, options, {});
-      ASSERT_FALSE(found.loops.empty()) << way << " " << where;
-      for (const auto& l : found.loops) {
-        EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(),
-                  std::string_view(way) == "features" ? 0.05 : 0.3)  // closest points hang on the scan lines
-            << way << " " << where;
-        EXPECT_EQ(l.found_by, where);
-      }
+  const std::vector<std::pair<const char*, const char*>> ways{
+      {"icp", "context"}, {"ndt_icp", "odometry"}, {"features", "context"}, {"features", "odometry"}};
+  LoopSearch search;
+  for (const auto& [way, where] : ways) {
+    options.loop_registration = way, options.loops = where;
+    search = find_loops(keyframes, options, {});
+    ASSERT_FALSE(search.loops.empty()) << way << " " << where;
+    for (const auto& l : search.loops) {
+      EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(),
+                std::string_view(way) == "features" ? 0.05 : 0.3)  // closest points hang on the scan lines
+          << way << " " << where;
+      EXPECT_EQ(l.found_by, where);
     }
   }
-  const auto search = find_loops(keyframes, options, {});
   const auto graph = optimise_pose_graph(keyframes, search.loops, {});
   EXPECT_LT(graph.final_cost, graph.initial_cost);
   EXPECT_EQ(graph.doubted_loops, 0u);

@@ -101,16 +101,31 @@ TEST(RangeOffset, IsToldFromTheRadiusByStemsSeenAllRound) {
     ASSERT_GT(fit->range_offset.sd_m, 0);
     evidence.push_back(fit->range_offset);
   }
-  const auto prior = mean_range_offset(evidence);
+  for (const auto& e : evidence) EXPECT_NEAR(e.value_m, 0.005, 3 * e.sd_m + 0.001);
+  const auto prior = mean_range_offset(evidence, 0.02);  // of a sensor of which nothing is known
   EXPECT_NEAR(prior.mean_m, 0.005, 0.0015);
-  EXPECT_LT(prior.sd_m, 0.002);
+  EXPECT_LT(prior.sd_m, 0.004);
 }
 
 TEST(RangeOffset, OneWildStemDoesNotDecide) {
   std::vector<RangeOffsetEvidence> evidence(10, {0.004, 0.002});
   evidence.push_back({-0.09, 0.01});
-  EXPECT_NEAR(mean_range_offset(evidence).mean_m, 0.004, 0.0006);
-  EXPECT_EQ(mean_range_offset({}).mean_m, 0);
+  EXPECT_NEAR(mean_range_offset(evidence, 0.01).mean_m, 0.004, 0.0006);
+  EXPECT_NEAR(mean_range_offset({}, 0.01).mean_m, 0, 1e-12);
+}
+
+TEST(RangeOffset, MillimetresAreDrawnToZeroAndCentimetresAreNot) {
+  const auto told = [](double value_m) {
+    return mean_range_offset(std::vector<RangeOffsetEvidence>(100, {value_m, 0.002}), 0.001);
+  };
+  EXPECT_LT(told(0.004).mean_m, 0.001);
+  EXPECT_GT(told(0.004).mean_m, 0);
+  EXPECT_NEAR(told(-0.004).mean_m, -told(0.004).mean_m, 1e-9);
+  EXPECT_GT(told(0.03).mean_m, 0.028);
+  EXPECT_LT(told(0.012).mean_m - told(0.011).mean_m, 0.003) << "no leap between the two";
+  EXPECT_GT(told(0.012).sd_m, told(0).sd_m) << "where the two disagree less is known";
+  // However many stems agree, what they share stays unknown.
+  EXPECT_GT(mean_range_offset(std::vector<RangeOffsetEvidence>(100'000, {0.03, 0.002}), 0.001).sd_m, 0.003);
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ Errors compare(const StemCloud& cloud, const StemSurvey& survey) {
 TEST(MeasureStems, TrueDiametersComeBackAlongRays) {
   const auto cloud = make_stem_cloud(random_stand(9, 0.07, 0.45, 1), coarse());
   MeasureOptions along_rays;
-  along_rays.model = "ray";
+  // These stems are smooth, and their rays thin.
+  along_rays.model = "ray", along_rays.bark_relief_m = along_rays.beam_divergence_mrad = along_rays.beam_aperture_m = 0;
   const auto survey = measure(cloud, along_rays);
   const auto e = compare(cloud, survey);
   EXPECT_EQ(e.missed + e.extra, 0U);

@@ -173,14 +173,14 @@ TEST(CoveredArea, OfASquareWithAHole) {
   EXPECT_EQ(covered_area_m2({{0, 0}, {1, 1}}, 0.3), 0);
 }
 
-TEST(StemVolume, OfAConeBelowAndAParaboloidAbove) {
+TEST(StemVolume, OfAConeBelowAndAFullerFormAbove) {
   std::vector<CurvePoint> curve;
   for (double h = 0.5; h <= 5.01; h += 0.5) curve.push_back({h, 0.20 - 0.01 * h});
   const auto v = volume_of(curve, 15);
   const double cone = std::numbers::pi / 3 * 5 * (0.04 + 0.20 * 0.15 + 0.15 * 0.15),
-               top = std::numbers::pi / 2 * 0.15 * 0.15 * 10;
+               top = std::numbers::pi / 2.5 * 0.15 * 0.15 * 10;
   EXPECT_NEAR(v.m3, cone + top, 1e-6);
-  EXPECT_EQ(v.method, "frustums to 5.0 m, paraboloid above");
+  EXPECT_EQ(v.method, "frustums to 5.0 m, between paraboloid and cone above");
 }
 
 TEST(StemCurve, FollowsTheStemAboveTheLayerItWasFoundIn) {

@@ -1,0 +1,280 @@
+#include "behaviors/measure_behavior.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QStatusBar>
+#include <QUndoCommand>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/atomic_file.h"
+#include "main_window.h"
+#include "panels/measure_panel.h"
+#include "stems/core/circle_fit.h"
+#include "views/scene_view.h"
+
+namespace bole::desktop {
+namespace {
+
+using Kind = Measurement::Kind;
+
+const std::string layer = "measurements";
+constexpr double slice_half_m = 0.05, start_error_m = 0.05, most_sigma_m = 0.025;  // of the fit of a ring
+constexpr std::size_t least_points = 20, most_points = 4000;
+
+QString kind_text(Kind kind) {
+  switch (kind) {
+    case Kind::point:
+      return MainWindow::tr("Point");
+    case Kind::distance:
+      return MainWindow::tr("Distance");
+    case Kind::angle:
+      return MainWindow::tr("Angle");
+    case Kind::ring:
+      return MainWindow::tr("Ring");
+  }
+  return {};
+}
+
+QString ask(Kind kind, std::size_t clicked) {
+  switch (kind) {
+    case Kind::point:
+      return MainWindow::tr("Click a point.");
+    case Kind::distance:
+      return clicked == 0 ? MainWindow::tr("Click where the distance begins.") : MainWindow::tr("Click where it ends.");
+    case Kind::angle:
+      return clicked == 0   ? MainWindow::tr("Click a point on the first arm.")
+             : clicked == 1 ? MainWindow::tr("Click the corner.")
+                            : MainWindow::tr("Click a point on the second arm.");
+    case Kind::ring:
+      return MainWindow::tr("Click point %1 of 3 on the bark; with Shift the ring is not fitted to the points around.")
+          .arg(clicked + 1);
+  }
+  return {};
+}
+
+}  // namespace
+
+class EditMeasurements : public QUndoCommand {
+ public:
+  EditMeasurements(MeasureBehavior& behavior, const QString& what, std::vector<Measurement> after)
+      : QUndoCommand(what), behavior_(behavior), before_(behavior.list()), after_(std::move(after)) {}
+  void undo() override { behavior_.put(before_); }
+  void redo() override { behavior_.put(after_); }
+
+ private:
+  MeasureBehavior& behavior_;
+  std::vector<Measurement> before_, after_;
+};
+
+MeasureBehavior::MeasureBehavior(MainWindow& window)
+    : QObject(&window), window_(window), panel_(new MeasurePanel(&window)) {
+  window_.docks().add("measurements", tr("Measurements"), panel_, Qt::RightDockWidgetArea, "profile");
+  make_actions();
+  connect(&window_, &MainWindow::document_opened, this, &MeasureBehavior::load);
+  connect(&window_, &MainWindow::document_saved, this, &MeasureBehavior::store);
+  connect(&window_.scene(), &SceneView::place_taken, this, &MeasureBehavior::take);
+  connect(&window_.scene(), &SceneView::place_taker_changed, this, [this](const QObject* taker) {
+    if (taker == this || !tool_) return;
+    tool_.reset(), open_.reset();
+    for (auto* action : actions_) action->setChecked(false);
+    window_.statusBar()->clearMessage();
+    draw();
+  });
+  connect(&window_.scene(), &SceneView::drawing_clicked, this, [this](const QString& which, int drawing) {
+    if (which.toStdString() == layer) select(drawing);
+  });
+  connect(panel_, &MeasurePanel::selection_changed, this, &MeasureBehavior::select);
+  connect(panel_, &MeasurePanel::renamed, this, &MeasureBehavior::rename);
+  connect(panel_, &MeasurePanel::remove_asked, this, &MeasureBehavior::remove);
+  connect(panel_, &MeasurePanel::zoom_asked, this, [this](int which) {
+    if (which >= 0) window_.scene().zoom_to(list_[static_cast<std::size_t>(which)].points.front());
+  });
+  connect(panel_, &MeasurePanel::export_asked, this, [this] {
+    const QString path =
+        QFileDialog::getSaveFileName(&window_, tr("Export measurements"), "measurements.csv", tr("Tables (*.csv)"));
+    if (!path.isEmpty()) window_.guarded([&] { export_csv(path); });
+  });
+  panel_->show_list(list_);
+}
+
+void MeasureBehavior::make_actions() {
+  auto* menu = window_.menu(Menu::tools);
+  const auto add = [&](const char* id, const QString& text, Kind kind, const QKeySequence& key) {
+    auto* action = window_.add_action(
+        menu, id, text, [] {}, key);
+    action->setCheckable(true);
+    action->setData(static_cast<int>(kind));
+    connect(action, &QAction::triggered, this, [this, kind](bool on) { on ? start(kind) : stop(); });
+    actions_.push_back(action);
+  };
+  add("measure_point", tr("Measure a point"), Kind::point, Qt::Key_P);
+  add("measure_distance", tr("Measure a distance"), Kind::distance, Qt::Key_M);
+  add("measure_angle", tr("Measure an angle"), Kind::angle, QKeySequence("Shift+M"));
+  add("measure_ring", tr("Measure a diameter by three points"), Kind::ring, Qt::Key_O);
+  window_.add_action(
+      menu, "end_taking", tr("End measuring or drawing"), [this] { window_.scene().set_place_taker(nullptr); },
+      Qt::Key_Escape);
+}
+
+void MeasureBehavior::start(Kind kind) {
+  window_.scene().set_place_taker(this);
+  tool_ = kind;
+  open_.reset();
+  for (auto* action : actions_) action->setChecked(action->data().toInt() == static_cast<int>(kind));
+  window_.statusBar()->showMessage(ask(kind, 0));
+  draw();
+}
+
+void MeasureBehavior::stop() {
+  if (tool_) window_.scene().set_place_taker(nullptr);
+}
+
+void MeasureBehavior::take(const Eigen::Vector3d& place, const QVariant& point) {
+  if (!tool_) return;
+  if (!window_.session().has_document()) return;
+  if (point.isNull()) return window_.say(tr("There is no point here. Click one that is drawn."));
+  if (!open_) {
+    open_ = *tool_ == Kind::point ? point_measurement(*window_.scene().survey().points, point.toUInt()) : Measurement();
+    open_->kind = *tool_;
+    open_->points.clear();
+  }
+  open_->points.push_back(place);
+  if (static_cast<int>(open_->points.size()) == points_needed(open_->kind)) finish();
+  if (tool_) window_.statusBar()->showMessage(ask(*tool_, open_ ? open_->points.size() : 0));
+  draw();
+}
+
+void MeasureBehavior::finish() {
+  auto done = *std::exchange(open_, std::nullopt);
+  if (done.kind == Kind::ring) {
+    if (!ring_through(done.points))
+      return window_.say(tr("The three points lie on one line. Click them around the stem."));
+    if (!QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier)) fit_ring(done);
+  }
+  done.name = free_name(done.kind).toStdString();
+  auto after = list_;
+  after.push_back(std::move(done));
+  selected_ = static_cast<int>(after.size()) - 1;
+  change(tr("measure"), std::move(after));
+  window_.docks().raise("measurements");
+}
+
+// The clicked places are as good as a hand; the points of a thin layer around them know the bark better.
+void MeasureBehavior::fit_ring(Measurement& ring) const {
+  const auto& survey = window_.scene().survey();
+  const auto drawn = ring_through(ring.points);
+  if (!survey.points || !survey.index || !drawn) return;
+  const auto& cloud = *survey.points;
+  const double reach = 1.3 * drawn->radius_m + start_error_m;
+  const Eigen::Vector3d centre = Eigen::Vector3d(drawn->centre.x(), drawn->centre.y(), drawn->z_m) - cloud.origin;
+  const Eigen::Vector3d half(reach, reach, slice_half_m);
+  auto found = survey.index->octree()->in_box((centre - half).cast<float>(), (centre + half).cast<float>());
+  std::ranges::sort(found);
+  const std::size_t step = std::max<std::size_t>(1, found.size() / most_points);
+  std::vector<Eigen::Vector2d> near;
+  for (std::size_t k = 0; k < found.size(); k += step) {
+    const Eigen::Vector2d p = cloud.position(found[k]).head<2>() - drawn->centre;
+    if (std::abs(p.norm() - drawn->radius_m) <= start_error_m) near.push_back(p);
+  }
+  if (near.size() < least_points) return;
+  const auto fit = robust_circle(near, {Eigen::Vector2d::Zero(), drawn->radius_m}, start_error_m, most_sigma_m);
+  if (!fit) return;
+  ring.points.clear();
+  for (const double turn : {0.0, 1.0, 2.0}) {
+    const double a = turn * 2 * std::numbers::pi / 3;
+    const Eigen::Vector2d at =
+        drawn->centre + fit->circle.centre + fit->circle.radius * Eigen::Vector2d(std::cos(a), std::sin(a));
+    ring.points.emplace_back(at.x(), at.y(), drawn->z_m);
+  }
+}
+
+QString MeasureBehavior::free_name(Kind kind) const {
+  for (int k = 1;; ++k) {
+    const QString name = QString("%1 %2").arg(kind_text(kind)).arg(k);
+    if (std::ranges::none_of(list_, [&](const auto& m) { return m.name == name.toStdString(); })) return name;
+  }
+}
+
+void MeasureBehavior::select(int which) {
+  selected_ = which;
+  panel_->select(which);
+  draw();
+}
+
+void MeasureBehavior::remove(int which) {
+  auto after = list_;
+  after.erase(after.begin() + which);
+  change(tr("delete a measurement"), std::move(after));
+}
+
+void MeasureBehavior::rename(int which, const QString& name) {
+  auto after = list_;
+  after[static_cast<std::size_t>(which)].name = name.toStdString();
+  change(tr("rename a measurement"), std::move(after));
+}
+
+void MeasureBehavior::change(const QString& what, std::vector<Measurement> after) {
+  window_.session().undo_stack().push(new EditMeasurements(*this, what, std::move(after)));
+}
+
+void MeasureBehavior::put(const std::vector<Measurement>& list) {
+  list_ = list;
+  selected_ = std::min(selected_, static_cast<int>(list_.size()) - 1);
+  panel_->show_list(list_);
+  panel_->select(selected_);
+  draw();
+  window_.guarded([this] { store(); });
+}
+
+void MeasureBehavior::draw() {
+  std::vector<SceneDrawing> drawings;
+  const auto add = [&](const Measurement& m, bool strong) {
+    SceneDrawing d;
+    d.lines = lines_of(m);
+    d.marks = m.points;
+    d.strong = strong;
+    if (!values_of(m).empty()) d.label = label_of(m), d.label_at = m.points.back();
+    drawings.push_back(std::move(d));
+  };
+  for (std::size_t i = 0; i < list_.size(); ++i) add(list_[i], static_cast<int>(i) == selected_);
+  if (open_) add(*open_, true);
+  window_.scene().set_drawings(layer, std::move(drawings));
+}
+
+QString MeasureBehavior::file() const {
+  const QFileInfo document(window_.session().path());
+  return document.dir().filePath(document.completeBaseName() + ".measurements.json");
+}
+
+void MeasureBehavior::load() {
+  stop();
+  list_.clear();
+  selected_ = -1;
+  QFile stored(file());
+  if (stored.open(QIODevice::ReadOnly))
+    window_.guarded([&] { list_ = parse_measurements(stored.readAll().toStdString()); });
+  panel_->show_list(list_);
+  draw();
+}
+
+void MeasureBehavior::store() const {
+  if (window_.session().path().isEmpty()) return;
+  if (list_.empty())
+    QFile::remove(file());
+  else
+    write_text_file(file().toStdString(), measurements_json(list_));
+}
+
+void MeasureBehavior::export_csv(const QString& path) const {
+  write_text_file(path.toStdString(), measurements_csv(list_));
+}
+
+void install_measuring(MainWindow& window) { new MeasureBehavior(window); }
+
+}  // namespace bole::desktop

@@ -1,0 +1,37 @@
+// The levels of detail of a large cloud, built in the background: a thinned cloud is there at once, the octree later.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "render/scene/point_octree.h"
+
+namespace bole::desktop {
+
+class PointIndex : public QObject {
+  Q_OBJECT
+
+ public:
+  // Small clouds are indexed at once, within `run`; large ones in a thread that leaves one core to the window.
+  explicit PointIndex(std::shared_ptr<const PointCloud> cloud, const Run& run = {});
+  ~PointIndex() override;  // ends the building within a fraction of a second
+
+  std::shared_ptr<const PointOctree> octree() const;  // a sample of the cloud until it is complete
+  bool complete() const { return complete_; }
+
+ Q_SIGNALS:
+  void built();  // from the thread that built it
+
+ private:
+  void build(const PointCloud& cloud, const Run& run);
+
+  mutable std::mutex mutex_;
+  std::shared_ptr<const PointOctree> octree_;
+  std::atomic<bool> complete_ = false;
+  std::jthread builder_;
+};
+
+}  // namespace bole::desktop

@@ -1,0 +1,62 @@
+#include "views/scene_camera.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bole::desktop {
+namespace {
+
+double perspective_half_height_m(vtkCamera* camera) {
+  return camera->GetDistance() * std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
+}
+
+struct Screen {
+  Eigen::Vector3d ahead, right, up;
+};
+
+Screen screen_of(vtkCamera* camera) {
+  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection()), up(camera->GetViewUp());
+  const Eigen::Vector3d right = ahead.cross(up).normalized();
+  return {ahead, right, right.cross(ahead)};
+}
+
+}  // namespace
+
+double half_height_m(vtkCamera* camera) {
+  return camera->GetParallelProjection() != 0 ? camera->GetParallelScale() : perspective_half_height_m(camera);
+}
+
+double north_on_screen_rad(vtkCamera* camera) {
+  const auto screen = screen_of(camera);
+  return -std::atan2(screen.right.y(), screen.up.y());
+}
+
+void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, double factor) {
+  const auto screen = screen_of(camera);
+  const Eigen::Vector3d shift =
+      (1 - 1 / factor) * half_height_m(camera) * (off.x() * aspect * screen.right + off.y() * screen.up);
+  const Eigen::Vector3d target = Eigen::Vector3d(camera->GetFocalPoint()) + shift;
+  const Eigen::Vector3d eye = target - camera->GetDistance() / factor * screen.ahead;
+  camera->SetFocalPoint(target.data());
+  camera->SetPosition(eye.data());
+  camera->SetParallelScale(camera->GetParallelScale() / factor);
+}
+
+void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_m) {
+  Eigen::Vector3d from = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+  from.z() = std::clamp(from.z(), 0.15, 0.6);
+  const Eigen::Vector3d eye = target + std::min(distance_m, std::max(camera->GetDistance(), 3.0)) * from.normalized();
+  camera->SetFocalPoint(target.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(0, 0, 1);
+  camera->SetParallelScale(3);
+}
+
+void set_parallel(vtkCamera* camera, bool on) {
+  if (on) camera->SetParallelScale(perspective_half_height_m(camera));
+  camera->SetParallelProjection(on);
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,23 @@
+// Moves of the camera of the 3-D view. Coordinates are relative to the origin of the scene.
+#pragma once
+
+#include <vtkCamera.h>
+
+#include <Eigen/Core>
+
+namespace bole::desktop {
+
+double half_height_m(vtkCamera* camera);  // of what is seen at the depth of the focal point
+
+// Where north (y) points on the screen, counter-clockwise from up.
+double north_on_screen_rad(vtkCamera* camera);
+
+// Towards what lies at `off` (-1 to 1 from the centre) on the screen, at the depth of the focal point.
+void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, double factor);
+
+// To a place that is then seen from the side, from no further off than `distance_m`.
+void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_m);
+
+void set_parallel(vtkCamera* camera, bool on);  // what is at the focal point keeps its size
+
+}  // namespace bole::desktop

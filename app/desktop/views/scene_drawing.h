@@ -1,0 +1,36 @@
+// Lines with a label that lie over the 3-D view: measurements, rows.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "render/scene/pick.h"
+#include "render/scene/view_furniture.h"
+
+namespace bole::desktop {
+
+// World coordinates, metres.
+struct SceneDrawing {
+  std::vector<std::vector<Eigen::Vector3d>> lines;
+  std::vector<Eigen::Vector3d> marks;
+  std::vector<Eigen::Vector3d> grips;  // places that can be dragged, at their height
+  std::string label;                   // at `label_at`; none when empty
+  Eigen::Vector3d label_at = Eigen::Vector3d::Zero();
+  bool strong = false;   // selected
+  bool warning = false;  // something is doubtful here
+};
+
+// Projects a drawing and adds it; `mm_per_px` of the view's pixels.
+void add_to(ViewFurniture& furniture, const SceneDrawing& drawing, const PickView& view, double mm_per_px);
+
+struct Grip {
+  std::string layer;
+  std::size_t drawing = 0, grip = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+};
+
+// Distance in pixels of a place on the screen from the lines of a drawing; infinity when none is seen.
+double distance_px(const SceneDrawing& drawing, const PickView& view, const Eigen::Vector2d& at_px);
+
+}  // namespace bole::desktop

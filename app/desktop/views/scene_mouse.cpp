@@ -1,0 +1,145 @@
+// What the mouse does in the 3-D view: picks, takes places, drags grips, zooms.
+#include <vtkCamera.h>
+
+#include <QMouseEvent>
+#include <QVariant>
+#include <algorithm>
+#include <cmath>
+
+#include "views/scene_camera.h"
+#include "views/scene_view.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5;
+
+}  // namespace
+
+std::optional<std::uint32_t> SceneView::point_at(const QPoint& at) {
+  if (!survey_.points) return {};
+  return pick_point(pick_view(), *survey_.points, layer_.drawn_points(), to_pixels(at),
+                    pick_reach_px * devicePixelRatioF());
+}
+
+void SceneView::pick(const QPoint& at) {
+  const auto view = pick_view();
+  facts_.clear();
+  std::optional<std::int64_t> tree;
+  picked_ = point_at(at);
+  if (picked_) {
+    for (const auto& line : describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
+    if (survey_.points->has(arrays::tree_id))
+      if (const auto id = survey_.points->values<std::int32_t>(arrays::tree_id)[*picked_]; id > 0) tree = id;
+  }
+  if (const auto stem = pick_stem(view, shapes_, to_pixels(at), 2 * devicePixelRatioF())) {
+    // A stem hides what lies behind it, and is hidden by points before it.
+    const auto point = picked_ ? on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
+    if (!tree && (!point || stem->depth <= point->depth)) tree = stem->tree_id;
+  }
+  if (tree && survey_.row_of(*tree)) selection_.select(tree);
+  Q_EMIT point_picked(facts_);
+  redraw();
+}
+
+void SceneView::set_place_taker(const QObject* taker) {
+  if (taker == place_taker_) return;
+  place_taker_ = taker;
+  setCursor(taker != nullptr ? Qt::CrossCursor : Qt::ArrowCursor);
+  Q_EMIT place_taker_changed(taker);
+}
+
+void SceneView::take_place(const QPoint& at) {
+  if (const auto point = point_at(at)) {
+    Q_EMIT place_taken(exact_position(*survey_.points, *point), *point);
+  } else if (const auto ground = on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
+    Q_EMIT place_taken(*ground, QVariant());
+  }
+}
+
+std::optional<Grip> SceneView::grip_at(const QPoint& at) {
+  const auto view = pick_view();
+  const auto px = to_pixels(at);
+  for (const auto& [layer, drawings] : drawings_)
+    for (std::size_t d = 0; d < drawings.size(); ++d) {
+      if (!drawings[d].strong) continue;
+      for (std::size_t g = 0; g < drawings[d].grips.size(); ++g)
+        if (const auto place = on_screen(view, drawings[d].grips[g]);
+            place && (place->px - px).norm() <= grip_px * devicePixelRatioF())
+          return Grip{layer, d, g, drawings[d].grips[g]};
+    }
+  return {};
+}
+
+bool SceneView::click_drawing(const QPoint& at) {
+  const auto view = pick_view();
+  double least = line_px * devicePixelRatioF();
+  const std::string* found = nullptr;
+  std::size_t which = 0;
+  for (const auto& [layer, drawings] : drawings_)
+    for (std::size_t d = 0; d < drawings.size(); ++d)
+      if (const double px = distance_px(drawings[d], view, to_pixels(at)); px <= least)
+        least = px, found = &layer, which = d;
+  if (found == nullptr) return false;
+  Q_EMIT drawing_clicked(QString::fromStdString(*found), static_cast<int>(which));
+  return true;
+}
+
+// The superclass hands every event to VTK before the handlers below see it: a grip that is dragged would turn the
+// camera.
+bool SceneView::event(QEvent* event) {
+  const auto type = event->type();
+  if (type == QEvent::MouseButtonPress) {
+    const auto* press = static_cast<QMouseEvent*>(event);
+    const bool grips = press->button() == Qt::LeftButton && place_taker_ == nullptr;
+    dragged_ = grips ? grip_at(press->pos()) : std::nullopt;
+  }
+  const bool mouse =
+      type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
+  return dragged_ && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  pressed_at_ = event->pos();
+  if (!dragged_) QVTKOpenGLNativeWidget::mousePressEvent(event);
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (!dragged_) {
+    if (place_taker_ == nullptr && event->buttons() == Qt::NoButton)
+      setCursor(grip_at(event->pos()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
+  }
+  if (const auto at = on_plane(pick_view(), to_pixels(event->pos()), dragged_->at.z()))
+    Q_EMIT grip_dragged(QString::fromStdString(dragged_->layer), static_cast<int>(dragged_->drawing),
+                        static_cast<int>(dragged_->grip), *at, false);
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragged_) {
+    const auto grip = *std::exchange(dragged_, std::nullopt);
+    const auto at = on_plane(pick_view(), to_pixels(event->pos()), grip.at.z());
+    const bool moved = (event->pos() - pressed_at_).manhattanLength() > click_px;
+    Q_EMIT grip_dragged(QString::fromStdString(grip.layer), static_cast<int>(grip.drawing), static_cast<int>(grip.grip),
+                        moved && at ? *at : grip.at, true);
+    return;
+  }
+  QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
+  const bool click =
+      event->button() == Qt::LeftButton && has_survey() && (event->pos() - pressed_at_).manhattanLength() <= click_px;
+  if (!click) return;
+  if (place_taker_ != nullptr) return take_place(event->pos());
+  if (!click_drawing(event->pos())) pick(event->pos());
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  const auto view = pick_view();
+  const Eigen::Vector2d px = to_pixels(event->position().toPoint());
+  zoom_towards(renderer_->GetActiveCamera(), {2 * px.x() / view.width_px - 1, 2 * px.y() / view.height_px - 1},
+               view.width_px / view.height_px, std::pow(1.2, event->angleDelta().y() / 120.0));
+  begin_motion();
+  redraw();
+  event->accept();
+}
+
+}  // namespace bole::desktop

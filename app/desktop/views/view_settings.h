@@ -1,0 +1,22 @@
+// What a person sets about the look of the 3-D view.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "render/scene/point_layer.h"
+
+namespace bole::desktop {
+
+struct ViewSettings {
+  std::string color = "height_above_ground";  // an array of the cloud
+  std::optional<Interval> color_range;        // of numbers; else percentiles of the array
+  PointFilter filter;
+  std::optional<ClipBox> clip;
+  double point_size_px = 2;
+  bool eye_dome = false;  // shading of the picture at rest
+  bool grid = false;
+  bool legend = true, scale_bar = true, north = true;
+};
+
+}  // namespace bole::desktop
