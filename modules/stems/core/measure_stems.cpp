@@ -24,8 +24,8 @@ namespace {
 constexpr double all_round_rad = 6.0;
 constexpr double least_drift_to_align_m = 0.01;
 constexpr int most_alignments = 2;
-constexpr double share_left_unknown = 0.02;  // of a displacement that was taken out, as an error of all radii alike
-constexpr int least_sighting = 20;           // points of a pass that tell where it sees a stem
+constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
+constexpr int least_sighting = 20;                 // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -96,7 +96,7 @@ class Survey {
     if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
     points_ = aligned(points_, alignment);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
-    options_.range_bias_m = std::hypot(options_.range_bias_m, share_left_unknown * alignment.rms_m());
+    if (alignments_.size() == 1) options_.range_bias_m = std::hypot(options_.range_bias_m, unknown_once_aligned_m);
     return true;
   }
 
