@@ -27,7 +27,7 @@ void install_figure_export(MainWindow& window) {
         });
         dialog->open();
       },
-      QKeySequence("Ctrl+E"));
+      QKeySequence("Ctrl+Shift+E"));
 }
 
 }  // namespace bole::desktop

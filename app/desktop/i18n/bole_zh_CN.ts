@@ -389,6 +389,14 @@
     <context>
         <name>bole::desktop::MainWindow</name>
         <message>
+            <source>Export a figure…</source>
+            <translation>导出图件…</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>已写入 %1</translation>
+        </message>
+        <message>
             <source>Bole</source>
             <translation>Bole</translation>
         </message>
@@ -1458,6 +1466,61 @@
         <message>
             <source>   sensor axes</source>
             <translation>   传感器坐标系</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FigureDialog</name>
+        <message>
+            <source>Save…</source>
+            <translation>保存…</translation>
+        </message>
+        <message>
+            <source>Export a figure</source>
+            <translation>导出图件</translation>
+        </message>
+        <message>
+            <source> mm</source>
+            <translation> mm</translation>
+        </message>
+        <message>
+            <source>Width of a figure across the page; small charts take half of it</source>
+            <translation>通栏图件的宽度;小图占其一半</translation>
+        </message>
+        <message>
+            <source> dpi</source>
+            <translation> dpi</translation>
+        </message>
+        <message>
+            <source>Pixels per inch of a PNG, and of the picture in a map</source>
+            <translation>PNG 及地图图像的每英寸像素数</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>图件</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>宽度</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>分辨率</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>格式</translation>
+        </message>
+        <message>
+            <source>Save figure</source>
+            <translation>保存图件</translation>
+        </message>
+        <message>
+            <source>%1 x %2 mm, %3 x %4 pixels as PNG</source>
+            <translation>%1 x %2 mm,PNG 为 %3 x %4 像素</translation>
+        </message>
+        <message>
+            <source>; the first of %1 pages</source>
+            <translation>;共 %1 页,此为第一页</translation>
         </message>
     </context>
 </TS>
