@@ -162,6 +162,7 @@ void MainWindow::make_docks() {
   docks_.add("slice", tr("Slice"), slice_, Qt::RightDockWidgetArea);
   docks_.add("profile", tr("Profile"), profile_, Qt::RightDockWidgetArea);
   resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
+  resizeDocks({docks_.find("pipeline"), docks_.find("options")}, {320, 460}, Qt::Vertical);
 }
 
 void MainWindow::guarded(const std::function<void()>& act) {

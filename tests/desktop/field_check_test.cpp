@@ -1,6 +1,7 @@
 // Drives the field check: a list with other columns and units, matches in map and table, edits that mend them.
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -8,6 +9,8 @@
 #include "features/field_check/field_check.h"
 #include "features/field_check/field_list_dialog.h"
 #include "messages.h"
+#include "panels/pipeline_panel.h"
+#include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "sample_window.h"
 #include "shell_test.h"
@@ -53,6 +56,35 @@ class FieldCheckTest : public QObject {
     for (const char* name : {"树号", "东", "北", "胸径"}) chinese.set(name, std::vector<double>{1});
     QCOMPARE(QString::fromStdString(guess_mapping(chinese).text()),
              QString("x_m=东:m, y_m=北:m, dbh_cm=胸径:cm, tree_id=树号"));
+  }
+
+  // docs/user/why-tangent-edges-inflate-trees.md: what it tells the student to do, and what is then seen.
+  void the_lesson_of_tangent_edges() {
+    MainWindow window;
+    window.show();
+    QVERIFY(open_sample_and_wait(window));
+    const auto& check = *window.findChild<FieldCheck*>();
+    const auto bias_cm = [&] {
+      double sum = 0;
+      int n = 0;
+      for (const auto& row : check.rows())
+        if (row.kind == MatchKind::matched) sum += row.dbh_cm - row.field_dbh_cm, ++n;
+      return n == 12 ? sum / n : std::nan("");
+    };
+    const double with_beam = bias_cm();
+    QVERIFY2(std::abs(with_beam) < 0.1, qPrintable(QString::number(with_beam)));
+    window.pipeline().select_stage("stems");
+    window.properties().set_tier(Tier::expert);
+    window.properties().findChild<QDoubleSpinBox*>("beam_divergence")->setValue(0);
+    QCoreApplication::processEvents();
+    window.properties().findChild<QDoubleSpinBox*>("beam_aperture")->setValue(0);
+    action_of(window, "run_without_report")->trigger();
+    QVERIFY(wait_for_run(window));
+    const double as_lines = bias_cm();
+    QVERIFY2(std::abs(as_lines - 0.41) < 0.1, qPrintable(QString::number(as_lines)));
+    window.properties().set_tier(Tier::basic);
+    window.session().discard_recovery();
+    window.session().undo_stack().setClean();
   }
 
   void matches_are_seen_and_mended() {

@@ -72,6 +72,13 @@ class LanguageTest : public QObject {
     }
   }
 
+  void every_stage_has_a_title() {
+    install_language(*QCoreApplication::instance(), "zh_CN");
+    for (const auto* type : StageRegistry::global().all())
+      QVERIFY2(stage_title(*type) != QString::fromStdString(type->title),
+               qPrintable("translate in app/desktop/i18n/stages_zh_CN.ts: " + QString::fromStdString(type->title)));
+  }
+
   void the_window_speaks_chinese() {
     install_language(*QCoreApplication::instance(), "zh_CN");
     QCOMPARE(current_language(), QString("zh_CN"));

@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
+#include <string_view>
 
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
@@ -35,6 +36,8 @@ int main(int argc, char** argv) {
   using namespace bole::desktop;
   apply_theme(Theme::light);
   install_language(application, "en");
+  // --pictures: only those, for BOLE_UPDATE_PICTURES
+  if (argc == 2 && std::string_view(argv[1]) == "--pictures") return run_pictures_test(1, argv);
   int failures = 0;
   for (auto* run : {run_shell_test, run_field_check_test, run_language_test, run_pictures_test})
     failures += run(argc, argv);

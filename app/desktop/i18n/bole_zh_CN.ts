@@ -239,6 +239,61 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::FigureDialog</name>
+        <message>
+            <source>Save…</source>
+            <translation>保存…</translation>
+        </message>
+        <message>
+            <source>Export a figure</source>
+            <translation>导出图件</translation>
+        </message>
+        <message>
+            <source> mm</source>
+            <translation> 毫米</translation>
+        </message>
+        <message>
+            <source>Width of a figure across the page; small charts take half of it</source>
+            <translation>通栏图件的宽度;小图表占其一半</translation>
+        </message>
+        <message>
+            <source> dpi</source>
+            <translation> dpi</translation>
+        </message>
+        <message>
+            <source>Pixels per inch of a PNG, and of the picture in a map</source>
+            <translation>PNG 以及地图中影像每英寸的像素数</translation>
+        </message>
+        <message>
+            <source>Figure</source>
+            <translation>图件</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>宽度</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>分辨率</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>格式</translation>
+        </message>
+        <message>
+            <source>Save figure</source>
+            <translation>保存图件</translation>
+        </message>
+        <message>
+            <source>%1 x %2 mm, %3 x %4 pixels as PNG</source>
+            <translation>%1 x %2 毫米,PNG 为 %3 x %4 像素</translation>
+        </message>
+        <message>
+            <source>; the first of %1 pages</source>
+            <translation>;共 %1 页中的第一页</translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::FrameBar</name>
         <message>
             <source>One frame back (,)</source>
@@ -825,6 +880,18 @@
         <message>
             <source>Look of the view…</source>
             <translation>视图外观…</translation>
+        </message>
+        <message>
+            <source>Run without writing files</source>
+            <translation>仅计算,不写文件</translation>
+        </message>
+        <message>
+            <source>Export a figure…</source>
+            <translation>导出图件…</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>已写入 %1</translation>
         </message>
     </context>
     <context>

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "document/stage_operations.h"
+#include "shell/language.h"
 
 namespace bole::desktop {
 namespace {
@@ -63,7 +64,7 @@ void PipelinePanel::fill() {
   for (const auto& node : stages) {
     auto* item = new QTreeWidgetItem(this);
     const bool twin = std::ranges::count(stages, node.type, &StageNode::type) > 1;
-    const auto title = QString::fromStdString(node.type->title), id = QString::fromStdString(node.id);
+    const auto title = stage_title(*node.type), id = QString::fromStdString(node.id);
     item->setText(stage_column, twin ? QString("%1 (%2)").arg(title, id) : title);
     item->setData(0, Qt::UserRole, id);
     item->setToolTip(stage_column, QString::fromStdString(node.id + " (" + node.type->name + ")\n" + node.type->help));
@@ -170,7 +171,7 @@ void PipelinePanel::fill_add_menu(QMenu* menu) {
     auto*& group = groups[name.section('.', 0, 0)];
     if (!group) group = menu->addMenu(name.section('.', 0, 0));
     group->setToolTipsVisible(true);
-    auto* action = group->addAction(QString::fromStdString(type->title));
+    auto* action = group->addAction(stage_title(*type));
     action->setToolTip(QString::fromStdString(type->help));
     connect(action, &QAction::triggered, this, [this, name] { guarded([&] { add_stage(name); }); });
   }

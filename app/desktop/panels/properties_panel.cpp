@@ -15,6 +15,8 @@
 #include <cmath>
 #include <utility>
 
+#include "shell/language.h"
+
 namespace bole::desktop {
 namespace {
 
@@ -132,14 +134,16 @@ void PropertiesPanel::rebuild() {
   form_ = nullptr;
   const auto* stage = node();
   if (!stage) return show_pending();
-  title_->setText("<b>" + QString::fromStdString(stage->type->title) + "</b><br>" +
+  title_->setText("<b>" + stage_title(*stage->type) + "</b><br>" +
                   QString::fromStdString(stage->type->help).toHtmlEscaped());
   show_notice(*stage);
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const auto& spec : stage->type->options->specs) {
     if (!is_listed(spec)) continue;
     const auto help =

@@ -16,7 +16,9 @@ QIcon drawn(Draw draw) {
   painter.setRenderHint(QPainter::Antialiasing);
   draw(painter);
   painter.end();
-  return QIcon(pixmap);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);  // as it is: a tint would hide it on the row that is chosen
+  return icon;
 }
 
 void draw_line(QPainter& painter, const QColor& color, const QVector<QPointF>& points) {

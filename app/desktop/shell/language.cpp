@@ -56,6 +56,7 @@ void install_language(QCoreApplication& application, const QString& code) {
   };
   // English too: its file holds the plural forms.
   install("bole_" + language, ":/i18n");
+  install("stages_" + language, ":/i18n");
   if (language != "en") install("qtbase_" + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 }
 
@@ -63,6 +64,8 @@ QString current_language() {
   const QString language = QCoreApplication::instance()->property(property).toString();
   return language.isEmpty() ? "en" : language;
 }
+
+QString stage_title(const StageType& type) { return QCoreApplication::translate("stages", type.title.c_str()); }
 
 void make_language_menu(MainWindow& window) {
   auto* menu = window.menu(Menu::view)->addMenu(MainWindow::tr("Language"));

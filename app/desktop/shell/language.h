@@ -6,6 +6,10 @@
 
 class QCoreApplication;
 
+namespace bole {
+struct StageType;
+}
+
 namespace bole::desktop {
 
 class MainWindow;
@@ -18,6 +22,9 @@ const std::vector<Language>& languages();
 // Before windows are made. Empty: the setting, else the locale of the system, else English.
 void install_language(QCoreApplication& application, const QString& code = {});
 QString current_language();  // "en", "zh_CN"
+
+// The title of a stage; its declaration has the English one.
+QString stage_title(const StageType& type);
 
 // View > Language. A change closes the window, which may ask to save, and ends the event loop with `restart_code`.
 inline constexpr int restart_code = 77;

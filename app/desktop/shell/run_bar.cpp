@@ -30,6 +30,9 @@ void make_run_bar(MainWindow& window) {
   auto* menu = window.menu(Menu::run);
   auto* run = w->add_action(
       menu, "run", MainWindow::tr("Run"), [w] { w->run(); }, Qt::Key_F5);
+  auto* look = w->add_action(
+      menu, "run_without_report", MainWindow::tr("Run without writing files"), [w] { w->refresh(); },
+      QKeySequence("Shift+F5"));
   auto* finish = w->add_action(menu, "finish", MainWindow::tr("Keep result"), [w] { w->runner().finish(); });
   auto* cancel = w->add_action(menu, "cancel", MainWindow::tr("Cancel"), [w] { w->runner().cancel(); });
   auto* bar = w->addToolBar(MainWindow::tr("Run"));
@@ -37,6 +40,7 @@ void make_run_bar(MainWindow& window) {
   bar->addActions({run, finish, cancel});
   const auto enable = [=](bool running) {
     run->setEnabled(!running);
+    look->setEnabled(!running);
     finish->setEnabled(running);
     cancel->setEnabled(running);
   };
