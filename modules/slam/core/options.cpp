@@ -140,6 +140,12 @@ SlamOptionEntries options_of_presets() {
         Tier::advanced,
         "How the relative pose of a revisit is found: by edges and planes, by closest points, or by normal "
         "distributions and then closest points."},
+      D{"loop_overlap",
+        &S::loop_overlap,
+        Unit::none,
+        {0, 1},
+        Tier::advanced,
+        "Share of points that must agree for a revisit to be accepted; 0: as the preset says."},
       T{"weights",
         &S::weights,
         TextKind::choice,

@@ -32,6 +32,7 @@ struct SlamOptions {
   std::string loops = "preset";
   std::string context_search = "preset";
   std::string loop_registration = "preset";
+  double loop_overlap = 0;
   std::string weights = "preset";
   std::string solve = "preset";
   int refine_rounds = 0;
@@ -51,7 +52,6 @@ struct SlamOptions {
   // Loops.
   double loop_radius_m = 3;
   double loop_path_m = 25;
-  double loop_overlap = 0.6;
   double loop_drift = 0.05;
   int context_rings = 20;
   int context_sectors = 60;

@@ -1,17 +1,22 @@
 // orchard_loops SCAN [frames=N] [out=DIR] [path=odometry|truth] [drifts=0,0.01] [drift_seed=N]
-//               [searches=radius,single,placed,sequence] [registrations=icp,ndt_icp,features] [option=value ...]
+//               [searches=radius,single,placed,sequence] [registrations=icp,ndt_icp,features]
+//               [guess_errors=0.3,1,2 [pairs=N]] [option=value ...]
 // SPEC D: one path over a simulated recording, that of the odometry (preset lego_loam, or as the options say) or the
 // true one, bent by a drift (orchard_keyframes.h), then its revisits looked for in each way and registered in each way,
 // so that nothing else differs. Prints a JSON object with a row per way: what the search proposes and how much of it is
 // right, what registration accepts, and what the graph keeps: loops found, right by place, true by pose, recall, and
 // RMSE and SD of the key frames' trajectory (SPEC D 16, 17). `registrations=` leaves it at the search. With `out`,
 // writes reference.tum and for each row NAME.tum and NAME-loops.csv, for `bole evaluate`. What orchard_tables.py runs.
+// With `guess_errors`, N true revisits are registered from guesses that are so many metres and 5 deg off instead.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <random>
 #include <sstream>
 
 #include "evaluation/core/evaluate_loops.h"
@@ -20,6 +25,7 @@
 #include "io/core/table_file.h"
 #include "io/core/trajectory_file.h"
 #include "slam/core/loop_candidates.h"
+#include "slam/core/loop_registration.h"
 #include "slam/core/loops.h"
 #include "slam/core/pose_graph.h"
 #include "slam/core/tum_poses.h"
@@ -33,8 +39,8 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string scan, out, path = "odometry";
   std::vector<std::string> searches{"radius", "single", "placed", "sequence"},
-      registrations{"icp", "ndt_icp", "features"}, drifts{"0"};
-  std::size_t frames = 1000000;
+      registrations{"icp", "ndt_icp", "features"}, drifts{"0"}, guess_errors;
+  std::size_t frames = 1000000, pairs = 12;
   unsigned drift_seed = 1;
   OptionSet options{option_table(static_cast<const SlamOptions*>(nullptr))};
 };
@@ -63,6 +69,10 @@ Settings settings_of(int count, char** arguments) {
       settings.registrations = parts_of(value);
     else if (name == "searches")
       settings.searches = parts_of(value);
+    else if (name == "guess_errors")
+      settings.guess_errors = parts_of(value);
+    else if (name == "pairs")
+      settings.pairs = std::stoul(value);
     else if (name == "drifts")
       settings.drifts = parts_of(value);
     else if (name == "path")
@@ -144,6 +154,58 @@ Json judged(const std::vector<LoopCandidate>& candidates, const std::vector<Keyf
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// Pairs of true revisits spread evenly over the walk: (from, to), nearest of those within a metre and a half.
+std::vector<std::pair<std::size_t, std::size_t>> true_revisits(const std::vector<Keyframe>& keyframes,
+                                                               const SlamOptions& options, std::size_t most) {
+  std::vector<std::pair<std::size_t, std::size_t>> all, out;
+  for (std::size_t k = 0; k < keyframes.size(); ++k) {
+    double best_m = 1.5;
+    std::optional<std::size_t> from;
+    for (std::size_t j = 0; j < k && keyframes[k].path_m - keyframes[j].path_m >= options.loop_path_m; ++j) {
+      const double d = (keyframes[k].T_map_keyframe.translation() - keyframes[j].T_map_keyframe.translation()).norm();
+      if (d < best_m) best_m = d, from = j;
+    }
+    if (from) all.emplace_back(*from, k);
+  }
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i)
+    out.push_back(all[(2 * i + 1) * all.size() / (2 * std::min(most, all.size()))]);
+  return out;
+}
+
+// How far registration brings a guess that is `guess_error_m` off in any direction on the ground and 5 deg in heading.
+Json registered_from_afar(const Settings& settings, SlamOptions options, const std::vector<Keyframe>& keyframes,
+                          const std::string& registration, double guess_error_m) {
+  options.loop_registration = registration;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> any(-std::numbers::pi, std::numbers::pi);
+  double squared = 0;
+  std::vector<double> errors_m;
+  std::size_t true_poses = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  for (const auto& [from, to] : true_revisits(keyframes, options, settings.pairs)) {
+    const Pose& T_true = keyframes[to].T_map_keyframe;
+    const double direction = any(random), turn = (any(random) > 0 ? 5 : -5) * std::numbers::pi / 180;
+    Pose guess = T_true;
+    guess.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix() * guess.linear();
+    guess.translation() += guess_error_m * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0);
+    const auto [first, last] = stretch_about(keyframes, from, to);
+    const Pose found =
+        LoopTarget(keyframes, first, last, options).registered(keyframes[to], guess, {}).motion.T_map_end;
+    const Pose error = T_true.inverse() * found;
+    errors_m.push_back(error.translation().norm()), squared += error.translation().squaredNorm();
+    true_poses += errors_m.back() <= 0.1 && Eigen::AngleAxisd(error.linear()).angle() <= std::numbers::pi / 180;
+  }
+  std::ranges::sort(errors_m);
+  const auto n = static_cast<double>(errors_m.size());
+  return {{"registration", registration},
+          {"guess_error", guess_error_m},
+          {"pairs", errors_m.size()},
+          {"rmse", std::sqrt(squared / n)},
+          {"median", errors_m[errors_m.size() / 2]},
+          {"true_poses", true_poses},
+          {"seconds", seconds_since(begin)}};
 }
 
 // Everything that is done with one path of key frames.
@@ -235,7 +297,12 @@ int main(int count, char** arguments) try {
               {"keyframes", straight.size()},
               {"path", settings.path},
               {"seconds", seconds_since(start)}};
-  for (const auto& drift : settings.drifts) {
+  for (const auto& error : settings.guess_errors)
+    for (const auto& registration : settings.registrations) {
+      report["from_afar"].push_back(registered_from_afar(settings, options, straight, registration, std::stod(error)));
+      std::fprintf(stderr, "%s\n", report["from_afar"].back().dump().c_str());
+    }
+  for (const auto& drift : settings.guess_errors.empty() ? settings.drifts : std::vector<std::string>{}) {
     auto keyframes = straight;
     if (drift != "0") add_drift(keyframes, std::stod(drift), settings.drift_seed);
     const Experiment experiment(settings, options, keyframes, truth, drift);
