@@ -4,6 +4,7 @@
 
 #include "slam/core/loop_candidates.h"
 #include "slam/core/loop_registration.h"
+#include "slam/core/slam_preview.h"
 
 namespace bole {
 namespace {
@@ -38,7 +39,11 @@ LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions&
     if (run.asked_to_finish()) break;
     verifying.report(static_cast<double>(out.candidates) / static_cast<double>(candidates.size()), "closing loops");
     ++out.candidates;
-    if (auto loop = verified(keyframes, c, options, verifying)) out.loops.push_back(std::move(*loop));
+    if (auto loop = verified(keyframes, c, options, verifying))
+      out.loops.push_back(std::move(*loop));
+    else
+      out.refused.emplace_back(c.from, c.to);
+    preview_loops(run, out.loops, out.refused, false);
   }
   return out;
 }
