@@ -11,27 +11,27 @@
 namespace bole {
 namespace {
 
-constexpr double step_s = 1.0;       // of the tables
 constexpr double bandwidth_s = 6.0;  // poses of SLAM drift within seconds
 constexpr double as_good_as = 4;     // sightings that the mean of the pass counts for, against those near in time
 constexpr double spread_m = 0.01;    // of the sightings of one moment
-constexpr int rounds = 20;
+constexpr int rounds = 12;
+
+using Moments = std::vector<std::pair<double, Eigen::Vector2d>>;  // displacements by rising time
 
 // Weighted mean of values by time, drawn towards `centre`.
-Eigen::Vector2d near_in_time(const std::vector<std::pair<double, Eigen::Vector2d>>& values, double time,
-                             const Eigen::Vector2d& centre) {
+Eigen::Vector2d near_in_time(const Moments& values, double time, const Eigen::Vector2d& centre) {
   double weight = as_good_as;
   Eigen::Vector2d sum = as_good_as * centre;
-  for (const auto& [t, v] : values) {
-    const double u = (t - time) / bandwidth_s;
-    if (std::abs(u) > 4) continue;
-    const double w = std::exp(-0.5 * u * u) * tukey_weight((v - centre).norm() / (3 * spread_m));
-    weight += w, sum += w * v;
+  auto it = std::ranges::lower_bound(values, time - 4 * bandwidth_s, {}, &Moments::value_type::first);
+  for (; it != values.end() && it->first <= time + 4 * bandwidth_s; ++it) {
+    const double u = (it->first - time) / bandwidth_s;
+    const double w = std::exp(-0.5 * u * u) * tukey_weight((it->second - centre).norm() / (3 * spread_m));
+    weight += w, sum += w * it->second;
   }
   return sum / weight;
 }
 
-Eigen::Vector2d middle(const std::vector<std::pair<double, Eigen::Vector2d>>& values) {
+Eigen::Vector2d middle(const Moments& values) {
   std::vector<double> x, y;
   for (const auto& [t, v] : values) x.push_back(v.x()), y.push_back(v.y());
   return {median_of(x), median_of(y)};
@@ -56,13 +56,14 @@ PassAlignment::PassAlignment(const std::vector<PassSighting>& sightings) {
   if (sightings.empty()) return;
   std::vector<Eigen::Vector2d> shift(sightings.size(), Eigen::Vector2d::Zero());
   std::map<int, Eigen::Vector2d> place;  // of each stem, less where it was put
-  std::map<std::int32_t, std::vector<std::pair<double, Eigen::Vector2d>>> by_pass;
+  std::map<std::int32_t, Moments> by_pass;
   for (int round = 0; round < rounds; ++round) {
     by_pass.clear();
     for (const auto& s : sightings)
       by_pass[s.pass].emplace_back(s.time_s, s.offset - place.try_emplace(s.stem, 0, 0).first->second);
     std::map<std::int32_t, Eigen::Vector2d> of_pass;
-    for (const auto& [pass, values] : by_pass) of_pass[pass] = middle(values);
+    for (auto& [pass, values] : by_pass)
+      std::ranges::stable_sort(values, {}, &Moments::value_type::first), of_pass[pass] = middle(values);
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < sightings.size(); ++i) {
       const auto& s = sightings[i];
@@ -77,11 +78,11 @@ PassAlignment::PassAlignment(const std::vector<PassSighting>& sightings) {
   for (const auto& d : shift) rms_m_ += (d - mean).squaredNorm() / (2 * static_cast<double>(shift.size()));
   rms_m_ = std::sqrt(rms_m_);
   for (const auto& [pass, values] : by_pass) {
-    const auto [first, last] = std::ranges::minmax_element(values, {}, &std::pair<double, Eigen::Vector2d>::first);
-    Table table{first->first, {}};
+    Table table;
     const Eigen::Vector2d centre = middle(values);
-    for (double t = first->first; table.shift.empty() || t < last->first + step_s; t += step_s)
-      table.shift.push_back(near_in_time(values, t, centre) - mean);
+    for (const auto& [t, v] : values)
+      if (table.time_s.empty() || t > table.time_s.back())
+        table.time_s.push_back(t), table.shift.push_back(near_in_time(values, t, centre) - mean);
     tables_.emplace(pass, std::move(table));
   }
 }
@@ -89,11 +90,12 @@ PassAlignment::PassAlignment(const std::vector<PassSighting>& sightings) {
 Eigen::Vector2d PassAlignment::at(std::int32_t pass, double time_s) const {
   const auto found = tables_.find(pass);
   if (found == tables_.end()) return Eigen::Vector2d::Zero();
-  const auto& [first, shift] = found->second;
-  const double last = static_cast<double>(shift.size() - 1);
-  const double at = std::isfinite(time_s) ? std::clamp((time_s - first) / step_s, 0.0, last) : 0;
-  const auto k = std::min(static_cast<std::size_t>(at), shift.size() - 1), next = std::min(k + 1, shift.size() - 1);
-  return shift[k] + (at - static_cast<double>(k)) * (shift[next] - shift[k]);
+  const auto& [times, shift] = found->second;
+  const auto next = static_cast<std::size_t>(std::ranges::lower_bound(times, time_s) - times.begin());
+  if (next == 0 || !std::isfinite(time_s)) return shift.front();
+  if (next == times.size()) return shift.back();
+  const double share = (time_s - times[next - 1]) / (times[next] - times[next - 1]);
+  return shift[next - 1] + share * (shift[next] - shift[next - 1]);
 }
 
 PointCloud aligned(const PointCloud& points, const PassAlignment& alignment) {

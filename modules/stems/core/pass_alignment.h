@@ -32,8 +32,8 @@ class PassAlignment {
 
  private:
   struct Table {
-    double first_s = 0;
-    std::vector<Eigen::Vector2d> shift;  // by step of time
+    std::vector<double> time_s;  // of the sightings, rising
+    std::vector<Eigen::Vector2d> shift;
   };
   std::map<std::int32_t, Table> tables_;
   double rms_m_ = 0;
