@@ -244,6 +244,21 @@ class SceneTest : public QObject {
     QCOMPARE(measuring->list().size(), std::size_t{3});
     QVERIFY(std::abs(values_of(measuring->list()[0])[1].value - values[1].value) < 1e-9);
     forget_changes();
+
+    // A file that cannot be read is told of and not written over.
+    write_pipeline(path("odd.json").toStdString());
+    QFile odd(path("odd.measurements.json"));
+    QVERIFY(odd.open(QIODevice::WriteOnly) && odd.write("{}") == 2);
+    odd.close();
+    open("odd.json");
+    QVERIFY(measuring->list().empty());
+    s.look_along({0, 0, -1}, {0, 1, 0});
+    trigger("measure_point");
+    click_on({4.5, 1.6, 4.77});
+    trigger("end_taking");
+    QCOMPARE(measuring->list().size(), std::size_t{1});
+    QCOMPARE(odd.size(), 2);
+    forget_changes();
     open("plot.json");
   }
 

@@ -77,7 +77,7 @@ MeasureBehavior::MeasureBehavior(MainWindow& window)
   window_.docks().add("measurements", tr("Measurements"), panel_, Qt::RightDockWidgetArea, "profile");
   make_actions();
   connect(&window_, &MainWindow::document_opened, this, &MeasureBehavior::load);
-  connect(&window_, &MainWindow::document_saved, this, &MeasureBehavior::store);
+  connect(&window_, &MainWindow::document_saved, this, [this] { window_.guarded([this] { store(); }); });
   connect(&window_.scene(), &SceneView::place_taken, this, &MeasureBehavior::take);
   connect(&window_.scene(), &SceneView::place_taker_changed, this, [this](const QObject* taker) {
     if (taker == this || !tool_) return;
@@ -256,15 +256,23 @@ void MeasureBehavior::load() {
   stop();
   list_.clear();
   selected_ = -1;
+  unread_.clear();
   QFile stored(file());
-  if (stored.open(QIODevice::ReadOnly))
-    window_.guarded([&] { list_ = parse_measurements(stored.readAll().toStdString()); });
+  if (stored.open(QIODevice::ReadOnly)) try {
+      list_ = parse_measurements(stored.readAll().toStdString());
+    } catch (const Error& e) {
+      unread_ = file();  // is not written over
+      window_.say(unread_ + ": " + QString::fromUtf8(e.what()));
+    }
   panel_->show_list(list_);
   draw();
 }
 
 void MeasureBehavior::store() const {
   if (window_.session().path().isEmpty()) return;
+  if (file() == unread_)
+    throw bad_input("measurements are not kept: " + unread_.toStdString() + " could not be read",
+                    "a file of measurements, or none", "Move it away");
   if (list_.empty())
     QFile::remove(file());
   else

@@ -51,6 +51,7 @@ class MeasureBehavior : public QObject {
   std::optional<Measurement::Kind> tool_;
   std::optional<Measurement> open_;  // being clicked
   int selected_ = -1;
+  QString unread_;  // a file that is there and could not be read
 };
 
 void install_measuring(MainWindow& window);

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "document/person.h"
 #include "main_window.h"
@@ -40,6 +41,7 @@ RowBehavior::RowBehavior(MainWindow& window) : QObject(&window), window_(window)
   make_dock();
   make_actions();
   auto& scene = window_.scene();
+  connect(&window_, &MainWindow::document_opened, this, [this] { raised_ = false; });
   connect(&window_, &MainWindow::survey_shown, this, &RowBehavior::show_survey);
   connect(&window_.selection(), &Selection::row_changed, this, &RowBehavior::follow_selection);
   connect(&scene, &SceneView::drawing_clicked, this, [this](const QString& which, int drawing) {
@@ -144,7 +146,7 @@ void RowBehavior::show_survey(const Survey& survey) {
   following_ = true;
   model_->show(survey.rows);
   following_ = false;
-  if (survey.rows && window_.docks().find("rows")->isHidden()) window_.docks().raise("rows");
+  if (survey.rows && !std::exchange(raised_, true)) window_.docks().raise("rows");
   if (!survey.rows) window_.selection().select_row({});
   follow_selection();
 }

@@ -72,6 +72,7 @@ class RowBehavior : public QObject {
   std::optional<Task> task_;
   std::vector<Eigen::Vector2d> clicked_;
   bool following_ = false;
+  bool raised_ = false;  // the dock, for this document
 };
 
 void install_rows(MainWindow& window);

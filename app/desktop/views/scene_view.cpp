@@ -79,12 +79,14 @@ void SceneView::show_survey(const Survey& survey) {
   survey_ = survey;
   picked_.reset();
   facts_.clear();
+  if (first) {  // ranges and boxes are those of the survey before
+    settings_.clip.reset(), settings_.filter = {}, settings_.color_range.reset();
+    show_clip_handles(false);
+    layer_.set_clip({});
+  }
   rebuild();
   follow_index();
   if (first) {
-    settings_.clip.reset();
-    show_clip_handles(false);
-    layer_.set_clip({});
     begin_motion();  // something is seen at once; the rest follows
     reset_camera();
   } else {
