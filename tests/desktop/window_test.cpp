@@ -90,7 +90,10 @@ class WindowTest : public QObject {
   void a_refused_file_leaves_the_document_in_hand() {
     MainWindow window;
     window.open(folder_.filePath("plot.json"));
-    QVERIFY_EXCEPTION_THROWN(window.open(folder_.filePath("cloud.xyz")), Error);
+    const QString broken = folder_.filePath("broken.json");
+    std::ofstream(broken.toStdString()) << "no pipeline";
+    QVERIFY_EXCEPTION_THROWN(window.open(broken), Error);
+    QVERIFY_EXCEPTION_THROWN(window.open(folder_.filePath("letter.pdf")), Error);
     QCOMPARE(window.session().document().stages().size(), std::size_t{5});
   }
 

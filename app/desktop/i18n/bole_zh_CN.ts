@@ -770,18 +770,6 @@
             <translation>整条路径</translation>
         </message>
         <message>
-            <source>Open scan…</source>
-            <translation>打开扫描数据…</translation>
-        </message>
-        <message>
-            <source>Open scan</source>
-            <translation>打开扫描数据</translation>
-        </message>
-        <message>
-            <source>Recordings (*.pcap *.pcapng)</source>
-            <translation>扫描记录 (*.pcap *.pcapng)</translation>
-        </message>
-        <message>
             <source>Jobs</source>
             <translation>任务</translation>
         </message>

@@ -143,7 +143,6 @@ void PropertiesPanel::rebuild() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   for (const auto& spec : stage->type->options->specs) {
     if (!is_listed(spec)) continue;
     const auto help =
@@ -152,6 +151,7 @@ void PropertiesPanel::rebuild() {
             .arg(QString::fromStdString(spec.needed()), QString::fromStdString(option_text(spec.default_value)));
     auto* editor = editor_for(value_of(*stage, spec), spec);
     editor->setToolTip(help);
+    editor->setMinimumWidth(80);  // not that of the widest number there is
     editor->setObjectName(QString::fromStdString(spec.name));
     const bool changed = value_of(*stage, spec) != spec.default_value;
     auto* name = new QLabel(changed ? "<b>" + label_text(spec) + "</b>" : label_text(spec));
