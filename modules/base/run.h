@@ -13,6 +13,8 @@
 
 namespace bole {
 
+class Preview;  // cloud/preview.h
+
 // What ran before in the same pipeline, for the stages that tell about it (report, summary).
 struct OptionRecord {
   std::string name, value, unit;
@@ -40,6 +42,7 @@ struct Run {
   std::filesystem::path output_dir;   // where sink stages (report) write; empty: they refuse with a hint
 
   std::shared_ptr<const RunRecord> record;  // null outside a pipeline
+  std::shared_ptr<Preview> preview;         // somebody who watches the work grow; null: nobody does
 
   void report(double fraction, std::string_view what) const {
     if (progress) progress(fraction, what);

@@ -117,6 +117,7 @@ StageControl PipelineExecutor::control_for(const StageNode& node, const RunSetti
     control.progress = [&settings, id = node.id](double fraction, std::string_view what) {
       settings.progress(id, fraction, what);
     };
+  if (settings.preview) control.preview = settings.preview(node);
   control.record = [this, &so_far] {
     auto record = std::make_shared<RunRecord>();
     record->document = document_.source().empty() ? document_.title() : document_.source();

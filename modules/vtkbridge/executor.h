@@ -30,6 +30,8 @@ struct RunSettings {
   std::uintmax_t cache_bytes = std::uintmax_t{20} << 30;  // results not used for longest go when the cache is larger
   std::filesystem::path scratch_dir;
   std::function<void(const std::string& stage, double fraction, std::string_view what)> progress;
+  // Who watches a stage at work; may give null. Called as each stage begins.
+  std::function<std::shared_ptr<Preview>(const StageNode&)> preview;
   std::stop_token cancel;
   std::stop_token finish;  // of the stage that runs when it is asked for; those after it run in full on its result
 };

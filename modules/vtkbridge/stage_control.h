@@ -18,6 +18,7 @@ struct StageControl {
   std::stop_token finish;
   std::function<void(double fraction, std::string_view what)> progress;
   std::function<std::shared_ptr<const RunRecord>()> record;  // what ran before
+  std::shared_ptr<Preview> preview;                          // null: nobody watches
   std::shared_ptr<ResultCache> cache;
   std::filesystem::path output_dir;
   std::filesystem::path scratch_dir;

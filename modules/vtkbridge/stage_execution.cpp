@@ -55,7 +55,7 @@ class StoredResult {
 std::function<DataSet()> repeat(const StageType& type, const OptionSet& options, const PortData& inputs,
                                 const Run& run) {
   Run silent = run;
-  silent.progress = nullptr;
+  silent.progress = nullptr, silent.preview = nullptr;
   return [&type, options, inputs, silent] { return run_now(type, options, inputs, silent).outputs; };
 }
 

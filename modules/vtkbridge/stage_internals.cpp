@@ -121,6 +121,7 @@ bole::Run vtkBoleStage::Internals::make_run(vtkBoleStage* self) {
   run.output_dir = control.output_dir;
   run.scratch_dir = control.scratch_dir;
   if (control.record) run.record = control.record();
+  run.preview = control.preview;
   run.progress = [this, self](double fraction, std::string_view what) {
     self->SetProgressText(std::string(what).c_str());
     self->UpdateProgress(fraction);

@@ -198,7 +198,7 @@ void vtkBoleStage::SetControl(bole::StageControl control) {
 
 void vtkBoleStage::DetachControl() {
   auto& control = this->Inner->control;
-  control.progress = nullptr, control.record = nullptr;
+  control.progress = nullptr, control.record = nullptr, control.preview = nullptr;
   control.cancel = {}, control.finish = {};
 }
 

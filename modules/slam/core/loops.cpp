@@ -6,6 +6,7 @@
 #include "slam/core/context_index.h"
 #include "slam/core/loop_registration.h"
 #include "slam/core/place_guess.h"
+#include "slam/core/slam_preview.h"
 
 namespace bole {
 namespace {
@@ -112,8 +113,12 @@ LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamOptions&
     last_trial_m = keyframes[k].path_m;
     for (const auto& c : candidates) {
       ++out.candidates;
-      if (auto loop = verified(keyframes, c, options, run)) out.loops.push_back(std::move(*loop));
+      if (auto loop = verified(keyframes, c, options, run))
+        out.loops.push_back(std::move(*loop));
+      else
+        out.refused.emplace_back(c.from, c.to);
     }
+    preview_loops(run, out.loops, out.refused, false);
     run.report(static_cast<double>(k) / static_cast<double>(keyframes.size()), "loops");
   }
   return out;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "slam/core/keyframes.h"
@@ -21,6 +22,7 @@ struct Loop {
 
 struct LoopSearch {
   std::vector<Loop> loops;
+  std::vector<std::pair<std::size_t, std::size_t>> refused;  // key frames of candidates that did not hold
   std::size_t candidates = 0;
 };
 

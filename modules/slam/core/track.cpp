@@ -10,6 +10,7 @@
 #include "slam/core/loops.h"
 #include "slam/core/pose_graph.h"
 #include "slam/core/refine.h"
+#include "slam/core/slam_preview.h"
 #include "slam/core/stopwatch.h"
 
 namespace bole {
@@ -56,6 +57,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   FeatureExtractor extractor(options);
   Odometry odometry(options);
   FrameWarnings warnings(report);
+  FollowPreview preview(run, source.size());
   const bool by_context = options.loops == "context" || options.loops == "both";
   ScanFrame frame;
   Scan scan;
@@ -101,6 +103,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
                        " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100));
     }
     if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
+    preview.frame(odometry, features);
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
     if (odometry.lost()) {
       const auto first = i + 1 - odometry.failed_in_a_row();
@@ -113,6 +116,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     }
   }
   odometry.drop_failed_tail();
+  preview.all(odometry);
   const auto n = std::max<std::size_t>(used, 1);
   report.metrics["read_per_frame"] = {ms_per_frame(read_s, n), Unit::millisecond};
   report.metrics["features_per_frame"] = {ms_per_frame(features_s, n), Unit::millisecond};
@@ -202,6 +206,7 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
+  preview_loops(run, search.loops, search.refused, true);
   std::vector<Loop> kept = search.loops;
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
@@ -215,6 +220,11 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
                                              Unit::metre};
     carry_frames(pass.frames, pass.keyframes, graph.T_map_keyframe);
     for (std::size_t k = 0; k < pass.keyframes.size(); ++k) pass.keyframes[k].T_map_keyframe = graph.T_map_keyframe[k];
+    auto refused = search.refused;
+    for (std::size_t i = 0; i < search.loops.size(); ++i)
+      if (graph.refused[i]) refused.emplace_back(search.loops[i].from, search.loops[i].to);
+    preview_loops(run, kept, refused, true);
+    preview_poses(run, pass.frames, pass.keyframes);
   }
   report.counts["loops"] = static_cast<std::int64_t>(kept.size());
   report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
@@ -276,6 +286,7 @@ void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Rep
   Stopwatch watch;
   auto refined = refine_path(track.path, samples, settings, run);
   track.path = std::move(refined.path);
+  preview_path(run, track.path, pass.keyframes);
   report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap_s(), samples.size()), Unit::millisecond};
   if (refined.rms_m.empty()) return;
   report.metrics["adjustment_rms_first"] = {refined.rms_m.front(), Unit::metre};
