@@ -8,12 +8,12 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPlainTextEdit>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "behaviors/review_behavior.h"
+#include "document/scan_document.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
@@ -53,12 +53,11 @@ MainWindow::MainWindow()
       profile_(new ProfileView(selection_, this)),
       chart_(new ChartView(selection_, this)),
       stems_(new TablePanel(selection_, this)),
-      log_(new QPlainTextEdit(this)) {
+      log_(new LogPanel(this)) {
   setWindowTitle(tr("Bole"));
   resize(1600, 1000);
   setAcceptDrops(true);
   setCentralWidget(scene_);
-  log_->setReadOnly(true);
   make_docks();
   make_menus();
   connect_document();
@@ -84,7 +83,7 @@ QAction* MainWindow::add_action(QMenu* menu, const char* id, const QString& text
 
 void MainWindow::connect_document() {
   connect(pipeline_, &PipelinePanel::stage_selected, properties_, &PropertiesPanel::show_stage);
-  connect(properties_, &PropertiesPanel::refused, this, &MainWindow::say);
+  connect(properties_, &PropertiesPanel::refused, this, [this](const QString& text) { say(text, LogLevel::error); });
   connect(run_, &RunBehavior::progressed, this,
           [this](const QString& stage) { pipeline_->set_state(stage, StageState::running); });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
@@ -100,7 +99,7 @@ void MainWindow::connect_views() {
           [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
   connect(slice_, &SliceView::edits_requested, this,
           [this](const std::vector<StemEdit>& edits) { guarded([&] { edit_->apply(edits); }); });
-  connect(slice_, &SliceView::said, this, &MainWindow::say);
+  connect(slice_, &SliceView::said, this, [this](const QString& text) { say(text); });
   connect(slice_, &SliceView::height_changed, profile_, &ProfileView::set_height);
   connect(profile_, &ProfileView::height_dragged, slice_, &SliceView::set_height);
   connect(scene_, &SceneView::point_picked, this, [this](const QStringList& facts) {
@@ -139,21 +138,25 @@ void MainWindow::guarded(const std::function<void()>& act) {
   try {
     act();
   } catch (const Error& e) {
-    say(QString::fromUtf8(e.what()));
+    say(QString::fromUtf8(e.what()), LogLevel::error);
   }
 }
 
-void MainWindow::say(const QString& text) {
-  log_->appendPlainText(text);
+void MainWindow::say(const QString& text, LogLevel level) {
+  log_->add(text, level);
   statusBar()->showMessage(text, 10000);
 }
 
-void MainWindow::open(const QString& path) {
+void MainWindow::open(const QString& given) {
+  const bool scan = is_scan(given);
+  const QString path = scan ? document_path_for_scan(given) : given;
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost && QMessageBox::question(this, tr("Changes were not saved"),
                                     tr("The program ended before changes to %1 were saved. Take them up again?")
                                         .arg(QFileInfo(path).fileName())) == QMessageBox::Yes)
     session_.recover(path);
+  else if (scan && !QFileInfo::exists(path))
+    session_.begin(document_for_scan(given), path);
   else
     session_.open(path);
   run_->forget_survey();
@@ -179,7 +182,7 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::start(bool sinks) {
-  if (!session_.has_document() || run_->running()) return;
+  if (!session_.has_document()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
   run_->start(results_folder(), sinks);
   Q_EMIT run_started();
@@ -205,7 +208,10 @@ void MainWindow::show_outcome(const RunOutcome& outcome) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
     say(QString::fromStdString(stage.record.id + ": " +
-                               (stage.error.empty() ? stage.record.report.message : stage.error)));
+                               (stage.error.empty() ? stage.record.report.message : stage.error)),
+        stage.error.empty() ? LogLevel::info : LogLevel::error);
+    for (const auto& warning : stage.record.report.warnings)
+      say(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
@@ -217,7 +223,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
   if (session_.has_document() && !session_.undo_stack().isClean() && !may_lose_changes()) return event->ignore();
-  run_->cancel();
+  run_->cancel_all();
   event->accept();
 }
 

@@ -10,10 +10,9 @@
 #include "behaviors/edit_behavior.h"
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
+#include "panels/log_panel.h"
 #include "selection/selection.h"
 #include "shell/docks.h"
-
-class QPlainTextEdit;
 
 namespace bole::desktop {
 
@@ -34,9 +33,9 @@ class MainWindow : public QMainWindow {
  public:
   MainWindow();
 
-  void open(const QString& path);
+  void open(const QString& path);  // a pipeline, or a scan: then a pipeline is made for it
   void save(const QString& path);
-  void run();                      // the whole pipeline
+  void run();                      // the whole pipeline; after the runs that are asked for already
   void refresh();                  // all but what writes files; after the run under way, when there is one
   QString results_folder() const;  // where a run of the document writes
 
@@ -49,6 +48,7 @@ class MainWindow : public QMainWindow {
   ProfileView& profile() { return *profile_; }
   ChartView& chart() { return *chart_; }
   TablePanel& stems() { return *stems_; }
+  LogPanel& log() { return *log_; }
   PipelinePanel& pipeline() { return *pipeline_; }
   PropertiesPanel& properties() { return *properties_; }
   Selection& selection() { return selection_; }
@@ -59,7 +59,7 @@ class MainWindow : public QMainWindow {
   QAction* add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
                       const QKeySequence& key = {});
   void guarded(const std::function<void()>& act);  // errors become a sentence in the log and the status bar
-  void say(const QString& text);
+  void say(const QString& text, LogLevel level = LogLevel::info);
 
  Q_SIGNALS:
   void document_opened();
@@ -95,7 +95,7 @@ class MainWindow : public QMainWindow {
   ProfileView* profile_;
   ChartView* chart_;
   TablePanel* stems_;
-  QPlainTextEdit* log_;
+  LogPanel* log_;
   bool refresh_again_ = false;
 };
 

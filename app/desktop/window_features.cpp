@@ -1,8 +1,10 @@
 #include "window_features.h"
 
+#include "behaviors/running_feature.h"
+
 namespace bole::desktop {
 
 // One line for each feature, in the order in which their actions appear in the menus.
-void install_features(MainWindow&) {}
+void install_features(MainWindow& window) { install_running(window); }
 
 }  // namespace bole::desktop

@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 
 #include "base/atomic_file.h"
+#include "document/person.h"
 
 namespace bole::desktop {
 
@@ -15,7 +16,10 @@ class EditOption : public QUndoCommand {
         stage_(std::move(stage)),
         option_(std::move(option)),
         before_(std::move(before)),
-        after_(std::move(after)) {}
+        after_(std::move(after)),
+        note_{person(), QDateTime::currentDateTime()} {}
+
+  const EditNote& note() const { return note_; }
 
   void undo() override { session_.apply(stage_, option_, before_); }
   void redo() override { session_.apply(stage_, option_, after_); }
@@ -24,6 +28,7 @@ class EditOption : public QUndoCommand {
   Session& session_;
   std::string stage_, option_;
   OptionValue before_, after_;
+  EditNote note_;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -51,6 +56,17 @@ void Session::discard_recovery() {
 
 void Session::journal() const {
   if (!path_.isEmpty()) write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+}
+
+void Session::begin(PipelineDocument document, const QString& path) {
+  take(std::move(document), path);
+  undo_.resetClean();
+  journal();
+}
+
+EditNote Session::edit_note(int index) const {
+  const auto* edit = dynamic_cast<const EditOption*>(undo_.command(index));
+  return edit ? edit->note() : EditNote{};
 }
 
 void Session::save(const QString& path) {

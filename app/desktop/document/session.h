@@ -1,6 +1,7 @@
 // The document that the window edits: the same JSON that `bole run` takes. Undo is the previous document.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
@@ -9,6 +10,12 @@
 #include "pipeline/document.h"
 
 namespace bole::desktop {
+
+// Who made an edit, and when.
+struct EditNote {
+  QString author;
+  QDateTime time;
+};
 
 class Session : public QObject {
   Q_OBJECT
@@ -19,8 +26,9 @@ class Session : public QObject {
   // Throw bole::Error; the document in hand stays as it was. Every change is also written to recovery_path(), which
   // save() and discard_recovery() remove: after a crash it holds what was not saved.
   void open(const QString& path);
-  void recover(const QString& path);  // opens what a crash left of `path`; not saved yet
-  void save(const QString& path);     // atomic
+  void recover(const QString& path);                           // opens what a crash left of `path`; not saved yet
+  void save(const QString& path);                              // atomic
+  void begin(PipelineDocument document, const QString& path);  // a new one, to be saved there; not saved yet
   static QString recovery_path(const QString& path) { return path + ".recovery"; }
   void discard_recovery();
 
@@ -32,6 +40,7 @@ class Session : public QObject {
   void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
 
   QUndoStack& undo_stack() { return undo_; }
+  EditNote edit_note(int index) const;  // of a command of the stack
 
  Q_SIGNALS:
   void document_replaced();  // another document, or one step of undo or redo
