@@ -157,6 +157,14 @@ class RunningTest : public QObject {
     picture("growing");
     QVERIFY(ended.wait(60000));
     QCOMPARE(int(runner().jobs().back()->state), int(JobState::done));
+    // What is shown as the walk is the estimate, not the reference that the pipeline reads.
+    const auto& walked = runner().survey().walk->poses;
+    double off = 0;
+    for (const auto& p : walked)
+      off = std::max(off, (p.T_target_sensor.translation() -
+                           small_scan(frames).truth(0).inverse() * small_scan(frames).truth(p.time_s).translation())
+                              .norm());
+    QVERIFY2(off > 1e-4 && off < 0.1, qPrintable(QString::number(off)));
     QVERIFY(walk().live().points() > early);
     QCOMPARE(walk().live().path()->poses.empty(), false);
     disconnect(count);
@@ -348,6 +356,46 @@ class RunningTest : public QObject {
     window_->open(folder_.filePath("walk"));  // again: the same document
     QCOMPARE(session.path(), folder_.filePath("walk.json"));
     QVERIFY(session.undo_stack().isClean());
+  }
+
+  // BOLE_CAPTURE=folder BOLE_PICTURES=docs/user/img takes the pictures of the manual from a simulated walk: walk.pcap,
+  // trajectory.tum and trees.csv, as `bole simulate` writes them.
+  void the_pictures_of_the_manual() {
+    const auto capture = qEnvironmentVariable("BOLE_CAPTURE");
+    if (capture.isEmpty()) QSKIP("BOLE_CAPTURE is not set");
+    QFile::link(capture + "/walk.pcap", folder_.filePath("plot.pcap"));
+    window_->open(folder_.filePath("plot.pcap"));
+    auto& session = window_->session();
+    session.set_option("reference_trees", "file", (capture + "/trees.csv").toStdString());
+    session.set_option("reference_path", "file", (capture + "/trajectory.tum").toStdString());
+    session.save(session.path());
+    constexpr int most_ms = 1'200'000;
+    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    StallMeter meter;
+    window_->run();
+    window_->docks().raise("jobs");
+    QTRY_VERIFY_WITH_TIMEOUT(walk().live().state() && walk().live().state()->frame * 2 > walk().live().state()->frames,
+                             most_ms);
+    picture("walk");
+    QTRY_VERIFY_WITH_TIMEOUT(!walk().live().loops().empty() || !runner().running(), most_ms);
+    picture("loops");
+    QVERIFY(!ended.isEmpty() || ended.wait(most_ms));
+    std::printf("longest stall of the window: %.0f ms; longest at work: %.0f ms\n", 1000 * meter.longest_s(),
+                1000 * meter.longest_busy_s());
+    const int first = runner().jobs().back()->id;
+    session.set_option("slam", "preset", std::string("loam"));
+    window_->run();
+    const int second = runner().jobs().back()->id;
+    QVERIFY(ended.wait(most_ms));
+    window_->docks().raise("history");
+    picture("history");
+    Q_EMIT window_->findChild<HistoryPanel*>()->compare_asked(first, second);
+    CompareWindow* both = nullptr;
+    QTRY_VERIFY_WITH_TIMEOUT((both = window_->findChild<CompareWindow*>()) != nullptr, most_ms);
+    QVERIFY(QTest::qWaitForWindowExposed(both));
+    QTRY_VERIFY_WITH_TIMEOUT(both->scene(0).refined() && both->scene(1).refined(), 60000);
+    both->grab().save(qEnvironmentVariable("BOLE_PICTURES") + "/compare.png");
+    both->close();
   }
 
  private:

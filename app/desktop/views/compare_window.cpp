@@ -55,13 +55,13 @@ CompareWindow::CompareWindow(Side first, Side second, QWidget* parent)
   auto* all = new QSplitter(Qt::Vertical, this);
   all->addWidget(views);
   all->addWidget(below);
-  all->setStretchFactor(0, 3);
-  all->setStretchFactor(1, 1);
+  all->setSizes({660, 240});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(all);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   fill_table();
 }
 
@@ -92,8 +92,7 @@ QWidget* CompareWindow::column(std::size_t which) {
   auto* parts = new QSplitter(Qt::Vertical, box);
   parts->addWidget(scenes_[which]);
   parts->addWidget(errors_[which]);
-  parts->setStretchFactor(0, 3);
-  parts->setStretchFactor(1, 1);
+  parts->setSizes({460, 200});
   auto* layout = new QVBoxLayout(box);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
