@@ -102,6 +102,47 @@ class RunningTest : public QObject {
     QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join('\n')));
   }
 
+  void a_live_map_follows_its_key_frames() {
+    const auto snapshot = [](std::size_t keyframes, double shift_m, bool points) {
+      Trajectory poses;
+      for (std::size_t k = 0; k < keyframes; ++k) {
+        Pose T = Pose::Identity();
+        T.translation() = Eigen::Vector3d(static_cast<double>(k), shift_m * static_cast<double>(k), 0);
+        poses.poses.push_back({static_cast<double>(k), T});
+      }
+      DataSet part;
+      part.set("keyframes", std::move(poses));
+      if (!points) return part;
+      PointCloud cloud(PointCloud::Positions(5, Eigen::Vector3f(1, 2, 3)));
+      cloud.set_column(arrays::keyframe, std::vector<std::int32_t>(5, static_cast<std::int32_t>(keyframes) - 1));
+      part.set("keyframe_points", std::move(cloud));
+      return part;
+    };
+    LiveMap map;
+    for (std::size_t k = 1; k <= 3; ++k) map.add(snapshot(k, 0, true));
+    QCOMPARE(map.keyframes().size(), std::size_t{3});
+    QCOMPARE(map.points(), std::size_t{15});
+    QCOMPARE(map.take_first_changed(), std::size_t{0});
+    QCOMPARE(map.take_first_changed(), std::size_t{3});
+    map.add(snapshot(4, 0, true));
+    QCOMPARE(map.take_first_changed(), std::size_t{3});  // the others stand
+    map.add(snapshot(4, 0.1, false));
+    QCOMPARE(map.take_first_changed(), std::size_t{1});  // a loop moved all but the first
+    QCOMPARE(map.points(), std::size_t{20});
+    Table loops;
+    loops.set("from_keyframe", std::vector<std::int64_t>{0, 0});
+    loops.set("to_keyframe", std::vector<std::int64_t>{3, 9});  // 9 was given up
+    loops.set("accepted", std::vector<std::int64_t>{1, 0});
+    DataSet part;
+    part.set("loops", std::move(loops));
+    map.add(part);
+    QCOMPARE(map.loops().size(), std::size_t{1});
+    QVERIFY(map.loops()[0].accepted);
+    map.add(snapshot(2, 0.1, false));  // the track was lost and its end given up
+    QCOMPARE(map.keyframes().size(), std::size_t{2});
+    QCOMPARE(map.points(), std::size_t{10});
+  }
+
   void frames_are_seen_before_anything_is_run() {
     QTRY_COMPARE(bar().frames(), static_cast<int>(frames));
     tabs().setCurrentWidget(&walk());
