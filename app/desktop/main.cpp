@@ -1,26 +1,69 @@
-// The desktop program: bole-desktop [PIPELINE.json]
+// The desktop program: bole-desktop [FILE], bole-desktop --time-startup
 #include <QVTKOpenGLNativeWidget.h>
+
 #include <QApplication>
+#include <QFileInfo>
+#include <QSettings>
 #include <QSurfaceFormat>
 
 #include "base/error.h"
+#include "base/version.h"
 #include "main_window.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
+#include "shell/language.h"
+#include "shell/layouts.h"
+#include "shell/startup_time.h"
+#include "shell/theme.h"
+
+namespace {
+
+using bole::desktop::MainWindow;
+
+// What the command line names, else what was open before the language was changed.
+bool open_first(MainWindow& window, const QString& file) {
+  QSettings settings;
+  const QString before = settings.value("reopen").toString();
+  settings.remove("reopen");
+  try {
+    if (!file.isEmpty())
+      window.open(file);
+    else if (QFileInfo::exists(before))
+      window.open(before);
+    return true;
+  } catch (const bole::Error& e) {
+    qCritical("bole-desktop: %s", e.what());
+    return false;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   QApplication application(argc, argv);
   QApplication::setApplicationName("Bole");
+  QApplication::setOrganizationName("Bole");
+  QApplication::setApplicationVersion(QString::fromStdString(std::string(bole::version())));
   bole::register_all_stages(bole::StageRegistry::global());
   bole::register_report_stages(bole::StageRegistry::global());
-  bole::desktop::MainWindow window;
-  window.show();
-  try {
-    if (argc > 1) window.open(QString::fromLocal8Bit(argv[1]));
-  } catch (const bole::Error& e) {
-    qCritical("bole-desktop: %s", e.what());
-    return e.exit_code();
-  }
-  return QApplication::exec();
+  bole::desktop::apply_saved_theme();
+  QString file = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString();
+  const bool timed = file == "--time-startup";
+  if (timed) file.clear();
+  int code = 0;
+  do {
+    bole::desktop::install_language(application);
+    MainWindow window;
+    bole::desktop::restore_last_layout(window);
+    window.show();
+    if (!open_first(window, file)) return 2;
+    file.clear();
+    if (timed) bole::desktop::time_startup(window);
+    code = QApplication::exec();
+  } while (code == bole::desktop::restart_code);
+  return code;
 }

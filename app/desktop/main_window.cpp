@@ -13,11 +13,18 @@
 #include <utility>
 
 #include "behaviors/review_behavior.h"
-#include "document/scan_document.h"
+#include "behaviors/sample_behavior.h"
+#include "document/new_document.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
+#include "shell/language.h"
+#include "shell/layouts.h"
 #include "shell/menus.h"
+#include "shell/modes.h"
+#include "shell/recent_files.h"
+#include "shell/shortcut_sheet.h"
+#include "shell/theme.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -44,9 +51,10 @@ StageState panel_state(const StageOutcome& stage) {
 MainWindow::MainWindow()
     : docks_(*this),
       run_(new RunBehavior(session_, this)),
+      sample_(new SampleBehavior(this)),
       edit_(new EditBehavior(session_, this)),
       review_(new ReviewBehavior(selection_, this)),
-      pipeline_(new PipelinePanel(session_, this)),
+      pipeline_(new PipelinePanel(session_, visibility_, this)),
       properties_(new PropertiesPanel(session_, this)),
       scene_(new SceneView(selection_, this)),
       slice_(new SliceView(selection_, this)),
@@ -68,8 +76,15 @@ MainWindow::MainWindow()
 
 void MainWindow::make_menus() {
   const QString titles[] = {tr("&File"), tr("&Edit"), tr("&Run"), tr("&Stem"), tr("&View"), tr("&Tools"), tr("&Help")};
-  for (std::size_t i = 0; i < menus_.size(); ++i) menus_[i] = menuBar()->addMenu(titles[i]);
-  for (auto* make : {make_file_menu, make_edit_menu, make_stem_menu, make_view_menu, make_run_bar}) make(*this);
+  const char* names[] = {"file", "edit", "run", "stem", "view", "tools", "help"};
+  for (std::size_t i = 0; i < menus_.size(); ++i) {
+    menus_[i] = menuBar()->addMenu(titles[i]);
+    menus_[i]->setObjectName(names[i]);
+  }
+  for (auto* make : {make_file_menu, make_edit_menu, make_run_bar, make_stem_menu, make_view_menu}) make(*this);
+  menu(Menu::view)->addSeparator();
+  for (auto* make : {make_mode_menu, make_layout_menu, make_theme_menu, make_language_menu, make_help_menu})
+    make(*this);
 }
 
 QAction* MainWindow::add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
@@ -83,9 +98,23 @@ QAction* MainWindow::add_action(QMenu* menu, const char* id, const QString& text
 
 void MainWindow::connect_document() {
   connect(pipeline_, &PipelinePanel::stage_selected, properties_, &PropertiesPanel::show_stage);
-  connect(properties_, &PropertiesPanel::refused, this, [this](const QString& text) { say(text, LogLevel::error); });
-  connect(run_, &RunBehavior::progressed, this,
-          [this](const QString& stage) { pipeline_->set_state(stage, StageState::running); });
+  connect(properties_, &PropertiesPanel::refused, this, &MainWindow::complain);
+  connect(pipeline_, &PipelinePanel::refused, this, &MainWindow::complain);
+  connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
+  connect(sample_, &SampleBehavior::ready, this, [this](const auto& document, const QString& path) {
+    guarded([&] {
+      if (!may_lose_changes()) return;
+      session_.start(*document, path);
+      document_is_open();
+      refresh();
+    });
+  });
+  connect(run_, &RunBehavior::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
+    const int now = run_->current() ? run_->current()->id : 0;
+    if (job == now && last != stage) pipeline_->set_state(last, StageState::done);
+    job = now, last = stage;
+    pipeline_->set_state(stage, StageState::running);
+  });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
@@ -99,7 +128,7 @@ void MainWindow::connect_views() {
           [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
   connect(slice_, &SliceView::edits_requested, this,
           [this](const std::vector<StemEdit>& edits) { guarded([&] { edit_->apply(edits); }); });
-  connect(slice_, &SliceView::said, this, [this](const QString& text) { say(text); });
+  connect(slice_, &SliceView::said, this, &MainWindow::say);
   connect(slice_, &SliceView::height_changed, profile_, &ProfileView::set_height);
   connect(profile_, &ProfileView::height_dragged, slice_, &SliceView::set_height);
   connect(scene_, &SceneView::point_picked, this, [this](const QStringList& facts) {
@@ -116,14 +145,17 @@ void MainWindow::connect_views() {
 void MainWindow::make_docks() {
   auto* stems = new QWidget(this);
   auto* filter = new QLineEdit(stems);
-  filter->setPlaceholderText(tr("Filter: poor, check, a number…"));
+  filter->setPlaceholderText(tr("Filter: words, or conditions such as dbh_cm > 20 quality = poor"));
   filter->setClearButtonEnabled(true);
-  connect(filter, &QLineEdit::textChanged, stems_, &TablePanel::filter);
+  connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+    if (const QString problem = stems_->filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
+  });
   auto* layout = new QVBoxLayout(stems);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
   layout->addWidget(filter);
   layout->addWidget(stems_);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
   docks_.add("pipeline", tr("Pipeline"), pipeline_, Qt::LeftDockWidgetArea);
   docks_.add("options", tr("Options"), properties_, Qt::LeftDockWidgetArea);
   docks_.add("stems", tr("Stems"), stems, Qt::BottomDockWidgetArea);
@@ -138,29 +170,47 @@ void MainWindow::guarded(const std::function<void()>& act) {
   try {
     act();
   } catch (const Error& e) {
-    say(QString::fromUtf8(e.what()), LogLevel::error);
+    complain(QString::fromUtf8(e.what()));
   }
 }
 
-void MainWindow::say(const QString& text, LogLevel level) {
+void MainWindow::say(const QString& text) { tell(text, LogLevel::info); }
+
+void MainWindow::complain(const QString& text) { tell(text, LogLevel::error); }
+
+void MainWindow::tell(const QString& text, LogLevel level) {
   log_->add(text, level);
   statusBar()->showMessage(text, 10000);
 }
 
-void MainWindow::open(const QString& given) {
-  const bool scan = is_scan(given);
-  const QString path = scan ? document_path_for_scan(given) : given;
+void MainWindow::open(const QString& path) {
+  if (kind_of_file(path) == FileKind::pipeline) {
+    open_pipeline(path);
+  } else {
+    const QString pipeline = pipeline_path_for_file(path);
+    if (QFileInfo::exists(pipeline))
+      open_pipeline(pipeline);  // made for this file before
+    else
+      session_.start(document_for_file(path), pipeline);
+  }
+  document_is_open();
+  if (QFileInfo::exists(session_.path())) note_recent_file(session_.path());
+}
+
+void MainWindow::open_pipeline(const QString& path) {
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost && QMessageBox::question(this, tr("Changes were not saved"),
                                     tr("The program ended before changes to %1 were saved. Take them up again?")
                                         .arg(QFileInfo(path).fileName())) == QMessageBox::Yes)
     session_.recover(path);
-  else if (scan && !QFileInfo::exists(path))
-    session_.begin(document_for_scan(given), path);
   else
     session_.open(path);
+}
+
+void MainWindow::document_is_open() {
   run_->forget_survey();
   selection_.select({});
+  visibility_.show_all();
   show_survey({});
   for (const auto& node : session_.document().stages())
     if (node.type->name == "stems.slice") {
@@ -169,22 +219,31 @@ void MainWindow::open(const QString& given) {
       profile_->set_breast_height(height);
     }
   setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
+  last_export_ = results_folder();
   Q_EMIT document_opened();
 }
 
-void MainWindow::save(const QString& path) { session_.save(path); }
+void MainWindow::open_sample() { sample_->prepare(SampleBehavior::default_folder()); }
 
-void MainWindow::run() { start(true); }
+void MainWindow::save(const QString& path) {
+  session_.save(path);
+  note_recent_file(path);
+}
+
+void MainWindow::run() { start(true, results_folder()); }
+
+void MainWindow::export_to(const QString& folder) { start(true, folder); }
 
 void MainWindow::refresh() {
   refresh_again_ = run_->running();
-  if (!refresh_again_) start(false);
+  if (!refresh_again_) start(false, results_folder());
 }
 
-void MainWindow::start(bool sinks) {
+void MainWindow::start(bool sinks, const QString& folder) {
   if (!session_.has_document()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
-  run_->start(results_folder(), sinks);
+  if (sinks) last_export_ = folder;
+  run_->start(folder, sinks);
   Q_EMIT run_started();
 }
 
@@ -194,25 +253,27 @@ QString MainWindow::results_folder() const {
 }
 
 void MainWindow::show_survey(const Survey& survey) {
-  scene_->show_survey(survey);
-  slice_->show_survey(survey);
-  profile_->show_survey(survey);
+  const Survey cuts = visibility_.survey_for(ViewKind::cuts, survey);
+  scene_->show_survey(visibility_.survey_for(ViewKind::scene, survey));
+  slice_->show_survey(cuts);
+  profile_->show_survey(cuts);
   chart_->show_survey(survey);
   review_->show_survey(survey);
   stems_->show_table(survey.stems);
   Q_EMIT survey_shown(survey);
 }
 
-void MainWindow::show_outcome(const RunOutcome& outcome) {
+void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results) {
   for (const auto& stage : outcome.stages) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
-    say(QString::fromStdString(stage.record.id + ": " +
-                               (stage.error.empty() ? stage.record.report.message : stage.error)),
-        stage.error.empty() ? LogLevel::info : LogLevel::error);
+    tell(QString::fromStdString(stage.record.id + ": " +
+                                (stage.error.empty() ? stage.record.report.message : stage.error)),
+         stage.error.empty() ? LogLevel::info : LogLevel::error);
     for (const auto& warning : stage.record.report.warnings)
-      say(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
+      tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
+  visibility_.take(outcome, results);
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
   if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
@@ -222,13 +283,16 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (run_->running() &&
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
-  if (session_.has_document() && !session_.undo_stack().isClean() && !may_lose_changes()) return event->ignore();
+  if (!may_lose_changes()) return event->ignore();
   run_->cancel_all();
+  keep_layout(*this);
   event->accept();
 }
 
-// Asks what to do with changes that are not saved; false: stay.
 bool MainWindow::may_lose_changes() {
+  if (!session_.has_document() || session_.undo_stack().isClean()) return true;
+  const bool made_here = !QFileInfo::exists(session_.path()) && session_.undo_stack().count() == 0;
+  if (made_here) return true;  // a pipeline that the program made and nobody changed
   const auto answer =
       QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
@@ -243,7 +307,10 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) guarded([&] { open(urls.front().toLocalFile()); });
+  if (urls.isEmpty()) return;
+  guarded([&] {
+    if (may_lose_changes()) open(urls.front().toLocalFile());
+  });
 }
 
 }  // namespace bole::desktop

@@ -10,6 +10,7 @@
 #include "behaviors/edit_behavior.h"
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
+#include "document/visibility.h"
 #include "panels/log_panel.h"
 #include "selection/selection.h"
 #include "shell/docks.h"
@@ -21,11 +22,14 @@ class PipelinePanel;
 class ProfileView;
 class PropertiesPanel;
 class ReviewBehavior;
+class SampleBehavior;
 class SceneView;
 class SliceView;
 class TablePanel;
 
 enum class Menu { file, edit, run, stem, view, tools, help };  // as they stand in the bar
+inline constexpr Menu all_menus[] = {Menu::file, Menu::edit,  Menu::run, Menu::stem,
+                                     Menu::view, Menu::tools, Menu::help};
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -33,11 +37,14 @@ class MainWindow : public QMainWindow {
  public:
   MainWindow();
 
-  void open(const QString& path);  // a pipeline, or a scan: then a pipeline is made for it
+  void open(const QString& path);  // a pipeline; a cloud or a scan, for which a pipeline is made
+  void open_sample();              // made where it is not there yet, opened and run; in the background
   void save(const QString& path);
-  void run();                      // the whole pipeline; after the runs that are asked for already
-  void refresh();                  // all but what writes files; after the run under way, when there is one
-  QString results_folder() const;  // where a run of the document writes
+  void run();                             // the whole pipeline; after the runs that are asked for already
+  void refresh();                         // all but what writes files; after the run under way, when there is one
+  void export_to(const QString& folder);  // the whole pipeline, its files into that folder
+  QString results_folder() const;         // where a run of the document writes
+  QString last_export() const { return last_export_; }
 
   Session& session() { return session_; }
   RunBehavior& runner() { return *run_; }
@@ -52,6 +59,8 @@ class MainWindow : public QMainWindow {
   PipelinePanel& pipeline() { return *pipeline_; }
   PropertiesPanel& properties() { return *properties_; }
   Selection& selection() { return selection_; }
+  Visibility& visibility() { return visibility_; }
+  SampleBehavior& sample() { return *sample_; }
 
   Docks& docks() { return docks_; }
   QMenu* menu(Menu which) { return menus_[static_cast<std::size_t>(which)]; }
@@ -59,7 +68,8 @@ class MainWindow : public QMainWindow {
   QAction* add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
                       const QKeySequence& key = {});
   void guarded(const std::function<void()>& act);  // errors become a sentence in the log and the status bar
-  void say(const QString& text, LogLevel level = LogLevel::info);
+  void say(const QString& text);                   // in the log and the status bar
+  void complain(const QString& text);              // likewise, as an error
 
  Q_SIGNALS:
   void document_opened();
@@ -72,20 +82,25 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  void start(bool sinks);
-  bool may_lose_changes();
+  void tell(const QString& text, LogLevel level);
+  void start(bool sinks, const QString& folder);
+  bool may_lose_changes();  // asks what to do with changes that are not saved; false: stay
+  void document_is_open();
+  void open_pipeline(const QString& path);
   void make_menus();
   void make_docks();
   void connect_document();
   void connect_views();
-  void show_outcome(const RunOutcome& outcome);
+  void show_outcome(const RunOutcome& outcome, const Results& results);
   void show_survey(const Survey& survey);
 
   Session session_;
   Selection selection_;
+  Visibility visibility_;
   Docks docks_;
   std::array<QMenu*, 7> menus_{};
   RunBehavior* run_;
+  SampleBehavior* sample_;
   EditBehavior* edit_;
   ReviewBehavior* review_;
   PipelinePanel* pipeline_;
@@ -96,6 +111,7 @@ class MainWindow : public QMainWindow {
   ChartView* chart_;
   TablePanel* stems_;
   LogPanel* log_;
+  QString last_export_;
   bool refresh_again_ = false;
 };
 

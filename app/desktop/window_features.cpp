@@ -1,10 +1,14 @@
 #include "window_features.h"
 
 #include "behaviors/running_feature.h"
+#include "features/field_check/field_check.h"
 
 namespace bole::desktop {
 
 // One line for each feature, in the order in which their actions appear in the menus.
-void install_features(MainWindow& window) { install_running(window); }
+void install_features(MainWindow& window) {
+  install_running(window);
+  install_field_check(window);
+}
 
 }  // namespace bole::desktop

@@ -132,8 +132,9 @@ RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& can
         Qt::QueuedConnection);
   };
   settings.preview = [this](const StageNode& node) {
-    return std::make_shared<PreviewChannel>(
-        this, [this, id = QString::fromStdString(node.id)](const DataSet& part) { Q_EMIT snapshot_taken(id, part); });
+    return std::make_shared<PreviewChannel>(this, [this, id = QString::fromStdString(node.id)](const DataSet& part) {
+      if (task_.document == documents_) Q_EMIT snapshot_taken(id, part);
+    });
   };
   return settings;
 }

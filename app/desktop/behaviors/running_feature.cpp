@@ -1,6 +1,5 @@
 #include "behaviors/running_feature.h"
 
-#include <QFileDialog>
 #include <QTabWidget>
 
 #include "main_window.h"
@@ -28,7 +27,7 @@ WalkPanel* add_walk(MainWindow* w) {
   QObject::connect(walk, &WalkPanel::live_ended, tabs, [tabs, survey, w] {
     if (w->scene().has_survey()) tabs->setCurrentWidget(survey);
   });
-  QObject::connect(walk, &WalkPanel::failed, w, [w](const QString& text) { w->say(text, LogLevel::error); });
+  QObject::connect(walk, &WalkPanel::failed, w, &MainWindow::complain);
   return walk;
 }
 
@@ -61,34 +60,19 @@ void compare(MainWindow* w, int first, int second) {
     });
 }
 
-void add_open_scan(MainWindow* w) {
-  auto* menu = w->menu(Menu::file);
-  auto* action = w->add_action(
-      menu, "open_scan", MainWindow::tr("Open scan…"),
-      [w] {
-        const QString path = QFileDialog::getOpenFileName(w, MainWindow::tr("Open scan"), {},
-                                                          MainWindow::tr("Recordings (*.pcap *.pcapng)"));
-        if (!path.isEmpty()) w->open(path);
-      },
-      QKeySequence("Ctrl+Shift+O"));
-  const auto actions = menu->actions();
-  if (actions.size() > 1) menu->insertAction(actions[1], action);  // below the first, which opens a pipeline
-}
-
 }  // namespace
 
 void install_running(MainWindow& window) {
   auto* w = &window;
   auto* walk = add_walk(w);
   add_frame_actions(w, walk);
-  add_open_scan(w);
   w->docks().add("jobs", MainWindow::tr("Jobs"), new JobsPanel(w->runner(), w), Qt::BottomDockWidgetArea, "stems");
   w->docks().raise("stems");
   auto* history = new HistoryPanel(w->session(), w->runner(), w);
   w->docks().add("history", MainWindow::tr("History"), history, Qt::LeftDockWidgetArea, "log");
   QObject::connect(history, &HistoryPanel::compare_asked, w,
                    [w](int first, int second) { w->guarded([&] { compare(w, first, second); }); });
-  QObject::connect(history, &HistoryPanel::refused, w, [w](const QString& text) { w->say(text, LogLevel::error); });
+  QObject::connect(history, &HistoryPanel::refused, w, &MainWindow::complain);
 }
 
 }  // namespace bole::desktop

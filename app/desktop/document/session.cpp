@@ -8,18 +8,25 @@
 
 namespace bole::desktop {
 
-class EditOption : public QUndoCommand {
+// Knows who made it, and when.
+class SignedCommand : public QUndoCommand {
+ public:
+  explicit SignedCommand(const QString& text) : QUndoCommand(text), note_{person(), QDateTime::currentDateTime()} {}
+  const EditNote& note() const { return note_; }
+
+ private:
+  EditNote note_;
+};
+
+class EditOption : public SignedCommand {
  public:
   EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after)
-      : QUndoCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
+      : SignedCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
         session_(session),
         stage_(std::move(stage)),
         option_(std::move(option)),
         before_(std::move(before)),
-        after_(std::move(after)),
-        note_{person(), QDateTime::currentDateTime()} {}
-
-  const EditNote& note() const { return note_; }
+        after_(std::move(after)) {}
 
   void undo() override { session_.apply(stage_, option_, before_); }
   void redo() override { session_.apply(stage_, option_, after_); }
@@ -28,7 +35,19 @@ class EditOption : public QUndoCommand {
   Session& session_;
   std::string stage_, option_;
   OptionValue before_, after_;
-  EditNote note_;
+};
+
+class ReplaceDocument : public SignedCommand {
+ public:
+  ReplaceDocument(Session& session, const QString& what, PipelineDocument before, PipelineDocument after)
+      : SignedCommand(what), session_(session), before_(std::move(before)), after_(std::move(after)) {}
+
+  void undo() override { session_.put(before_); }
+  void redo() override { session_.put(after_); }
+
+ private:
+  Session& session_;
+  PipelineDocument before_, after_;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {}
@@ -41,6 +60,21 @@ void Session::recover(const QString& path) {
   // Beside the document, so that relative paths hold.
   take(PipelineDocument::load(recovery_path(path).toStdString(), StageRegistry::global()), path);
   undo_.resetClean();
+}
+
+void Session::start(PipelineDocument document, const QString& path) {
+  take(std::move(document), path);
+  undo_.resetClean();
+}
+
+void Session::change(const QString& what, PipelineDocument after) {
+  undo_.push(new ReplaceDocument(*this, what, *document_, std::move(after)));
+}
+
+void Session::put(const PipelineDocument& document) {
+  document_ = std::make_unique<PipelineDocument>(document);
+  journal();
+  Q_EMIT document_replaced();
 }
 
 void Session::take(PipelineDocument document, const QString& path) {
@@ -58,14 +92,8 @@ void Session::journal() const {
   if (!path_.isEmpty()) write_text_file(recovery_path(path_).toStdString(), document_->to_json());
 }
 
-void Session::begin(PipelineDocument document, const QString& path) {
-  take(std::move(document), path);
-  undo_.resetClean();
-  journal();
-}
-
 EditNote Session::edit_note(int index) const {
-  const auto* edit = dynamic_cast<const EditOption*>(undo_.command(index));
+  const auto* edit = dynamic_cast<const SignedCommand*>(undo_.command(index));
   return edit ? edit->note() : EditNote{};
 }
 

@@ -27,8 +27,8 @@ class Session : public QObject {
   // save() and discard_recovery() remove: after a crash it holds what was not saved.
   void open(const QString& path);
   void recover(const QString& path);                           // opens what a crash left of `path`; not saved yet
+  void start(PipelineDocument document, const QString& path);  // a new one that is to be saved at `path`
   void save(const QString& path);                              // atomic
-  void begin(PipelineDocument document, const QString& path);  // a new one, to be saved there; not saved yet
   static QString recovery_path(const QString& path) { return path + ".recovery"; }
   void discard_recovery();
 
@@ -39,17 +39,22 @@ class Session : public QObject {
   // An edit that can be undone. Throws bole::Error when the option refuses the value.
   void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
 
+  // Puts a changed document in place of the one in hand, as one step of undo that the menu calls `what`.
+  void change(const QString& what, PipelineDocument after);
+
   QUndoStack& undo_stack() { return undo_; }
   EditNote edit_note(int index) const;  // of a command of the stack
 
  Q_SIGNALS:
-  void document_replaced();  // another document, or one step of undo or redo
+  void document_replaced();  // another document, or stages were added, taken away, renamed or joined otherwise
   void option_changed(const QString& stage, const QString& option);
 
  private:
   friend class EditOption;
+  friend class ReplaceDocument;
   void apply(const std::string& stage_id, const std::string& option, const OptionValue& value);
   void take(PipelineDocument document, const QString& path);
+  void put(const PipelineDocument& document);
   void journal() const;
 
   std::unique_ptr<PipelineDocument> document_;

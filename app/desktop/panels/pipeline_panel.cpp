@@ -1,7 +1,14 @@
 #include "panels/pipeline_panel.h"
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QHeaderView>
-#include <QStyle>
+#include <QInputDialog>
+#include <QMenu>
+#include <algorithm>
+#include <functional>
+
+#include "document/stage_operations.h"
 
 namespace bole::desktop {
 namespace {
@@ -11,67 +18,183 @@ QString state_text(StageState state) {
     case StageState::idle:
       return {};
     case StageState::running:
-      return QObject::tr("running");
+      return PipelinePanel::tr("running");
     case StageState::done:
-      return QObject::tr("done");
+      return PipelinePanel::tr("done");
     case StageState::warning:
-      return QObject::tr("look");
+      return PipelinePanel::tr("look");
     case StageState::failed:
-      return QObject::tr("failed");
+      return PipelinePanel::tr("failed");
   }
   return {};
 }
 
-QStyle::StandardPixmap state_icon(StageState state) {
-  switch (state) {
-    case StageState::running:
-      return QStyle::SP_BrowserReload;
-    case StageState::done:
-      return QStyle::SP_DialogApplyButton;
-    case StageState::warning:
-      return QStyle::SP_MessageBoxWarning;
-    case StageState::failed:
-      return QStyle::SP_MessageBoxCritical;
-    case StageState::idle:
-      break;
-  }
-  return QStyle::SP_FileIcon;
-}
+QString id_of(const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toString(); }
 
 }  // namespace
 
-PipelinePanel::PipelinePanel(Session& session, QWidget* parent) : QTreeWidget(parent), session_(session) {
-  setColumnCount(2);
-  setHeaderLabels({tr("Stage"), tr("State")});
+PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, QWidget* parent)
+    : QTreeWidget(parent), session_(session), visibility_(visibility) {
+  setColumnCount(4);
+  setHeaderLabels({tr("Stage"), tr("3-D"), tr("Cut"), tr("State")});
+  headerItem()->setToolTip(scene_column, tr("What the 3-D view shows: a click on an eye hides the outputs of a stage"));
+  headerItem()->setToolTip(cuts_column, tr("What slice and profile show"));
   setRootIsDecorated(false);
-  header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  header()->setMinimumSectionSize(10);
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(stage_column, QHeaderView::Stretch);
   header()->setStretchLastSection(false);
+  make_actions();
   connect(&session_, &Session::document_replaced, this, &PipelinePanel::fill);
-  connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (item) Q_EMIT stage_selected(item->data(0, Qt::UserRole).toString());
+  connect(&session_, &Session::option_changed, this, &PipelinePanel::show_problems);
+  connect(&visibility_, &Visibility::changed, this, [this] {
+    for (int i = 0; i < topLevelItemCount(); ++i) show_eyes(topLevelItem(i));
   });
+  connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (item) Q_EMIT stage_selected(id_of(item));
+  });
+  connect(this, &QTreeWidget::itemClicked, this, &PipelinePanel::click);
 }
 
 void PipelinePanel::fill() {
+  const QString before = current_stage();
   clear();
-  for (const auto& node : session_.document().stages()) {
+  const auto& stages = session_.document().stages();
+  for (const auto& node : stages) {
     auto* item = new QTreeWidgetItem(this);
-    item->setText(0, QString::fromStdString(node.type->title));
-    item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
-    item->setToolTip(0, QString::fromStdString(node.id + " (" + node.type->name + ")\n" + node.type->help));
-    item->setIcon(1, style()->standardIcon(state_icon(StageState::idle)));
+    const bool twin = std::ranges::count(stages, node.type, &StageNode::type) > 1;
+    const auto title = QString::fromStdString(node.type->title), id = QString::fromStdString(node.id);
+    item->setText(stage_column, twin ? QString("%1 (%2)").arg(title, id) : title);
+    item->setData(0, Qt::UserRole, id);
+    item->setToolTip(stage_column, QString::fromStdString(node.id + " (" + node.type->name + ")\n" + node.type->help));
+    show_eyes(item);
   }
-  if (topLevelItemCount() > 0) setCurrentItem(topLevelItem(0));
+  show_problems();
+  select_stage(before);
+  if (!currentItem() && topLevelItemCount() > 0) setCurrentItem(topLevelItem(0));
+}
+
+void PipelinePanel::show_problems() {
+  problems_.clear();
+  for (const auto& problem : validate(session_.document()))
+    problems_[QString::fromStdString(problem.stage)] = QString::fromStdString(problem.message);
+  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
+}
+
+void PipelinePanel::show_state(QTreeWidgetItem* item) {
+  const QString id = id_of(item), problem = problems_.value(id);
+  const State state = states_.value(id);
+  const bool skipped = session_.document().at(id.toStdString()).skipped();
+  const bool cannot = !problem.isEmpty() && state.state != StageState::running;
+  item->setIcon(state_column, state_icon(cannot ? StageState::warning : state.state, palette()));
+  item->setText(state_column, cannot ? tr("cannot run") : skipped ? tr("skipped") : state_text(state.state));
+  item->setToolTip(state_column, cannot    ? problem
+                                 : skipped ? tr("This stage runs when its file is given.")
+                                           : state.message);
+}
+
+void PipelinePanel::show_eyes(QTreeWidgetItem* item) {
+  const auto id = id_of(item).toStdString();
+  item->setIcon(scene_column, eye_icon(visibility_.shown(id, ViewKind::scene), palette()));
+  item->setIcon(cuts_column, eye_icon(visibility_.shown(id, ViewKind::cuts), palette()));
+}
+
+void PipelinePanel::click(QTreeWidgetItem* item, int column) {
+  if (column != scene_column && column != cuts_column) return;
+  const auto view = column == scene_column ? ViewKind::scene : ViewKind::cuts;
+  const auto id = id_of(item).toStdString();
+  visibility_.show(id, view, !visibility_.shown(id, view));
 }
 
 void PipelinePanel::set_state(const QString& stage, StageState state, const QString& message) {
-  for (int i = 0; i < topLevelItemCount(); ++i) {
-    auto* item = topLevelItem(i);
-    if (item->data(0, Qt::UserRole).toString() != stage) continue;
-    item->setText(1, state_text(state));
-    item->setIcon(1, style()->standardIcon(state_icon(state)));
-    item->setToolTip(1, message);
+  states_[stage] = {state, message};
+  for (int i = 0; i < topLevelItemCount(); ++i)
+    if (id_of(topLevelItem(i)) == stage) show_state(topLevelItem(i));
+}
+
+QString PipelinePanel::current_stage() const { return currentItem() ? id_of(currentItem()) : QString(); }
+
+void PipelinePanel::select_stage(const QString& id) {
+  for (int i = 0; i < topLevelItemCount(); ++i)
+    if (id_of(topLevelItem(i)) == id) setCurrentItem(topLevelItem(i));
+}
+
+void PipelinePanel::add_stage(const QString& type) {
+  auto added =
+      with_stage(session_.document(), StageRegistry::global().at(type.toStdString()), current_stage().toStdString());
+  session_.change(tr("add %1").arg(QString::fromStdString(added.id)), std::move(added.document));
+  select_stage(QString::fromStdString(added.id));
+}
+
+void PipelinePanel::delete_stage(const QString& id) {
+  session_.change(tr("delete %1").arg(id), without_stage(session_.document(), id.toStdString()));
+}
+
+void PipelinePanel::rename_stage(const QString& id, const QString& to) {
+  session_.change(tr("rename %1").arg(id), with_stage_renamed(session_.document(), id.toStdString(), to.toStdString()));
+  select_stage(to);
+}
+
+void PipelinePanel::copy_branch(const QString& id) {
+  session_.change(tr("copy %1").arg(id), with_branch_copied(session_.document(), id.toStdString()));
+}
+
+void PipelinePanel::make_actions() {
+  const auto add = [this](const char* id, const QString& text, const QKeySequence& key,
+                          const std::function<void()>& act) {
+    auto* action = new QAction(text, this);
+    action->setObjectName(id);
+    action->setShortcut(key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    connect(action, &QAction::triggered, this, [this, act] {
+      if (!current_stage().isEmpty()) guarded(act);
+    });
+    addAction(action);
+    return action;
+  };
+  rename_ = add("rename_stage", tr("Rename stage…"), Qt::Key_F2, [this] {
+    bool given = false;
+    const QString name = QInputDialog::getText(this, tr("Rename stage"), tr("Name of the stage"), QLineEdit::Normal,
+                                               current_stage(), &given);
+    if (given) rename_stage(current_stage(), name);
+  });
+  copy_ = add("copy_branch", tr("Copy stage and what follows"), QKeySequence("Ctrl+D"),
+              [this] { copy_branch(current_stage()); });
+  delete_ = add("delete_stage", tr("Delete stage"), {}, [this] { delete_stage(current_stage()); });
+}
+
+void PipelinePanel::fill_add_menu(QMenu* menu) {
+  QMap<QString, QMenu*> groups;
+  for (const auto* type : StageRegistry::global().all()) {
+    const auto name = QString::fromStdString(type->name);
+    auto*& group = groups[name.section('.', 0, 0)];
+    if (!group) group = menu->addMenu(name.section('.', 0, 0));
+    group->setToolTipsVisible(true);
+    auto* action = group->addAction(QString::fromStdString(type->title));
+    action->setToolTip(QString::fromStdString(type->help));
+    connect(action, &QAction::triggered, this, [this, name] { guarded([&] { add_stage(name); }); });
+  }
+}
+
+void PipelinePanel::contextMenuEvent(QContextMenuEvent* event) {
+  if (!session_.has_document()) return;
+  QMenu menu;
+  fill_add_menu(menu.addMenu(tr("Add stage behind")));
+  menu.addActions({rename_, copy_, delete_});
+  menu.exec(event->globalPos());
+}
+
+void PipelinePanel::changeEvent(QEvent* event) {
+  QTreeWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange || !session_.has_document()) return;
+  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i)), show_eyes(topLevelItem(i));
+}
+
+void PipelinePanel::guarded(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& e) {
+    Q_EMIT refused(QString::fromUtf8(e.what()));
   }
 }
 

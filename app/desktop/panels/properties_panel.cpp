@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bole::desktop {
 namespace {
@@ -41,71 +42,191 @@ PropertiesPanel::PropertiesPanel(Session& session, QWidget* parent)
       session_(session),
       title_(new QLabel),
       search_(new QLineEdit),
-      advanced_(new QCheckBox(tr("Advanced"))),
+      tier_(new QComboBox),
+      notice_(new QLabel),
+      at_once_(new QCheckBox(tr("Apply at once"))),
+      apply_(new QPushButton(tr("Apply"))),
+      reset_(new QPushButton(tr("Reset"))),
+      defaults_(new QPushButton(tr("Defaults"))),
       layout_(new QVBoxLayout(this)) {
   title_->setWordWrap(true);
+  notice_->setWordWrap(true);
+  notice_->hide();
   search_->setPlaceholderText(tr("Search options"));
   search_->setClearButtonEnabled(true);
+  tier_->addItems({tr("Basic"), tr("Advanced"), tr("Expert")});
+  tier_->setObjectName("tier");
+  at_once_->setObjectName("apply_at_once");
+  apply_->setObjectName("apply");
+  reset_->setObjectName("reset");
+  defaults_->setObjectName("defaults");
+  at_once_->setChecked(true);
+  at_once_->setToolTip(tr("Changes go into the pipeline as they are made, else with Apply"));
+  reset_->setToolTip(tr("Throws away what was not applied"));
+  defaults_->setToolTip(tr("All options of this stage as they come with the program"));
   auto* top = new QHBoxLayout;
   top->addWidget(search_);
-  top->addWidget(advanced_);
+  top->addWidget(tier_);
   layout_->addWidget(title_);
   layout_->addLayout(top);
+  layout_->addWidget(notice_);
+  layout_->addLayout(buttons_layout());
+  connect_widgets();
+  show_pending();
+}
+
+QLayout* PropertiesPanel::buttons_layout() {
+  auto* row = new QHBoxLayout;
+  row->addWidget(at_once_);
+  row->addStretch();
+  for (auto* button : {apply_, reset_, defaults_}) row->addWidget(button);
+  return row;
+}
+
+void PropertiesPanel::connect_widgets() {
   connect(search_, &QLineEdit::textChanged, this, &PropertiesPanel::rebuild);
-  connect(advanced_, &QCheckBox::toggled, this, &PropertiesPanel::rebuild);
-  connect(&session_, &Session::document_replaced, this, &PropertiesPanel::rebuild);
+  connect(tier_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PropertiesPanel::rebuild);
+  connect(apply_, &QPushButton::clicked, this, &PropertiesPanel::apply);
+  connect(reset_, &QPushButton::clicked, this, [this] {
+    pending_.clear();
+    rebuild();
+  });
+  connect(defaults_, &QPushButton::clicked, this, &PropertiesPanel::restore_defaults);
+  connect(at_once_, &QCheckBox::toggled, this, [this](bool on) {
+    if (on) apply();
+    show_pending();
+  });
+  connect(&session_, &Session::document_replaced, this, [this] {
+    pending_.clear();
+    rebuild();
+  });
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     if (stage == stage_) QMetaObject::invokeMethod(this, &PropertiesPanel::rebuild, Qt::QueuedConnection);
   });
 }
 
 void PropertiesPanel::show_stage(const QString& id) {
+  if (!pending_.empty() && id != stage_) apply();  // nothing that was typed is lost
   stage_ = id;
   rebuild();
+}
+
+void PropertiesPanel::set_tier(Tier tier) { tier_->setCurrentIndex(static_cast<int>(tier)); }
+
+const StageNode* PropertiesPanel::node() const {
+  if (!session_.has_document()) return nullptr;
+  const auto& stages = session_.document().stages();
+  const auto it = std::ranges::find(stages, stage_.toStdString(), &StageNode::id);
+  return it == stages.end() ? nullptr : &*it;
+}
+
+bool PropertiesPanel::is_listed(const OptionSpec& spec) const {
+  const QString wanted = search_->text();
+  if (wanted.isEmpty()) return static_cast<int>(spec.tier) <= tier_->currentIndex();
+  return label_text(spec).contains(wanted, Qt::CaseInsensitive) ||
+         QString::fromStdString(spec.help).contains(wanted, Qt::CaseInsensitive);
 }
 
 void PropertiesPanel::rebuild() {
   delete form_;
   form_ = nullptr;
-  if (!session_.has_document() || stage_.isEmpty()) return;
-  const auto& stages = session_.document().stages();
-  const auto it = std::ranges::find(stages, stage_.toStdString(), &StageNode::id);
-  if (it == stages.end()) return;
-  title_->setText("<b>" + QString::fromStdString(it->type->title) + "</b><br>" +
-                  QString::fromStdString(it->type->help).toHtmlEscaped());
+  const auto* stage = node();
+  if (!stage) return show_pending();
+  title_->setText("<b>" + QString::fromStdString(stage->type->title) + "</b><br>" +
+                  QString::fromStdString(stage->type->help).toHtmlEscaped());
+  show_notice(*stage);
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
-  const QString wanted = search_->text();
-  for (const auto& spec : it->type->options->specs) {
-    const QString label = label_text(spec);
-    const bool found = !wanted.isEmpty() && (label.contains(wanted, Qt::CaseInsensitive) ||
-                                             QString::fromStdString(spec.help).contains(wanted, Qt::CaseInsensitive));
-    if (wanted.isEmpty() ? (spec.tier != Tier::basic && !advanced_->isChecked()) : !found) continue;
-    auto* editor = editor_for(*it, spec);
-    editor->setToolTip(QString::fromStdString(spec.help));
+  for (const auto& spec : stage->type->options->specs) {
+    if (!is_listed(spec)) continue;
+    const auto help =
+        QString::fromStdString(spec.help) + "\n" +
+        tr("%1; default %2")
+            .arg(QString::fromStdString(spec.needed()), QString::fromStdString(option_text(spec.default_value)));
+    auto* editor = editor_for(value_of(*stage, spec), spec);
+    editor->setToolTip(help);
     editor->setObjectName(QString::fromStdString(spec.name));
-    auto* name = new QLabel(it->options.is_default(spec.name) ? label : "<b>" + label + "</b>");
-    name->setToolTip(QString::fromStdString(spec.help));
+    const bool changed = value_of(*stage, spec) != spec.default_value;
+    auto* name = new QLabel(changed ? "<b>" + label_text(spec) + "</b>" : label_text(spec));
+    name->setToolTip(help);
     form->addRow(name, editor);
   }
+  if (form->rowCount() == 0)
+    form->addRow(new QLabel(stage->type->options->specs.empty() ? tr("This stage has no options.")
+                                                                : tr("No option here: see another tier or search.")));
   scroll->setWidget(page);
   form_ = scroll;
-  layout_->addWidget(scroll);
+  layout_->insertWidget(3, scroll, 1);
+  show_pending();
+}
+
+// Why the stage cannot run, or does not.
+void PropertiesPanel::show_notice(const StageNode& stage) {
+  QStringList lines;
+  for (const auto& problem : validate(session_.document()))
+    if (problem.stage == stage.id) lines << QString::fromStdString(problem.message);
+  if (stage.skipped()) lines << tr("This stage runs when its file is given.");
+  notice_->setText(lines.join("\n"));
+  notice_->setVisible(!lines.isEmpty());
+}
+
+void PropertiesPanel::show_pending() {
+  const bool any = !pending_.empty();
+  apply_->setEnabled(any);
+  reset_->setEnabled(any);
+  apply_->setToolTip(any                     ? tr("Takes the changes into the pipeline")
+                     : at_once_->isChecked() ? tr("Nothing to apply: changes are taken at once")
+                                             : tr("Nothing to apply: no option was changed"));
+  const auto* stage = node();
+  const bool all_default = !stage || std::ranges::all_of(stage->type->options->specs, [&](const auto& spec) {
+    return stage->options.is_default(spec.name);
+  });
+  defaults_->setEnabled(!all_default);
+}
+
+OptionValue PropertiesPanel::value_of(const StageNode& stage, const OptionSpec& spec) const {
+  const auto it = pending_.find(spec.name);
+  return it == pending_.end() ? stage.options.get(spec.name) : it->second;
 }
 
 void PropertiesPanel::commit(const std::string& option, const OptionValue& value) {
   try {
-    session_.set_option(stage_.toStdString(), option, value);
+    if (at_once_->isChecked()) return session_.set_option(stage_.toStdString(), option, value);
+    const auto* stage = node();
+    const auto checked = stage->type->options->at(option).checked(value);
+    if (checked == stage->options.get(option))
+      pending_.erase(option);
+    else
+      pending_[option] = checked;
   } catch (const Error& e) {
     Q_EMIT refused(QString::fromUtf8(e.what()));
   }
+  show_pending();
 }
 
-QWidget* PropertiesPanel::editor_for(const StageNode& node, const OptionSpec& spec) {
-  const OptionValue value = node.options.get(spec.name);
+// All that waits, as one step of undo.
+void PropertiesPanel::apply() {
+  const auto waiting = std::exchange(pending_, {});
+  if (waiting.empty() || !node()) return;
+  session_.undo_stack().beginMacro(tr("options of %1").arg(stage_));
+  for (const auto& [option, value] : waiting) session_.set_option(stage_.toStdString(), option, value);
+  session_.undo_stack().endMacro();
+}
+
+void PropertiesPanel::restore_defaults() {
+  pending_.clear();
+  const auto* stage = node();
+  if (!stage) return;
+  session_.undo_stack().beginMacro(tr("defaults of %1").arg(stage_));
+  for (const auto& spec : stage->type->options->specs)
+    session_.set_option(stage_.toStdString(), spec.name, spec.default_value);
+  session_.undo_stack().endMacro();
+}
+
+QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec& spec) {
   if (const auto* on = std::get_if<bool>(&value)) {
     auto* box = new QCheckBox;
     box->setChecked(*on);

@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QMenu>
-#include <QSortFilterProxyModel>
 #include <algorithm>
 #include <cmath>
 
@@ -45,11 +44,9 @@ QVariant TableModel::headerData(int section, Qt::Orientation orientation, int ro
 }
 
 TablePanel::TablePanel(Selection& selection, QWidget* parent)
-    : QTableView(parent), selection_(selection), model_(this) {
-  auto* sorted = new QSortFilterProxyModel(this);
-  sorted->setSourceModel(&model_);
-  sorted->setSortRole(Qt::UserRole);
-  setModel(sorted);
+    : QTableView(parent), selection_(selection), model_(this), rows_(new RowFilter(this)) {
+  rows_->setSourceModel(&model_);
+  setModel(rows_);
   setSortingEnabled(true);
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setAlternatingRowColors(true);
@@ -68,32 +65,32 @@ TablePanel::TablePanel(Selection& selection, QWidget* parent)
 
 void TablePanel::show_table(std::shared_ptr<const Table> table) {
   following_ = true;
+  rows_->set_table(table.get());
   model_.show(std::move(table));
   if (selection_.tree()) select_tree(*selection_.tree());
   following_ = false;
 }
 
-void TablePanel::filter(const QString& text) {
-  auto* sorted = static_cast<QSortFilterProxyModel*>(model());
-  sorted->setFilterKeyColumn(-1);
-  sorted->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  sorted->setFilterFixedString(text);
+QString TablePanel::filter(const QString& text) {
+  rows_->set_text(text);
+  return rows_->problem();
 }
 
 void TablePanel::make_actions() {
   using Action = StemEdit::Action;
-  const auto add = [this](const QString& text, const QKeySequence& key, Action action) {
+  const auto add = [this](const char* id, const QString& text, const QKeySequence& key, Action action) {
     auto* a = new QAction(text, this);
+    a->setObjectName(id);
     a->setShortcut(key);
     connect(a, &QAction::triggered, this, [this, action] { request(action); });
     addAction(a);
   };
-  add(tr("Set diameter…"), Qt::Key_D, Action::resize);
-  add(tr("Set height…"), Qt::Key_H, Action::set_height);
-  add(tr("Accept"), Qt::Key_A, Action::accept);
-  add(tr("Reject"), Qt::Key_R, Action::reject);
-  add(tr("Note…"), Qt::Key_N, Action::note);
-  add(tr("Delete"), QKeySequence::Delete, Action::remove);
+  add("set_diameter", tr("Set diameter…"), Qt::Key_D, Action::resize);
+  add("set_height", tr("Set height…"), Qt::Key_H, Action::set_height);
+  add("accept", tr("Accept"), Qt::Key_A, Action::accept);
+  add("reject", tr("Reject"), Qt::Key_R, Action::reject);
+  add("note", tr("Note…"), Qt::Key_N, Action::note);
+  add("delete_stem", tr("Delete"), QKeySequence::Delete, Action::remove);
 }
 
 void TablePanel::contextMenuEvent(QContextMenuEvent* event) {
@@ -103,7 +100,7 @@ void TablePanel::contextMenuEvent(QContextMenuEvent* event) {
 std::optional<std::size_t> TablePanel::selected_row() const {
   const auto rows = selectionModel()->selectedRows();
   if (rows.isEmpty() || model_.table() == nullptr) return {};
-  const auto index = static_cast<QSortFilterProxyModel*>(model())->mapToSource(rows.front());
+  const auto index = rows_->mapToSource(rows.front());
   return static_cast<std::size_t>(index.row());
 }
 
@@ -119,8 +116,7 @@ void TablePanel::select_tree(std::int64_t id) {
   const auto ids = table->integers("tree_id");
   const auto it = std::ranges::find(ids, id);
   if (it == ids.end()) return clearSelection();
-  const auto index =
-      static_cast<QSortFilterProxyModel*>(model())->mapFromSource(model_.index(static_cast<int>(it - ids.begin()), 0));
+  const auto index = rows_->mapFromSource(model_.index(static_cast<int>(it - ids.begin()), 0));
   selectRow(index.row());
   scrollTo(index);
 }

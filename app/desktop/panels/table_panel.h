@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cloud/table.h"
+#include "panels/row_filter.h"
 #include "selection/selection.h"
 #include "stems/core/stem_edits.h"
 
@@ -36,7 +37,8 @@ class TablePanel : public QTableView {
  public:
   TablePanel(Selection& selection, QWidget* parent);
   void show_table(std::shared_ptr<const Table> table);  // what is selected stays so
-  void filter(const QString& text);                     // rows in which any cell holds the text
+  // Shows the rows that fulfil the conditions of row_filter.h; a sentence when no row can.
+  QString filter(const QString& text);
 
   void select_tree(std::int64_t id);
   std::optional<std::int64_t> selected_tree() const;
@@ -56,6 +58,7 @@ class TablePanel : public QTableView {
 
   Selection& selection_;
   TableModel model_;
+  RowFilter* rows_;
   bool following_ = false;  // the selection is shown, not made
 };
 

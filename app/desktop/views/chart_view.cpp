@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "shell/theme.h"
+
 namespace bole::desktop {
 namespace {
 
@@ -56,16 +58,16 @@ void ChartView::resizeEvent(QResizeEvent*) {
 
 void ChartView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), palette().base());
   if (!chart_.figure.draw) {
-    painter.setPen(Qt::darkGray);
+    painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Run the pipeline to see its stems."));
     return;
   }
   const auto image = figure_image(chart_.figure, 96 * devicePixelRatioF());
   QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
   picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(sheet().topLeft(), picture);
+  painter.drawImage(sheet().topLeft(), on_paper(picture, palette()));
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {

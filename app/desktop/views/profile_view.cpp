@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "shell/theme.h"
+
 namespace bole::desktop {
 namespace {
 
@@ -49,9 +51,9 @@ void ProfileView::drag(QMouseEvent* event) {
 
 void ProfileView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), palette().base());
   if (!stem_) {
-    painter.setPen(Qt::darkGray);
+    painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its profile."));
     return;
   }
@@ -59,7 +61,7 @@ void ProfileView::paintEvent(QPaintEvent*) {
       figure_image(stem_profile(data_, width() * mm_per_px, height() * mm_per_px), 96 * devicePixelRatioF());
   QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
   picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(0, 0, picture);
+  painter.drawImage(0, 0, on_paper(picture, palette()));
 }
 
 }  // namespace bole::desktop

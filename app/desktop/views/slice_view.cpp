@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "render/charts/columns.h"
+#include "shell/theme.h"
 
 namespace bole::desktop {
 namespace {
@@ -219,9 +220,9 @@ void SliceView::resizeEvent(QResizeEvent*) {
 
 void SliceView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), palette().base());
   if (!stem_) {
-    painter.setPen(Qt::darkGray);
+    painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its slice."));
     return;
   }
@@ -229,7 +230,7 @@ void SliceView::paintEvent(QPaintEvent*) {
                                   96 * devicePixelRatioF());
   QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
   picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(sheet().topLeft(), picture);
+  painter.drawImage(sheet().topLeft(), on_paper(picture, palette()));
 }
 
 }  // namespace bole::desktop

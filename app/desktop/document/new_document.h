@@ -1,0 +1,25 @@
+// Documents that the program makes: for a file that was dropped on the window, and for the sample plot.
+#pragma once
+
+#include <QString>
+
+#include "base/run.h"
+#include "pipeline/document.h"
+
+namespace bole::desktop {
+
+// One of the pipelines that come with the program, by its file name.
+PipelineDocument shipped_pipeline(const QString& name);
+
+enum class FileKind { pipeline, cloud, scan, unknown };
+FileKind kind_of_file(const QString& path);  // by what it is called; a folder is a scan of frames
+
+// A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
+PipelineDocument document_for_file(const QString& path);
+QString pipeline_path_for_file(const QString& path);  // where that document is saved unless the person says otherwise
+
+// Simulates the sample plot into `folder` when it is not there yet, about a second of work, and gives the document
+// that surveys it: raw scan, poses, reference trees. Throws Error{cancelled} and Error{failed}.
+PipelineDocument sample_document(const QString& folder, const Run& run);
+
+}  // namespace bole::desktop

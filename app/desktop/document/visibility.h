@@ -1,0 +1,39 @@
+// Which stages each view shows. A view shows the last output of each kind that is not hidden: hide the edits and the
+// stems as measured are seen.
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <set>
+
+#include "document/survey.h"
+
+namespace bole::desktop {
+
+enum class ViewKind { scene, cuts };  // the 3-D view; slice and profile
+
+class Visibility : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  bool shown(const std::string& stage, ViewKind view) const { return !hidden(view).contains(stage); }
+  void show(const std::string& stage, ViewKind view, bool on);
+  void show_all();
+
+  void take(const RunOutcome& outcome, const Results& results);  // of the last run
+  Survey survey_for(ViewKind view, const Survey& all) const;
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  const std::set<std::string>& hidden(ViewKind view) const { return hidden_[static_cast<std::size_t>(view)]; }
+
+  std::array<std::set<std::string>, 2> hidden_;
+  RunOutcome outcome_;
+  Results results_;
+};
+
+}  // namespace bole::desktop

@@ -1,0 +1,225 @@
+#include "features/field_check/field_check.h"
+
+#include <vtkMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "features/field_check/field_list_dialog.h"
+#include "io/core/table_file.h"
+#include "main_window.h"
+#include "panels/row_filter.h"
+#include "panels/table_panel.h"
+#include "render/scene/actors.h"
+#include "views/chart_view.h"
+#include "views/scene_view.h"
+
+namespace bole::desktop {
+
+FieldCheck::FieldCheck(MainWindow& window)
+    : window_(window),
+      summary_(new QLabel(this)),
+      map_(new PlotMap(window.selection(), this)),
+      table_(new QTableView(this)),
+      model_(new TableModel(this)),
+      filter_(new RowFilter(this)) {
+  make_table();
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  split->addWidget(map_);
+  split->addWidget(table_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->addWidget(header());
+  layout->addWidget(split, 1);
+  connect(map_, &PlotMap::chosen, this, &FieldCheck::choose);
+  connect(map_, &PlotMap::menu_wanted, this, &FieldCheck::show_menu);
+  connect(&window_, &MainWindow::survey_shown, this, &FieldCheck::show_survey);
+  connect(&window_.selection(), &Selection::changed, this, [this] {
+    const auto tree = window_.selection().tree();
+    for (std::size_t i = 0; tree && i < rows_.size(); ++i)
+      if (rows_[i].tree == tree && !following_) choose(static_cast<int>(i));
+  });
+  show_summary();
+}
+
+QWidget* FieldCheck::header() {
+  auto* line = new QWidget(this);
+  auto* layout = new QHBoxLayout(line);
+  layout->setContentsMargins(2, 0, 2, 0);
+  auto* load = new QPushButton(tr("Load field measurements…"), line);
+  connect(load, &QPushButton::clicked, this, [this] { window_.findChild<QAction*>("load_field_list")->trigger(); });
+  summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  summary_->setWordWrap(true);
+  layout->addWidget(load);
+  layout->addWidget(summary_, 1);
+  return line;
+}
+
+void FieldCheck::make_table() {
+  filter_->setSourceModel(model_);
+  table_->setModel(filter_);
+  table_->setObjectName("matches");
+  table_->setSortingEnabled(true);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setAlternatingRowColors(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  table_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
+    if (index.isValid() && !following_) choose(row_of_view(index));
+  });
+  connect(table_, &QTableView::customContextMenuRequested, this, [this](const QPoint& at) {
+    if (const auto index = table_->indexAt(at); index.isValid())
+      show_menu(row_of_view(index), table_->viewport()->mapToGlobal(at));
+  });
+}
+
+int FieldCheck::row_of_view(const QModelIndex& index) const { return filter_->mapToSource(index).row(); }
+
+void FieldCheck::load(const QString& file) {
+  if (!window_.session().has_document()) throw bad_input("no pipeline is open", "one that measures stems");
+  const Table list = read_table(file.toStdString());
+  FieldListDialog dialog(list, file, &window_);
+  if (dialog.exec() == QDialog::Accepted) load(file, dialog.mapping(), dialog.align());
+}
+
+void FieldCheck::load(const QString& file, const FieldMapping& mapping, const std::string& align) {
+  window_.session().change(tr("field measurements"),
+                           with_field_list(window_.session().document(), file.toStdString(), mapping, align));
+  window_.docks().raise("field_check");
+  window_.chart().show_kind(ChartView::Kind::field);
+  window_.refresh();
+}
+
+void FieldCheck::show_survey(const Survey& survey) {
+  survey_ = survey;
+  rows_ = survey.matches ? match_rows(*survey.matches) : std::vector<MatchRow>();
+  following_ = true;
+  filter_->set_table(survey.matches.get());
+  model_->show(survey.matches);
+  following_ = false;
+  map_->show_matches(rows_);
+  show_summary();
+  draw_rings();
+}
+
+void FieldCheck::choose(int row) {
+  if (row < 0 || row >= static_cast<int>(rows_.size())) return;
+  following_ = true;
+  map_->set_current(row);
+  const auto index = filter_->mapFromSource(model_->index(row, 0));
+  table_->selectRow(index.row());
+  table_->scrollTo(index);
+  if (const auto tree = rows_[static_cast<std::size_t>(row)].tree) window_.selection().select(tree);
+  following_ = false;
+}
+
+void FieldCheck::show_menu(int row, const QPoint& global) {
+  choose(row);
+  QMenu menu;
+  const auto kind = rows_.at(static_cast<std::size_t>(row)).kind;
+  if (kind == MatchKind::missed)
+    connect(menu.addAction(tr("Add a stem here, fitted to the points")), &QAction::triggered, this,
+            [this, row] { window_.guarded([&] { add_missed(row); }); });
+  else
+    menu.addActions(window_.stems().actions());
+  menu.exec(global);
+}
+
+void FieldCheck::add_missed(int row) {
+  const auto& match = rows_.at(static_cast<std::size_t>(row));
+  if (match.kind != MatchKind::missed) throw bad_input("the tree was found", "a missed one");
+  StemEdit edit;
+  edit.action = StemEdit::Action::add;
+  edit.at = {match.field_m.x(), match.field_m.y()};
+  edit.reason = "in the field list";
+  window_.editor().apply(edit);
+}
+
+void FieldCheck::delete_false(int row) {
+  const auto& match = rows_.at(static_cast<std::size_t>(row));
+  if (match.kind != MatchKind::falsely) throw bad_input("the tree is in the field list", "a false one");
+  StemEdit edit;
+  edit.action = StemEdit::Action::remove;
+  edit.at = {match.stem_m.x(), match.stem_m.y()};
+  edit.was_dbh_cm = match.dbh_cm;
+  edit.reason = "not in the field list";
+  window_.editor().apply(edit);
+}
+
+void FieldCheck::show_summary() {
+  int counts[3] = {0, 0, 0};
+  double sum = 0, squares = 0;
+  int n = 0;
+  for (const auto& row : rows_) {
+    ++counts[static_cast<int>(row.kind)];
+    const double error = row.dbh_cm - row.field_dbh_cm;
+    if (row.kind == MatchKind::matched && std::isfinite(error)) sum += error, squares += error * error, ++n;
+  }
+  if (rows_.empty()) return summary_->setText(tr("No field measurements yet."));
+  QString text = tr("%1 matched, %2 missed, %3 false").arg(counts[0]).arg(counts[1]).arg(counts[2]);
+  if (n > 0)
+    text += QStringLiteral("; ") +
+            tr("diameters: bias %1 cm, RMSE %2 cm").arg(sum / n, 0, 'f', 2).arg(std::sqrt(squares / n), 0, 'f', 2);
+  summary_->setText(text);
+}
+
+// The view takes all its props away with every survey, so that these are made anew.
+void FieldCheck::draw_rings() {
+  constexpr double half_height_m = 0.08;
+  auto* renderer = window_.scene().renderWindow()->GetRenderers()->GetFirstRenderer();
+  if (!renderer) return;
+  for (const auto& ring : rings_) renderer->RemoveActor(ring);
+  rings_.clear();
+  if (!survey_.stems || rows_.empty()) return;
+  const Eigen::Vector3d origin = survey_.points ? survey_.points->origin : Eigen::Vector3d::Zero().eval();
+  const auto shapes = stem_shapes(*survey_.stems, survey_.sections.get());
+  for (const auto kind : {MatchKind::matched, MatchKind::missed, MatchKind::falsely}) {
+    std::vector<StemShape> marked;
+    for (const auto& row : rows_) {
+      if (row.kind != kind) continue;
+      if (row.tree) {
+        for (const auto& shape : shapes)
+          if (shape.tree_id == row.tree) marked.push_back(shape);
+      } else if (!shapes.empty()) {
+        StemShape shape = shapes.front();  // upright, at the height of any other
+        shape.breast_height.head<2>() = Eigen::Vector2d(row.field_m.x(), row.field_m.y());
+        shape.breast_radius_m = 0.005 * row.field_dbh_cm;
+        marked.push_back(shape);
+      }
+    }
+    if (marked.empty()) continue;
+    auto actor = breast_height_actor(marked, origin, half_height_m);
+    actor->GetMapper()->ScalarVisibilityOff();
+    const QColor color = match_color(kind, palette());
+    actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+    renderer->AddActor(actor);
+    rings_.push_back(actor);
+  }
+  if (window_.scene().isValid()) window_.scene().renderWindow()->Render();
+}
+
+void install_field_check(MainWindow& window) {
+  auto* check = new FieldCheck(window);
+  check->setObjectName("field_check_panel");
+  window.docks().add("field_check", FieldCheck::tr("Field check"), check, Qt::BottomDockWidgetArea, "stems");
+  auto* w = &window;
+  window.add_action(window.menu(Menu::stem), "load_field_list", FieldCheck::tr("Load field measurements…"), [w, check] {
+    const QString file = QFileDialog::getOpenFileName(w, FieldCheck::tr("Load field measurements"), {},
+                                                      FieldCheck::tr("Tables (*.csv *.txt)"));
+    if (!file.isEmpty()) check->load(file);
+  });
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,24 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en">
+    <context>
+        <name>bole::desktop::FieldListDialog</name>
+        <message numerus="yes">
+            <source>%n tree(s) in the list. Which column is what?</source>
+            <translation>
+                <numerusform>%n tree in the list. Which column is what?</numerusform>
+                <numerusform>%n trees in the list. Which column is what?</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MainWindow</name>
+        <message numerus="yes">
+            <source>%n stem(s) to look at</source>
+            <translation>
+                <numerusform>%n stem to look at</numerusform>
+                <numerusform>%n stems to look at</numerusform>
+            </translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,1463 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+    <context>
+        <name>QObject</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1:%2</translation>
+        </message>
+        <message>
+            <source>%1 stems</source>
+            <translation>%1 株单木</translation>
+        </message>
+        <message>
+            <source>ATE %1 cm</source>
+            <translation>绝对轨迹误差 %1 cm</translation>
+        </message>
+        <message>
+            <source>DBH bias %1 cm</source>
+            <translation>胸径偏差 %1 cm</translation>
+        </message>
+        <message>
+            <source>path of %1 m</source>
+            <translation>路径长 %1 m</translation>
+        </message>
+        <message>
+            <source>waiting</source>
+            <translation>等待中</translation>
+        </message>
+        <message>
+            <source>running</source>
+            <translation>运行中</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>完成</translation>
+        </message>
+        <message>
+            <source>ended early</source>
+            <translation>提前结束</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>失败</translation>
+        </message>
+        <message>
+            <source>cancelled</source>
+            <translation>已取消</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 秒</translation>
+        </message>
+        <message>
+            <source>%1:%2 min</source>
+            <translation>%1:%2 分</translation>
+        </message>
+        <message>
+            <source>%1:%2:%3 h</source>
+            <translation>%1:%2:%3 时</translation>
+        </message>
+        <message>
+            <source>look</source>
+            <translation>需查看</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::ChartView</name>
+        <message>
+            <source>Diameters</source>
+            <translation>胸径分布</translation>
+        </message>
+        <message>
+            <source>Height over diameter</source>
+            <translation>树高-胸径</translation>
+        </message>
+        <message>
+            <source>Estimated over field</source>
+            <translation>估测值-实测值</translation>
+        </message>
+        <message>
+            <source>Run the pipeline to see its stems.</source>
+            <translation>运行流程后可见单木。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CompareWindow</name>
+        <message>
+            <source>All numbers</source>
+            <translation>全部数值</translation>
+        </message>
+        <message>
+            <source>Runs %1 and %2 - Bole</source>
+            <translation>运行 %1 与 %2 - Bole</translation>
+        </message>
+        <message>
+            <source>Cameras linked</source>
+            <translation>联动相机</translation>
+        </message>
+        <message>
+            <source>Run %1: %2</source>
+            <translation>运行 %1:%2</translation>
+        </message>
+        <message>
+            <source>No reference path: give the file of one to see the error along the path.</source>
+            <translation>没有参考轨迹:指定参考轨迹文件后可查看沿路径的误差。</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>步骤</translation>
+        </message>
+        <message>
+            <source>Number</source>
+            <translation>编号</translation>
+        </message>
+        <message>
+            <source>Run %1</source>
+            <translation>运行 %1</translation>
+        </message>
+        <message>
+            <source>Difference</source>
+            <translation>差值</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>option</source>
+            <translation>参数</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FieldCheck</name>
+        <message>
+            <source>Load field measurements…</source>
+            <translation>载入样地实测数据…</translation>
+        </message>
+        <message>
+            <source>field measurements</source>
+            <translation>样地实测数据</translation>
+        </message>
+        <message>
+            <source>Add a stem here, fitted to the points</source>
+            <translation>在此处添加单木(按点云拟合)</translation>
+        </message>
+        <message>
+            <source>No field measurements yet.</source>
+            <translation>尚无样地实测数据。</translation>
+        </message>
+        <message>
+            <source>%1 matched, %2 missed, %3 false</source>
+            <translation>匹配 %1 株,漏检 %2 株,误检 %3 株</translation>
+        </message>
+        <message>
+            <source>diameters: bias %1 cm, RMSE %2 cm</source>
+            <translation>胸径:偏差 %1 cm,均方根误差 %2 cm</translation>
+        </message>
+        <message>
+            <source>Field check</source>
+            <translation>实测检核</translation>
+        </message>
+        <message>
+            <source>Load field measurements</source>
+            <translation>载入样地实测数据</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt)</source>
+            <translation>表格 (*.csv *.txt)</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FieldListDialog</name>
+        <message>
+            <source>East</source>
+            <translation>东坐标</translation>
+        </message>
+        <message>
+            <source>North</source>
+            <translation>北坐标</translation>
+        </message>
+        <message>
+            <source>Diameter at breast height</source>
+            <translation>胸径</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>树高</translation>
+        </message>
+        <message>
+            <source>Tree number</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>Azimuth from the centre</source>
+            <translation>自样地中心的方位角</translation>
+        </message>
+        <message>
+            <source>Distance from the centre</source>
+            <translation>至样地中心的距离</translation>
+        </message>
+        <message>
+            <source>Columns of %1</source>
+            <translation>%1 的列</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n tree(s) in the list. Which column is what?</source>
+            <translation>
+                <numerusform>清单中有 %n 株树。各列分别是什么?</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>The list has the axes of the map</source>
+            <translation>清单与树干图坐标系相同</translation>
+        </message>
+        <message>
+            <source>Shift the map onto the list</source>
+            <translation>平移树干图以对准清单</translation>
+        </message>
+        <message>
+            <source>Shift and turn the map onto the list</source>
+            <translation>平移并旋转树干图以对准清单</translation>
+        </message>
+        <message>
+            <source>Origin and north are unknown: search</source>
+            <translation>原点和北方向未知:自动搜索</translation>
+        </message>
+        <message>
+            <source>(none)</source>
+            <translation>(无)</translation>
+        </message>
+        <message>
+            <source>Trees need a place: east and north, or azimuth and distance.</source>
+            <translation>树木需要位置:东坐标和北坐标,或方位角和距离。</translation>
+        </message>
+        <message>
+            <source>Trees need a diameter.</source>
+            <translation>树木需要胸径。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FrameBar</name>
+        <message>
+            <source>One frame back (,)</source>
+            <translation>后退一帧 (,)</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>播放</translation>
+        </message>
+        <message>
+            <source>One frame on (.)</source>
+            <translation>前进一帧 (.)</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::HistoryPanel</name>
+        <message>
+            <source>Edit</source>
+            <translation>编辑</translation>
+        </message>
+        <message>
+            <source>By</source>
+            <translation>编辑者</translation>
+        </message>
+        <message>
+            <source>At</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>运行</translation>
+        </message>
+        <message>
+            <source>Result</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Changed options</source>
+            <translation>更改的参数</translation>
+        </message>
+        <message>
+            <source>Show again</source>
+            <translation>重新显示</translation>
+        </message>
+        <message>
+            <source>Take its options</source>
+            <translation>采用其参数</translation>
+        </message>
+        <message>
+            <source>Compare two</source>
+            <translation>比较两次运行</translation>
+        </message>
+        <message>
+            <source>Shows what this run gave, from the cache</source>
+            <translation>从缓存中显示该次运行的结果</translation>
+        </message>
+        <message>
+            <source>Sets the options of the document to those of this run; can be undone</source>
+            <translation>将流程参数设为该次运行的参数;可撤销</translation>
+        </message>
+        <message>
+            <source>Opens two chosen runs side by side</source>
+            <translation>并排打开所选的两次运行</translation>
+        </message>
+        <message>
+            <source>As opened</source>
+            <translation>打开时的状态</translation>
+        </message>
+        <message>
+            <source> (ended early)</source>
+            <translation>(提前结束)</translation>
+        </message>
+        <message>
+            <source>options of run %1</source>
+            <translation>运行 %1 的参数</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::JobsPanel</name>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Keep result</source>
+            <translation>保留当前结果</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>运行</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>Progress</source>
+            <translation>进度</translation>
+        </message>
+        <message>
+            <source>Elapsed</source>
+            <translation>已用时间</translation>
+        </message>
+        <message>
+            <source>Left</source>
+            <translation>剩余时间</translation>
+        </message>
+        <message>
+            <source>Ends the run and throws its work away; a waiting run is taken off the list</source>
+            <translation>结束运行并放弃其结果;等待中的运行将从列表中移除</translation>
+        </message>
+        <message>
+            <source>Ends the stage in work with what it has; the stages after it run on that</source>
+            <translation>以当前结果结束正在运行的步骤;后续步骤在此基础上继续</translation>
+        </message>
+        <message>
+            <source>%1 of %2  %3: %4</source>
+            <translation>%1 / %2  %3:%4</translation>
+        </message>
+        <message>
+            <source>%1 in this stage</source>
+            <translation>本步骤 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::LogPanel</name>
+        <message>
+            <source>Copy</source>
+            <translation>复制</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>Warnings</source>
+            <translation>警告</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>错误</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>搜索</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MainWindow</name>
+        <message>
+            <source>Bole</source>
+            <translation>Bole</translation>
+        </message>
+        <message>
+            <source>&amp;File</source>
+            <translation>文件(&amp;F)</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>编辑(&amp;E)</translation>
+        </message>
+        <message>
+            <source>&amp;Run</source>
+            <translation>运行(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Stem</source>
+            <translation>单木(&amp;S)</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>视图(&amp;V)</translation>
+        </message>
+        <message>
+            <source>&amp;Tools</source>
+            <translation>工具(&amp;T)</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>帮助(&amp;H)</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n stem(s) to look at</source>
+            <translation>
+                <numerusform>还有 %n 株单木待检查</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Every stem is accepted, rejected or edited.</source>
+            <translation>所有单木均已接受、拒绝或编辑。</translation>
+        </message>
+        <message>
+            <source>Filter: words, or conditions such as dbh_cm &gt; 20 quality = poor</source>
+            <translation>筛选:关键词,或条件,如 dbh_cm &gt; 20 quality = poor</translation>
+        </message>
+        <message>
+            <source>Pipeline</source>
+            <translation>处理流程</translation>
+        </message>
+        <message>
+            <source>Options</source>
+            <translation>参数</translation>
+        </message>
+        <message>
+            <source>Stems</source>
+            <translation>单木</translation>
+        </message>
+        <message>
+            <source>Chart</source>
+            <translation>图表</translation>
+        </message>
+        <message>
+            <source>Log</source>
+            <translation>日志</translation>
+        </message>
+        <message>
+            <source>Slice</source>
+            <translation>横切面</translation>
+        </message>
+        <message>
+            <source>Profile</source>
+            <translation>纵剖面</translation>
+        </message>
+        <message>
+            <source>Changes were not saved</source>
+            <translation>更改未保存</translation>
+        </message>
+        <message>
+            <source>The program ended before changes to %1 were saved. Take them up again?</source>
+            <translation>上次程序结束时 %1 的更改尚未保存。要恢复这些更改吗?</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>完成</translation>
+        </message>
+        <message>
+            <source>A run is under way</source>
+            <translation>正在运行</translation>
+        </message>
+        <message>
+            <source>Cancel the run and close?</source>
+            <translation>取消运行并关闭?</translation>
+        </message>
+        <message>
+            <source>Changes are not saved</source>
+            <translation>更改尚未保存</translation>
+        </message>
+        <message>
+            <source>Save the changes to the pipeline?</source>
+            <translation>要将更改保存到流程文件吗?</translation>
+        </message>
+        <message>
+            <source>Pipelines (*.json)</source>
+            <translation>流程文件 (*.json)</translation>
+        </message>
+        <message>
+            <source>Open…</source>
+            <translation>打开…</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>Pipelines, clouds, scans</source>
+            <translation>流程、点云、扫描数据</translation>
+        </message>
+        <message>
+            <source>Open sample plot</source>
+            <translation>打开示例样地</translation>
+        </message>
+        <message>
+            <source>Making the sample plot: %1</source>
+            <translation>正在生成示例样地:%1</translation>
+        </message>
+        <message>
+            <source>Save pipeline</source>
+            <translation>保存流程</translation>
+        </message>
+        <message>
+            <source>Save pipeline as…</source>
+            <translation>流程另存为…</translation>
+        </message>
+        <message>
+            <source>Export survey and report…</source>
+            <translation>导出调查成果和报告…</translation>
+        </message>
+        <message>
+            <source>Export survey and report</source>
+            <translation>导出调查成果和报告</translation>
+        </message>
+        <message>
+            <source>Open report</source>
+            <translation>打开报告</translation>
+        </message>
+        <message>
+            <source>Quit</source>
+            <translation>退出</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>撤销</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>重做</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>语言</translation>
+        </message>
+        <message>
+            <source>Save layout…</source>
+            <translation>保存布局…</translation>
+        </message>
+        <message>
+            <source>Save layout</source>
+            <translation>保存布局</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Delete layout</source>
+            <translation>删除布局</translation>
+        </message>
+        <message>
+            <source>Panels</source>
+            <translation>面板</translation>
+        </message>
+        <message>
+            <source>Layouts</source>
+            <translation>布局</translation>
+        </message>
+        <message>
+            <source>Mode</source>
+            <translation>模式</translation>
+        </message>
+        <message>
+            <source>Open recent</source>
+            <translation>最近打开</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>运行</translation>
+        </message>
+        <message>
+            <source>Keep result</source>
+            <translation>保留当前结果</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Keys</source>
+            <translation>快捷键</translation>
+        </message>
+        <message>
+            <source>Search keys</source>
+            <translation>搜索快捷键</translation>
+        </message>
+        <message>
+            <source>Action</source>
+            <translation>操作</translation>
+        </message>
+        <message>
+            <source>Key</source>
+            <translation>按键</translation>
+        </message>
+        <message>
+            <source>About Bole</source>
+            <translation>关于 Bole</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;Bole %1&lt;/b&gt;&lt;p&gt;Raw LiDAR scans of forests in, a survey that a forester can sign out. Free software under the GPL, version 3 or later.</source>
+            <translation>&lt;b&gt;Bole %1&lt;/b&gt;&lt;p&gt;输入森林原始激光雷达扫描数据,输出林业人员可以签字确认的调查成果。自由软件,遵循 GPL 第 3 版或更新版本。</translation>
+        </message>
+        <message>
+            <source>Next doubtful stem</source>
+            <translation>下一株存疑单木</translation>
+        </message>
+        <message>
+            <source>Previous doubtful stem</source>
+            <translation>上一株存疑单木</translation>
+        </message>
+        <message>
+            <source>Zoom to the selected stem</source>
+            <translation>缩放至所选单木</translation>
+        </message>
+        <message>
+            <source>Add a tree by a circle</source>
+            <translation>画圆添加单木</translation>
+        </message>
+        <message>
+            <source>Theme</source>
+            <translation>主题</translation>
+        </message>
+        <message>
+            <source>As the system</source>
+            <translation>跟随系统</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>浅色</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>深色</translation>
+        </message>
+        <message>
+            <source>Colour points by</source>
+            <translation>点云着色依据</translation>
+        </message>
+        <message>
+            <source>Whole survey</source>
+            <translation>全景</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>俯视</translation>
+        </message>
+        <message>
+            <source>From the south</source>
+            <translation>自南向北</translation>
+        </message>
+        <message>
+            <source>From the west</source>
+            <translation>自西向东</translation>
+        </message>
+        <message>
+            <source>From the east</source>
+            <translation>自东向西</translation>
+        </message>
+        <message>
+            <source>Parallel projection</source>
+            <translation>平行投影</translation>
+        </message>
+        <message>
+            <source>Survey</source>
+            <translation>调查</translation>
+        </message>
+        <message>
+            <source>Walk</source>
+            <translation>行走路径</translation>
+        </message>
+        <message>
+            <source>Next frame</source>
+            <translation>下一帧</translation>
+        </message>
+        <message>
+            <source>Previous frame</source>
+            <translation>上一帧</translation>
+        </message>
+        <message>
+            <source>Next key frame</source>
+            <translation>下一关键帧</translation>
+        </message>
+        <message>
+            <source>Previous key frame</source>
+            <translation>上一关键帧</translation>
+        </message>
+        <message>
+            <source>Whole walk</source>
+            <translation>整条路径</translation>
+        </message>
+        <message>
+            <source>Open scan…</source>
+            <translation>打开扫描数据…</translation>
+        </message>
+        <message>
+            <source>Open scan</source>
+            <translation>打开扫描数据</translation>
+        </message>
+        <message>
+            <source>Recordings (*.pcap *.pcapng)</source>
+            <translation>扫描记录 (*.pcap *.pcapng)</translation>
+        </message>
+        <message>
+            <source>Jobs</source>
+            <translation>任务</translation>
+        </message>
+        <message>
+            <source>History</source>
+            <translation>历史记录</translation>
+        </message>
+        <message>
+            <source>Filter: poor, check, a number…</source>
+            <translation>筛选:poor、check、数字…</translation>
+        </message>
+        <message>
+            <source>Open pipeline…</source>
+            <translation>打开流程…</translation>
+        </message>
+        <message>
+            <source>Open pipeline</source>
+            <translation>打开流程</translation>
+        </message>
+        <message>
+            <source>Point</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>Distance</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>Angle</source>
+            <translation>角度</translation>
+        </message>
+        <message>
+            <source>Ring</source>
+            <translation>直径环</translation>
+        </message>
+        <message>
+            <source>Click a point.</source>
+            <translation>请点击一个点。</translation>
+        </message>
+        <message>
+            <source>Click where the distance begins.</source>
+            <translation>请点击距离起点。</translation>
+        </message>
+        <message>
+            <source>Click where it ends.</source>
+            <translation>请点击终点。</translation>
+        </message>
+        <message>
+            <source>Click a point on the first arm.</source>
+            <translation>请点击第一条边上的点。</translation>
+        </message>
+        <message>
+            <source>Click the corner.</source>
+            <translation>请点击顶点。</translation>
+        </message>
+        <message>
+            <source>Click a point on the second arm.</source>
+            <translation>请点击第二条边上的点。</translation>
+        </message>
+        <message>
+            <source>Click point %1 of 3 on the bark; with Shift the ring is not fitted to the points around.</source>
+            <translation>请在树皮上点击第 %1 个点(共 3 个);按住 Shift 则圆环不按周围点拟合。</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Eye-dome shading</source>
+            <translation>眼罩着色(EDL)</translation>
+        </message>
+        <message>
+            <source>Grid in metres</source>
+            <translation>米制格网</translation>
+        </message>
+        <message>
+            <source>Clip box</source>
+            <translation>裁剪框</translation>
+        </message>
+        <message>
+            <source>Clip box around everything</source>
+            <translation>裁剪框包含全部点</translation>
+        </message>
+        <message>
+            <source>All heights</source>
+            <translation>全部高度</translation>
+        </message>
+        <message>
+            <source>Larger points</source>
+            <translation>放大点</translation>
+        </message>
+        <message>
+            <source>Smaller points</source>
+            <translation>缩小点</translation>
+        </message>
+        <message>
+            <source>Look of the view…</source>
+            <translation>视图外观…</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MeasureBehavior</name>
+        <message>
+            <source>Measurements</source>
+            <translation>量测</translation>
+        </message>
+        <message>
+            <source>Export measurements</source>
+            <translation>导出量测</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv)</source>
+            <translation>表格 (*.csv)</translation>
+        </message>
+        <message>
+            <source>Measure a point</source>
+            <translation>量测点</translation>
+        </message>
+        <message>
+            <source>Measure a distance</source>
+            <translation>量测距离</translation>
+        </message>
+        <message>
+            <source>Measure an angle</source>
+            <translation>量测角度</translation>
+        </message>
+        <message>
+            <source>Measure a diameter by three points</source>
+            <translation>三点量测直径</translation>
+        </message>
+        <message>
+            <source>End measuring or drawing</source>
+            <translation>结束量测或绘制</translation>
+        </message>
+        <message>
+            <source>There is no point here. Click one that is drawn.</source>
+            <translation>此处没有点。请点击已显示的点。</translation>
+        </message>
+        <message>
+            <source>The three points lie on one line. Click them around the stem.</source>
+            <translation>三点共线。请环绕树干点击。</translation>
+        </message>
+        <message>
+            <source>measure</source>
+            <translation>量测</translation>
+        </message>
+        <message>
+            <source>delete a measurement</source>
+            <translation>删除量测</translation>
+        </message>
+        <message>
+            <source>rename a measurement</source>
+            <translation>重命名量测</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MeasurePanel</name>
+        <message>
+            <source>Delete</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>Export CSV…</source>
+            <translation>导出 CSV…</translation>
+        </message>
+        <message>
+            <source>Measurement</source>
+            <translation>量测</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>数值</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>Double click: look at it. F2: rename.</source>
+            <translation>双击:查看。F2:重命名。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PipelinePanel</name>
+        <message>
+            <source>running</source>
+            <translation>运行中</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>完成</translation>
+        </message>
+        <message>
+            <source>look</source>
+            <translation>需查看</translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>失败</translation>
+        </message>
+        <message>
+            <source>Stage</source>
+            <translation>步骤</translation>
+        </message>
+        <message>
+            <source>3-D</source>
+            <translation>三维</translation>
+        </message>
+        <message>
+            <source>Cut</source>
+            <translation>切面</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>What the 3-D view shows: a click on an eye hides the outputs of a stage</source>
+            <translation>三维视图显示的内容:点击眼睛图标可隐藏该步骤的输出</translation>
+        </message>
+        <message>
+            <source>What slice and profile show</source>
+            <translation>横切面和纵剖面显示的内容</translation>
+        </message>
+        <message>
+            <source>cannot run</source>
+            <translation>无法运行</translation>
+        </message>
+        <message>
+            <source>skipped</source>
+            <translation>已跳过</translation>
+        </message>
+        <message>
+            <source>This stage runs when its file is given.</source>
+            <translation>指定文件后此步骤才会运行。</translation>
+        </message>
+        <message>
+            <source>add %1</source>
+            <translation>添加 %1</translation>
+        </message>
+        <message>
+            <source>delete %1</source>
+            <translation>删除 %1</translation>
+        </message>
+        <message>
+            <source>rename %1</source>
+            <translation>重命名 %1</translation>
+        </message>
+        <message>
+            <source>copy %1</source>
+            <translation>复制 %1</translation>
+        </message>
+        <message>
+            <source>Rename stage…</source>
+            <translation>重命名步骤…</translation>
+        </message>
+        <message>
+            <source>Rename stage</source>
+            <translation>重命名步骤</translation>
+        </message>
+        <message>
+            <source>Name of the stage</source>
+            <translation>步骤名称</translation>
+        </message>
+        <message>
+            <source>Copy stage and what follows</source>
+            <translation>复制此步骤及后续步骤</translation>
+        </message>
+        <message>
+            <source>Delete stage</source>
+            <translation>删除步骤</translation>
+        </message>
+        <message>
+            <source>Add stage behind</source>
+            <translation>在其后添加步骤</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlotMap</name>
+        <message>
+            <source>Load field measurements and run to see which trees were found.</source>
+            <translation>载入样地实测数据并运行,即可查看哪些树木被检出。</translation>
+        </message>
+        <message>
+            <source>%1 matched</source>
+            <translation>匹配 %1</translation>
+        </message>
+        <message>
+            <source>%1 missed</source>
+            <translation>漏检 %1</translation>
+        </message>
+        <message>
+            <source>%1 false</source>
+            <translation>误检 %1</translation>
+        </message>
+        <message>
+            <source>Stem %1, %2 cm</source>
+            <translation>单木 %1,%2 cm</translation>
+        </message>
+        <message>
+            <source>Field tree %1, %2 cm</source>
+            <translation>实测树 %1,%2 cm</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::ProfileView</name>
+        <message>
+            <source>Select a stem to see its profile.</source>
+            <translation>选择一株单木以查看其纵剖面。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PropertiesPanel</name>
+        <message>
+            <source>Apply at once</source>
+            <translation>立即应用</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>应用</translation>
+        </message>
+        <message>
+            <source>Reset</source>
+            <translation>还原</translation>
+        </message>
+        <message>
+            <source>Defaults</source>
+            <translation>默认值</translation>
+        </message>
+        <message>
+            <source>Search options</source>
+            <translation>搜索参数</translation>
+        </message>
+        <message>
+            <source>Basic</source>
+            <translation>基本</translation>
+        </message>
+        <message>
+            <source>Advanced</source>
+            <translation>高级</translation>
+        </message>
+        <message>
+            <source>Expert</source>
+            <translation>专家</translation>
+        </message>
+        <message>
+            <source>Changes go into the pipeline as they are made, else with Apply</source>
+            <translation>更改立即写入流程;否则点击“应用”后写入</translation>
+        </message>
+        <message>
+            <source>Throws away what was not applied</source>
+            <translation>放弃尚未应用的更改</translation>
+        </message>
+        <message>
+            <source>All options of this stage as they come with the program</source>
+            <translation>将此步骤的所有参数恢复为程序默认值</translation>
+        </message>
+        <message>
+            <source>%1; default %2</source>
+            <translation>%1;默认 %2</translation>
+        </message>
+        <message>
+            <source>This stage has no options.</source>
+            <translation>此步骤没有参数。</translation>
+        </message>
+        <message>
+            <source>No option here: see another tier or search.</source>
+            <translation>此级别没有参数:请选择其他级别或搜索。</translation>
+        </message>
+        <message>
+            <source>This stage runs when its file is given.</source>
+            <translation>指定文件后此步骤才会运行。</translation>
+        </message>
+        <message>
+            <source>Takes the changes into the pipeline</source>
+            <translation>将更改写入流程</translation>
+        </message>
+        <message>
+            <source>Nothing to apply: changes are taken at once</source>
+            <translation>无需应用:更改会立即生效</translation>
+        </message>
+        <message>
+            <source>Nothing to apply: no option was changed</source>
+            <translation>无需应用:没有参数被更改</translation>
+        </message>
+        <message>
+            <source>options of %1</source>
+            <translation>%1 的参数</translation>
+        </message>
+        <message>
+            <source>defaults of %1</source>
+            <translation>%1 的默认值</translation>
+        </message>
+        <message>
+            <source>Browse…</source>
+            <translation>浏览…</translation>
+        </message>
+        <message>
+            <source>Open file</source>
+            <translation>打开文件</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::RowBehavior</name>
+        <message>
+            <source>Rows</source>
+            <translation>种植行</translation>
+        </message>
+        <message>
+            <source>Add a row by two clicks</source>
+            <translation>点击两次添加种植行</translation>
+        </message>
+        <message>
+            <source>Delete the selected row</source>
+            <translation>删除所选种植行</translation>
+        </message>
+        <message>
+            <source>Split the selected row at a click</source>
+            <translation>在点击处拆分所选种植行</translation>
+        </message>
+        <message>
+            <source>Merge the selected row with another</source>
+            <translation>将所选种植行与另一行合并</translation>
+        </message>
+        <message>
+            <source>Renumber the selected row…</source>
+            <translation>重新编号所选种植行…</translation>
+        </message>
+        <message>
+            <source>Renumber</source>
+            <translation>重新编号</translation>
+        </message>
+        <message>
+            <source>New id of the row</source>
+            <translation>种植行的新编号</translation>
+        </message>
+        <message>
+            <source>Note on the selected row…</source>
+            <translation>为所选种植行添加备注…</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>Click where the row begins.</source>
+            <translation>请点击种植行起点。</translation>
+        </message>
+        <message>
+            <source>Click where the row is to be split.</source>
+            <translation>请点击拆分位置。</translation>
+        </message>
+        <message>
+            <source>Click the other row.</source>
+            <translation>请点击另一行。</translation>
+        </message>
+        <message>
+            <source>Click where the row ends.</source>
+            <translation>请点击种植行终点。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::SliceView</name>
+        <message>
+            <source> m high</source>
+            <translation> m 高</translation>
+        </message>
+        <message>
+            <source>Height of the cut above ground</source>
+            <translation>横切面离地高度</translation>
+        </message>
+        <message>
+            <source> m thick</source>
+            <translation> m 厚</translation>
+        </message>
+        <message>
+            <source>Thickness of the cut</source>
+            <translation>横切面厚度</translation>
+        </message>
+        <message>
+            <source>Diameters are those at breast height: set the height of the cut to %1 m to edit one.</source>
+            <translation>直径指胸高处的直径:请将横切面高度设为 %1 m 后再编辑。</translation>
+        </message>
+        <message>
+            <source>Select a stem to see its slice.</source>
+            <translation>选择一株单木以查看其横切面。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::TablePanel</name>
+        <message>
+            <source>Set diameter…</source>
+            <translation>设定胸径…</translation>
+        </message>
+        <message>
+            <source>Set height…</source>
+            <translation>设定树高…</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>接受</translation>
+        </message>
+        <message>
+            <source>Reject</source>
+            <translation>拒绝</translation>
+        </message>
+        <message>
+            <source>Note…</source>
+            <translation>备注…</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>Diameter</source>
+            <translation>胸径</translation>
+        </message>
+        <message>
+            <source>Diameter at breast height in cm</source>
+            <translation>胸径(cm)</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>树高</translation>
+        </message>
+        <message>
+            <source>Height of the tree in m</source>
+            <translation>树高(m)</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::ViewPanel</name>
+        <message>
+            <source>The array of the cloud that gives points their colour</source>
+            <translation>决定点颜色的点云属性</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>颜色</translation>
+        </message>
+        <message>
+            <source>Takes the first colour of the map</source>
+            <translation>取色带的起始颜色</translation>
+        </message>
+        <message>
+            <source>Takes the last colour of the map</source>
+            <translation>取色带的末尾颜色</translation>
+        </message>
+        <message>
+            <source>Auto</source>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>The range of the middle 96 % of the values</source>
+            <translation>中间 96 % 数值的范围</translation>
+        </message>
+        <message>
+            <source>Range</source>
+            <translation>范围</translation>
+        </message>
+        <message>
+            <source>Size of a point on the screen</source>
+            <translation>点在屏幕上的大小</translation>
+        </message>
+        <message>
+            <source> px</source>
+            <translation> 像素</translation>
+        </message>
+        <message>
+            <source>Point size</source>
+            <translation>点大小</translation>
+        </message>
+        <message>
+            <source>Heights above ground that are drawn; drag the middle to move the layer</source>
+            <translation>显示的离地高度;拖动中部可移动高度层</translation>
+        </message>
+        <message>
+            <source>Lowest height above ground that is drawn</source>
+            <translation>显示的最低离地高度</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> m</translation>
+        </message>
+        <message>
+            <source>Greatest height above ground that is drawn</source>
+            <translation>显示的最高离地高度</translation>
+        </message>
+        <message>
+            <source>All</source>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>Draws all heights</source>
+            <translation>显示全部高度</translation>
+        </message>
+        <message>
+            <source>Heights</source>
+            <translation>高度</translation>
+        </message>
+        <message>
+            <source>Clip box</source>
+            <translation>裁剪框</translation>
+        </message>
+        <message>
+            <source>Draws only what lies within a box</source>
+            <translation>仅显示框内的点</translation>
+        </message>
+        <message>
+            <source>Handles</source>
+            <translation>控制柄</translation>
+        </message>
+        <message>
+            <source>Drag the faces of the box in the view</source>
+            <translation>在视图中拖动框的各面</translation>
+        </message>
+        <message>
+            <source>Reset</source>
+            <translation>还原</translation>
+        </message>
+        <message>
+            <source>The box around the whole cloud</source>
+            <translation>包围整个点云的框</translation>
+        </message>
+        <message>
+            <source>Least x</source>
+            <translation>最小 x</translation>
+        </message>
+        <message>
+            <source>Greatest x</source>
+            <translation>最大 x</translation>
+        </message>
+        <message>
+            <source>Least y</source>
+            <translation>最小 y</translation>
+        </message>
+        <message>
+            <source>Greatest y</source>
+            <translation>最大 y</translation>
+        </message>
+        <message>
+            <source>Least z</source>
+            <translation>最小 z</translation>
+        </message>
+        <message>
+            <source>Greatest z</source>
+            <translation>最大 z</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
+        </message>
+        <message>
+            <source>Eye-dome shading</source>
+            <translation>眼罩着色(EDL)</translation>
+        </message>
+        <message>
+            <source>Darkens hollows when the view rests: shapes stand out</source>
+            <translation>视图静止时加深凹处,使形状更清晰</translation>
+        </message>
+        <message>
+            <source>Grid</source>
+            <translation>格网</translation>
+        </message>
+        <message>
+            <source>A grid in metres at the foot of the cloud</source>
+            <translation>点云底部的米制格网</translation>
+        </message>
+        <message>
+            <source>Legend</source>
+            <translation>图例</translation>
+        </message>
+        <message>
+            <source>What the colours mean</source>
+            <translation>颜色的含义</translation>
+        </message>
+        <message>
+            <source>Scale bar</source>
+            <translation>比例尺</translation>
+        </message>
+        <message>
+            <source>In metres; holds everywhere in parallel projection</source>
+            <translation>以米为单位;平行投影时处处有效</translation>
+        </message>
+        <message>
+            <source>North arrow</source>
+            <translation>指北针</translation>
+        </message>
+        <message>
+            <source>Where the axes of the plot are known</source>
+            <translation>样地坐标轴已知时显示</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::WalkPanel</name>
+        <message>
+            <source>frame %1 of %2</source>
+            <translation>第 %1 帧,共 %2 帧</translation>
+        </message>
+        <message>
+            <source>   %1 frames/s   %2 left</source>
+            <translation>   %1 帧/秒   剩余 %2</translation>
+        </message>
+        <message>
+            <source>   %1 loops, %2 refused</source>
+            <translation>   %1 个回环,拒绝 %2 个</translation>
+        </message>
+        <message>
+            <source>   not placed</source>
+            <translation>   未定位</translation>
+        </message>
+        <message>
+            <source>frame %1 of %2   %3 s   %4 points</source>
+            <translation>第 %1 帧,共 %2 帧   %3 秒   %4 个点</translation>
+        </message>
+        <message>
+            <source>   at %1, %2, %3 m</source>
+            <translation>   位于 %1, %2, %3 m</translation>
+        </message>
+        <message>
+            <source>   not on the path</source>
+            <translation>   不在路径上</translation>
+        </message>
+        <message>
+            <source>   sensor axes</source>
+            <translation>   传感器坐标系</translation>
+        </message>
+    </context>
+</TS>

@@ -1,0 +1,79 @@
+#include "shell/language.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QTranslator>
+
+#include "main_window.h"
+#include "shell/resources.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr const char* property = "bole_language";
+
+QString wanted_language() {
+  const QString chosen = QSettings().value("language").toString();
+  const QString code = chosen.isEmpty() ? QLocale::system().name() : chosen;
+  for (const auto& language : languages())
+    if (language.code == code || (language.code != "en" && language.code.left(2) == code.left(2))) return language.code;
+  return "en";
+}
+
+void choose(MainWindow* window, const QString& code) {
+  if (code == current_language()) return;
+  QApplication::setQuitOnLastWindowClosed(false);
+  const bool closed = window->close();
+  if (closed) {
+    QSettings().setValue("language", code);
+    QSettings().setValue("reopen", window->session().path());
+    QCoreApplication::exit(restart_code);
+  }
+  QApplication::setQuitOnLastWindowClosed(true);
+}
+
+}  // namespace
+
+const std::vector<Language>& languages() {
+  static const std::vector<Language> list{{"en", "English"}, {"zh_CN", QStringLiteral("简体中文")}};
+  return list;
+}
+
+void install_language(QCoreApplication& application, const QString& code) {
+  take_in_resources();
+  const QString language = code.isEmpty() ? wanted_language() : code;
+  for (auto* old : application.findChildren<QTranslator*>(QString(), Qt::FindDirectChildrenOnly)) {
+    QCoreApplication::removeTranslator(old);
+    delete old;
+  }
+  application.setProperty(property, language);
+  const auto install = [&](const QString& file, const QString& folder) {
+    auto* translator = new QTranslator(&application);
+    if (translator->load(file, folder)) QCoreApplication::installTranslator(translator);
+  };
+  // English too: its file holds the plural forms.
+  install("bole_" + language, ":/i18n");
+  if (language != "en") install("qtbase_" + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
+}
+
+QString current_language() {
+  const QString language = QCoreApplication::instance()->property(property).toString();
+  return language.isEmpty() ? "en" : language;
+}
+
+void make_language_menu(MainWindow& window) {
+  auto* menu = window.menu(Menu::view)->addMenu(MainWindow::tr("Language"));
+  auto* group = new QActionGroup(&window);
+  for (const auto& language : languages()) {
+    auto* action = window.add_action(menu, qPrintable("language_" + language.code), language.name,
+                                     [&window, code = language.code] { choose(&window, code); });
+    action->setCheckable(true);
+    action->setChecked(language.code == current_language());
+    group->addAction(action);
+  }
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,42 @@
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+
+#include "pipeline/register_all_stages.h"
+#include "report/make_report.h"
+#include "shell/language.h"
+#include "shell/theme.h"
+#include "shell_test.h"
+#include "vtkbridge/executor.h"
+
+#include "document/survey.h"
+
+Q_DECLARE_METATYPE(bole::RunOutcome)
+Q_DECLARE_METATYPE(bole::desktop::Results)
+Q_DECLARE_METATYPE(bole::desktop::Survey)
+
+int main(int argc, char** argv) {
+  // Settings and caches of the person who runs the tests stay as they are.
+  const QTemporaryDir home;
+  qputenv("XDG_CONFIG_HOME", home.path().toLocal8Bit());
+  qputenv("XDG_CACHE_HOME", home.path().toLocal8Bit());
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication application(argc, argv);
+  QApplication::setApplicationName("Bole");
+  QApplication::setOrganizationName("Bole");
+  bole::register_all_stages(bole::StageRegistry::global());
+  bole::register_report_stages(bole::StageRegistry::global());
+  qRegisterMetaType<bole::RunOutcome>("RunOutcome");
+  qRegisterMetaType<bole::desktop::Results>("Results");
+  qRegisterMetaType<bole::desktop::Survey>("Survey");
+  using namespace bole::desktop;
+  apply_theme(Theme::light);
+  install_language(application, "en");
+  int failures = 0;
+  for (auto* run : {run_shell_test, run_field_check_test, run_language_test, run_pictures_test})
+    failures += run(argc, argv);
+  return failures;
+}
