@@ -8,7 +8,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPlainTextEdit>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <utility>
@@ -62,12 +61,11 @@ MainWindow::MainWindow()
       profile_(new ProfileView(selection_, this)),
       chart_(new ChartView(selection_, this)),
       stems_(new TablePanel(selection_, this)),
-      log_(new QPlainTextEdit(this)) {
+      log_(new LogPanel(this)) {
   setWindowTitle(tr("Bole"));
   resize(1600, 1000);
   setAcceptDrops(true);
   setCentralWidget(scene_);
-  log_->setReadOnly(true);
   make_docks();
   make_menus();
   connect_document();
@@ -100,8 +98,8 @@ QAction* MainWindow::add_action(QMenu* menu, const char* id, const QString& text
 
 void MainWindow::connect_document() {
   connect(pipeline_, &PipelinePanel::stage_selected, properties_, &PropertiesPanel::show_stage);
-  connect(properties_, &PropertiesPanel::refused, this, &MainWindow::say);
-  connect(pipeline_, &PipelinePanel::refused, this, &MainWindow::say);
+  connect(properties_, &PropertiesPanel::refused, this, &MainWindow::complain);
+  connect(pipeline_, &PipelinePanel::refused, this, &MainWindow::complain);
   connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(sample_, &SampleBehavior::ready, this, [this](const auto& document, const QString& path) {
     guarded([&] {
@@ -111,8 +109,12 @@ void MainWindow::connect_document() {
       refresh();
     });
   });
-  connect(run_, &RunBehavior::progressed, this,
-          [this](const QString& stage) { pipeline_->set_state(stage, StageState::running); });
+  connect(run_, &RunBehavior::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
+    const int now = run_->current() ? run_->current()->id : 0;
+    if (job == now && last != stage) pipeline_->set_state(last, StageState::done);
+    job = now, last = stage;
+    pipeline_->set_state(stage, StageState::running);
+  });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
@@ -169,12 +171,16 @@ void MainWindow::guarded(const std::function<void()>& act) {
   try {
     act();
   } catch (const Error& e) {
-    say(QString::fromUtf8(e.what()));
+    complain(QString::fromUtf8(e.what()));
   }
 }
 
-void MainWindow::say(const QString& text) {
-  log_->appendPlainText(text);
+void MainWindow::say(const QString& text) { tell(text, LogLevel::info); }
+
+void MainWindow::complain(const QString& text) { tell(text, LogLevel::error); }
+
+void MainWindow::tell(const QString& text, LogLevel level) {
+  log_->add(text, level);
   statusBar()->showMessage(text, 10000);
 }
 
@@ -236,7 +242,7 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::start(bool sinks, const QString& folder) {
-  if (!session_.has_document() || run_->running()) return;
+  if (!session_.has_document()) return;
   for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
   if (sinks) last_export_ = folder;
   run_->start(folder, sinks);
@@ -263,8 +269,11 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
   for (const auto& stage : outcome.stages) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
-    say(QString::fromStdString(stage.record.id + ": " +
-                               (stage.error.empty() ? stage.record.report.message : stage.error)));
+    tell(QString::fromStdString(stage.record.id + ": " +
+                                (stage.error.empty() ? stage.record.report.message : stage.error)),
+         stage.error.empty() ? LogLevel::info : LogLevel::error);
+    for (const auto& warning : stage.record.report.warnings)
+      tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
   visibility_.take(outcome, results);
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
@@ -277,7 +286,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
   if (!may_lose_changes()) return event->ignore();
-  run_->cancel();
+  run_->cancel_all();
   keep_layout(*this);
   event->accept();
 }

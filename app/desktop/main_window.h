@@ -11,10 +11,9 @@
 #include "behaviors/run_behavior.h"
 #include "document/session.h"
 #include "document/visibility.h"
+#include "panels/log_panel.h"
 #include "selection/selection.h"
 #include "shell/docks.h"
-
-class QPlainTextEdit;
 
 namespace bole::desktop {
 
@@ -41,7 +40,7 @@ class MainWindow : public QMainWindow {
   void open(const QString& path);  // a pipeline; a cloud or a scan, for which a pipeline is made
   void open_sample();              // made where it is not there yet, opened and run; in the background
   void save(const QString& path);
-  void run();                             // the whole pipeline
+  void run();                             // the whole pipeline; after the runs that are asked for already
   void refresh();                         // all but what writes files; after the run under way, when there is one
   void export_to(const QString& folder);  // the whole pipeline, its files into that folder
   QString results_folder() const;         // where a run of the document writes
@@ -56,6 +55,7 @@ class MainWindow : public QMainWindow {
   ProfileView& profile() { return *profile_; }
   ChartView& chart() { return *chart_; }
   TablePanel& stems() { return *stems_; }
+  LogPanel& log() { return *log_; }
   PipelinePanel& pipeline() { return *pipeline_; }
   PropertiesPanel& properties() { return *properties_; }
   Selection& selection() { return selection_; }
@@ -68,7 +68,8 @@ class MainWindow : public QMainWindow {
   QAction* add_action(QMenu* menu, const char* id, const QString& text, const std::function<void()>& act,
                       const QKeySequence& key = {});
   void guarded(const std::function<void()>& act);  // errors become a sentence in the log and the status bar
-  void say(const QString& text);
+  void say(const QString& text);                   // in the log and the status bar
+  void complain(const QString& text);              // likewise, as an error
 
  Q_SIGNALS:
   void document_opened();
@@ -82,6 +83,7 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  void tell(const QString& text, LogLevel level);
   void start(bool sinks, const QString& folder);
   bool may_lose_changes();  // asks what to do with changes that are not saved; false: stay
   void document_is_open();
@@ -109,7 +111,7 @@ class MainWindow : public QMainWindow {
   ProfileView* profile_;
   ChartView* chart_;
   TablePanel* stems_;
-  QPlainTextEdit* log_;
+  LogPanel* log_;
   QString last_export_;
   bool refresh_again_ = false;
 };

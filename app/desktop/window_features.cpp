@@ -4,6 +4,7 @@
 #include "behaviors/measure_behavior.h"
 #include "behaviors/row_behavior.h"
 #include "behaviors/view_tools.h"
+#include "behaviors/running_feature.h"
 #include "features/field_check/field_check.h"
 
 namespace bole::desktop {
@@ -14,6 +15,7 @@ void install_features(MainWindow& window) {
   install_measuring(window);
   install_rows(window);
   install_figure_export(window);
+  install_running(window);
   install_field_check(window);
 }
 

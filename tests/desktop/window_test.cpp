@@ -16,6 +16,7 @@
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
+#include "running_test.h"
 #include "small_plot.h"
 #include "views/scene_view.h"
 #include "views_test.h"
@@ -176,8 +177,9 @@ int main(int argc, char** argv) {
     session.set_option("slice", "height", 1.7);
     std::raise(SIGKILL);
   }
+  if (argc > 1 && std::string(argv[1]) == "--running") return bole::desktop::run_running_test(argc - 1, argv + 1);
   bole::desktop::WindowTest test;
   const int failures = QTest::qExec(&test, argc, argv);
-  return failures + bole::desktop::run_views_test(argc, argv);
+  return failures + bole::desktop::run_views_test(argc, argv) + bole::desktop::run_running_test(argc, argv);
 }
 #include "window_test.moc"

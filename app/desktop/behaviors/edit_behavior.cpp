@@ -1,19 +1,11 @@
 #include "behaviors/edit_behavior.h"
 
 #include <QDateTime>
-#include <QProcessEnvironment>
 #include <algorithm>
 
+#include "document/person.h"
+
 namespace bole::desktop {
-namespace {
-
-// The login name; who signs another one sets BOLE_AUTHOR.
-std::string person() {
-  const auto env = QProcessEnvironment::systemEnvironment();
-  return env.value("BOLE_AUTHOR", env.value("USER")).toStdString();
-}
-
-}  // namespace
 
 std::string EditBehavior::edit_stage() const {
   if (!session_.has_document()) throw bad_input("no pipeline is open", "a pipeline with a stage stems.edit");
@@ -29,7 +21,7 @@ void EditBehavior::apply(std::vector<StemEdit> more) {
   const auto stage = edit_stage();
   auto edits = parse_stem_edits(std::get<std::string>(session_.document().at(stage).options.get("edits")));
   for (auto& edit : more) {
-    if (edit.author.empty()) edit.author = person();
+    if (edit.author.empty()) edit.author = person().toStdString();
     if (edit.time.empty()) edit.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     edits.push_back(std::move(edit));
   }

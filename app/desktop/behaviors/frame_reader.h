@@ -16,8 +16,8 @@ namespace bole::desktop {
 // A frame brought into the axes of a path.
 struct PlacedFrame {
   std::size_t index = 0;
-  double time_s = 0;  // of its first firing
-  bool placed = false;  // false: the path does not reach it; sensor axes
+  double time_s = 0;                        // of its first firing
+  bool placed = false;                      // false: the path does not reach it; sensor axes
   Pose T_target_sensor = Pose::Identity();  // at its end
   std::vector<Eigen::Vector3d> positions;
 };

@@ -2,12 +2,18 @@
 
 #include <vtkDataObject.h>
 
+#include <algorithm>
+
+#include "behaviors/preview_channel.h"
 #include "vtkbridge/core_conversion.h"
 #include "vtkbridge/lazy_data.h"
 #include "vtkbridge/vtkBoleStage.h"
 
 namespace bole::desktop {
 namespace {
+
+constexpr std::size_t most_jobs = 100;
+constexpr std::chrono::milliseconds progress_gap{50};
 
 // The outputs of all stages that ran, as core data. Called in the worker: stored results are read here.
 Results collect(const PipelineExecutor& executor, const RunOutcome& outcome) {
@@ -25,17 +31,40 @@ Results collect(const PipelineExecutor& executor, const RunOutcome& outcome) {
   return results;
 }
 
-// The index of the points is made here too, for it takes seconds on a large cloud. What a cancelled run left is not
-// shown: the views keep what they have.
+// The index of the points is made here too, for it takes seconds on a large cloud. A run that was cancelled or gave
+// nothing to look at leaves the views as they are.
 Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& before,
                       const std::stop_token& cancel) {
+  if (outcome.exit_code == 3) return before;
   Run run;
   run.cancel = cancel;
   try {
-    return survey_of(outcome, results, before, run);
+    const auto survey = survey_of(outcome, results, before, run);
+    return survey.empty() ? before : survey;
   } catch (const Error&) {
     return before;
   }
+}
+
+bool ended_early(const RunOutcome& outcome) {
+  return std::ranges::any_of(outcome.stages,
+                             [](const auto& s) { return s.record.report.status == Status::finished_early; });
+}
+
+JobState state_after(const RunOutcome& outcome) {
+  if (outcome.exit_code == 3) return JobState::cancelled;
+  if (outcome.exit_code != 0) return JobState::failed;
+  return ended_early(outcome) ? JobState::kept : JobState::done;
+}
+
+std::shared_ptr<Job> job_for(std::shared_ptr<const PipelineDocument> document, const QString& output_dir, bool sinks) {
+  auto job = std::make_shared<Job>();
+  job->title = QString::fromStdString(document->title());
+  job->document = std::move(document);
+  job->output_dir = output_dir;
+  job->sinks = sinks;
+  job->stages = job->document->in_order().size();
+  return job;
 }
 
 }  // namespace
@@ -43,42 +72,191 @@ Survey survey_to_show(const RunOutcome& outcome, const Results& results, const S
 RunBehavior::RunBehavior(Session& session, QObject* parent) : QObject(parent), session_(session) {}
 
 RunBehavior::~RunBehavior() {
+  waiting_.clear();
   cancel();
   if (thread_.joinable()) thread_.join();
 }
 
-void RunBehavior::start(const QString& output_dir, bool sinks) {
-  if (running_) return;
+int RunBehavior::start(const QString& output_dir, bool sinks) {
+  return queue(job_for(std::make_shared<const PipelineDocument>(session_.document()), output_dir, sinks), {});
+}
+
+int RunBehavior::queue(std::shared_ptr<Job> job, Deliver deliver) {
+  job->id = ++last_id_;
+  job->asked_at = QDateTime::currentDateTime();
+  const auto before = std::find_if(jobs_.rbegin(), jobs_.rend(), [&](const auto& j) {
+    return j->sinks && j->document->source() == job->document->source();
+  });
+  if (before != jobs_.rend()) job->changes = changes_text(changed_options(*(*before)->document, *job->document));
+  if (jobs_.size() >= most_jobs && jobs_.front()->over()) jobs_.erase(jobs_.begin());
+  jobs_.push_back(job);
+  waiting_.push_back({job, std::move(deliver), documents_});
+  if (!current_) start_next();
+  Q_EMIT jobs_changed();
+  return job->id;
+}
+
+void RunBehavior::start_next() {
+  if (current_ || waiting_.empty()) return;
   if (thread_.joinable()) thread_.join();
-  running_ = true;
-  executor_ = std::make_unique<PipelineExecutor>(session_.document());
-  thread_ = std::jthread([this, output_dir, sinks, before = survey_](std::stop_token cancel_token) {
-    RunSettings settings;
-    settings.output_dir = output_dir.toStdString();
-    settings.cancel = cancel_token;
-    settings.sinks = sinks;
-    settings.progress = [this](const std::string& stage, double fraction, std::string_view what) {
-      Q_EMIT progressed(QString::fromStdString(stage), fraction,
-                        QString::fromUtf8(what.data(), static_cast<int>(what.size())));
-    };
-    auto outcome = executor_->run(settings);
-    auto results = collect(*executor_, outcome);
-    auto survey = survey_to_show(outcome, results, before, cancel_token);
+  task_ = std::move(waiting_.front());
+  waiting_.erase(waiting_.begin());
+  current_ = task_.job;
+  current_->state = JobState::running;
+  current_->began = current_->stage_began = Job::Clock::now();
+  executor_ = std::make_unique<PipelineExecutor>(*current_->document);
+  // The worker gets a copy of the job: the job itself belongs to the window.
+  thread_ = std::jthread([this, job = *current_, before = survey_](const std::stop_token& cancel_token) {
+    work(cancel_token, job, before);
+  });
+  Q_EMIT job_began(current_->id);
+}
+
+RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& cancel_token) {
+  RunSettings settings;
+  settings.output_dir = job.output_dir.toStdString();
+  settings.cancel = cancel_token;
+  settings.sinks = job.sinks;
+  // Some stages tell of every little step: more than a person can read only keeps the window busy.
+  settings.progress = [this, last_stage = std::string(), last = Job::Clock::time_point()](
+                          const std::string& stage, double fraction, std::string_view what) mutable {
+    const auto now = Job::Clock::now();
+    if (stage == last_stage && now - last < progress_gap) return;
+    last_stage = stage, last = now;
     QMetaObject::invokeMethod(
         this,
-        [this, outcome = std::move(outcome), results = std::move(results), survey = std::move(survey)] {
-          running_ = false;
-          survey_ = survey;
-          Q_EMIT finished(outcome, results);
+        [this, stage = QString::fromStdString(stage), fraction,
+         what = QString::fromUtf8(what.data(), static_cast<int>(what.size()))] {
+          note_progress(stage, fraction, what);
         },
         Qt::QueuedConnection);
+  };
+  settings.preview = [this](const StageNode& node) {
+    return std::make_shared<PreviewChannel>(this, [this, id = QString::fromStdString(node.id)](const DataSet& part) {
+      if (task_.document == documents_) Q_EMIT snapshot_taken(id, part);
+    });
+  };
+  return settings;
+}
+
+void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, const Survey& before) {
+  auto result = std::make_shared<JobResult>();
+  try {
+    result->outcome = executor_->run(settings_for(job, cancel_token));
+    result->results = collect(*executor_, result->outcome);
+    result->survey = survey_to_show(result->outcome, result->results, before, cancel_token);
+  } catch (const std::exception& e) {  // a stored result that cannot be read
+    if (result->outcome.exit_code == 0) result->outcome.exit_code = 1;
+    result->outcome.error = e.what();
+    result->survey = before;
+  }
+  QMetaObject::invokeMethod(
+      this, [this, result] { end(result); }, Qt::QueuedConnection);
+}
+
+void RunBehavior::note_progress(const QString& stage, double fraction, const QString& what) {
+  if (!current_) return;
+  auto& job = *current_;
+  if (job.stage != stage) {
+    job.stage = stage;
+    job.stage_began = Job::Clock::now();
+    job.later_s = 0;
+    bool after = false;
+    std::size_t begun = 0;
+    for (const auto* node : job.document->in_order()) {
+      if (!after) ++begun;
+      if (after && (job.sinks || !node->type->writes_files)) {
+        const auto known = seconds_.find(node->id);
+        if (known == seconds_.end())
+          job.later_s.reset();
+        else if (job.later_s)
+          *job.later_s += known->second;
+      }
+      after = after || node->id == stage.toStdString();
+    }
+    job.stages_begun = begun;
+  }
+  job.fraction = fraction;
+  job.what = what;
+  Q_EMIT progressed(stage, fraction, what);
+  Q_EMIT jobs_changed();
+}
+
+void RunBehavior::end(const std::shared_ptr<const JobResult>& result) {
+  const auto task = std::move(task_);
+  auto& job = *task.job;
+  current_.reset();
+  job.ended = Job::Clock::now();
+  job.state = state_after(result->outcome);
+  job.outcome = result->outcome;
+  if (job.state == JobState::kept) keep_whole(job, result);
+  for (const auto& stage : result->outcome.stages)
+    if (stage.state == StageState::done) seconds_[stage.record.id] = stage.record.report.seconds;
+  // First the next one, so that who listens and asks running() sees the truth.
+  start_next();
+  if (task.deliver) {
+    task.deliver(*result);
+  } else if (task.document == documents_) {
+    survey_ = result->survey;
+    Q_EMIT finished(result->outcome, result->results);
+  } else {
+    Q_EMIT finished({}, {});  // of a document that is not open any more
+  }
+  Q_EMIT job_ended(job.id);
+  Q_EMIT jobs_changed();
+}
+
+void RunBehavior::fetch(int id, Deliver deliver) {
+  const auto asked = job(id);
+  if (!asked) throw bad_input("run " + std::to_string(id) + " is not in the list any more", "one that is");
+  if (asked->whole) return deliver(*asked->whole);
+  queue(job_for(asked->document, asked->output_dir, false), std::move(deliver));
+}
+
+void RunBehavior::show_again(int id) {
+  fetch(id, [this](const JobResult& result) {
+    survey_ = result.survey;
+    Q_EMIT finished(result.outcome, result.results);
   });
 }
 
+// Results that the cache does not have are large: only those of the last two stay.
+void RunBehavior::keep_whole(Job& job, const std::shared_ptr<const JobResult>& result) {
+  constexpr int most = 2;
+  int kept = 0;
+  job.whole = result;
+  for (auto j = jobs_.rbegin(); j != jobs_.rend(); ++j)
+    if ((*j)->whole && ++kept > most) (*j)->whole.reset();
+}
+
+void RunBehavior::forget_survey() {
+  survey_ = {};
+  ++documents_;
+}
+
+std::shared_ptr<const Job> RunBehavior::job(int id) const {
+  const auto it = std::ranges::find_if(jobs_, [&](const auto& j) { return j->id == id; });
+  return it == jobs_.end() ? nullptr : *it;
+}
+
 void RunBehavior::finish() {
-  if (running_) executor_->finish_running_stage();
+  if (running()) executor_->finish_running_stage();
 }
 
 void RunBehavior::cancel() { thread_.request_stop(); }
+
+void RunBehavior::cancel(int id) {
+  if (current_ && current_->id == id) return cancel();
+  const auto it = std::ranges::find_if(waiting_, [&](const auto& t) { return t.job->id == id; });
+  if (it == waiting_.end()) return;
+  it->job->state = JobState::cancelled;
+  waiting_.erase(it);
+  Q_EMIT jobs_changed();
+}
+
+void RunBehavior::cancel_all() {
+  while (!waiting_.empty()) cancel(waiting_.back().job->id);
+  cancel();
+}
 
 }  // namespace bole::desktop

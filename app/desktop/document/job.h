@@ -27,8 +27,8 @@ struct Job {
   using Clock = std::chrono::steady_clock;
 
   int id = 0;
-  QString title;                                     // of the document
-  QString changes;                                   // options that differ from those of the run before, "slam.preset = loam"
+  QString title;    // of the document
+  QString changes;  // options that differ from those of the run before, "slam.preset = loam"
   std::shared_ptr<const PipelineDocument> document;  // as it stood when the run was asked for
   QString output_dir;
   bool sinks = true;  // stages that write files run too
@@ -42,7 +42,7 @@ struct Job {
   Clock::time_point began, stage_began, ended;
   std::optional<double> later_s;  // that the stages after this one took last time, when all of them are known
 
-  RunOutcome outcome;                     // of a run that is over
+  RunOutcome outcome;                      // of a run that is over
   std::shared_ptr<const JobResult> whole;  // kept where the cache does not have it: of a run that was ended early
 
   bool over() const { return state != JobState::waiting && state != JobState::running; }

@@ -4,13 +4,24 @@
 #include <QUndoCommand>
 
 #include "base/atomic_file.h"
+#include "document/person.h"
 
 namespace bole::desktop {
 
-class EditOption : public QUndoCommand {
+// Knows who made it, and when.
+class SignedCommand : public QUndoCommand {
+ public:
+  explicit SignedCommand(const QString& text) : QUndoCommand(text), note_{person(), QDateTime::currentDateTime()} {}
+  const EditNote& note() const { return note_; }
+
+ private:
+  EditNote note_;
+};
+
+class EditOption : public SignedCommand {
  public:
   EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after)
-      : QUndoCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
+      : SignedCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
         session_(session),
         stage_(std::move(stage)),
         option_(std::move(option)),
@@ -26,10 +37,10 @@ class EditOption : public QUndoCommand {
   OptionValue before_, after_;
 };
 
-class ReplaceDocument : public QUndoCommand {
+class ReplaceDocument : public SignedCommand {
  public:
   ReplaceDocument(Session& session, const QString& what, PipelineDocument before, PipelineDocument after)
-      : QUndoCommand(what), session_(session), before_(std::move(before)), after_(std::move(after)) {}
+      : SignedCommand(what), session_(session), before_(std::move(before)), after_(std::move(after)) {}
 
   void undo() override { session_.put(before_); }
   void redo() override { session_.put(after_); }
@@ -79,6 +90,11 @@ void Session::discard_recovery() {
 
 void Session::journal() const {
   if (!path_.isEmpty()) write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+}
+
+EditNote Session::edit_note(int index) const {
+  const auto* edit = dynamic_cast<const SignedCommand*>(undo_.command(index));
+  return edit ? edit->note() : EditNote{};
 }
 
 void Session::save(const QString& path) {

@@ -1,6 +1,7 @@
 // The document that the window edits: the same JSON that `bole run` takes. Undo is the previous document.
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
@@ -9,6 +10,12 @@
 #include "pipeline/document.h"
 
 namespace bole::desktop {
+
+// Who made an edit, and when.
+struct EditNote {
+  QString author;
+  QDateTime time;
+};
 
 class Session : public QObject {
   Q_OBJECT
@@ -36,6 +43,7 @@ class Session : public QObject {
   void change(const QString& what, PipelineDocument after);
 
   QUndoStack& undo_stack() { return undo_; }
+  EditNote edit_note(int index) const;  // of a command of the stack
 
  Q_SIGNALS:
   void document_replaced();  // another document, or stages were added, taken away, renamed or joined otherwise

@@ -3,18 +3,28 @@
 #include <algorithm>
 #include <cstring>
 
+#include "pipeline/stage.h"
+
 namespace bole::desktop {
 namespace {
 
-// The last output of a kind that a stage made under this port.
+// A stage that only reads a file: what it gives may be a reference.
+bool is_reader(const StageOutcome& stage) {
+  const auto* type = StageRegistry::global().find(stage.record.type);
+  return type && type->inputs.empty();
+}
+
+// The last output of a kind that a stage made under this port, else the last that was read.
 template <class T>
-std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& results, const std::string& port) {
+std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& results, const std::string& port,
+                                bool read = false) {
   for (auto stage = outcome.stages.rbegin(); stage != outcome.stages.rend(); ++stage) {
+    if (is_reader(*stage) != read) continue;
     const auto found = results.find(stage->record.id);
     if (found == results.end() || !found->second.has(port)) continue;
     if (const auto* p = std::get_if<std::shared_ptr<const T>>(&found->second.all().find(port)->second)) return *p;
   }
-  return nullptr;
+  return read ? nullptr : latest<T>(outcome, results, port, true);
 }
 
 bool same_places(const PointCloud& a, const PointCloud& b) {

@@ -17,7 +17,7 @@ class FrameBar : public QWidget {
  public:
   explicit FrameBar(QWidget* parent);
 
-  void set_frames(std::vector<double> times_s);          // start of each; none: the bar is empty
+  void set_frames(std::vector<double> times_s);            // start of each; none: the bar is empty
   void set_keyframes(const std::vector<double>& times_s);  // where step_keyframe() stops
   void set_text(const QString& text);
 

@@ -38,16 +38,19 @@ WalkPanel::WalkPanel(Session& session, RunBehavior& runs, QWidget* parent)
   layout->addWidget(view_, 1);
   layout->addWidget(bar_);
   connect(&session_, &Session::document_replaced, this, [this] {
-    walk_.reset();
-    live_ = {};
-    is_live_ = false;
-    view_->clear();
+    if (session_.path() != document_) {  // another one, not a step of undo
+      document_ = session_.path();
+      walk_.reset();
+      live_ = {};
+      is_live_ = false;
+      scan_.clear();
+      bar_->set_frames({});
+      reader_->open(nullptr);
+      view_->clear();
+    }
     open_scan();
   });
-  connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
-    const auto* node = scan_stage(session_.document());
-    if (node && QString::fromStdString(node->id) == stage) open_scan();
-  });
+  connect(&session_, &Session::option_changed, this, &WalkPanel::open_scan);
   connect(reader_, &FrameReader::opened, this, [this](const std::vector<double>& times_s) {
     first_s_ = times_s.empty() ? 0 : times_s.front();
     bar_->set_frames(times_s);
@@ -70,8 +73,14 @@ WalkPanel::WalkPanel(Session& session, RunBehavior& runs, QWidget* parent)
 }
 
 void WalkPanel::open_scan() {
+  const auto* node = scan_stage(session_.document());
+  std::string scan;  // with every option: another cut of the frames is another scan
+  if (node)
+    for (const auto& spec : node->type->options->specs) scan += option_text(node->options.get(spec.name)) + "\n";
+  if (scan == scan_) return;
+  scan_ = scan;
   bar_->set_frames({});
-  reader_->open(scan_stage(session_.document()));
+  reader_->open(node);
 }
 
 void WalkPanel::take(const DataSet& part) {

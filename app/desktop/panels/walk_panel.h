@@ -43,6 +43,8 @@ class WalkPanel : public QWidget {
   WalkView* view_;
   FrameBar* bar_;
   FrameReader* reader_;
+  QString document_;  // path of the one whose walk is shown
+  std::string scan_;  // what the reader has open
   LiveMap live_;
   bool is_live_ = false, following_ = true;  // following: the frame in work is shown, until somebody moves the slider
   std::shared_ptr<const Trajectory> walk_;   // of the last result

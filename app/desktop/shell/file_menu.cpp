@@ -31,7 +31,7 @@ void make_open_actions(MainWindow* w, QMenu* menu) {
   QObject::connect(sample, &SampleBehavior::progressed, w, [w](double, const QString& what) {
     w->statusBar()->showMessage(MainWindow::tr("Making the sample plot: %1").arg(what));
   });
-  QObject::connect(sample, &SampleBehavior::failed, w, &MainWindow::say);
+  QObject::connect(sample, &SampleBehavior::failed, w, &MainWindow::complain);
 }
 
 void make_save_actions(MainWindow* w, QMenu* menu) {

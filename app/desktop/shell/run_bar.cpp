@@ -19,8 +19,7 @@ void make_progress(MainWindow* w) {
                      bar->setValue(static_cast<int>(1000 * fraction));
                      w->statusBar()->showMessage(stage + ": " + what);
                    });
-  QObject::connect(w, &MainWindow::run_started, bar, &QWidget::show);
-  QObject::connect(&w->runner(), &RunBehavior::finished, bar, &QWidget::hide);
+  QObject::connect(&w->runner(), &RunBehavior::jobs_changed, bar, [w, bar] { bar->setVisible(w->runner().running()); });
 }
 
 }  // namespace
@@ -38,15 +37,12 @@ void make_run_bar(MainWindow& window) {
   auto* bar = w->addToolBar(MainWindow::tr("Run"));
   bar->setObjectName("run_bar");
   bar->addActions({run, finish, cancel});
-  const auto enable = [=](bool running) {
-    run->setEnabled(!running);
-    look->setEnabled(!running);
-    finish->setEnabled(running);
-    cancel->setEnabled(running);
+  const auto enable = [=] {  // another run may be asked for at any time: it waits
+    finish->setEnabled(w->runner().running());
+    cancel->setEnabled(w->runner().running());
   };
-  enable(false);
-  QObject::connect(w, &MainWindow::run_started, w, [enable] { enable(true); });
-  QObject::connect(&w->runner(), &RunBehavior::finished, w, [enable] { enable(false); });
+  enable();
+  QObject::connect(&w->runner(), &RunBehavior::jobs_changed, w, enable);
   make_progress(w);
 }
 

@@ -22,9 +22,11 @@ namespace {
 constexpr std::size_t keyframes_per_block = 32;
 constexpr std::size_t most_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
 constexpr double sensor_height_m = 1.5;       // about: the ground lies below the path
-constexpr double top_m = 14;                  // above the ground, where the colours end
+constexpr double top_m = 8;                   // above the ground, where the colours end
+constexpr double ground_below_m = 0.4;        // the ground is not known yet, only the height of the sensor
 constexpr double sensor_radius_m = 0.25;
 constexpr double margin_m = 7;  // about the path, that a camera shows
+const Color ground_grey = hex(0xb9b1a4);
 const Color frame_color = hex(0xe8590c);
 
 using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
@@ -95,7 +97,10 @@ vtkSmartPointer<vtkActor> lines_actor(const Segments& segments, const Eigen::Vec
   return actor;
 }
 
-Color height_color(double above_ground_m) { return ColorMap::viridis().at(above_ground_m / top_m); }
+// A quiet ground, as the survey has it.
+Color height_color(double above_ground_m) {
+  return above_ground_m < ground_below_m ? ground_grey : ColorMap::viridis().at(above_ground_m / top_m);
+}
 
 }  // namespace
 
@@ -161,8 +166,8 @@ void WalkLayers::show_survey(const Survey& survey, const Table* loops) {
     const std::size_t step = survey.points->size() / most_points + 1;
     for (std::size_t i = 0; i < survey.points->size(); i += step) thinned.push_back(static_cast<std::uint32_t>(i));
     blocks_.resize(1);
-    set(blocks_[0], points_actor(*survey.points, thinned, coloring_for(*survey.points, thinned, PointColor::height),
-                                 origin_, 2));
+    set(blocks_[0],
+        points_actor(*survey.points, thinned, coloring_for(*survey.points, thinned, PointColor::height), origin_, 2));
     drawn_ = thinned.size();
   }
   if (!survey.walk || survey.walk->poses.size() < 2) return;
@@ -204,12 +209,14 @@ void WalkLayers::set_loops(const Segments& accepted, const Segments& refused) {
   set(bad_loops_, lines_actor(refused, origin_, ink::poor));
 }
 
-void WalkLayers::show_frame(const PlacedFrame& frame) { set_frame(frame.positions, frame.T_target_sensor.translation()); }
+void WalkLayers::show_frame(const PlacedFrame& frame) {
+  set_frame(frame.positions, frame.T_target_sensor.translation());
+}
 
 void WalkLayers::set_frame(const std::vector<Eigen::Vector3d>& positions, const Eigen::Vector3d& sensor) {
   PointsBuilder points;
   for (const auto& p : positions) points.add(p - origin_);
-  auto actor = points.actor(3);
+  auto actor = points.actor(2);
   paint(actor, frame_color);
   set(frame_, actor);
   vtkNew<vtkSphereSource> ball;
@@ -229,7 +236,8 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> WalkLayers::extent() const {
   if (!from) return {Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero()};
   const double* b = from->GetBounds();
   Eigen::Vector3d lo(b[0], b[2], b[4]), hi(b[1], b[3], b[5]);
-  if (path_) lo -= Eigen::Vector3d(margin_m, margin_m, sensor_height_m), hi += Eigen::Vector3d(margin_m, margin_m, top_m / 2);
+  if (path_)
+    lo -= Eigen::Vector3d(margin_m, margin_m, sensor_height_m), hi += Eigen::Vector3d(margin_m, margin_m, top_m / 2);
   return {lo, hi};
 }
 

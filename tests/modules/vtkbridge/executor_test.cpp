@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "cloud/preview.h"
 #include "pipeline/paraview_xml.h"
 #include "toy_stages.h"
 #include "vtkBolePipeline.h"
@@ -56,6 +57,33 @@ class Executor : public testing::Test {
   toy::TemporaryFolder out_;
   RunSettings settings_;
 };
+
+class Watcher : public Preview {
+ public:
+  bool wants() override { return true; }
+  void show(DataSet snapshot) override { seen.push_back(std::move(snapshot)); }
+  std::vector<DataSet> seen;
+};
+
+TEST_F(Executor, WhoWatchesAStageIsShownItsWork) {
+  const auto watcher = std::make_shared<Watcher>();
+  std::vector<std::string> asked;
+  settings_.preview = [&](const StageNode& node) -> std::shared_ptr<Preview> {
+    asked.push_back(node.id);
+    if (node.id == "b") return watcher;
+    return nullptr;
+  };
+  const auto outcome = run_pipeline(document(), settings_);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+  EXPECT_THAT(asked, testing::UnorderedElementsAre("a", "b", "c", "d", "e"));
+  ASSERT_EQ(watcher->seen.size(), 1u);
+  EXPECT_EQ(watcher->seen[0].cloud("points").size(), 10u);
+  // Watching is no part of the key: the cache answers, and nothing is shown.
+  settings_.preview = {};
+  for (const auto& stage : run_pipeline(document(), settings_).stages)
+    EXPECT_EQ(stage.state, StageState::from_cache) << stage.record.id;
+  EXPECT_EQ(watcher->seen.size(), 1u);
+}
 
 TEST_F(Executor, RunsADocumentAndTellsAboutIt) {
   std::vector<std::string> heard;

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "cloud/preview.h"
 #include "pipeline/stage.h"
 
 namespace toy {
@@ -79,6 +80,7 @@ inline StageResult make_points(const DataSet&, const OptionSet& options, const R
 
 inline StageResult lift(const DataSet& inputs, const OptionSet& options, const Run& run) {
   ++runs()["toy.lift"];
+  if (run.preview && run.preview->wants()) run.preview->show(inputs);  // the points before they are lifted
   const auto& o = options.as<LiftOptions>();
   if (o.fail) throw bad_input("the toy is broken", "a whole toy", "Set fail to false");
   PointCloud cloud = inputs.cloud("points");

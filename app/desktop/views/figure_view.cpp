@@ -1,0 +1,48 @@
+#include "views/figure_view.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr double mm_per_px = 25.4 / 96;
+
+}  // namespace
+
+FigureView::FigureView(const QString& empty_text, QWidget* parent) : QWidget(parent), empty_text_(empty_text) {
+  setMinimumHeight(120);
+}
+
+void FigureView::show_figure(std::function<Figure(double)> make) {
+  make_ = std::move(make);
+  update();
+}
+
+void FigureView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Qt::white);
+  QString instead = empty_text_;
+  if (make_ && width() > 20) {
+    try {
+      // A figure has the height it needs at its width: the widest one that fits.
+      double width_mm = width() * mm_per_px;
+      Figure figure = make_(width_mm);
+      const double height_mm = height() * mm_per_px;
+      const double scale = std::min(1.0, height_mm / figure.height_mm);
+      const auto image = figure_image(figure, 96 * scale * devicePixelRatioF());
+      QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
+      picture.setDevicePixelRatio(devicePixelRatioF());
+      painter.drawImage(QPointF((width() - width() * scale) / 2, 0), picture);
+      return;
+    } catch (const Error& e) {
+      instead = QString::fromUtf8(e.what());
+    }
+  }
+  painter.setPen(Qt::darkGray);
+  painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignCenter | Qt::TextWordWrap, instead);
+}
+
+}  // namespace bole::desktop

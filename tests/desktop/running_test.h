@@ -1,0 +1,7 @@
+#pragma once
+
+namespace bole::desktop {
+
+int run_running_test(int argc, char** argv);  // number of failures
+
+}  // namespace bole::desktop
