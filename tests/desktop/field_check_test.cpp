@@ -81,7 +81,7 @@ class FieldCheckTest : public QObject {
     action_of(window, "run_without_report")->trigger();
     QVERIFY(wait_for_run(window));
     const double as_lines = bias_cm();
-    QVERIFY2(std::abs(as_lines - 0.41) < 0.1, qPrintable(QString::number(as_lines)));
+    QVERIFY2(std::abs(as_lines - 0.2) < 0.1, qPrintable(QString::number(as_lines)));
     window.properties().set_tier(Tier::basic);
     window.session().discard_recovery();
     window.session().undo_stack().setClean();

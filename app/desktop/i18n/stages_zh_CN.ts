@@ -4,6 +4,10 @@
     <context>
         <name>stages</name>
         <message>
+            <source>Find hedge rows</source>
+            <translation>查找树篱行</translation>
+        </message>
+        <message>
             <source>Evaluate a plot</source>
             <translation>评价样地</translation>
         </message>

@@ -29,7 +29,7 @@ void make_run_bar(MainWindow& window) {
   auto* menu = window.menu(Menu::run);
   auto* run = w->add_action(
       menu, "run", MainWindow::tr("Run"), [w] { w->run(); }, Qt::Key_F5);
-  auto* look = w->add_action(
+  w->add_action(
       menu, "run_without_report", MainWindow::tr("Run without writing files"), [w] { w->refresh(); },
       QKeySequence("Shift+F5"));
   auto* finish = w->add_action(menu, "finish", MainWindow::tr("Keep result"), [w] { w->runner().finish(); });
