@@ -1,4 +1,6 @@
 // The reports of rows and of steering tests.
+#include <unistd.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +27,8 @@ std::string text_of(const fs::path& path) {
 
 struct Folder {
   Folder() {
-    run.output_dir = fs::path(::testing::TempDir()) / "field_reports";
+    // Tests run side by side: each has a folder of its own.
+    run.output_dir = fs::path(::testing::TempDir()) / ("field_reports_" + std::to_string(::getpid()));
     fs::remove_all(run.output_dir), fs::create_directories(run.output_dir);
   }
   ~Folder() { fs::remove_all(run.output_dir); }
