@@ -10,6 +10,8 @@ namespace bole {
 namespace {
 
 constexpr double least_conditioning = 1e-3;
+// What a registration may be wrong by: a place that close to the radius could as well lie outside it.
+constexpr double place_error_m = 0.1;
 
 std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, const LoopCandidate& c, const SlamOptions& options,
                              const Run& run) {
@@ -22,7 +24,7 @@ std::optional<Loop> verified(const std::vector<Keyframe>& keyframes, const LoopC
     return std::nullopt;
   // Whatever it looked like: what registration puts farther off is another place.
   if ((keyframes[c.from].T_map_keyframe.translation() - r.motion.T_map_end.translation()).norm() >
-      options.loop_radius_m)
+      options.loop_radius_m - place_error_m)
     return std::nullopt;
   return Loop{c.from,        c.to,      keyframes[c.from].T_map_keyframe.inverse() * r.motion.T_map_end,
               r.information, r.overlap, correction_m,
