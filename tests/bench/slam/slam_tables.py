@@ -174,8 +174,11 @@ def loop_figures(arguments, out, scan):
     if not rows_of(out / "loops.csv"):
         return {}
     answer = subprocess.run([arguments.bole, "evaluate", "loops", out / "loops.csv", scan / "trajectory.tum", "--json",
-                             "--loop_radius", str(arguments.loop_radius)], capture_output=True, text=True)
-    return {k: v["value"] for k, v in json.loads(answer.stdout).items()} if answer.returncode == 0 else {}
+                             "--loop-radius", str(arguments.loop_radius)], capture_output=True, text=True)
+    if answer.returncode != 0:
+        print(f"loops not evaluated: {answer.stderr}", file=sys.stderr)
+        return {}
+    return {k: v["value"] for k, v in json.loads(answer.stdout).items()}
 
 
 def figures(arguments, out, scan):
