@@ -235,18 +235,19 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
 
   std::vector<double> errors, angles, unaligned;
   std::vector<OutlinePoint> outline;
-  TaperedCylinder together = fit.cylinder;
-  together.view_offset.clear();
+  TaperedCylinder as_one = fit.cylinder;
+  as_one.view_offset.clear();
+  const CylinderResiduals of(fit.cylinder), together(as_one);
   int inside = 0, on = 0;
   RingDensity density(s.radius);
   ContraryArc contrary;
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
-    const auto e = surface_residual(fit.cylinder, p);
+    const auto e = of.surface(p, false);
     if (!e.usable) continue;
     density.add(e.value);
-    unaligned.push_back(surface_residual(together, p, false).value);
+    unaligned.push_back(together.surface(p, false).value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
     const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
     contrary.add(bearing, -e.value, std::abs(e.value) < reach);
@@ -254,7 +255,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
       ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
       if (!fit.along_rays)
         outline.push_back({bearing, e.value});
-      else if (const auto r = ray_residual(fit.cylinder, p, options_.ray_gate, false); r.usable)
+      else if (const auto r = of.along_ray(p, options_.ray_gate, false); r.usable)
         // Measured too far along the ray is too near to the axis by the cosine of incidence.
         outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
     } else if (e.value < 0) {
