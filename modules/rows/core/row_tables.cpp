@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 namespace bole::rows {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/student_t.h"
+#include "base/statistics.h"
 #include "stems/core/circle_fit.h"
 #include "stems/core/contour.h"
 #include "stems/core/ring_density.h"

@@ -1,4 +1,4 @@
-#include "base/student_t.h"
+#include "base/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,14 @@
 
 namespace bole {
 namespace {
+
+TEST(Median, IsTheMiddleOrBetweenTheTwo) {
+  EXPECT_EQ(median({3, 1, 2}), 2);
+  EXPECT_EQ(median({4, 1}), 2.5);
+  EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
+  EXPECT_EQ(median({7}), 7);
+  EXPECT_TRUE(std::isnan(median({})));
+}
 
 // Printed tables.
 TEST(StudentT, QuantilesOfTheTables) {
