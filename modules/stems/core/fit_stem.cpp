@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "stems/core/circle_fit.h"
 #include "stems/core/contour.h"
 #include "stems/core/ring_density.h"
@@ -20,13 +21,6 @@ namespace {
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
 // an even choice. A first look tells what stems share, and needs fewer.
 constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
-
-// Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
-double student_975(double freedom) {
-  constexpr double z = 1.959964;
-  const double z3 = z * z * z, z5 = z3 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
-}
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {

@@ -83,5 +83,14 @@ TEST(CountingRule, TravelsAsATable) {
   EXPECT_THROW(counting_rule(Table{}), Error);
 }
 
+TEST(CountingRule, NoRuleMeansEveryTree) {
+  EXPECT_TRUE(CountingRule{}.counts({512345, 5412345}, 5));
+  EXPECT_TRUE(CountingRule{}.counts({0, 0}, NAN));
+  const CountingRule thick{{}, 7.5};
+  EXPECT_FALSE(thick.counts({0, 0}, 7.4));
+  EXPECT_TRUE(thick.counts({0, 0}, 7.5));
+  EXPECT_FALSE(thick.counts({0, 0}, NAN));
+}
+
 }  // namespace
 }  // namespace bole

@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "pipeline/register_all_stages.h"
 #include "pipeline/stage.h"
 
@@ -39,6 +41,14 @@ TEST_F(EvaluationStage, ComparesWithAReference) {
   EXPECT_EQ(result.report.counts.at("matched"), 1);
   EXPECT_NEAR(result.report.metrics.at("dbh_bias").value, 1, 1e-12);
   EXPECT_EQ(result.report.metrics.at("dbh_bias").unit, Unit::centimetre);
+}
+
+TEST_F(EvaluationStage, WarnsOfTreesWithoutAPlace) {
+  auto reference = one_tree(0, 20).subset({0, 0});
+  reference.set("x_m", std::vector<double>{0, std::nan("")});
+  DataSet in;
+  in.set("stems", one_tree(0, 20)), in.set("reference_stems", std::move(reference));
+  EXPECT_THAT(run(in).report.warnings, testing::Contains(testing::HasSubstr("have no position")));
 }
 
 TEST_F(EvaluationStage, OtherAxesAreSuspectedWhenNothingMatches) {
