@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <clocale>
 
 #include "base/error.h"
 #include "base/version.h"
@@ -45,6 +46,8 @@ int main(int argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
   QApplication application(argc, argv);
+  // Qt takes the locale of the system. Libraries that print and read numbers for files must go on with a point.
+  std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName("Bole");
   QApplication::setOrganizationName("Bole");
   QApplication::setApplicationVersion(QString::fromStdString(std::string(bole::version())));

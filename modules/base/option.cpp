@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/option_text.h"
+
 namespace bole {
 
 std::string_view tier_name(Tier tier) {
@@ -27,11 +29,31 @@ std::string number_text(double value) {
   return {buffer, end};
 }
 
+std::optional<double> number_from_text(std::string_view text) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
 std::string option_text(const OptionValue& value) {
   if (const auto* b = std::get_if<bool>(&value)) return *b ? "true" : "false";
   if (const auto* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
   if (const auto* d = std::get_if<double>(&value)) return number_text(*d);
   return std::get<std::string>(value);
+}
+
+std::string limit_text(const OptionSpec& spec, double limit) {
+  const bool whole =
+      std::holds_alternative<std::int64_t>(spec.default_value) && std::trunc(limit) == limit && std::abs(limit) < 1e15;
+  return whole ? std::to_string(static_cast<std::int64_t>(limit)) : number_text(limit);
+}
+
+bool is_input_path(const OptionSpec& spec, const OptionValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr || text->empty()) return false;
+  return spec.text_kind == TextKind::input_path ||
+         (spec.text_kind == TextKind::input_path_or_name && text->ends_with(".json"));
 }
 
 std::string_view OptionSpec::type_name() const {
@@ -52,6 +74,7 @@ std::string_view OptionSpec::type_name() const {
       return "path";
     case TextKind::json:
       return "json";
+    case TextKind::input_path_or_name:
     case TextKind::plain:
       break;
   }
@@ -60,7 +83,7 @@ std::string_view OptionSpec::type_name() const {
 
 std::string OptionSpec::needed() const {
   const auto unit_text = unit_symbol(unit).empty() ? std::string{} : " " + std::string(unit_symbol(unit));
-  const auto range_text = " from " + number_text(min) + " to " + number_text(max) + unit_text;
+  const auto range_text = " from " + limit_text(*this, min) + " to " + limit_text(*this, max) + unit_text;
   switch (default_value.index()) {
     case 0:
       return "true or false";
@@ -107,10 +130,9 @@ OptionValue OptionSpec::parsed(std::string_view text) const {
     if (text == "false" || text == "0" || text == "no" || text == "off") return false;
     throw wrong();
   }
-  double number = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (code != std::errc{} || end != text.data() + text.size()) throw wrong();
-  return checked(number);
+  const auto number = number_from_text(text);
+  if (!number) throw wrong();
+  return checked(*number);
 }
 
 const OptionSpec* OptionTable::find(std::string_view name) const {
@@ -122,11 +144,8 @@ const OptionSpec& OptionTable::at(std::string_view name) const {
   if (const auto* spec = find(name)) return *spec;
   std::vector<std::string> names;
   for (const auto& s : specs) names.push_back(s.name);
-  std::string hint;
-  for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
   throw bad_input("there is no option '" + std::string(name) + "'",
-                  specs.empty() ? "no option: there is none here" : "the name of an option",
-                  hint.empty() ? hint : hint + "?");
+                  specs.empty() ? "no option: there is none here" : "the name of an option", did_you_mean(name, names));
 }
 
 void OptionSet::set(std::string_view name, const OptionValue& value) {
@@ -166,6 +185,12 @@ std::vector<std::string> nearest_names(std::string_view word, const std::vector<
   for (const auto& [distance, n] : ranked)
     if (nearest.size() < most && distance <= std::max<std::size_t>(3, word.size() / 2)) nearest.push_back(n);
   return nearest;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& names) {
+  std::string question;
+  for (const auto& n : nearest_names(word, names)) question += (question.empty() ? "Did you mean " : " or ") + n;
+  return question.empty() ? question : question + "?";
 }
 
 }  // namespace bole

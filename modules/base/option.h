@@ -31,7 +31,8 @@ enum class Tier { basic, advanced, expert };
 std::string_view tier_name(Tier tier);
 
 // What a text option holds. An input path is resolved against the document's folder, its content counts for the cache.
-enum class TextKind { plain, choice, input_path, json };
+// input_path_or_name: an input path when it ends in .json, else the name of something that comes with Bole.
+enum class TextKind { plain, choice, input_path, json, input_path_or_name };
 
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 

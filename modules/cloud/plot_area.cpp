@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <string>
 
 #include "base/error.h"
-#include "base/option.h"
+#include "base/option_text.h"
 
 namespace bole {
 namespace {
@@ -77,7 +76,8 @@ double fact(const Table& table, const std::string& name) {
   const auto it = table.facts.find(name);
   if (it == table.facts.end())
     throw bad_input("a table without '" + name + "' in its facts", "the plot of a stage survey.plot");
-  return std::strtod(it->second.c_str(), nullptr);
+  if (const auto value = number_from_text(it->second)) return *value;
+  throw bad_input("the fact '" + name + "' of the plot is '" + it->second + "'", "a number");
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "cloud/table.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "base/error.h"
 #include "base/option.h"
@@ -68,9 +69,10 @@ std::string Table::text(std::string_view name, std::size_t row, int decimals) co
   const double value = std::get<std::vector<double>>(v)[row];
   if (std::isnan(value)) return "";
   if (decimals < 0) return number_text(value);
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
+  std::array<char, 512> buffer;  // room for the largest double; printf would write the point of the system's language
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed,
+                                 std::min(decimals, 100));
+  return {buffer.data(), end.ptr};
 }
 
 Table Table::subset(const std::vector<std::size_t>& indices) const {

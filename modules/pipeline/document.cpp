@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/option_text.h"
+
 namespace bole {
 namespace {
 
@@ -14,10 +16,8 @@ using nlohmann::ordered_json;
 void check_keys(const ordered_json& object, const std::string& where, const std::vector<std::string>& known) {
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(known, key) != known.end() || key == "$schema") continue;
-    std::string hint;
-    for (const auto& n : nearest_names(key, known)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
     throw bad_input(where + " has an unknown key '" + key + "'", "one of the keys that `bole stages --schema` lists",
-                    hint.empty() ? hint : hint + "?");
+                    did_you_mean(key, known));
   }
 }
 
@@ -49,7 +49,7 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
   if (id.empty() || id.find('.') != std::string::npos)
     throw bad_input(where + " has the id '" + id + "'", "a name without a dot");
   where = "stage '" + id + "'";
-  check_keys(object, where, {"id", "type", "inputs", "options", "label", "optional"});
+  check_keys(object, where, {"id", "type", "inputs", "options", "optional"});
   try {
     const StageType& type = registry.at(text_of(object, "type", where));
     StageNode node{id, &type, {}, OptionSet(*type.options), {}, false};
@@ -72,7 +72,7 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
       for (const auto& [name, value] : object.at("options").items()) {
         const auto& spec = type.options->at(name);
         OptionValue v = option_value(spec, value);
-        if (spec.text_kind == TextKind::input_path) v = resolved(std::get<std::string>(spec.checked(v)), base_dir);
+        if (is_input_path(spec, v)) v = resolved(std::get<std::string>(spec.checked(v)), base_dir);
         node.options.set(name, v);
         node.given.insert(name);
       }
@@ -151,8 +151,7 @@ void PipelineDocument::set(std::string_view stage_and_option, std::string_view t
   try {
     const auto& spec = node.type->options->at(option);
     OptionValue value = spec.parsed(text);
-    if (spec.text_kind == TextKind::input_path)
-      value = resolved(std::get<std::string>(value), std::filesystem::current_path());
+    if (is_input_path(spec, value)) value = resolved(std::get<std::string>(value), std::filesystem::current_path());
     node.options.set(option, value);
     node.given.insert(option);
   } catch (const Error& e) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/option_text.h"
+
 namespace bole {
 namespace {
 
@@ -21,7 +23,7 @@ std::string range_text(const OptionSpec& spec) {
     return list;
   }
   if (std::isinf(spec.min) && std::isinf(spec.max)) return "";
-  return number_text(spec.min) + " to " + number_text(spec.max);
+  return limit_text(spec, spec.min) + " to " + limit_text(spec, spec.max);
 }
 
 std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
@@ -154,7 +156,6 @@ std::string document_schema(const StageRegistry& registry) {
         {"title", type->title}, {"type", "object"}, {"additionalProperties", false}, {"required", {"id", "type"}}};
     stage["properties"] = {
         {"id", {{"type", "string"}, {"pattern", "^[^.]+$"}}},
-        {"label", {{"type", "string"}}},
         {"optional", {{"type", "boolean"}}},
         {"type", {{"const", type->name}}},
         {"inputs",

@@ -1,8 +1,9 @@
 #include "pipeline/stage.h"
 
-#include <sys/resource.h>
-
 #include <chrono>
+
+#include "base/memory.h"
+#include "base/option_text.h"
 
 namespace bole {
 namespace {
@@ -11,12 +12,6 @@ const Port* find_port(const std::vector<Port>& ports, std::string_view name) {
   for (const auto& p : ports)
     if (p.name == name) return &p;
   return nullptr;
-}
-
-double peak_resident_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 void check_inputs(const StageType& type, const DataSet& inputs) {
@@ -78,10 +73,8 @@ const StageType& StageRegistry::at(std::string_view name) const {
   if (const auto* type = find(name)) return *type;
   std::vector<std::string> names;
   for (const auto& [n, t] : types_) names.push_back(n);
-  std::string hint;
-  for (const auto& n : nearest_names(name, names)) hint += (hint.empty() ? "Did you mean " : " or ") + n;
   throw bad_input("there is no stage type '" + std::string(name) + "'", "one that `bole stages` lists",
-                  hint.empty() ? hint : hint + "?");
+                  did_you_mean(name, names));
 }
 
 std::vector<const StageType*> StageRegistry::all() const {

@@ -2,6 +2,8 @@
 
 #include "pipeline/document.h"
 
+#include "base/option_text.h"
+
 namespace bole {
 namespace {
 
@@ -12,29 +14,44 @@ struct KnownArrays {
   bool open = false;
 };
 
-KnownArrays arrays_at(const PipelineDocument& document, const StageNode& node, std::string_view port, int depth = 0) {
-  KnownArrays known;
-  if (const auto* out = node.type->output(port))
-    for (const auto& a : out->arrays) known.names.insert(std::string(a.name));
-  if (node.type->inputs.empty()) known.open = true;
-  if (depth > 64) return known;  // a circle; reported elsewhere
-  for (const auto& in : node.type->inputs) {
-    const auto joint = node.inputs.find(in.name);
-    if (in.kind != DataKind::cloud || joint == node.inputs.end()) continue;
-    try {
-      const auto source = parse_source(joint->second);
-      const auto before = arrays_at(document, document.at(source.id), source.port, depth + 1);
-      known.names.insert(before.names.begin(), before.names.end());
-      known.open |= before.open;
-    } catch (const Error&) {
-      known.open = true;  // the broken joint is reported for its own stage
-    }
-  }
-  return known;
-}
+// What is known at the outputs of the stages of a document without a circle; each stage is looked at once.
+class ArraysOf {
+ public:
+  explicit ArraysOf(const PipelineDocument& document) : document_(document) {}
 
+  KnownArrays at(const StageNode& node, std::string_view port) {
+    KnownArrays known = coming_into(node);
+    if (const auto* out = node.type->output(port))
+      for (const auto& a : out->arrays) known.names.insert(std::string(a.name));
+    return known;
+  }
+
+ private:
+  const KnownArrays& coming_into(const StageNode& node) {
+    if (const auto it = found_.find(node.id); it != found_.end()) return it->second;
+    KnownArrays known{{}, node.type->inputs.empty()};
+    for (const auto& in : node.type->inputs) {
+      const auto joint = node.inputs.find(in.name);
+      if (in.kind != DataKind::cloud || joint == node.inputs.end()) continue;
+      try {
+        const auto source = parse_source(joint->second);
+        const auto before = at(document_.at(source.id), source.port);
+        known.names.insert(before.names.begin(), before.names.end());
+        known.open |= before.open;
+      } catch (const Error&) {
+        known.open = true;  // the broken joint is reported for its own stage
+      }
+    }
+    return found_[node.id] = std::move(known);
+  }
+
+  const PipelineDocument& document_;
+  std::map<std::string, KnownArrays> found_;
+};
+
+// `arrays`: null where a circle keeps them from being known.
 void check_joint(const PipelineDocument& document, const StageNode& node, const std::string& port_name,
-                 const std::string& joint, std::vector<Problem>& problems) {
+                 const std::string& joint, ArraysOf* arrays, std::vector<Problem>& problems) {
   const Port* port = node.type->input(port_name);
   if (!port) {
     std::string list;
@@ -63,7 +80,8 @@ void check_joint(const PipelineDocument& document, const StageNode& node, const 
                                      ", but '" + joint + "' is a " + std::string(data_kind_name(out->kind))});
     return;
   }
-  const auto known = arrays_at(document, from, source.port);
+  if (arrays == nullptr) return;
+  const auto known = arrays->at(from, source.port);
   for (const auto& array : port->arrays)
     if (!known.open && !known.names.contains(std::string(array.name)))
       problems.push_back({node.id, "input '" + port_name + "' needs the array '" + std::string(array.name) +
@@ -77,12 +95,13 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
     problems.push_back({node.id, e.what()});
   }
   for (const auto& spec : node.type->options->specs) {
-    if (spec.text_kind != TextKind::input_path) continue;
-    const auto path = std::get<std::string>(node.options.get(spec.name));
-    if (!path.empty() && !std::filesystem::exists(path))
-      problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
+    const auto value = node.options.get(spec.name);
+    if (is_input_path(spec, value) && !std::filesystem::exists(option_text(value)))
+      problems.push_back(
+          {node.id, "option " + spec.name + ": there is no file or folder '" + option_text(value) + "'"});
     // The file of a reader is what it is for; other paths may stay empty.
-    if (path.empty() && node.type->inputs.empty() && spec.tier == Tier::basic)
+    if (spec.text_kind == TextKind::input_path && option_text(value).empty() && node.type->inputs.empty() &&
+        spec.tier == Tier::basic)
       problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Give it with --set " +
                                        node.id + "." + spec.name + "=PATH"});
   }
@@ -92,11 +111,18 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
 
 std::vector<Problem> validate(const PipelineDocument& document) {
   std::vector<Problem> problems;
+  Problem circle;
+  try {
+    document.in_order();
+  } catch (const Error& e) {
+    circle = {"", e.what()};
+  }
+  ArraysOf arrays(document);
   for (const auto& node : document.stages()) {
     if (node.skipped()) continue;
     for (const auto& [port, joint] : node.inputs) {
       try {
-        check_joint(document, node, port, joint, problems);
+        check_joint(document, node, port, joint, circle.message.empty() ? &arrays : nullptr, problems);
       } catch (const Error& e) {
         problems.push_back({node.id, "input '" + port + "': " + e.what()});
       }
@@ -107,11 +133,7 @@ std::vector<Problem> validate(const PipelineDocument& document) {
                                          std::string(data_kind_name(port.kind)) + ". " + port.help});
     check_options(node, problems);
   }
-  try {
-    document.in_order();
-  } catch (const Error& e) {
-    problems.push_back({"", e.what()});
-  }
+  if (!circle.message.empty()) problems.push_back(circle);
   return problems;
 }
 

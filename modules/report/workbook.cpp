@@ -3,7 +3,6 @@
 #include <xlsxwriter.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/option_text.h"
 #include "report/core/plot_metrics.h"
 #include "report/table_decimals.h"
 
@@ -121,11 +121,9 @@ void add_table(Workbook& book, const char* name, const Table* table) {
 // The text of a metric as a number where it is one; its minus is typographic.
 void add_value(Sheet& sheet, std::string text) {
   if (const auto at = text.find("\u2212"); at == 0) text.replace(0, 3, "-");
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
   const auto point = text.find('.');
-  if (!text.empty() && end == text.c_str() + text.size())
-    sheet.number(value, point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1));
+  if (const auto value = number_from_text(text))
+    sheet.number(*value, point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1));
   else
     sheet.text(text);
 }

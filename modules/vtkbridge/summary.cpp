@@ -1,6 +1,5 @@
 #include "vtkbridge/summary.h"
 
-#include <sys/resource.h>
 #include <vtkVersion.h>
 
 #include <chrono>
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/memory.h"
 #include "pipeline/report_json.h"
 
 namespace bole {
@@ -28,12 +28,6 @@ std::string now_utc() {
   char text[32];
   std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
   return text;
-}
-
-double peak_resident_mib() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 ordered_json stage_json(const StageOutcome& stage) {

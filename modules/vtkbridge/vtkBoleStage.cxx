@@ -209,7 +209,10 @@ void vtkBoleStage::SetAbortExecute(int abort) {
 
 void vtkBoleStage::Finish() { this->Inner->stop.finish(); }
 
-std::string vtkBoleStage::GetReportJSON() const { return bole::report_to_json(this->GetReport()).dump(2); }
+std::string vtkBoleStage::GetReportJSON() const {
+  // Texts of files may be in any encoding.
+  return bole::report_to_json(this->GetReport()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
 const bole::Report& vtkBoleStage::GetReport() const {
   static const bole::Report none;
   return this->Inner->result ? this->Inner->result->report : none;

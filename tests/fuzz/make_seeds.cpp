@@ -41,6 +41,9 @@ void write_clouds(const std::filesystem::path& folder) {
       "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT "
       "1\nPOINTS 2\nDATA ";
   write_text_file(folder / "pcd" / "ascii", header + "ascii\n1 2 3 4.2e6\n4 5 nan 0\n");
+  const std::string colours =
+      "VERSION .7\nFIELDS x y z rgb rgba\nSIZE 4 4 4 4 4\nTYPE F F F U I\nCOUNT 1 1 1 2 1\nWIDTH 2\nHEIGHT 1\nDATA ";
+  write_text_file(folder / "pcd" / "colours", colours + "ascii\n1 2 3 66051 abc -1\n4 5 6 -1 1e30 nan\n");
   write_text_file(folder / "pcd" / "binary", header + "binary\n" + std::string(32, '@'));
   write_text_file(folder / "pcd" / "compressed",
                   header + "binary_compressed\n" + std::string("\x06\0\0\0\x20\0\0\0\0@\xE0\x14\0\0", 14));

@@ -19,15 +19,37 @@ const Ellipsoid& cgcs2000() {
   return e;
 }
 
+namespace {
+
+// The last four carry the grids of former surveys; their axes as EPSG has them (7001, 7004, 7022, 7024).
+const std::vector<Ellipsoid>& ellipsoids() {
+  static const std::vector<Ellipsoid> list{grs80(),
+                                           wgs84(),
+                                           cgcs2000(),
+                                           {"Airy1830", 6377563.396, 299.3249646},
+                                           {"Bessel1841", 6377397.155, 299.1528128},
+                                           {"International1924", 6378388.0, 297.0},
+                                           {"Krassovsky1940", 6378245.0, 298.3}};
+  return list;
+}
+
+}  // namespace
+
 const std::vector<std::string>& ellipsoid_names() {
-  static const std::vector<std::string> names{grs80().name, wgs84().name, cgcs2000().name};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto& e : ellipsoids()) list.push_back(e.name);
+    return list;
+  }();
   return names;
 }
 
 const Ellipsoid& ellipsoid_named(std::string_view name) {
-  for (const auto* e : {&grs80(), &wgs84(), &cgcs2000()})
-    if (e->name == name) return *e;
-  throw bad_input("there is no ellipsoid '" + std::string(name) + "'", "GRS80, WGS84 or CGCS2000");
+  for (const auto& e : ellipsoids())
+    if (e.name == name) return e;
+  std::string list;
+  for (const auto& n : ellipsoid_names()) list += (list.empty() ? "" : ", ") + n;
+  throw bad_input("there is no ellipsoid '" + std::string(name) + "'", "one of " + list);
 }
 
 }  // namespace bole::geo

@@ -26,8 +26,10 @@ const OptionTable& option_table(const ProjectOptions*) {
           Tier::basic,
           "Plane of the metres: Gauss-Krueger zones of 3 or 6 degrees, UTM, or a transverse Mercator "
           "plane of your own."},
-      Option<S, std::string>{"ellipsoid", &S::ellipsoid, TextKind::choice, ellipsoid_names(), Tier::basic,
-                             "Reference ellipsoid; UTM always takes WGS84."},
+      Option<S, std::string>{
+          "ellipsoid", &S::ellipsoid, TextKind::choice, ellipsoid_names(), Tier::basic,
+          "Reference ellipsoid; UTM always takes WGS84. Those named by a year belong to older datums: degrees must be "
+          "of that datum, none is shifted."},
       Option<S, int>{"zone",
                      &S::zone,
                      Unit::none,
@@ -56,6 +58,18 @@ const OptionTable& option_table(const ProjectOptions*) {
                         {-1e8, 2e8},
                         Tier::advanced,
                         "Easting of the central meridian of transverse_mercator."},
+      Option<S, double>{"false_northing_m",
+                        &S::false_northing_m,
+                        Unit::metre,
+                        {-1e8, 1e8},
+                        Tier::advanced,
+                        "Northing of the origin of transverse_mercator."},
+      Option<S, double>{"latitude_of_origin_deg",
+                        &S::latitude_of_origin_deg,
+                        Unit::degree,
+                        {-90, 90},
+                        Tier::advanced,
+                        "Latitude at which transverse_mercator has its false northing."},
   });
   return table;
 }
@@ -76,7 +90,8 @@ double mean_longitude_deg(const std::vector<double>& longitudes_deg) {
 
 TransverseMercatorPlane plane_of(const ProjectOptions& o, double longitude_deg, double latitude_deg) {
   if (o.plane == "transverse_mercator")
-    return {ellipsoid_named(o.ellipsoid), o.central_meridian_deg, o.scale, o.false_easting_m, 0};
+    return {ellipsoid_named(o.ellipsoid), o.central_meridian_deg,  o.scale, o.false_easting_m,
+            o.false_northing_m,           o.latitude_of_origin_deg};
   if (o.zone == 0 && !std::isfinite(longitude_deg))
     throw bad_input("no zone is given and no longitude tells it", "the option zone");
   if (o.plane == "utm") {

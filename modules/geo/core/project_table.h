@@ -20,6 +20,8 @@ struct ProjectOptions {
   double central_meridian_deg = 114;
   double scale = 1;
   double false_easting_m = 500'000;
+  double false_northing_m = 0;
+  double latitude_of_origin_deg = 0;
 };
 
 const OptionTable& option_table(const ProjectOptions*);

@@ -23,10 +23,20 @@ void check_plane(const TransverseMercatorPlane& p) {
                                 e.semi_major_m, e.inverse_flattening),
                     "a flattened ellipsoid such as GRS80");
   if (!(p.scale > 0) || !std::isfinite(p.scale + p.false_easting_m + p.false_northing_m) ||
-      !(std::abs(p.central_meridian_deg) <= 360))
-    throw bad_input(fmt::format("a plane with central meridian {} deg, scale {}, false easting {} m",
-                                p.central_meridian_deg, p.scale, p.false_easting_m),
-                    "finite values, a positive scale and a meridian from -360 to 360 deg");
+      !(std::abs(p.central_meridian_deg) <= 360) || !(std::abs(p.latitude_of_origin_deg) <= 90))
+    throw bad_input(
+        fmt::format("a plane with central meridian {} deg, latitude of origin {} deg, scale {}, false "
+                    "easting {} m, false northing {} m",
+                    p.central_meridian_deg, p.latitude_of_origin_deg, p.scale, p.false_easting_m, p.false_northing_m),
+        "finite values, a positive scale, a meridian from -360 to 360 deg and a latitude from -90 to 90");
+}
+
+// Of the plane's origin from the equator, along the central meridian.
+double origin_arc_m(const TransverseMercatorPlane& plane) {
+  const auto& e = plane.ellipsoid;
+  return plane.latitude_of_origin_deg == 0
+             ? 0
+             : GeographicLib::Ellipsoid(e.semi_major_m, e.flattening()).MeridianDistance(plane.latitude_of_origin_deg);
 }
 
 double checked_difference_deg(const GeodeticPoint& point, const TransverseMercatorPlane& plane) {
@@ -86,6 +96,7 @@ class TransverseMercator::Exact {
 
 TransverseMercator::TransverseMercator(const TransverseMercatorPlane& plane) : plane_(plane) {
   check_plane(plane);
+  northing_of_equator_m_ = plane.false_northing_m - plane.scale * origin_arc_m(plane);
   exact_ =
       std::make_unique<const Exact>(Exact{{plane.ellipsoid.semi_major_m, plane.ellipsoid.flattening(), plane.scale}});
 }
@@ -98,12 +109,12 @@ PlanePoint TransverseMercator::forward(const GeodeticPoint& point) const {
   const double difference = checked_difference_deg(point, plane_);
   PlanePoint p;
   exact_->projection.Forward(0, point.latitude_deg, difference, p.easting_m, p.northing_m, p.convergence_deg, p.scale);
-  p.easting_m += plane_.false_easting_m, p.northing_m += plane_.false_northing_m;
+  p.easting_m += plane_.false_easting_m, p.northing_m += northing_of_equator_m_;
   return p;
 }
 
 GeodeticPoint TransverseMercator::inverse(double easting_m, double northing_m) const {
-  const double x = easting_m - plane_.false_easting_m, y = northing_m - plane_.false_northing_m;
+  const double x = easting_m - plane_.false_easting_m, y = northing_m - northing_of_equator_m_;
   GeodeticPoint point;
   double difference = 0;
   // The image of the domain is about 2.4 quarter meridians wide; beyond it the inverse would wrap around silently.
@@ -122,15 +133,18 @@ GeodeticPoint TransverseMercator::inverse(double easting_m, double northing_m) c
 
 std::string TransverseMercator::wkt() const {
   const auto& e = plane_.ellipsoid;
-  const char* datum = e.name == "WGS84" ? "WGS_1984" : e.name == "CGCS2000" ? "China_2000" : "D_GRS_1980";
+  const std::string datum = e.name == "WGS84"      ? "WGS_1984"
+                            : e.name == "CGCS2000" ? "China_2000"
+                            : e.name == "GRS80"    ? "D_GRS_1980"
+                                                   : "D_" + e.name;
   return fmt::format(
       R"(PROJCS["Transverse Mercator, {0}, {1:g} E",GEOGCS["GCS {0}",DATUM["{2}",SPHEROID["{0}",{3:.10g},{4:.15g}]],)"
       R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
-      R"(PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",{1:.15g}],PARAMETER["scale_factor",{5:.15g}],)"
+      R"(PARAMETER["latitude_of_origin",{8:.15g}],PARAMETER["central_meridian",{1:.15g}],PARAMETER["scale_factor",{5:.15g}],)"
       R"(PARAMETER["false_easting",{6:.15g}],PARAMETER["false_northing",{7:.15g}],UNIT["metre",1],)"
       R"(AXIS["Easting",EAST],AXIS["Northing",NORTH]])",
       e.name, plane_.central_meridian_deg, datum, e.semi_major_m, e.inverse_flattening, plane_.scale,
-      plane_.false_easting_m, plane_.false_northing_m);
+      plane_.false_easting_m, plane_.false_northing_m, plane_.latitude_of_origin_deg);
 }
 
 PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMercatorPlane& plane) {
@@ -148,7 +162,7 @@ PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMerc
                    l * l2 * l2 / 120 * n * c * c2 * c2 * (5 - 18 * t2 + t2 * t2 + 14 * eta2 - 58 * eta2 * t2);
   PlanePoint p;
   p.easting_m = plane.false_easting_m + plane.scale * y;
-  p.northing_m = plane.false_northing_m + plane.scale * x;
+  p.northing_m = plane.false_northing_m + plane.scale * (x - origin_arc_m(plane));
   p.convergence_deg = l * s / deg;  // first terms only: the paper gives neither
   p.scale = plane.scale * (1 + l2 / 2 * c2 * (1 + eta2));
   return p;

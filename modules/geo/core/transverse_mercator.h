@@ -9,13 +9,15 @@
 
 namespace bole::geo {
 
-// A transverse Mercator plane: easting = false_easting + scale * y, northing = false_northing + scale * x.
+// A transverse Mercator plane: easting = false_easting + scale * y, northing = false_northing + scale * (x - x0), x0 on
+// the central meridian at the latitude of origin.
 struct TransverseMercatorPlane {
   Ellipsoid ellipsoid = grs80();
   double central_meridian_deg = 0;
   double scale = 1;  // on the central meridian; 1: Gauss-Krueger, 0.9996: UTM
   double false_easting_m = 500'000;
   double false_northing_m = 0;
+  double latitude_of_origin_deg = 0;  // where the northing is the false one
 };
 
 struct PlanePoint {
@@ -61,6 +63,7 @@ class TransverseMercator {
  private:
   class Exact;
   TransverseMercatorPlane plane_;
+  double northing_of_equator_m_ = 0;
   std::unique_ptr<const Exact> exact_;
 };
 

@@ -42,7 +42,7 @@ GeodeticPoint from_utm(const UtmPoint& utm) {
 
 TransverseMercatorPlane utm_plane(int zone, bool north) {
   if (zone < 1 || zone > 60) throw bad_input(fmt::format("UTM zone {}", zone), "1 to 60");
-  return {wgs84(), 6.0 * zone - 183, 0.9996, 500'000, north ? 0.0 : 10'000'000.0};
+  return {wgs84(), 6.0 * zone - 183, 0.9996, 500'000, north ? 0.0 : 10'000'000.0, 0};
 }
 
 }  // namespace bole::geo

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
+#include "io/core/sensor_arrays.h"
 
 namespace bole {
 namespace {
@@ -190,6 +192,7 @@ struct CloudBuilder::Parts {
     std::string name;
     SourceType source;
     Column column;
+    unsigned shift = 0;  // of the colour within packed_rgb
   };
   std::array<std::size_t, 3> xyz{};
   std::vector<Target> targets;
@@ -197,11 +200,36 @@ struct CloudBuilder::Parts {
   bool plain = true;  // the matrix is the identity
   Axes axes = Axes::unknown;
 
-  std::vector<Eigen::Vector3d> first;  // until the origin is chosen
+  // Where the sensor stood is a position like any other: turned, scaled and counted from the origin.
+  std::optional<std::array<std::size_t, 3>> sensor_fields;
+  std::array<std::vector<float>, 3> sensor;
+
+  std::vector<Eigen::Vector3d> first, first_sensor;  // until the origin is chosen
   bool origin_chosen = false;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   PointCloud::Positions positions;
   std::int64_t dropped = 0;
+
+  bool has_target(std::string_view name) const {
+    return std::ranges::find(targets, name, &Target::name) != targets.end();
+  }
+
+  // All three or none: one axis alone cannot be turned.
+  void take_sensor() {
+    std::array<std::size_t, 3> fields{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto it = std::ranges::find(targets, sensor_arrays[axis].name, &Target::name);
+      if (it == targets.end()) return;
+      fields[axis] = it->field;
+    }
+    sensor_fields = fields;
+    std::erase_if(targets, [](const Target& t) { return axis_of_sensor(t.name) >= 0; });
+  }
+
+  void add_sensor(const Eigen::Vector3d& position) {
+    for (int axis = 0; axis < 3; ++axis)
+      sensor[static_cast<std::size_t>(axis)].push_back(static_cast<float>(position[axis] - origin[axis]));
+  }
 
   void choose_origin() {
     origin_chosen = true;
@@ -213,7 +241,8 @@ struct CloudBuilder::Parts {
       if (std::abs(middle) > near_m) origin[axis] = origin_step_m * std::nearbyint(middle / origin_step_m);
     }
     for (const auto& p : first) positions.push_back((p - origin).cast<float>());
-    first = {};
+    for (const auto& p : first_sensor) add_sensor(p);
+    first = {}, first_sensor = {};
   }
 };
 
@@ -230,12 +259,11 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
       if (!found[axis]) parts_->xyz[axis] = f, found[axis] = true;
       continue;
     }
-    if (fields[f].name.empty() || fields[f].name.starts_with('_') ||
-        std::ranges::find(parts_->targets, name, &Parts::Target::name) != parts_->targets.end())
-      continue;
+    if (fields[f].name.empty() || fields[f].name.starts_with('_') || parts_->has_target(name)) continue;
     if (fields[f].type == SourceType::packed_rgb) {
-      for (const char* colour : {"red", "green", "blue"})
-        parts_->targets.push_back({f, colour, SourceType::packed_rgb, std::vector<std::uint16_t>()});
+      for (const auto& [colour, shift] : {std::pair("red", 16U), std::pair("green", 8U), std::pair("blue", 0U)})
+        if (!parts_->has_target(colour))
+          parts_->targets.push_back({f, colour, SourceType::packed_rgb, std::vector<std::uint16_t>(), shift});
       continue;
     }
     parts_->targets.push_back({f, name, fields[f].type, make_column(column_type_for(name, fields[f].type), 0)});
@@ -245,6 +273,7 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
                                                         : !found[1] ? "y"
                                                                     : "z"),
                     "fields x, y and z", list.empty() ? "There are no fields" : "There are: " + list);
+  parts_->take_sensor();
   parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
   parts_->axes = axes_from_name(options.axes);
@@ -254,6 +283,8 @@ CloudBuilder::~CloudBuilder() = default;
 
 void CloudBuilder::reserve(std::size_t points) {
   parts_->positions.reserve(points);
+  if (parts_->sensor_fields)
+    for (auto& values : parts_->sensor) values.reserve(points);
   for (auto& t : parts_->targets) std::visit([&](auto& v) { v.reserve(points); }, t.column);
 }
 
@@ -267,17 +298,21 @@ void CloudBuilder::add(std::span<const double> row) {
     ++p.dropped;
     return;
   }
+  if (p.sensor_fields) {
+    const auto& f = *p.sensor_fields;
+    const Eigen::Vector3d sensor = p.to_metres_z_up * Eigen::Vector3d(row[f[0]], row[f[1]], row[f[2]]);
+    p.origin_chosen ? p.add_sensor(sensor) : p.first_sensor.push_back(sensor);
+  }
   if (p.origin_chosen) {
     p.positions.push_back((point - p.origin).cast<float>());
   } else {
     p.first.push_back(point);
     if (p.first.size() >= points_for_origin) p.choose_origin();
   }
-  int colour = 0;
   for (auto& t : p.targets) {
     double value = row[t.field];
     if (t.source == SourceType::packed_rgb) {
-      value = (static_cast<std::uint32_t>(value) >> (16 - 8 * colour++) & 0xFF) * 257.0;
+      value = (saturated<std::uint32_t>(value) >> t.shift & 0xFF) * 257.0;
     } else if (t.source == SourceType::uint8 && is_colour(t.name)) {
       value *= 257;
     }
@@ -296,6 +331,8 @@ CloudReading CloudBuilder::finish() {
   for (const auto& t : p.targets)
     if (const auto* values = std::get_if<std::vector<float>>(&t.column); values != nullptr && is_colour(t.name))
       for (const float v : *values) brightest = std::max(brightest, v);
+  if (p.sensor_fields)
+    for (std::size_t axis = 0; axis < 3; ++axis) out.cloud.set_column(sensor_arrays[axis], std::move(p.sensor[axis]));
   for (auto& t : p.targets) {
     if (auto* values = std::get_if<std::vector<float>>(&t.column); values != nullptr && is_colour(t.name))
       t.column = full_depth(*values, brightest);

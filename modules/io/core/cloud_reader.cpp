@@ -9,6 +9,7 @@
 #include "io/core/las_reader.h"
 #include "io/core/pcd_reader.h"
 #include "io/core/ply_reader.h"
+#include "io/core/sensor_arrays.h"
 #include "io/core/text_reader.h"
 
 namespace bole {
@@ -78,9 +79,20 @@ void to_metres_z_up(PointCloud& cloud, const CloudReadOptions& options) {
   const Eigen::Matrix3d matrix = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   if (options.axes != "unknown") cloud.axes = axes_from_name(options.axes);
   if (matrix.isIdentity(0)) return;
+  const auto turn = [&matrix](Eigen::Vector3f& p) { p = (matrix * p.cast<double>()).cast<float>(); };
   auto positions = cloud.positions();
-  for (auto& p : positions) p = (matrix * p.cast<double>()).cast<float>();
+  for (auto& p : positions) turn(p);
   cloud.set_positions(std::move(positions));
+  if (std::ranges::all_of(sensor_arrays, [&](const ArrayInfo& a) { return cloud.has(a); })) {
+    std::array<std::vector<float>, 3> sensor;
+    for (std::size_t axis = 0; axis < 3; ++axis) sensor[axis] = cloud.values<float>(sensor_arrays[axis]);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      Eigen::Vector3f p(sensor[0][i], sensor[1][i], sensor[2][i]);
+      turn(p);
+      for (std::size_t axis = 0; axis < 3; ++axis) sensor[axis][i] = p[static_cast<int>(axis)];
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) cloud.set_column(sensor_arrays[axis], std::move(sensor[axis]));
+  }
   cloud.origin = matrix * cloud.origin;
   cloud.scale = (matrix * cloud.scale).cwiseAbs();
 }

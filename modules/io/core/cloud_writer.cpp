@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "io/core/las_writer.h"
+#include "io/core/sensor_arrays.h"
 
 namespace bole {
 namespace {
@@ -27,11 +28,18 @@ struct PlyColumn {
   std::string name;
   const Column* column;
   bool as_byte;
+  double origin;  // not 0: a coordinate that is counted from it in memory
   std::string_view type() const {
     constexpr std::array<std::string_view, 5> types{"uchar", "ushort", "int", "float", "double"};
-    return as_byte ? "uchar" : types[column->index()];
+    return as_byte ? "uchar" : origin != 0 ? "double" : types[column->index()];
   }
 };
+
+// What is added to the values of a column, so that the sensor's position is in the axes of the points.
+double origin_of(const std::string& column, const PointCloud& cloud) {
+  const int axis = axis_of_sensor(column);
+  return axis < 0 ? 0 : cloud.origin[axis];
+}
 
 template <class T>
 void append(std::string& out, T value) {
@@ -45,7 +53,8 @@ std::vector<PlyColumn> ply_columns(const PointCloud& cloud) {
   const bool bytes =
       std::ranges::all_of(cloud.columns(), [](const auto& c) { return !is_colour(c.first) || fits_byte(*c.second); });
   std::vector<PlyColumn> columns;
-  for (const auto& [name, column] : cloud.columns()) columns.push_back({name, column.get(), is_colour(name) && bytes});
+  for (const auto& [name, column] : cloud.columns())
+    columns.push_back({name, column.get(), is_colour(name) && bytes, origin_of(name, cloud)});
   return columns;
 }
 
@@ -76,7 +85,10 @@ void write_text(const std::filesystem::path& path, const PointCloud& cloud, char
     for (const auto& [name, column] : cloud.columns())
       std::visit(
           [&](const auto& values) {
-            if constexpr (sizeof(values[0]) == 1)
+            if (axis_of_sensor(name) >= 0)
+              fmt::format_to(std::back_inserter(out), "{}{:.{}f}", delimiter,
+                             origin_of(name, cloud) + static_cast<double>(values[i]), decimals);
+            else if constexpr (sizeof(values[0]) == 1)
               fmt::format_to(std::back_inserter(out), "{}{}", delimiter, static_cast<int>(values[i]));
             else
               fmt::format_to(std::back_inserter(out), "{}{}", delimiter, values[i]);
@@ -109,7 +121,9 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
     for (const auto& c : columns)
       std::visit(
           [&](const auto& values) {
-            if (c.as_byte)
+            if (c.origin != 0)
+              append(out, c.origin + static_cast<double>(values[i]));
+            else if (c.as_byte)
               append(out, static_cast<std::uint8_t>(static_cast<unsigned>(values[i]) / 257));
             else
               append(out, values[i]);

@@ -18,6 +18,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Whether `a` comes before `b` when the numbers in them are read as numbers: frame9 before frame10, 0009 before 10.
+bool in_number_order(std::string_view a, std::string_view b) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto number_of = [&](std::string_view& text) {  // its digits without zeros in front; the text goes on behind
+    const auto end = std::ranges::find_if_not(text, is_digit);
+    std::string_view digits = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(digits.size());
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size()));
+    return digits;
+  };
+  const auto whole_a = a, whole_b = b;
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const auto m = number_of(a), n = number_of(b);
+      if (m != n) return m.size() != n.size() ? m.size() < n.size() : m < n;
+    } else {
+      if (a.front() != b.front()) return a.front() < b.front();
+      a.remove_prefix(1), b.remove_prefix(1);
+    }
+  }
+  return a.empty() && b.empty() ? whole_a < whole_b : a.empty();
+}
+
 bool is_frame(const fs::path& path) { return path.extension() == ".bin" || path.extension() == ".pcd"; }
 
 // The values of a companion file, or nothing when there is none. Its length must fit the number of points.
@@ -75,9 +98,13 @@ void load_pcd(const fs::path& path, ScanFrame& frame) {
 
 // Seconds as a number, or KITTI's "2011-09-26 13:02:25.964389445" (taken as UTC).
 bool parse_time(const std::string& line, double& seconds) {
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
-  double second = 0;
-  if (std::sscanf(line.c_str(), "%d-%d-%d %d:%d:%lf", &year, &month, &day, &hour, &minute, &second) == 6) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, read = 0;
+  const auto number = [&line](std::size_t at, double& value) {  // scanf and its like ask the locale for the point
+    return std::from_chars(line.data() + at, line.data() + line.size(), value).ec == std::errc{} &&
+           std::isfinite(value);
+  };
+  std::sscanf(line.c_str(), "%d-%d-%d %d:%d:%n", &year, &month, &day, &hour, &minute, &read);
+  if (double second = 0; read > 0 && number(static_cast<std::size_t>(read), second)) {
     const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
                                            std::chrono::day(static_cast<unsigned>(day))};
     if (!date.ok()) return false;
@@ -85,8 +112,7 @@ bool parse_time(const std::string& line, double& seconds) {
               minute * 60.0 + second;
     return true;
   }
-  const auto [end, code] = std::from_chars(line.data(), line.data() + line.size(), seconds);
-  return code == std::errc{} && std::isfinite(seconds);
+  return number(0, seconds);
 }
 
 std::vector<double> read_times(const fs::path& path) {
@@ -133,7 +159,7 @@ void FrameFolderSource::find_files() {
   if (files_.empty())
     throw bad_input("the folder '" + folder_.string() + "' holds no frames",
                     "files .bin (KITTI) or .pcd, one per frame");
-  std::ranges::sort(files_);
+  std::ranges::sort(files_, in_number_order, [](const fs::path& path) { return path.stem().string(); });
   const auto extension = files_.front().extension();
   const auto others = std::erase_if(files_, [&](const fs::path& p) { return p.extension() != extension; });
   if (others > 0)
@@ -182,6 +208,41 @@ void FrameFolderSource::find_sensor() {
   if (name != "auto") model_ = load_sensor_model(name);
 }
 
+// Frames spread over the walk, the first left out: one with open sky above shows fewer rings than there are.
+std::vector<ScanFrame> FrameFolderSource::sample_frames() const {
+  constexpr std::size_t most_frames = 8;
+  const std::size_t count = std::min(most_frames, files_.size());
+  std::vector<ScanFrame> sample;
+  for (std::size_t k = 1; k < count; ++k) {
+    ScanFrame frame;
+    try {
+      load(k * (files_.size() - 1) / (count - 1), frame);
+    } catch (const Error&) {
+      continue;  // told when it is read
+    }
+    sample.push_back(std::move(frame));
+  }
+  return sample;
+}
+
+void FrameFolderSource::learn_own_rings(ScanFrame first) {
+  for (const auto& frame : sample_frames()) {
+    if (frame.ring.size() != frame.positions.size()) continue;
+    first.positions.insert(first.positions.end(), frame.positions.begin(), frame.positions.end());
+    first.ring.insert(first.ring.end(), frame.ring.begin(), frame.ring.end());
+  }
+  elevations_rad_ = mean_elevations_rad(first.positions, first.ring);
+}
+
+// The rings of the frame that shows most of them.
+void FrameFolderSource::learn_rings_from_order(const ScanFrame& first) {
+  elevations_rad_ = mean_elevations_rad(first.positions, rings_from_order(first.positions));
+  for (const auto& frame : sample_frames())
+    if (const auto rings = rings_from_order(frame.positions);
+        !rings.empty() && std::ranges::max(rings) >= elevations_rad_.size())
+      elevations_rad_ = mean_elevations_rad(frame.positions, rings);
+}
+
 void FrameFolderSource::learn_rings() {
   ScanFrame frame;
   try {
@@ -198,13 +259,14 @@ void FrameFolderSource::learn_rings() {
     return;
   }
   if (!frame.ring.empty()) {
-    elevations_rad_ = mean_elevations_rad(frame.positions, frame.ring);
+    learn_own_rings(std::move(frame));
     return;
   }
-  const auto rings = rings_from_order(frame.positions);
-  ring_order_ = !rings.empty();
-  elevations_rad_ =
-      ring_order_ ? mean_elevations_rad(frame.positions, rings) : even_elevations_rad(frame.positions, options_.rings);
+  ring_order_ = !rings_from_order(frame.positions).empty();
+  if (ring_order_)
+    learn_rings_from_order(frame);
+  else
+    elevations_rad_ = even_elevations_rad(frame.positions, options_.rings);
   report_.facts["rings"] = ring_order_ ? "from the order of the points" : "from elevations";
   if (!ring_order_)
     report_.warn("the frames have no rings: " + std::to_string(options_.rings) +

@@ -43,6 +43,9 @@ class FrameFolderSource : public FrameSource {
   void find_times();
   void find_sensor();
   void learn_rings();
+  void learn_own_rings(ScanFrame first);
+  void learn_rings_from_order(const ScanFrame& first);
+  std::vector<ScanFrame> sample_frames() const;
   void load(std::size_t index, ScanFrame& frame) const;
   void keep_valid(ScanFrame& frame) const;
 

@@ -78,6 +78,11 @@ Raster read_geotiff(const std::filesystem::path& path) {
   if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
     throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]),
                     "square cells, north up");
+  // A sparse file of a few bytes may promise any number of cells.
+  constexpr std::int64_t most_cells = 400'000'000;
+  if (const std::int64_t cells = std::int64_t{set->GetRasterXSize()} * set->GetRasterYSize(); cells > most_cells)
+    throw bad_input(fmt::format("'{}' has {} x {} cells", path.string(), set->GetRasterXSize(), set->GetRasterYSize()),
+                    fmt::format("at most {} million cells", most_cells / 1'000'000), "Cut it to the plot, or thin it");
   Raster raster;
   raster.nx = set->GetRasterXSize(), raster.ny = set->GetRasterYSize();
   raster.cell_m = t[1];

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "io/core/mapped_file.h"
+#include "io/core/utf8.h"
 
 namespace bole::las {
 
@@ -24,16 +25,19 @@ void store(std::uint8_t* at, T value) {
   std::memcpy(at, &value, sizeof value);
 }
 
-// A fixed-width text field: up to the first zero byte.
+// A fixed-width text field: up to the first zero byte, as UTF-8.
 inline std::string load_text(const std::uint8_t* at, std::size_t width) {
   const auto* text = reinterpret_cast<const char*>(at);
-  return {text, strnlen(text, width)};
+  return as_utf8({text, strnlen(text, width)});
 }
 
-// Shorter texts are padded with zeros, longer ones are cut.
+// Shorter texts are padded with zeros, longer ones are cut behind a whole letter.
 inline void store_text(std::uint8_t* at, std::size_t width, std::string_view text) {
+  std::size_t length = std::min(width, text.size());
+  if (length < text.size())
+    while (length > 0 && (static_cast<std::uint8_t>(text[length]) & 0xC0) == 0x80) --length;
   std::memset(at, 0, width);
-  std::memcpy(at, text.data(), std::min(width, text.size()));
+  std::memcpy(at, text.data(), length);
 }
 
 }  // namespace bole::las

@@ -16,7 +16,11 @@ namespace {
 using las::ColumnBuilder;
 using las::IntegerBox;
 
-constexpr std::size_t block_points = 1 << 12;
+// Points that are decoded at a time: 4096, or fewer where the header asks for long records.
+std::size_t block_points(int record_length) {
+  constexpr std::size_t most_points = 1 << 12, most_bytes = 1 << 20;
+  return std::clamp<std::size_t>(most_bytes / static_cast<std::size_t>(std::max(record_length, 1)), 1, most_points);
+}
 
 class PointReader {
  public:
@@ -42,7 +46,8 @@ class PointReader {
   // Each thread's own tools.
   struct Worker {
     explicit Worker(const Packing& packing, int record_length)
-        : decoder(packing, record_length), records(block_points * static_cast<std::size_t>(record_length)) {}
+        : decoder(packing, record_length),
+          records(block_points(record_length) * static_cast<std::size_t>(record_length)) {}
     ChunkDecoder decoder;
     std::vector<std::uint8_t> records;
     IntegerBox box;
@@ -101,9 +106,10 @@ class PointReader {
   // points.
   std::uint64_t decode(Worker& worker, Bytes bytes, std::uint64_t points, std::uint64_t first, bool grow) {
     const std::uint64_t there = worker.decoder.start(bytes, points);
+    const std::size_t block = block_points(info_.record_length);
     std::uint64_t done = 0;
     while (done < there && !run_.cancelled()) {
-      const std::size_t wanted = std::min<std::uint64_t>(block_points, there - done);
+      const std::size_t wanted = std::min<std::uint64_t>(block, there - done);
       const std::size_t got = worker.decoder.decode(worker.records.data(), wanted);
       if (grow) builder_.resize(first + done + got);
       if (got > 0) worker.box.add(builder_.decode(worker.records.data(), got, first + done));

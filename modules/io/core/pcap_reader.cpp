@@ -109,11 +109,13 @@ void PcapReader::open(std::FILE* file, const std::string& name) {
                   "Ethernet, Linux cooked capture, loopback or raw IP");
 }
 
-bool PcapReader::next(Datagram& datagram) {
+bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) {
+  constexpr std::int64_t packets_between_polls = 512;
   pcap_pkthdr* header = nullptr;
   const u_char* data = nullptr;
   while (true) {
     datagram.offset = position();
+    if (++packets_ % packets_between_polls == 0 && poll) poll(datagram.offset);
     const int outcome = pcap_next_ex(handle_.get(), &header, &data);
     if (outcome == PCAP_ERROR_BREAK) return false;  // the end
     if (outcome != 1) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,8 +30,9 @@ class PcapReader {
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
   // IPv6. Fragments and everything else is skipped and counted. False at the end, also when the file is cut off or
-  // damaged there: trouble() says so.
-  bool next(Datagram& datagram);
+  // damaged there: trouble() says so. `poll` is called with the place in the file once in 512 packets, whatever they
+  // are; it may throw.
+  bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll = {});
 
   // Goes on at a record whose offset next() has given.
   void seek(std::int64_t offset);
@@ -48,7 +50,7 @@ class PcapReader {
 
   std::unique_ptr<pcap, Close> handle_;
   int link_type_ = 0;
-  std::int64_t skipped_ = 0, fragments_ = 0;
+  std::int64_t packets_ = 0, skipped_ = 0, fragments_ = 0;
   std::string trouble_;
 };
 

@@ -165,6 +165,8 @@ double ascii_value(const SourceField& field, char type, std::string_view word) {
   if (!parse_number(word, value)) return std::nan("");
   if (field.type == SourceType::packed_rgb && type == 'F')
     return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+  // As a signed number an opaque colour is negative.
+  if (field.type == SourceType::packed_rgb && type == 'I' && value < 0) return value + 4294967296.0;
   return value;
 }
 

@@ -126,7 +126,8 @@ void tell(const Table& t, const TrackOptions& o, Report& report) {
   report.counts["positions"] = static_cast<std::int64_t>(t.rows());
   report.message = fmt::format("{} positions", t.rows());
   if (t.has("quality"))
-    for (const auto q : t.integers("quality")) ++report.counts["quality_" + std::to_string(q)];
+    for (const double q : t.numbers("quality"))
+      ++report.counts[std::isnan(q) ? "quality_unknown" : fmt::format("quality_{:g}", q)];
   if (!t.has("time_s") || t.rows() < 2) return;
   const auto time = t.numbers("time_s");
   std::int64_t gaps = 0;

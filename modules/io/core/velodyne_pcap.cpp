@@ -12,7 +12,6 @@ namespace {
 constexpr double full_turn = 36000;
 constexpr double complete_share = 0.9;  // of the turn that most frames cover
 constexpr double longest_loss_s = 60;   // a longer silence is a pause of the recording
-constexpr std::int64_t packets_between_polls = 512;
 
 double file_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -129,11 +128,12 @@ void VelodynePcapSource::index(const Run& run) {
   auto& counts = report_.counts;
   std::int64_t datagrams = 0, data_packets = 0, position_packets = 0, other_port = 0, other = 0;
   Datagram datagram;
-  while (reader_.next(datagram)) {
-    if (++datagrams % packets_between_polls == 0) {
-      run.check_cancel();
-      if (bytes > 0) run.report(static_cast<double>(datagram.offset) / bytes, "indexing packets");
-    }
+  const auto poll = [&](std::int64_t offset) {
+    run.check_cancel();
+    if (bytes > 0) run.report(static_cast<double>(offset) / bytes, "indexing packets");
+  };
+  while (reader_.next(datagram, poll)) {
+    ++datagrams;
     if (datagram.payload.size() == 554 || datagram.payload.size() == 512) {
       ++position_packets;
       continue;

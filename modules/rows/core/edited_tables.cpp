@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "base/option_text.h"
 #include "rows/core/joined_tables.h"
 #include "rows/core/line_fit.h"
 
@@ -60,7 +61,7 @@ class Composer {
     }
     Table stems = field_.sources;
     std::vector<double> number;
-    for (const auto& l : label) number.push_back(l.empty() || !numbers_ ? nan : std::stod(l));
+    for (const auto& l : label) number.push_back(numbers_ ? number_from_text(l).value_or(nan) : nan);
     if (numbers_)
       stems.set("row_id", std::move(number));
     else

@@ -1,7 +1,8 @@
 #include "sim/core/frame_file_writer.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -63,8 +64,7 @@ void FrameFileWriter::add(const FiringSequence& s) {
 
 template <class T>
 void FrameFileWriter::write(const char* extension, const std::vector<T>& values) const {
-  char name[32];
-  std::snprintf(name, sizeof name, "%06zu.%s", frame_starts_s_.size() - 1, extension);
+  const std::string name = fmt::format("{:06}.{}", frame_starts_s_.size() - 1, extension);
   write_bytes(folder_ / name, values.data(), values.size() * sizeof(T));
 }
 
@@ -79,11 +79,7 @@ void FrameFileWriter::finish_frame() {
 void FrameFileWriter::close() {
   if (open_) finish_frame();
   std::string text;
-  char line[64];
-  for (const double t : frame_starts_s_) {
-    std::snprintf(line, sizeof line, "%.6f\n", epoch_s_ + t);
-    text += line;
-  }
+  for (const double t : frame_starts_s_) text += fmt::format("{:.6f}\n", epoch_s_ + t);
   write_text(folder_ / "times.txt", text);
   write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
 }

@@ -1,7 +1,8 @@
 #include "sim/core/truth.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <numbers>
 
@@ -105,10 +106,8 @@ void write_tum(const Trajectory& trajectory, const std::filesystem::path& path) 
     const Eigen::Vector3d t = p.T_target_sensor.translation();
     Eigen::Quaterniond q(p.T_target_sensor.linear());
     if (q.w() < 0) q.coeffs() *= -1;
-    char line[256];
-    std::snprintf(line, sizeof line, "%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", p.time_s, t.x(), t.y(), t.z(), q.x(),
-                  q.y(), q.z(), q.w());
-    file.stream() << line;
+    file.stream() << fmt::format("{:.6f} {:.6f} {:.6f} {:.6f} {:.9f} {:.9f} {:.9f} {:.9f}\n", p.time_s, t.x(), t.y(),
+                                 t.z(), q.x(), q.y(), q.z(), q.w());
   }
   file.close();
 }

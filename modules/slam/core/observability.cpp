@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace bole {
@@ -54,9 +54,13 @@ std::optional<Witness> witness(const FeaturePoint& p, bool line, const Distribut
 }
 
 std::string vector_text(const Eigen::Vector3d& v) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.2f, %.2f, %.2f)", v.x(), v.y(), v.z());
-  return text;
+  std::string text;
+  for (const double part : v) {
+    std::array<char, 16> digits;  // printf would write the decimal point of the system's language
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), part, std::chars_format::fixed, 2).ptr;
+    text += (text.empty() ? "(" : ", ") + std::string(digits.data(), end);
+  }
+  return text + ")";
 }
 
 struct Information {

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
 #include "steering/core/tracking_tables.h"
@@ -181,7 +182,7 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
   PassLimits limits{options.row_width, options.run_in, options.run_out, options.length_min,
                     options.angle_max_deg * std::numbers::pi / 180};
   if (const auto it = log.facts.find("row_width_m"); limits.row_width_m == 0 && it != log.facts.end())
-    limits.row_width_m = std::stod(it->second);
+    limits.row_width_m = number_from_text(it->second).value_or(0);
   const auto drives = drives_of(log, reference);
   std::vector<MeasuredPass> passes;
   for (std::size_t i = 0; i < drives.size(); ++i) {

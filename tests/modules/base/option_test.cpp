@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/option_text.h"
+
 namespace bole {
 namespace {
 
@@ -55,6 +57,37 @@ TEST(Option, AnErrorNamesOptionValueAndWhatWasNeeded) {
   EXPECT_THROW(set.set_text("height", "1.3m"), Error);
   EXPECT_THROW(set.set_text("rings", "2.5"), Error);
   EXPECT_THROW(set.set("method", std::string("square")), Error);
+}
+
+TEST(Option, LimitsOfWholeNumbersAreWrittenInFull) {
+  OptionSpec spec;
+  spec.default_value = std::int64_t{5};
+  EXPECT_EQ(limit_text(spec, 1000000), "1000000");
+  EXPECT_EQ(limit_text(spec, 0.5), "0.5");
+  spec.name = "seed", spec.min = 0, spec.max = 1e6;
+  EXPECT_EQ(spec.needed(), "a whole number from 0 to 1000000");
+  spec.default_value = 5.0;
+  EXPECT_EQ(limit_text(spec, 1000000), "1e+06");
+}
+
+TEST(Option, ATextIsANumberAsAWholeOrNotAtAll) {
+  EXPECT_EQ(number_from_text(number_text(0.1)), 0.1);
+  EXPECT_EQ(number_from_text("-7.5"), -7.5);
+  for (const char* text : {"", "7,5", "7.5 ", " 7.5", "7.5m", "x"}) EXPECT_FALSE(number_from_text(text)) << text;
+}
+
+TEST(Option, ATextMayNameAFileOrSomethingKnown) {
+  OptionSpec spec;
+  spec.default_value = std::string();
+  const auto is_path = [&](TextKind kind, const char* value) {
+    spec.text_kind = kind;
+    return is_input_path(spec, std::string(value));
+  };
+  EXPECT_TRUE(is_path(TextKind::input_path, "scan.pcap"));
+  EXPECT_FALSE(is_path(TextKind::input_path, ""));
+  EXPECT_FALSE(is_path(TextKind::plain, "unit.json"));
+  EXPECT_TRUE(is_path(TextKind::input_path_or_name, "unit.json"));
+  EXPECT_FALSE(is_path(TextKind::input_path_or_name, "vlp16"));
 }
 
 TEST(Option, AnUnknownNameIsAnsweredWithTheNearest) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "synthetic/comma_locale.h"
 
 namespace bole {
 namespace {
@@ -90,6 +91,31 @@ TEST(CountingRule, NoRuleMeansEveryTree) {
   EXPECT_FALSE(thick.counts({0, 0}, 7.4));
   EXPECT_TRUE(thick.counts({0, 0}, 7.5));
   EXPECT_FALSE(thick.counts({0, 0}, NAN));
+}
+
+TEST(CountingRule, SpeaksNoLanguage) {
+  const CommaLocale comma;
+  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  CountingRule rule{rectangle_area({0.25, -1.5}, 12.5, 40.75, 0.5), 7.5};
+  const auto back = counting_rule(to_table(rule));
+  EXPECT_EQ(back.min_dbh_cm, 7.5);
+  EXPECT_EQ(back.area.centre, Vector2d(0.25, -1.5));
+  EXPECT_EQ(back.area.width_m, 12.5);
+  Table table;
+  table.set("dbh_cm", std::vector<double>{12.345, -0.5});
+  EXPECT_EQ(table.text("dbh_cm", 0, 2), "12.35");
+  EXPECT_EQ(table.text("dbh_cm", 1, 0), "-0");
+}
+
+TEST(CountingRule, AFactThatIsNoNumberIsRefused) {
+  Table table = to_table({circle_area({0, 0}, 15), 7});
+  table.facts["width_m"] = "12,5";
+  try {
+    counting_rule(table);
+    FAIL() << "taken";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the fact 'width_m' of the plot is '12,5'"));
+  }
 }
 
 }  // namespace

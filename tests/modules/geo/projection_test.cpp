@@ -128,6 +128,31 @@ TEST(TransverseMercator, RefusesWhatNoPlaneHolds) {
   EXPECT_THROW(gauss_krueger_plane({3, 121}), Error);
 }
 
+// Ordnance Survey, A guide to coordinate systems in Great Britain, annexe C: the worked example of the National Grid.
+TEST(TransverseMercator, TheBritishGridHasAnOriginOfItsOwn) {
+  const TransverseMercator grid({ellipsoid_named("Airy1830"), -2, 0.9996012717, 400'000, -100'000, 49});
+  const double latitude_deg = 52 + 39 / 60.0 + 27.2531 / 3600, longitude_deg = 1 + 43 / 60.0 + 4.5177 / 3600;
+  const auto p = grid.forward({latitude_deg, longitude_deg, 0});
+  EXPECT_NEAR(p.easting_m, 651409.903, 0.002);
+  EXPECT_NEAR(p.northing_m, 313177.270, 0.002);
+  const auto back = grid.inverse(p.easting_m, p.northing_m);
+  EXPECT_NEAR(back.latitude_deg, latitude_deg, 1e-10);
+  EXPECT_NEAR(back.longitude_deg, longitude_deg, 1e-10);
+  const auto origin = grid.forward({49, -2, 0});
+  EXPECT_NEAR(origin.easting_m, 400'000, 1e-6);
+  EXPECT_NEAR(origin.northing_m, -100'000, 1e-6);
+  EXPECT_THAT(grid.wkt(), HasSubstr("\"latitude_of_origin\",49"));
+  EXPECT_THAT(grid.wkt(), HasSubstr("\"false_northing\",-100000"));
+  // By the options of the stage.
+  Table table;
+  table.set("latitude_deg", std::vector<double>{latitude_deg}),
+      table.set("longitude_deg", std::vector<double>{longitude_deg});
+  ProjectOptions o;
+  o.plane = "transverse_mercator", o.ellipsoid = "Airy1830", o.central_meridian_deg = -2, o.scale = 0.9996012717;
+  o.false_easting_m = 400'000, o.false_northing_m = -100'000, o.latitude_of_origin_deg = 49;
+  EXPECT_NEAR(project_table(table, o).table.numbers("y_m").at(0), 313177.270, 0.002);
+}
+
 TEST(Utm, KnowsItsZonesAndRoundTrips) {
   // From the tests of GeographicLib's GeoConvert: 33.3 N 44.4 E lies in 38SMB4484.
   const auto p = to_utm({33.3, 44.4, 0});

@@ -10,6 +10,7 @@
 
 #include "io/core/cloud_writer.h"
 #include "io/core/pcd_reader.h"
+#include "io/core/sensor_arrays.h"
 #include "io_test_tools.h"
 
 namespace bole {
@@ -265,7 +266,16 @@ PointCloud sample_cloud() {
   cloud.set_column(arrays::red, std::vector<std::uint16_t>{65535, 257});
   cloud.set_column(arrays::green, std::vector<std::uint16_t>{0, 257});
   cloud.set_column(arrays::blue, std::vector<std::uint16_t>{0, 257});
+  for (const auto& axis : sensor_arrays)
+    cloud.set_column(axis, std::vector<float>{1.5F + static_cast<float>(axis.name.back() - 'x'), -2.25F});
   return cloud;
+}
+
+Eigen::Vector3d sensor_position(const PointCloud& cloud, std::size_t i) {
+  Eigen::Vector3d p = cloud.origin;
+  for (int axis = 0; axis < 3; ++axis)
+    p[axis] += static_cast<double>(cloud.values<float>(sensor_arrays[static_cast<std::size_t>(axis)])[i]);
+  return p;
 }
 
 TEST(WriteCloud, ComesBackEqual) {
@@ -277,6 +287,8 @@ TEST(WriteCloud, ComesBackEqual) {
     const auto back = read_cloud(dir / name).cloud;
     ASSERT_EQ(back.size(), cloud.size());
     for (std::size_t i = 0; i < cloud.size(); ++i) EXPECT_LT((back.position(i) - cloud.position(i)).norm(), 1e-4);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      EXPECT_LT((sensor_position(back, i) - sensor_position(cloud, i)).norm(), 1e-3);
     EXPECT_EQ(back.values<float>("intensity"), cloud.values<float>("intensity"));
     EXPECT_EQ(back.values<double>("time"), cloud.values<double>("time"));
     EXPECT_EQ(back.values<std::uint8_t>("classification"), cloud.values<std::uint8_t>("classification"));
@@ -285,6 +297,43 @@ TEST(WriteCloud, ComesBackEqual) {
   }
   EXPECT_THAT(error_of([&] { write_cloud(dir / "a.doc", cloud); }), HasSubstr(".doc"));
   EXPECT_THAT(error_of([&] { write_cloud("/proc/nowhere/a.ply", cloud); }), HasSubstr("cannot write"));
+}
+
+TEST(WriteCloud, TheSensorIsTurnedAndScaledWithThePoints) {
+  const TempDir dir;
+  const auto cloud = sample_cloud();
+  CloudReadOptions options;
+  options.up = "y", options.unit = "foot";
+  const Eigen::Matrix3d matrix = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
+  for (const char* name : {"a.ply", "a.csv", "a.las"}) {
+    SCOPED_TRACE(name);
+    write_cloud(dir / name, cloud);
+    const auto back = read_cloud(dir / name, options).cloud;
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      EXPECT_LT((back.position(i) - matrix * cloud.position(i)).norm(), 1e-3);
+      EXPECT_LT((sensor_position(back, i) - matrix * sensor_position(cloud, i)).norm(), 1e-3);
+    }
+  }
+}
+
+TEST(ReadCloud, ColoursOfPcdThatArePackedTwiceOrAreNoNumbers) {
+  const auto text = [](const char* fields, const char* sizes, const char* types, const char* counts, const char* rows) {
+    return std::string("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z ") + fields + "\nSIZE 4 4 4 " + sizes + "\nTYPE F F F " +
+           types + "\nCOUNT 1 1 1 " + counts + "\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ascii\n" + rows;
+  };
+  const auto colour_of = [&](const std::string& file) {
+    const auto cloud = read_cloud(bytes_of(file), "a.pcd").cloud;
+    std::vector<int> bytes;
+    for (const char* name : {"red", "green", "blue"}) bytes.push_back(cloud.values<std::uint16_t>(name).at(0) / 257);
+    return bytes;
+  };
+  const std::vector<int> first{1, 2, 3};  // 0x010203
+  EXPECT_EQ(colour_of(text("rgb rgba", "4 4", "U U", "1 1", "1 2 3 66051 16777215\n")), first);
+  EXPECT_EQ(colour_of(text("rgb", "4", "U", "2", "1 2 3 66051 16777215\n")), first);
+  EXPECT_EQ(colour_of(text("rgb", "4", "U", "1", "1 2 3 abc\n")), (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(colour_of(text("rgb", "4", "U", "1", "1 2 3 -1\n")), (std::vector<int>{0, 0, 0}));
+  EXPECT_EQ(colour_of(text("rgb", "4", "U", "1", "1 2 3 1e30\n")), (std::vector<int>{255, 255, 255}));
+  EXPECT_EQ(colour_of(text("rgb", "4", "I", "1", "1 2 3 -16711165\n")), first);  // 0xFF010203
 }
 
 TEST(ReadCloud, EveryFileOfTheManifest) {

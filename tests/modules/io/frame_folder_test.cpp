@@ -7,6 +7,7 @@
 
 #include "io/core/frame_estimates.h"
 #include "io_test_tools.h"
+#include "synthetic/comma_locale.h"
 
 namespace bole {
 namespace {
@@ -126,6 +127,40 @@ TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
   source->read(0, frame);
   EXPECT_NEAR(frame.start_time_s, 1317042145.964389445 - 0.05, 1e-6);
   EXPECT_NEAR(frame.start_time_s + frame.time_offset_s[0], 1317042145.964389445, 1e-6);  // forward
+}
+
+TEST(FrameFolder, TimesAreReadWithAPointInEveryLanguage) {
+  const CommaLocale comma;
+  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  const TempDir dir;
+  for (const char* name : {"0.bin", "1.bin"}) write_file(dir / name, bin_of({{3, 0, 0}, {0, 4, 0}}));
+  write_file(dir / "times.txt", "2011-09-26 13:02:25.750000000\n2011-09-26 13:02:26.250000000\n");
+  const auto source = open_frame_source(dir.path());
+  ScanFrame frame;
+  source->read(1, frame);
+  EXPECT_NEAR(frame.start_time_s, 1317042146.25 - 0.25, 1e-6);
+}
+
+TEST(FrameFolder, FramesComeInTheOrderOfTheirNumbers) {
+  const TempDir dir;
+  for (const int i : {0, 1, 2, 9, 10, 11, 100})
+    write_file(dir / ("frame" + std::to_string(i) + ".bin"), bin_of({{static_cast<float>(1 + i), 0, 0}}));
+  const auto source = open_frame_source(dir.path());
+  ScanFrame frame;
+  std::vector<float> first;
+  for (std::size_t i = 0; i < source->size(); ++i) source->read(i, frame), first.push_back(frame.positions.at(0).x());
+  EXPECT_EQ(first, (std::vector<float>{1, 2, 3, 10, 11, 12, 101}));
+}
+
+TEST(FrameFolder, RingsThatTheFirstFrameDoesNotShowAreKnown) {
+  const TempDir dir;
+  for (const auto& [name, ring] : {std::pair("0", 5), std::pair("1", 63), std::pair("2", 20)}) {
+    write_file(dir / (std::string(name) + ".bin"), bin_of({{3, 0, 0}}));
+    std::string rings_text;
+    put(rings_text, static_cast<std::uint16_t>(ring));
+    write_file(dir / (std::string(name) + ".ring"), rings_text);
+  }
+  EXPECT_EQ(open_frame_source(dir.path())->rings(), 64);
 }
 
 TEST(FrameFolder, IntensitiesFromZeroToOneBecomeBytes) {

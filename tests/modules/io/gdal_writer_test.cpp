@@ -101,6 +101,26 @@ TEST_F(GdalWriter, RastersThatCannotBeWritten) {
   EXPECT_THROW(read_geotiff(folder_ / "absent.tif"), Error);
 }
 
+// A file of some kilobytes that promises 4e10 cells.
+TEST_F(GdalWriter, ARasterOfTooManyCellsIsRefusedBeforeItIsRead) {
+  write_geotiff(folder_ / "dem.tif", dem());  // registers the driver
+  auto* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  const char* const options[] = {"SPARSE_OK=TRUE", "TILED=YES", "BLOCKXSIZE=4096", "BLOCKYSIZE=4096", nullptr};
+  auto* set =
+      driver->Create((folder_ / "huge.tif").c_str(), 200000, 200000, 1, GDT_Float32, const_cast<char**>(options));
+  ASSERT_NE(set, nullptr);
+  double t[]{0, 1, 0, 0, 0, -1};
+  set->SetGeoTransform(t);
+  GDALClose(set);
+  ASSERT_LT(std::filesystem::file_size(folder_ / "huge.tif"), 1U << 20);
+  try {
+    read_geotiff(folder_ / "huge.tif");
+    FAIL() << "read";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("200000 x 200000 cells"));
+  }
+}
+
 Table stems() {
   Table table;
   table.set("tree_id", std::vector<std::int64_t>{1, 2, 3'000'000'000});

@@ -63,6 +63,22 @@ PointCloud mapped_cloud(std::size_t count, const Eigen::Vector3d& origin) {
   return cloud;
 }
 
+// JSON, HTML and the screen take UTF-8 only.
+TEST_F(LasWriter, NamesInLatin1AreReadAsUtf8) {
+  PointCloud cloud = mapped_cloud(10, Eigen::Vector3d::Zero());
+  const std::string in_utf8 = "h\xC3\xB6he", in_latin1 = "h\xF6hen";
+  cloud.set_column(in_utf8, std::vector<float>(10, 1));
+  cloud.set_column(in_latin1, std::vector<float>(10, 2));
+  write_las(path(), cloud);
+  const auto back = read_las(path());
+  EXPECT_EQ(back.values<float>(in_utf8), std::vector<float>(10, 1));
+  EXPECT_EQ(back.values<float>(in_utf8 + "n"), std::vector<float>(10, 2));
+  // A text that is cut stays one.
+  std::array<std::uint8_t, 2> field;
+  las::store_text(field.data(), field.size(), in_utf8);
+  EXPECT_EQ(las::load_text(field.data(), field.size()), "h");
+}
+
 TEST_F(LasWriter, AUtmCloudComesBackWithAllItsColumns) {
   const PointCloud cloud = mapped_cloud(2000, {691234.5678, 5334567.891, 512.25});
   write_las(path(), cloud);

@@ -120,6 +120,21 @@ TEST(Track, TheOrchardTrackIsReadInUtm) {
   EXPECT_LT(track.report.metrics.at("longest_step").value, 5);  // no jumps of 40 at the minutes
 }
 
+TEST(Track, AnEmptyQualityIsUnknown) {
+  const auto track = read_track(bytes_of("time_s,x_m,y_m,quality\n0,1,2,4\n1,2,2,\n2,3,2,5\n3,4,2,4\n"), "t.csv", {});
+  EXPECT_EQ(track.table.rows(), 4U);
+  EXPECT_EQ(track.report.counts.at("quality_4"), 2);
+  EXPECT_EQ(track.report.counts.at("quality_5"), 1);
+  EXPECT_EQ(track.report.counts.at("quality_unknown"), 1);
+  try {
+    read_track(bytes_of("time_s,x_m,y_m,quality\n0,1,2,good\n"), "t.csv", {});
+    FAIL() << "taken";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("t.csv"));
+    EXPECT_THAT(e.what(), HasSubstr("quality"));
+  }
+}
+
 TEST(Track, TablesAndErrors) {
   const std::string csv = "time_s,x_m,y_m\n0,1,2\n1,2,2\n0.5,9,9\n2,3,2\n";
   const auto track = read_track(bytes_of(csv), "t", {});

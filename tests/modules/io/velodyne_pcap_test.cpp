@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <numbers>
 
 #include "io/core/cloud_reader.h"
@@ -275,6 +276,35 @@ TEST(VelodynePcap, ACancelledIndexStops) {
   run.cancel = stop.get_token();
   EXPECT_THAT(error_of([&] { open_frame_source(write_pcap(dir / "a.pcap", recorder.packets(1)), {}, run); }),
               HasSubstr("cancelled"));
+}
+
+// What else was on the wire must not keep a person waiting.
+TEST(VelodynePcap, ACaptureOfOtherTrafficCanBeCancelled) {
+  const TempDir dir;
+  constexpr std::size_t payload = 100, packets = 3000, file_header = 24, record = 16 + 14 + 20 + 8 + payload;
+  {
+    PcapWriter writer(dir / "tcp.pcap");
+    for (std::size_t i = 0; i < packets; ++i)
+      writer.write(std::vector<std::uint8_t>(payload), 1 + 1e-3 * static_cast<double>(i));
+    writer.close();
+  }
+  std::string bytes(std::filesystem::file_size(dir / "tcp.pcap"), '\0');
+  std::ifstream(dir / "tcp.pcap", std::ios::binary).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  ASSERT_EQ(bytes.size(), file_header + packets * record);
+  for (std::size_t i = 0; i < packets; ++i) {
+    char& protocol = bytes[file_header + i * record + 16 + 14 + 9];
+    ASSERT_EQ(protocol, 17);
+    protocol = 6;
+  }
+  write_file(dir / "tcp.pcap", bytes);
+  EXPECT_THAT(error_of([&] { open_frame_source(dir / "tcp.pcap"); }), HasSubstr("0 UDP datagrams"));
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  int reports = 0;
+  run.progress = [&](double, std::string_view) { ++reports, stop.request_stop(); };
+  EXPECT_THAT(error_of([&] { open_frame_source(dir / "tcp.pcap", {}, run); }), HasSubstr("cancelled"));
+  EXPECT_EQ(reports, 1);
 }
 
 TEST(VelodynePcap, RealCaptures) {

@@ -127,7 +127,28 @@ TEST(Validate, ACircleIsFound) {
   const auto document = PipelineDocument::parse(
       R"({"stages": [{"id": "a", "type": "toy.height", "inputs": {"points": "b.points"}}, {"id": "b", "type": "toy.height", "inputs": {"points": "a.points"}}]})",
       registry());
-  EXPECT_THAT(validate(document), ::testing::Not(IsEmpty()));
+  ASSERT_THAT(validate(document), SizeIs(1));
+  EXPECT_THAT(validate(document)[0].message, HasSubstr("takes its own output"));
+}
+
+// Each stage takes two clouds: looking back along every path would never end.
+TEST(Validate, ManyPathsToOneStageAreWalkedOnce) {
+  EXPECT_THAT(validate(PipelineDocument::parse(R"({"stages": [
+    {"id": "a", "type": "toy.merge", "inputs": {"points": "b.points", "slice": "b.points"}},
+    {"id": "b", "type": "toy.merge", "inputs": {"points": "a.points", "slice": "a.points"}}]})",
+                                               registry()))[0]
+                  .message,
+              HasSubstr("takes its own output"));
+  std::string path = R"({"stages": [{"id": "m0", "type": "toy.scan"})";
+  for (int i = 1; i <= 70; ++i) {
+    const std::string before = "m" + std::to_string(i - 1) + ".points";
+    path += R"(, {"id": "m)" + std::to_string(i) + R"(", "type": "toy.merge", "inputs": {"points": ")" + before +
+            R"(", "slice": ")" + before + "\"}}";
+  }
+  EXPECT_THAT(validate(PipelineDocument::parse(path + "]}", registry())), IsEmpty());
+  const auto sliced = path + R"(, {"id": "slice", "type": "toy.slice", "inputs": {"points": "m70.points"}}]})";
+  ASSERT_THAT(validate(PipelineDocument::parse(sliced, registry())), SizeIs(1));
+  EXPECT_THAT(validate(PipelineDocument::parse(sliced, registry()))[0].message, HasSubstr("height_above_ground"));
 }
 
 TEST(Validate, RelationsBetweenOptionsCount) {

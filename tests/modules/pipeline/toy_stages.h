@@ -93,6 +93,16 @@ inline StageRegistry toy_registry() {
                 &height_options(),
                 false,
                 nothing});
+  registry.add({"toy.merge",
+                "Merge",
+                "Merges.",
+                "",
+                1,
+                {{"points", DataKind::cloud, "Points.", false, {}}, {"slice", DataKind::cloud, "Slice.", false, {}}},
+                {{"points", DataKind::cloud, "Points.", false, {}}},
+                &height_options(),
+                false,
+                nothing});
   return registry;
 }
 

@@ -1,0 +1,13 @@
+#include "base/memory.h"
+
+#include <sys/resource.h>
+
+namespace bole {
+
+double peak_resident_mib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+}  // namespace bole

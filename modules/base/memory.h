@@ -1,0 +1,8 @@
+#pragma once
+
+namespace bole {
+
+// The most memory that this process has held so far, in MiB.
+double peak_resident_mib();
+
+}  // namespace bole
