@@ -1,5 +1,6 @@
 #include "slam/core/priors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bole {
@@ -7,6 +8,7 @@ namespace bole {
 Eigen::Matrix3d point_covariance(const Eigen::Vector3d& point_in_sensor, const SensorPrior& prior) {
   const double level_m = std::max(point_in_sensor.head<2>().norm(), 1e-9),
                range_m = std::max(point_in_sensor.norm(), 1e-9);
+  // theta: azimuth, phi: elevation
   const double cos_theta = point_in_sensor.x() / level_m, sin_theta = point_in_sensor.y() / level_m,
                cos_phi = level_m / range_m, sin_phi = point_in_sensor.z() / range_m;
   Eigen::Matrix3d M;

@@ -35,100 +35,119 @@ struct FirstPass {
 // Warns about single failed frames, up to a number.
 class FrameWarnings {
  public:
-  explicit FrameWarnings(Report& report) : report_(report) {}
+  FrameWarnings(const FrameSource& source, Report& report) : source_(source), report_(report) {}
   ~FrameWarnings() {
     if (count_ > most_frame_warnings)
       report_.warn("... and " + std::to_string(count_ - most_frame_warnings) + " more frames");
   }
   FrameWarnings(const FrameWarnings&) = delete;
   FrameWarnings& operator=(const FrameWarnings&) = delete;
-  void add(std::size_t frame, double time_s, const std::string& what) {
+  void add(std::size_t frame, const std::string& what) {
     if (++count_ <= most_frame_warnings)
-      report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(time_s) + ": " + what);
+      report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(since_start_s(frame)) + ": " + what);
   }
+  double since_start_s(std::size_t frame) const { return source_.frame_time_s(frame) - source_.frame_time_s(0); }
 
  private:
+  const FrameSource& source_;
   Report& report_;
   std::size_t count_ = 0;
 };
 
-void tell_lost(const Odometry& odometry, double start_s, Report& report) {
+// What following the frames has cost, and how often the sensor had to be found again.
+struct FollowCosts {
+  double read_s = 0, features_s = 0;
+  std::size_t frames = 0, features = 0, found_again = 0;
+
+  void write(const OdometryTimes& times, Report& report) const {
+    const auto n = std::max<std::size_t>(frames, 1);
+    const auto part = [&](const char* name, double seconds) {
+      report.metrics[name] = {ms_per_frame(seconds, n), Unit::millisecond};
+    };
+    part("read_per_frame", read_s), part("features_per_frame", features_s);
+    part("guess_per_frame", times.guess_s), part("registration_per_frame", times.register_s);
+    part("observability_per_frame", times.judge_s), part("local_map_per_frame", times.map_s);
+    report.counts["features_per_frame"] = static_cast<std::int64_t>(features / n);
+    report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
+  }
+};
+
+bool read_frame(const FrameSource& source, std::size_t i, ScanFrame& frame, FrameWarnings& warnings) {
+  try {
+    source.read(i, frame);
+    return true;
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::cancelled) throw;
+    warnings.add(i, std::string("left out: ") + e.what());
+    return false;
+  }
+}
+
+std::string found_again_text(const Odometry& odometry) {
+  return "found again " + seconds_text(odometry.found_again_after_s()) +
+         " after the last good frame: " + percent_text(odometry.frames().back().overlap) +
+         " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100);
+}
+
+void tell_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
   const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
   report.status = Status::finished_early;
   report.warnings.push_back("the track was lost at frame " + std::to_string(first.index) + ", " +
-                            seconds_text(first.begin_s - start_s) + " after the start: " + odometry.why_failed() +
-                            ". The map ends there");
+                            seconds_text(warnings.since_start_s(first.index)) +
+                            " after the start: " + odometry.why_failed() + ". The map ends there");
   report.facts["lost_at_frame"] = std::to_string(first.index);
 }
 
 FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
+  const bool by_context = options.loops == "context" || options.loops == "both";
+  const std::string of_all = " of " + std::to_string(source.size());
   FeatureExtractor extractor(options);
   Odometry odometry(options);
-  FrameWarnings warnings(report);
+  FrameWarnings warnings(source, report);
   FollowPreview preview(run, source.size());
-  const bool by_context = options.loops == "context" || options.loops == "both";
+  FollowCosts costs;
   ScanFrame frame;
   Scan scan;
   Features features;
   FirstPass out;
   Stopwatch watch;
-  double read_s = 0, features_s = 0;
-  const double start_s = source.size() ? source.frame_time_s(0) : 0;
-  std::size_t used = 0, points = 0, found_again = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
-    run.report(static_cast<double>(i) / static_cast<double>(source.size()),
-               "frame " + std::to_string(i + 1) + " of " + std::to_string(source.size()));
+    run.report(static_cast<double>(i) / static_cast<double>(source.size()), "frame " + std::to_string(i + 1) + of_all);
     if (run.asked_to_finish()) {
       report.status = Status::finished_early;
-      report.warnings.push_back("finished on request at frame " + std::to_string(i) + " of " +
-                                std::to_string(source.size()));
+      report.warnings.push_back("finished on request at frame " + std::to_string(i) + of_all);
       break;
     }
     watch.lap_s();
-    try {
-      source.read(i, frame);
-    } catch (const Error& e) {
-      if (e.kind() == ErrorKind::cancelled) throw;
-      warnings.add(i, source.frame_time_s(i) - start_s, std::string("left out: ") + e.what());
-      continue;
-    }
-    read_s += watch.lap_s();
+    if (!read_frame(source, i, frame, warnings)) continue;
+    costs.read_s += watch.lap_s();
     prepare_scan(frame, gate, scan);
     extractor.extract(scan, features);
-    features_s += watch.lap_s();
-    const auto before = odometry.frames().size(), keyframes = odometry.keyframes().size();
+    costs.features_s += watch.lap_s();
+
+    const auto frames_before = odometry.frames().size(), keyframes_before = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
-    if (odometry.frames().size() == before) continue;  // nothing to begin with yet
-    if (by_context && odometry.keyframes().size() > keyframes)
+    if (odometry.frames().size() == frames_before) continue;  // nothing to begin with yet
+    if (by_context && odometry.keyframes().size() > keyframes_before)
       odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
-    ++used, points += features.query.size();
-    if (const double gap_s = odometry.found_again_after_s(); gap_s > 0 && odometry.frames().back().ok) {
-      ++found_again;
-      warnings.add(i, scan.begin_time_s - start_s,
-                   "found again " + seconds_text(gap_s) +
-                       " after the last good frame: " + percent_text(odometry.frames().back().overlap) +
-                       " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100));
+    ++costs.frames, costs.features += features.query.size();
+    if (!odometry.frames().back().ok) {
+      warnings.add(i, odometry.why_failed());
+    } else if (odometry.found_again_after_s() > 0) {
+      ++costs.found_again;
+      warnings.add(i, found_again_text(odometry));
     }
-    if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
     preview.frame(odometry, features);
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
     if (odometry.lost()) break;
   }
   odometry.finish();
-  if (odometry.lost()) tell_lost(odometry, source.frame_time_s(0), report);
+  if (odometry.lost()) tell_lost(odometry, warnings, report);
   odometry.drop_failed_tail();
   preview.all(odometry);
-  const auto n = std::max<std::size_t>(used, 1);
-  report.metrics["read_per_frame"] = {ms_per_frame(read_s, n), Unit::millisecond};
-  report.metrics["features_per_frame"] = {ms_per_frame(features_s, n), Unit::millisecond};
-  report.metrics["guess_per_frame"] = {ms_per_frame(odometry.times().guess_s, n), Unit::millisecond};
-  report.metrics["registration_per_frame"] = {ms_per_frame(odometry.times().register_s, n), Unit::millisecond};
-  report.metrics["observability_per_frame"] = {ms_per_frame(odometry.times().judge_s, n), Unit::millisecond};
-  report.metrics["local_map_per_frame"] = {ms_per_frame(odometry.times().map_s, n), Unit::millisecond};
-  report.counts["features_per_frame"] = static_cast<std::int64_t>(points / n);
-  report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
+  costs.write(odometry.times(), report);
   out.frames = odometry.take_frames();
   out.keyframes = odometry.take_keyframes();
   out.samples.resize(std::min(out.samples.size(), out.frames.size()));
@@ -277,10 +296,11 @@ std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& 
   return gaps_s;
 }
 
-void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+// Takes the samples out of `pass`: of a long walk they are most of what is held.
+void adjust(Track& track, FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
   std::vector<FrameSample> samples;
   for (std::size_t k = 0; k < pass.samples.size(); ++k)
-    if (pass.frames[k].ok) samples.push_back(pass.samples[k]);
+    if (pass.frames[k].ok) samples.push_back(std::move(pass.samples[k]));
   RefineSettings settings;
   settings.rounds = options.refine_rounds;
   settings.cell_m = options.cell_m;
@@ -295,6 +315,32 @@ void adjust(Track& track, const FirstPass& pass, const SlamOptions& options, Rep
   report.metrics["adjustment_rms_first"] = {refined.rms_m.front(), Unit::metre};
   report.metrics["adjustment_rms_last"] = {refined.rms_m.back(), Unit::metre};
   report.metrics["adjustment_last_step"] = {refined.step_m.back(), Unit::metre};
+}
+
+// Means over the good frames and the weakest of all.
+void report_frames(const FirstPass& pass, Report& report) {
+  double squared = 0, sigma0 = 0, variance_m2 = 0, overlap = 0, rounds = 0, weakest = 1,
+         least_seen = std::numeric_limits<double>::infinity();
+  std::size_t good = 0;
+  for (const auto& f : pass.frames) {
+    weakest = std::min(weakest, f.conditioning);
+    if (f.rounds > 0) least_seen = std::min(least_seen, f.observability);
+    if (!f.ok) continue;
+    ++good;
+    sigma0 += f.sigma0, variance_m2 += f.covariance.bottomRightCorner<3, 3>().trace();
+    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
+  }
+  const auto n = static_cast<double>(good);
+  report.counts["frames"] = static_cast<std::int64_t>(good);
+  report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - good);
+  report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
+  report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
+  report.metrics["sigma0"] = {sigma0 / n, Unit::none};
+  report.metrics["pose_sigma"] = {1000 * std::sqrt(variance_m2 / n), Unit::millimetre};
+  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
+  report.metrics["weakest_conditioning"] = {weakest, Unit::none};
+  report.metrics["weakest_observability"] = {std::isfinite(least_seen) ? least_seen : 0, Unit::none};
+  report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
 }
 
 }  // namespace
@@ -315,28 +361,10 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   track.own_motion = !elastic && options.refine_rounds <= 0;
   track.path = path_of(pass.frames, elastic);
   if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
-  double squared = 0, sigma0 = 0, variance_m2 = 0, overlap = 0, rounds = 0, weakest = 1,
-         least_seen = std::numeric_limits<double>::infinity();
-  for (const auto& f : pass.frames) {
-    weakest = std::min(weakest, f.conditioning);
-    if (f.rounds > 0) least_seen = std::min(least_seen, f.observability);
-    if (!f.ok) continue;
-    track.frames.push_back({f.index, f.motion});
-    sigma0 += f.sigma0, variance_m2 += f.covariance.bottomRightCorner<3, 3>().trace();
-    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
-  }
+  for (const auto& f : pass.frames)
+    if (f.ok) track.frames.push_back({f.index, f.motion});
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
-  const auto n = static_cast<double>(track.frames.size());
-  report.counts["frames"] = static_cast<std::int64_t>(track.frames.size());
-  report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - track.frames.size());
-  report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
-  report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
-  report.metrics["sigma0"] = {sigma0 / n, Unit::none};
-  report.metrics["pose_sigma"] = {1000 * std::sqrt(variance_m2 / n), Unit::millimetre};
-  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
-  report.metrics["weakest_conditioning"] = {weakest, Unit::none};
-  report.metrics["weakest_observability"] = {std::isfinite(least_seen) ? least_seen : 0, Unit::none};
-  report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
+  report_frames(pass, report);
   return track;
 }
 
