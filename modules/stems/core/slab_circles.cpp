@@ -129,7 +129,8 @@ struct Ring {
 // Nearly all circles are worse than the best so far. Sums over several columns at a time tell most of them, but for
 // rounding, which depends on the order of the sums and is allowed for.
 bool can_beat(const SlabGrid& slab, const Ring& ring, double beat) {
-  constexpr float rounding = 1e-4F, steep = 1e12F;  // 1 where a difference of squares is positive, 0 where it is not
+  constexpr float rounding = 1e-4F;
+  constexpr float steep = 1e12F;  // times a difference and held between 0 and 1: whether it is positive
   const float by_tolerance = 1 / ring.tolerance, hollow2 = ring.hollow * ring.hollow;
   Score all;
   slab.for_each_stretch_near(ring.x, ring.y, ring.outer, [&](std::uint32_t first, std::uint32_t last) {
