@@ -188,9 +188,15 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
       rows.push_back({"Lorey's height, all stems", fixed(s.lorey_height_m, 1), "m",
                       "by the curve for " + std::to_string(s.by_curve) + " of " + std::to_string(m.stems) + " stems"});
   }
-  if (!std::isfinite(s.volume_m3)) return rows;
-  const std::string how =
-      std::to_string(s.own_volume) + " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
+  if (!std::isfinite(s.volume_m3)) {
+    const std::string why = s.curve ? "stems thinner or thicker than the height curve reaches, their tops not seen"
+                                    : "heights are lacking and no height curve can be fitted: tops seen on " +
+                                          std::to_string(m.tops_seen) + " of " + std::to_string(m.stems) + " stems";
+    rows.push_back({"Stem volume", "not given", "", why});
+    return rows;
+  }
+  const std::string how = std::to_string(s.own_volume) +
+                          " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
   rows.push_back(
       {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
   if (std::isfinite(m.area_m2))

@@ -18,17 +18,22 @@ constexpr double tallest_m = 80;
 // The axis of a stem at any z: straight over the measured part, less inclined above.
 struct TreeAxis {
   explicit TreeAxis(const Stem& s)
-      : stem(&s), slope(s.direction.head<2>() / s.direction.z()), bend_z(s.breast_height.z() + 3) {
+      : stem(&s),
+        breast_height(s.breast_height),
+        slope(s.direction.head<2>() / s.direction.z()),
+        bend_z(s.breast_height.z() + 3),
+        radius(s.radius) {
     above = slope;
     if (above.norm() > most_slope_above) above *= most_slope_above / above.norm();
   }
   Eigen::Vector2d at(double z) const {
-    const double low = std::min(z, bend_z) - stem->breast_height.z(), high = std::max(0.0, z - bend_z);
-    return stem->breast_height.head<2>() + low * slope + high * above;
+    const double low = std::min(z, bend_z) - breast_height.z(), high = std::max(0.0, z - bend_z);
+    return breast_height.head<2>() + low * slope + high * above;
   }
   const Stem* stem;
+  Eigen::Vector3d breast_height;  // here, and not looked up in the stem: every point of the cloud asks for it
   Eigen::Vector2d slope, above;
-  double bend_z;
+  double bend_z, radius;
 };
 
 class AxisGrid {
@@ -104,7 +109,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
       double best = std::numeric_limits<double>::infinity();
       const Stem* owner = nullptr;
       for (const auto k : grid.near(p.x(), p.y())) {
-        const double d = (p.head<2>() - axes[k].at(p.z())).norm() - axes[k].stem->radius;
+        const double d = (p.head<2>() - axes[k].at(p.z())).norm() - axes[k].radius;
         if (d < best && d <= reach) best = d, owner = axes[k].stem;
       }
       if (!owner) continue;

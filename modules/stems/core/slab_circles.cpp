@@ -1,5 +1,6 @@
 #include "stems/core/slab_circles.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -129,19 +130,16 @@ struct Ring {
 // rounding, which depends on the order of the sums and is allowed for.
 bool can_beat(const SlabGrid& slab, const Ring& ring, double beat) {
   constexpr float rounding = 1e-4F;
+  constexpr float steep = 1e12F;  // times a difference and held between 0 and 1: whether it is positive
   const float by_tolerance = 1 / ring.tolerance, hollow2 = ring.hollow * ring.hollow;
-  const float *x = slab.x(), *y = slab.y(), *weight = slab.weight();
   Score all;
   slab.for_each_stretch_near(ring.x, ring.y, ring.outer, [&](std::uint32_t first, std::uint32_t last) {
-    float on = 0, inside = 0;
-#pragma omp simd reduction(+ : on, inside)
-    for (std::size_t k = first; k < last; ++k) {
-      const float dx = x[k] - ring.x, dy = y[k] - ring.y, d2 = dx * dx + dy * dy;
-      const float e = (std::sqrt(d2) - ring.radius) * by_tolerance, near = 1 - e * e;
-      on += near > 0 ? weight[k] * near : 0;
-      inside += d2 < hollow2 ? weight[k] : 0;
-    }
-    all.on += on, all.inside += inside;
+    using Values = Eigen::Map<const Eigen::ArrayXf>;
+    const auto n = static_cast<Eigen::Index>(last - first);
+    const Values x(slab.x() + first, n), y(slab.y() + first, n), weight(slab.weight() + first, n);
+    const auto d2 = (x - ring.x).square() + (y - ring.y).square();
+    all.on += (weight * (1 - ((d2.sqrt() - ring.radius) * by_tolerance).square()).max(0.F)).sum();
+    if (hollow2 > 0) all.inside += (weight * ((hollow2 - d2) * steep).max(0.F).min(1.F)).sum();
   });
   return all.most() + rounding * (all.on + all.inside) > beat;
 }

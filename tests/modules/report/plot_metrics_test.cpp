@@ -76,6 +76,7 @@ TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
     EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) +
                                             " stems: heights are lower bounds"));
     EXPECT_THAT(told(m), testing::Not(testing::HasSubstr("Lorey")));
+    EXPECT_THAT(told(m), testing::HasSubstr("Stem volume|not given|heights are lacking"));
   }
   EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle).heights_known);
   EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
