@@ -174,7 +174,7 @@ std::string intervals(const HalfWidths& half, double factor, int decimals) {
   return text.empty() ? text : "; 95 %: " + text;
 }
 
-// "; 2 stems without an interval count as unsure as the others": empty where all have one, or none.
+// "; 2 stems without an interval taken as unsure as the others": empty where all have one, or none.
 std::string assumed(const PlotMetrics& m) {
   const auto n = m.stand.no_interval;
   if (n == 0 || n == m.stems) return {};
