@@ -36,13 +36,8 @@ VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt)
   return layer;
 }
 
-// Empty where the axes are not global.
-std::string crs_of(const SurveyData& d) {
-  return d.points != nullptr && d.axes == Axes::global ? d.points->crs_wkt : std::string();
-}
-
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
-  const std::string crs = crs_of(d);
+  const std::string crs = d.crs_wkt();
   std::vector<VectorLayer> layers{point_layer("stems", *d.stems, crs)};
   const auto add_points = [&](const char* name, const Table* table) {
     if (table != nullptr && table->rows() > 0) layers.push_back(point_layer(name, *table, crs));
@@ -89,11 +84,11 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
   if (o.tables && d.stems->rows() > 0) {
     exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
-                         write_geojson(path, point_layer("stems", *d.stems, crs_of(d)));
+                         write_geojson(path, point_layer("stems", *d.stems, d.crs_wkt()));
                        }});
     const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<StemShape>&)) {
       exports.push_back({file, [&d, text](const auto& path, const Run&, Report&) {
-                           write_text_file(path, text(stem_shapes(*d.stems, d.sections)));
+                           write_text_file(path, text(stem_shapes(d.kept_stems(), d.sections)));
                          }});
     };
     add_shapes("stems.obj", stems_obj);

@@ -13,6 +13,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
 #include "render/offscreen/offscreen.h"
+#include "report/core/page_warnings.h"
 #include "report/core/report_page.h"
 #include "report/exports.h"
 #include "report/survey_figures.h"
@@ -135,10 +136,7 @@ class Writer {
     content.rule = data_.rule, content.poses_given = poses_given();
     content.pictures = std::move(pictures_);
     content.record = run_.record;
-    if (run_.record != nullptr)
-      for (const auto& stage : run_.record->stages)
-        for (const auto& w : stage.report.warnings) content.warnings.push_back(stage.id + ": " + w);
-    for (const auto& w : result_.report.warnings) content.warnings.push_back("report: " + w);
+    content.warnings = page_warnings(run_.record.get(), result_.report);
     content.versions = {{"Bole", std::string(version())}};
     for (auto& library : library_versions()) content.versions.push_back(std::move(library));
     content.versions.emplace_back("Cairo", cairo_version_string());

@@ -9,6 +9,7 @@
 #include "io/core/gdal_writer.h"
 #include "io/core/table_file.h"
 #include "render/charts/row_map.h"
+#include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 
 namespace bole {
@@ -175,7 +176,7 @@ class Writer {
                                {"time", "time"},
                                {"reason", "reason"}},
                               2});
-    page_.warnings = result_.report.warnings;
+    page_.warnings = page_warnings(run_.record.get(), result_.report);
     attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 

@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "io/core/table_file.h"
 #include "render/charts/steering_charts.h"
+#include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 
 namespace bole {
@@ -139,14 +140,24 @@ class Writer {
 
   void add_errors() {
     const auto& summary = inputs_.table("summary");
-    add_table("Errors by speed",
-              "In centimetres. Line: true distance of the control point from its line, positive to the left. Adjacent: "
+    // The shares of controller and receiver are known where the true way is.
+    const bool true_way_known = has_numbers(summary, "controller_sd_m");
+    const std::string words =
+        true_way_known
+            ? "In centimetres. Line: true distance of the control point from its line, positive to the left. Adjacent: "
               "distance of neighbouring passes minus the row width. SD: about the mean. Controller: what the steering "
-              "left of the distance that it was told; receiver: told minus true, which no steering can mend.",
-              summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
+              "left of the distance that it was told; receiver: told minus true, which no steering can mend."
+            : "In centimetres. Line: distance of the control point from its line as the receiver saw it, positive to "
+              "the "
+              "left; the true way is not known, and what the receiver erred is not in these figures. Adjacent: "
+              "distance "
+              "of neighbouring passes minus the row width, as the receiver saw it. SD: about the mean.";
+    add_table("Errors by speed", words, summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
     if (has_numbers(summary, "published_line_sd_m"))
       add_table("Published",
-                "In centimetres, by a tractor in the field, which a simulated one is held beside and not fitted to.",
+                std::string("In centimetres, by a tractor in the field, which a simulated one is held beside and not "
+                            "fitted to.") +
+                    (true_way_known ? "" : " They were measured against a reference, ours above were not."),
                 summary, {{"speed_km_h", "km/h"}},
                 {{"published_line_mean_cm", "line mean"},
                  {"published_line_sd_cm", "SD"},
@@ -178,7 +189,7 @@ class Writer {
         for (const auto& c : shown.columns()) columns.emplace_back(c.name, c.name);
         add_table(title, "", inputs_.table(port), std::move(columns), {}, 3);
       }
-    page_.warnings = result_.report.warnings;
+    page_.warnings = page_warnings(run_.record.get(), result_.report);
     attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 

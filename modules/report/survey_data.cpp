@@ -15,6 +15,22 @@ Axes axes_of(const SurveyData& data) {
 
 }  // namespace
 
+Table SurveyData::kept_stems() const {
+  const auto* state = std::get_if<std::vector<std::string>>(stems->find("state"));
+  if (state == nullptr) return *stems;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < state->size(); ++i)
+    if ((*state)[i] != "rejected") kept.push_back(i);
+  return stems->subset(kept);
+}
+
+std::string SurveyData::crs_wkt() const {
+  if (axes != Axes::global) return {};
+  if (points != nullptr && !points->crs_wkt.empty()) return points->crs_wkt;
+  const auto fact = stems->facts.find("crs");
+  return fact != stems->facts.end() ? fact->second : std::string();
+}
+
 SurveyData survey_data(const DataSet& inputs) {
   SurveyData data;
   data.stems = &inputs.table("stems");

@@ -28,6 +28,10 @@ struct SurveyData {
   CountingRule rule;
   Axes axes = Axes::unknown;  // of the stems
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }
+
+  // Those that a person did not reject: what figures and meshes show.
+  Table kept_stems() const;
+  std::string crs_wkt() const;  // of the stems; empty where their axes are not global
 };
 
 SurveyData survey_data(const DataSet& inputs);

@@ -20,7 +20,8 @@ constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_p
 class MapSource {
  public:
   MapSource(const SurveyData& d, const ReportOptions& o, const Run& run)
-      : data_{d.points, d.stems, d.sections, d.trajectory, d.rule.area, d.north_known(), nullptr},
+      : stems_(d.kept_stems()),
+        data_{d.points, &stems_, d.sections, d.trajectory, d.rule.area, d.north_known(), nullptr},
         budget_(static_cast<std::size_t>(o.point_budget)),
         run_(run) {}
 
@@ -34,6 +35,7 @@ class MapSource {
   }
 
  private:
+  Table stems_;
   MapData data_;
   std::size_t budget_;
   const Run& run_;
@@ -72,11 +74,12 @@ bool compares_walks(const SurveyData& d) {
 }
 
 Table stems_inside(const SurveyData& d) {
-  const auto x = d.stems->numbers("x_m"), y = d.stems->numbers("y_m");
+  const Table stems = d.kept_stems();
+  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
   std::vector<std::size_t> inside;
   for (std::size_t i = 0; i < x.size(); ++i)
     if (d.rule.area.contains(x[i], y[i])) inside.push_back(i);
-  return d.stems->subset(inside);
+  return stems.subset(inside);
 }
 
 }  // namespace
@@ -87,11 +90,12 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
   const auto add = [&](const char* name, bool is_wide, std::function<Figure()> make) {
     plans.push_back({name, [make = std::move(make)] { return std::vector<Figure>{make()}; }, is_wide, false, 1});
   };
-  const bool has_stems = d.stems->rows() > 0;
+  const bool has_stems = d.kept_stems().rows() > 0;
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
     add("stem map", true, [&d, wide] {
-      return stem_map({d.stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
+      const Table stems = d.kept_stems();
+      return stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
     });
     add("diameter distribution", false, [&d, half, width = o.class_width] {
       return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.rule)).numbers("dbh_cm"), half, width);

@@ -70,8 +70,9 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
       const double top = std::isfinite(height[i]) ? std::clamp(height[i], 2.0, 6.0) : 4.0;
       for (const double h : {0.0, breast_height, top}) {
         shape.axis.push_back(shape.breast_height + (h - breast_height) * per_metre);
+        // Taper is what the diameter loses upwards.
         shape.radius_m.push_back(std::max(
-            0.01, shape.breast_radius_m + (std::isfinite(taper[i]) ? taper[i] / 200 : 0) * (h - breast_height)));
+            0.01, shape.breast_radius_m - (std::isfinite(taper[i]) ? taper[i] / 200 : 0) * (h - breast_height)));
       }
     }
     shapes.push_back(std::move(shape));

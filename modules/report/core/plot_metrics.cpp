@@ -174,11 +174,20 @@ std::string intervals(const HalfWidths& half, double factor, int decimals) {
   return text.empty() ? text : "; 95 %: " + text;
 }
 
-// Heights by the curve, and volumes.
+// "; 2 stems without an interval taken as unsure as the others": empty where all have one, or none.
+std::string assumed(const PlotMetrics& m) {
+  const auto n = m.stand.no_interval;
+  if (n == 0 || n == m.stems) return {};
+  return "; " + std::to_string(n) + (n == 1 ? " stem" : " stems") +
+         " without an interval taken as unsure as the others";
+}
+
+// Heights by the curve, and volumes: nothing where too few tops were seen to speak of heights.
 std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   std::vector<MetricRow> rows;
   const auto& s = m.stand;
   if (m.stems == 0) return rows;
+  if (!m.heights_known) return {{"Stem volume", "not given", "", "heights are lacking"}};
   if (s.curve) {
     const auto& c = *s.curve;
     rows.push_back({"Height curve", "h = 1.3 + d²/(" + fixed(c.a, 3) + " + " + fixed(c.b, 4) + " d)²", "",
@@ -190,13 +199,13 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   }
   if (!std::isfinite(s.volume_m3)) {
     const std::string why = s.curve ? "stems thinner or thicker than the height curve reaches, their tops not seen"
-                                    : "heights are lacking and no height curve can be fitted: tops seen on " +
-                                          std::to_string(m.tops_seen) + " of " + std::to_string(m.stems) + " stems";
+                                    : "tops are lacking and no height curve can be fitted";
     rows.push_back({"Stem volume", "not given", "", why});
     return rows;
   }
   const std::string how = std::to_string(s.own_volume) +
-                          " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
+                          " by their stem curve, the others as stems between paraboloid and cone through DBH and top" +
+                          (s.own_volume < m.stems ? ", their form unsure by 5 %" : "");
   rows.push_back(
       {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
   if (std::isfinite(m.area_m2))
@@ -213,14 +222,14 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
                                                       : "; ";
   std::vector<MetricRow> rows;
   if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
-  rows.push_back(
-      {"Stems", std::to_string(m.stems), "",
-       "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" + inside + std::to_string(m.too_thin) + " thinner"});
+  rows.push_back({"Stems", std::to_string(m.stems), "",
+                  (min_dbh_cm > 0 ? "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" : std::string("of every DBH")) +
+                      inside + std::to_string(m.too_thin) + " thinner"});
   if (std::isfinite(m.area_m2))
     rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha",
                     "stems / area" + intervals(m.stand.stems, m2_per_ha / m.area_m2, 0)});
   rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²",
-                  "sum of π/4 · DBH²" + intervals({m.stand.basal_area_m2.measured, nan_value}, 1, 3)});
+                  "sum of π/4 · DBH²" + intervals({m.stand.basal_area_m2.measured, nan_value}, 1, 3) + assumed(m)});
   if (std::isfinite(m.area_m2))
     rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha",
                     "basal area / area" + intervals(m.stand.basal_area_m2, m2_per_ha / m.area_m2, 2)});

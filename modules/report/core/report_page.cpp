@@ -42,21 +42,26 @@ std::string metrics_section(const ReportContent& c) {
     table.rows.push_back({row.name, row.value, row.unit, row.how});
   std::string body = table.html();
   if (!std::isfinite(c.metrics.area_m2))
-    body = paragraph(
-               "No plot boundary is set, so there are no values per hectare. Set plot_shape and plot_size of the "
-               "report where the plot is known.",
-               "note") +
-           body;
+    body =
+        paragraph(
+            "No plot boundary is set, so there are no values per hectare. Where the plot is known, set shape and width "
+            "and length (or radius) of the stage survey.plot and connect its plot to the report.",
+            "note") +
+        body;
   const bool per_ha = std::isfinite(c.metrics.area_m2);
   HtmlTable classes{{{"DBH class (cm)"}, {"Stems", true}}, {}, false};
   if (per_ha) classes.columns.push_back({"1/ha", true});
   classes.columns.push_back({per_ha ? "Basal area (m²/ha)" : "Basal area (m²)", true});
   if (c.metrics.heights_known) classes.columns.push_back({"Mean height of tops seen (m)", true});
+  const auto whole = [](const DiameterClass& k) {
+    return k.lo_cm == std::round(k.lo_cm) && k.hi_cm == std::round(k.hi_cm);
+  };
+  const int decimals = std::ranges::all_of(c.metrics.classes, whole) ? 0 : 1;
   for (const auto& k : c.metrics.classes) {
-    std::vector<std::string> row{fixed(k.lo_cm, 0) + "–" + fixed(k.hi_cm, 0), std::to_string(k.stems)};
+    std::vector<std::string> row{fixed(k.lo_cm, decimals) + "–" + fixed(k.hi_cm, decimals), std::to_string(k.stems)};
     if (per_ha) row.push_back(fixed(k.stems_per_ha, 0));
     row.push_back(per_ha ? fixed(k.basal_area_m2_per_ha, 2) : fixed(k.basal_area_m2, 3));
-    row.push_back(fixed(k.mean_height_m, 1));
+    if (c.metrics.heights_known) row.push_back(fixed(k.mean_height_m, 1));
     classes.rows.push_back(std::move(row));
   }
   if (!classes.rows.empty()) body += "<h3>By diameter class</h3>\n" + classes.html();
@@ -133,6 +138,9 @@ std::string stems_section(const ReportContent& c) {
                      outside_note(c.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
 }
 
+// Whether a person has looked at the stem and said what it is.
+bool decided(const std::string& state) { return state == "accepted" || state == "edited" || state == "rejected"; }
+
 // The tables are written in ASCII; the page is not.
 std::string typeset(std::string text) {
   const auto replace = [&](std::string_view from, std::string_view to) {
@@ -152,7 +160,7 @@ std::string trees_to_check(const ReportContent& c) {
   HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
   std::size_t outside = 0;
   for (std::size_t i = 0; i < c.stems->rows(); ++i) {
-    if (state[i] != "check" && quality[i] != "poor") continue;
+    if (decided(state[i]) || (state[i] != "check" && quality[i] != "poor")) continue;
     if (!c.rule.area.contains(x[i], y[i]))
       ++outside;
     else

@@ -88,6 +88,11 @@ TEST(Stems, ShapesFollowSectionsElseLeanAndTaper) {
   EXPECT_EQ(from_sections[0].axis.size(), 6U);  // ground, four sections, a little more
   EXPECT_NEAR(from_sections[0].axis[0].z(), s.stems.numbers("z_m")[0], 1e-9);
   ASSERT_EQ(from_table[0].axis.size(), 3U);
+  // The table's taper is what the diameter loses upwards, 0.8 cm per metre: thicker at the ground, thinner above.
+  const double breast = s.stems.numbers("dbh_cm")[0] / 200;
+  EXPECT_NEAR(from_table[0].radius_m[0], breast + 0.004 * 1.3, 1e-9);
+  EXPECT_NEAR(from_table[0].radius_m[1], breast, 1e-9);
+  EXPECT_LT(from_table[0].radius_m[2], breast - 0.004);
   const double lean = s.stems.numbers("lean_deg")[0] * std::numbers::pi / 180;
   const Eigen::Vector3d along = (from_table[0].axis[2] - from_table[0].axis[0]).normalized();
   EXPECT_NEAR(std::acos(along.z()), lean, 1e-6);

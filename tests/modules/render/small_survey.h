@@ -76,7 +76,7 @@ class SurveyMaker {
       const double half = 0.5 + std::abs(noise) + uniform(0, 0.6);
       lo.push_back(estimate.back() - half), hi.push_back(estimate.back() + half);
       lean.push_back(std::abs(normal(2))), arc.push_back(uniform(120, 360)), sigma.push_back(uniform(0.4, 1.2)),
-          taper.push_back(-0.8);
+          taper.push_back(0.8);
       arc_passes.push_back(1 + static_cast<std::int64_t>(random_() % 3)), inliers.push_back(400);
       quality.push_back(half > 1.6 ? "poor" : half > 1.1 ? "fair" : "good");
       reasons.push_back(half > 1.6 ? "seen over " + std::to_string(static_cast<int>(arc.back())) +

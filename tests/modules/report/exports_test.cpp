@@ -14,6 +14,7 @@
 #include "io/core/table_file.h"
 #include "report/exports.h"
 #include "report/stem_mesh.h"
+#include "report/survey_figures.h"
 
 namespace bole {
 namespace {
@@ -81,6 +82,55 @@ TEST(Exports, TreeIdsAreTheSameInEveryFile) {
   EXPECT_EQ(ids_of_vtp(contents(dir / "stems.vtp")), ids);
   EXPECT_EQ(ids_of_vtp(contents(dir / "stem_curves.vtp")), ids);
   std::filesystem::remove_all(dir);
+}
+
+TEST(Exports, RejectedStemsHaveNoShape) {
+  auto s = testing_data::make_small_survey();
+  std::vector<std::string> state(s.stems.rows(), "auto");
+  state[2] = "rejected";
+  s.stems.set("state", state);
+  SurveyData data;
+  data.stems = &s.stems, data.sections = &s.sections, data.slice = &s.slice;
+  const auto dir = std::filesystem::path(testing::TempDir()) / "bole_export_rejected";
+  std::filesystem::create_directories(dir);
+  Report report;
+  for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
+  EXPECT_EQ(read_table(dir / "stems.csv").rows(), s.stems.rows());  // with its state
+  auto ids = ids_in(contents(dir / "stems.obj"), std::regex("o tree_(\\d+)\n"));
+  EXPECT_EQ(ids.size(), s.stems.rows() - 1);
+  EXPECT_FALSE(ids.contains(3));
+  EXPECT_EQ(ids_of_vtp(contents(dir / "stems.vtp")), ids);
+  EXPECT_EQ(ids_of_vtp(contents(dir / "stem_curves.vtp")), ids);
+  std::filesystem::remove_all(dir);
+
+  // Figures show what they show without it.
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    if (i != 2) others.push_back(i);
+  const auto without = s.stems.subset(others);
+  SurveyData cut = data;
+  cut.stems = &without;
+  const ReportOptions options;
+  const bole::Run run;
+  const auto with_plans = survey_figures(data, options, run), without_plans = survey_figures(cut, options, run);
+  ASSERT_EQ(with_plans.size(), without_plans.size());
+  for (std::size_t i = 0; i < with_plans.size(); ++i) {
+    const auto a = with_plans[i].make(), b = without_plans[i].make();
+    ASSERT_EQ(a.size(), b.size()) << with_plans[i].name;
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(figure_svg(a[k]), figure_svg(b[k])) << with_plans[i].name;
+  }
+}
+
+TEST(Exports, TheProjectionOfTheStemsServesWithoutAMap) {
+  auto s = testing_data::make_small_survey();
+  s.stems.facts["axes"] = "global", s.stems.facts["crs"] = "the projection";
+  SurveyData data;
+  data.stems = &s.stems, data.axes = Axes::global;
+  EXPECT_EQ(data.crs_wkt(), "the projection");
+  s.points.crs_wkt = "that of the map", data.points = &s.points;
+  EXPECT_EQ(data.crs_wkt(), "that of the map");
+  data.axes = Axes::plot;
+  EXPECT_EQ(data.crs_wkt(), "");
 }
 
 TEST(StemMesh, ATubeHasTheVolumeOfItsCone) {

@@ -27,6 +27,10 @@ std::string text_of(const fs::path& path) {
 
 struct Folder {
   Folder() {
+    RunRecord before;
+    before.stages.push_back({"rows", "rows.from_stems", {}, {}, false});
+    before.stages.back().report.warn("planted too unevenly to tell missing plants");
+    run.record = std::make_shared<const RunRecord>(std::move(before));
     // Tests run side by side: each has a folder of its own.
     run.output_dir = fs::path(::testing::TempDir()) / ("field_reports_" + std::to_string(::getpid()));
     fs::remove_all(run.output_dir), fs::create_directories(run.output_dir);
@@ -75,6 +79,7 @@ TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
   EXPECT_THAT(page, HasSubstr("Plants in rows: 2 in 2; missing within rows: 1"));
   EXPECT_THAT(page, HasSubstr("A. Smith"));
   EXPECT_THAT(page, HasSubstr("&lt;seen&gt;"));
+  EXPECT_THAT(page, HasSubstr("rows: planted too unevenly to tell missing plants"));
 }
 
 TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {
@@ -90,8 +95,24 @@ TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {
   const auto page = text_of(folder.run.output_dir / "report.html");
   EXPECT_THAT(page, HasSubstr("1.23"));
   EXPECT_THAT(page, Not(HasSubstr("receiver SD")));
+  EXPECT_THAT(page, HasSubstr("as the receiver saw it"));
+  EXPECT_THAT(page, Not(HasSubstr("true distance")));
   EXPECT_THAT(page, Not(HasSubstr("Published")));
+  EXPECT_THAT(page, HasSubstr("rows: planted too unevenly to tell missing plants"));  // whichever stage it was
   EXPECT_THROW(write_steering_report(DataSet(), options, folder.run), Error);
+}
+
+TEST(SteeringReport, TheTrueDistanceIsToldWhereItIsKnown) {
+  Folder folder;
+  DataSet in;
+  in.set("summary", table(std::pair("speed_km_h", Texts{"5"}), std::pair("line_sd_m", Numbers{0.01}),
+                          std::pair("controller_sd_m", Numbers{0.008}), std::pair("receiver_sd_m", Numbers{0.006})));
+  SteeringReportOptions options;
+  options.figures = false;
+  write_steering_report(in, options, folder.run);
+  const auto page = text_of(folder.run.output_dir / "report.html");
+  EXPECT_THAT(page, HasSubstr("true distance"));
+  EXPECT_THAT(page, Not(HasSubstr("as the receiver saw it")));
 }
 
 }  // namespace

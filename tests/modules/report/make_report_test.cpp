@@ -14,6 +14,7 @@
 #include "report/core/evaluation_section.h"
 #include "report/core/html.h"
 #include "report/survey_data.h"
+#include "survey/core/plot_options.h"
 
 namespace bole {
 namespace {
@@ -216,6 +217,32 @@ TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
   EXPECT_THAT(page, HasSubstr("tops seen on 0 of 1 stems: heights are lower bounds"));
   EXPECT_THAT(page, Not(HasSubstr("Lorey")));
   EXPECT_FALSE(std::filesystem::exists(dir_ / "figures/slices_02.png"));
+}
+
+TEST_F(MakeReport, WhatAPersonDecidedNeedsNoLookAnyMore) {
+  auto s = testing_data::make_small_survey();
+  const auto n = s.stems.rows();
+  std::vector<std::string> state(n, "auto"), quality(n, "good"), reasons(n);
+  const std::vector<std::string> decided{"check", "accepted", "edited", "rejected", "auto"};
+  for (std::size_t i = 0; i < decided.size(); ++i)
+    state[i] = decided[i], quality[i] = "poor", reasons[i] = "reason of stem " + std::to_string(i + 1);
+  s.stems.set("state", state), s.stems.set("quality", quality), s.stems.set("reasons", reasons);
+  DataSet inputs;
+  inputs.set("stems", s.stems);
+  auto options = quick();
+  options.figures = options.tables = false, options.class_width = 2.5;
+  make_report(inputs, options, run_);
+  const auto page = without_pictures(contents(dir_ / "report.html"));
+  EXPECT_THAT(page, HasSubstr("Trees to check (2)"));
+  EXPECT_THAT(page, HasSubstr("reason of stem 1<"));
+  EXPECT_THAT(page, HasSubstr("reason of stem 5<"));
+  for (const char* stem : {"2", "3", "4"}) EXPECT_THAT(page, Not(HasSubstr("reason of stem " + std::string(stem))));
+  EXPECT_THAT(page, HasSubstr("17.5–20.0"));  // classes of 2.5 cm
+  EXPECT_THAT(page, HasSubstr("survey.plot"));
+  for (const auto& name : {"shape", "width", "length", "radius"}) {
+    EXPECT_NE(option_table(static_cast<const survey::PlotOptions*>(nullptr)).find(name), nullptr) << name;
+    EXPECT_THAT(page.substr(page.find("No plot boundary"), 300), HasSubstr(name));
+  }
 }
 
 TEST_F(MakeReport, HeroIsDrawnWhenAskedFor) {

@@ -69,17 +69,48 @@ TEST(PlotMetrics, HeightsComeFromSeenTopsAlone) {
 }
 
 TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
-  for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}}) {
+  for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}, {74, 12}}) {
     const auto m = plot_metrics(line_of_stems(n, seen), rectangle);
     EXPECT_FALSE(m.heights_known);
     EXPECT_TRUE(std::isnan(m.mean_height_m) && std::isnan(m.lorey_height_m) && std::isnan(m.dominant_height_m));
     EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) +
                                             " stems: heights are lower bounds"));
-    EXPECT_THAT(told(m), testing::Not(testing::HasSubstr("Lorey")));
+    for (const char* word : {"Lorey", "Height curve", "Stem volume per hectare"})
+      EXPECT_THAT(told(m), testing::Not(testing::HasSubstr(word))) << seen << " of " << n;
     EXPECT_THAT(told(m), testing::HasSubstr("Stem volume|not given|heights are lacking"));
   }
   EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle).heights_known);
   EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
+}
+
+// A tape gives no interval; it must not take that of the plot away.
+TEST(PlotMetrics, OneTapedStemLeavesThePlotItsIntervals) {
+  auto t = line_of_stems(20, 20);
+  auto low = t.numbers("dbh_cm"), high = low;
+  for (auto& v : low) v *= 0.98;
+  for (auto& v : high) v *= 1.02;
+  t.set("dbh_lo_cm", low), t.set("dbh_hi_cm", high);
+  const auto all = plot_metrics(t, rectangle);
+  EXPECT_THAT(told(all), testing::Not(testing::HasSubstr("without an interval")));
+  low[3] = high[3] = std::nan("");
+  t.set("dbh_lo_cm", low), t.set("dbh_hi_cm", high);
+  const auto one = plot_metrics(t, rectangle);
+  EXPECT_EQ(one.stand.no_interval, 1U);
+  // All have the same relative standard deviation, so the taped one gets just that.
+  EXPECT_NEAR(one.stand.basal_area_m2.measured, all.stand.basal_area_m2.measured, 1e-12);
+  EXPECT_NEAR(one.stand.quadratic_mean_dbh_half_cm, all.stand.quadratic_mean_dbh_half_cm, 1e-12);
+  EXPECT_NEAR(one.stand.volume_m3_half.measured, all.stand.volume_m3_half.measured, 1e-12);
+  EXPECT_THAT(told(one), testing::HasSubstr("1 stem without an interval taken as unsure as the others"));
+  EXPECT_THAT(told(one), testing::HasSubstr("as measured"));
+  t.set("dbh_lo_cm", std::vector<double>(20, std::nan("")));
+  EXPECT_THAT(told(plot_metrics(t, rectangle)), testing::Not(testing::HasSubstr("as measured")));
+}
+
+TEST(PlotMetrics, NoRuleCountsTheThin) {
+  const auto m = plot_metrics(stems(), {});
+  EXPECT_EQ(m.stems, 6U);  // all but the rejected one
+  EXPECT_EQ(m.too_thin, 0U);
+  EXPECT_THAT(metric_rows(m, 0).front().how, testing::HasSubstr("of every DBH"));
 }
 
 TEST(PlotMetrics, DominantHeightTakesTheThickest) {

@@ -50,9 +50,15 @@ TEST(StandValues, UnseenTopsComeFromTheCurve) {
   EXPECT_NEAR(v.volume_m3, volume, 1e-6);
 }
 
-TEST(StandValues, AParaboloidHoldsHalfItsCylinder) {
-  // Base area at the ground: g h / (h - 1.3).
-  EXPECT_NEAR(form_volume_m3(20, 11.3), std::numbers::pi / 100 * 11.3 / 2.5 * std::pow(1.13, 1.5), 1e-12);
+// The stem cut into thin discs whose cross section shrinks with the power 1.5 of the way to the top, through DBH.
+TEST(StandValues, AStemBetweenParaboloidAndConeHoldsItsDiscs) {
+  constexpr double height = 15, dbh_m = 0.31, step = 1e-3;
+  double discs = 0;
+  for (double h = step / 2; h < height; h += step)
+    discs += step * std::numbers::pi / 4 * dbh_m * dbh_m * std::pow((height - h) / (height - 1.3), 1.5);
+  EXPECT_NEAR(form_volume_m3(31, 15), discs, 1e-6);
+  // The form factor that the header names: volume by that of a cylinder of DBH and height.
+  EXPECT_NEAR(form_volume_m3(31, 15) / (std::numbers::pi / 4 * dbh_m * dbh_m * height), 0.458, 5e-4);
   EXPECT_TRUE(std::isnan(form_volume_m3(20, nan)));
 }
 
@@ -100,6 +106,7 @@ TEST(Rioja, PlotValuesOfTheFieldLists) {
   const CountingRule rule{circle_area({0, 0}, 20), 7.5};
   std::size_t all = 0;
   double ours = 0, theirs = 0;
+  int held = 0;
   for (int plot = 1; plot <= 16; ++plot) {
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < list.rows(); ++i)
@@ -118,19 +125,24 @@ TEST(Rioja, PlotValuesOfTheFieldLists) {
     const auto heights = numbers("h"), field_volume = numbers("v.user");
     t.set("height_m", heights);
     const auto m = plot_metrics(t, rule, 5);
-    double squares = 0;
+    double squares = 0, of_plot = 0;
+    std::vector<SizedStem> both;  // those with a volume by species table
     const auto dbh = part.numbers("dbh");
     for (std::size_t i = 0; i < dbh.size(); ++i) {
       squares += dbh[i] * dbh[i];
       if (const double v = form_volume_m3(dbh[i], heights[i]); std::isfinite(v) && std::isfinite(field_volume[i]))
-        ours += v, theirs += field_volume[i];
+        ours += v, theirs += field_volume[i], both.push_back({dbh[i], 0.1, heights[i], nan}),
+            of_plot += field_volume[i];
     }
+    const auto stand = stand_values(both);
+    held += std::abs(stand.volume_m3 - of_plot) <= stand.volume_m3_half.measured;
     EXPECT_EQ(m.stems, part.rows()) << plot;
     EXPECT_NEAR(m.basal_area_m2_per_ha, std::numbers::pi / 40000 * squares / (std::numbers::pi * 0.04), 1e-9) << plot;
     EXPECT_NEAR(m.quadratic_mean_dbh_cm, std::sqrt(squares / static_cast<double>(dbh.size())), 1e-9) << plot;
     all += m.stems;
   }
   EXPECT_EQ(all, list.rows());
+  EXPECT_EQ(held, 16);                     // the interval of the volume holds that of the tables, on every plot
   EXPECT_NEAR(ours / theirs, 1.05, 0.02);  // against the volume tables of these species
 }
 
