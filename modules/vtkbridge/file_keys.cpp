@@ -14,6 +14,9 @@
 
 namespace bole {
 namespace fs = std::filesystem;
+namespace {
+constexpr std::uintmax_t large_file_bytes = std::uintmax_t{256} << 20;  // reading it takes long enough to tell about it
+}
 
 std::int64_t change_time_ns(const fs::path& path) {
   std::error_code ignored;
@@ -88,13 +91,14 @@ std::string FileKeys::file_key(const fs::path& path, const Run& run) {
   if (!in) return "unreadable";
   ContentHash hash;
   std::vector<char> buffer(std::size_t{1} << 20);
-  double done = 0;
+  std::uintmax_t done = 0;
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
     run.check_cancel();
     hash.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(in.gcount()))));
-    done += static_cast<double>(in.gcount());
-    run.report(std::min(1.0, done / static_cast<double>(now.size)),
-               "looking for changes of " + path.filename().string());
+    done += static_cast<std::uintmax_t>(in.gcount());
+    if (now.size > large_file_bytes)
+      run.report(static_cast<double>(done) / static_cast<double>(now.size),
+                 "reading " + path.filename().string() + " to see whether its result is known");
   }
   known_[name] = {now.size, now.changed_ns, hash.hex()};
   changed_ = true;
