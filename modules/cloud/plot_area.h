@@ -38,13 +38,14 @@ PlotArea polygon_area(std::vector<Eigen::Vector2d> vertices);
 // "32 m × 32 m", "circle of radius 15 m"; words for reports and messages.
 std::string describe(const PlotArea& area);
 
-// A tree counts when its centre at breast height lies inside and it is thick enough.
+// A tree counts when its centre at breast height lies inside and it is thick enough. Without a least diameter trees of
+// unknown diameter (NaN) count too, so that no rule at all means every tree.
 struct CountingRule {
   PlotArea area;
-  double min_dbh_cm = 7.5;
+  double min_dbh_cm = 0;
 
   bool counts(const Eigen::Vector2d& position, double dbh_cm) const {
-    return dbh_cm >= min_dbh_cm && area.contains(position);
+    return (min_dbh_cm <= 0 || dbh_cm >= min_dbh_cm) && area.contains(position);
   }
 };
 

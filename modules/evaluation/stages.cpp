@@ -49,6 +49,7 @@ StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& ru
               std::to_string(stems.extra) + " false";
     if (stems.matched == 0)
       r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
+    for (auto& w : stems.warnings) r.warn(std::move(w));
     matches = std::move(stems.matches), summary = std::move(stems.summary);
   }
   run.check_cancel();
@@ -77,7 +78,8 @@ void register_evaluation_stages(StageRegistry& registry) {
   t.help =
       "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and "
       "diameter gates, completeness and correctness, mean and covariance of the position error, bias and "
-      "RMSE of the diameters, overall, by diameter class and by distance from the plot centre; absolute and relative "
+      "RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; "
+      "rejected stems take no part; absolute and relative "
       "error of the trajectory. Without a reference the tables are empty.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},

@@ -88,11 +88,11 @@ void add_evaluate(Program& program) {
   auto* command = program.app.add_subcommand("evaluate", "Hold a table or trajectory against a reference");
   command->require_subcommand(1);
   add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
-    print_summary(
+    const auto result =
         evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>(),
-                       survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr))
-            .summary,
-        args.json);
+                       survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
+    for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    print_summary(result.summary, args.json);
   });
   add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw; or KITTI)",
                  [](const Arguments& args) { compare_trajectories(args); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "evaluation/core/evaluate_stems.h"
 
 namespace bole {
@@ -62,13 +63,6 @@ PoseErrors pose_errors(const Table& loops, const Trajectory& reference, const Ev
     out.within.push_back(out.shift_m.back() <= options.loop_shift_m && out.turn_deg.back() <= options.loop_turn_deg);
   }
   return out;
-}
-
-double median(std::vector<double> v) {
-  if (v.empty()) return std::nan("");
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
 #include "evaluation/core/field_table.h"
+#include "evaluation/core/listed_trees.h"
 #include "evaluation/core/published.h"
 
 namespace bole {
@@ -29,35 +30,9 @@ Table SummaryRows::table() const {
 
 namespace {
 
+using Tree = ListedTree;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Tree {
-  std::int64_t id = 0;
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();
-  double dbh = 0, low = nan, high = nan, height = nan;  // centimetres, metres
-  bool height_seen = true;
-};
-
-std::vector<Tree> trees_of(const Table& t) {
-  const auto x = t.numbers("x_m"), y = t.numbers("y_m"), dbh = t.numbers("dbh_cm");
-  const auto optional = [&](const char* name) {
-    return t.has(name) ? t.numbers(name) : std::vector<double>(t.rows(), nan);
-  };
-  const auto low = optional("dbh_lo_cm"), high = optional("dbh_hi_cm"), height = optional("height_m"),
-             seen = optional("height_seen");
-  std::vector<std::int64_t> id;
-  if (t.has("tree_id"))
-    id = t.integers("tree_id");
-  else
-    for (std::size_t i = 0; i < t.rows(); ++i) id.push_back(static_cast<std::int64_t>(i) + 1);
-  std::vector<Tree> out;
-  for (std::size_t i = 0; i < t.rows(); ++i) {
-    if (!std::isfinite(x[i]) || !std::isfinite(y[i]))
-      throw bad_input(fmt::format("row {} of a stem table has no position", i + 1), "x_m and y_m in every row");
-    out.push_back({id[i], {x[i], y[i]}, dbh[i], low[i], high[i], height[i], !(seen[i] == 0)});
-  }
-  return out;
-}
 
 std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
                            const EvaluationOptions& o) {
@@ -129,11 +104,13 @@ Table match_table(const std::vector<Row>& rows) {
   Table t;
   std::vector<std::string> kind;
   std::vector<std::int64_t> id, ref_id;  // 0 where there is none
+  std::vector<std::string> name, ref_name;
   std::map<std::string, std::vector<double>> c;
   for (const auto& r : rows) {
     const auto* e = r.estimate;
     const auto* f = r.reference;
     kind.push_back(r.kind), id.push_back(e ? e->id : 0), ref_id.push_back(f ? f->id : 0);
+    name.push_back(e ? e->name : ""), ref_name.push_back(f ? f->name : "");
     c["x_m"].push_back(e ? e->at.x() : nan), c["y_m"].push_back(e ? e->at.y() : nan),
         c["ref_x_m"].push_back(f ? f->at.x() : nan), c["ref_y_m"].push_back(f ? f->at.y() : nan);
     c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan),
@@ -142,8 +119,14 @@ Table match_table(const std::vector<Row>& rows) {
         c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
   }
   t.set("kind", kind), t.set("tree_id", id), t.set("ref_id", ref_id);
-  for (const char* name : {"x_m", "y_m", "ref_x_m", "ref_y_m", "dx_m", "dy_m", "dbh_cm", "ref_dbh_cm", "dbh_error_cm"})
-    t.set(name, c[name]);
+  for (const char* column :
+       {"x_m", "y_m", "ref_x_m", "ref_y_m", "dx_m", "dy_m", "dbh_cm", "ref_dbh_cm", "dbh_error_cm"})
+    t.set(column, c[column]);
+  const auto any = [](const std::vector<std::string>& texts) {
+    return std::ranges::any_of(texts, [](const auto& text) { return !text.empty(); });
+  };
+  if (any(name)) t.set("tree_name", name);
+  if (any(ref_name)) t.set("ref_name", ref_name);
   return t;
 }
 
@@ -197,20 +180,23 @@ void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
       out.add("height_rmse", std::sqrt(squares / n), "m");
 }
 
-// Matched, missed and diameter errors of the trees that share a class or ring; the key is its number.
+// Matched, missed and diameter errors of the trees that share a class or ring; the key is its number. Trees of unknown
+// diameter are in no class, and without a boundary there is no centre that rings could go round.
 struct Part {
   double matched = 0, all = 0, found = 0;
   DbhErrors dbh;
 };
 
-void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const Eigen::Vector2d& centre,
-               SummaryRows& out) {
+void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const PlotArea& area, SummaryRows& out) {
   std::map<int, Part> classes, rings;
   const double width_cm = o.class_width_cm;
-  const auto ring_of = [&](const Tree& t) { return static_cast<int>((t.at - centre).norm() / o.distance_step_m); };
+  const auto ring_of = [&](const Tree& t) { return static_cast<int>((t.at - area.centre).norm() / o.distance_step_m); };
   for (const auto& r : rows) {
     const auto& by = r.reference ? *r.reference : *r.estimate;
-    for (auto* part : {&classes[static_cast<int>(std::floor(by.dbh / width_cm))], &rings[ring_of(by)]}) {
+    std::vector<Part*> parts;
+    if (std::isfinite(by.dbh)) parts.push_back(&classes[static_cast<int>(std::floor(by.dbh / width_cm))]);
+    if (area.shape != PlotArea::Shape::none) parts.push_back(&rings[ring_of(by)]);
+    for (auto* part : parts) {
       part->all += r.reference != nullptr, part->found += r.estimate != nullptr, part->matched += r.kind == "matched";
       if (r.kind == "matched") part->dbh.add(*r.estimate, *r.reference);
     }
@@ -247,14 +233,16 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
 
 StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
                               const EvaluationOptions& options, const CountingRule& rule) {
-  auto estimate = trees_of(field_table(estimate_table, options.columns, options.rows));
-  const auto reference = trees_of(field_table(reference_table, options.reference_columns, options.reference_rows));
+  StemEvaluation out;
+  auto estimate =
+      trees_of(without_rejected(field_table(estimate_table, options.columns, options.rows)), "stems", out.warnings);
+  const auto reference = trees_of(field_table(reference_table, options.reference_columns, options.reference_rows),
+                                  "reference", out.warnings);
   const Eigen::Isometry2d motion = align(estimate, reference, options);
   const auto rows = sort_out(estimate, reference, options, rule);
   std::vector<Row> matched;
   std::ranges::copy_if(rows, std::back_inserter(matched), [](const Row& r) { return r.kind == "matched"; });
 
-  StemEvaluation out;
   out.matched = matched.size();
   out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind)),
   out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
@@ -277,7 +265,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
     add_dbh_measures(dbh, summary);
     add_height_measures(matched, summary);
   }
-  add_parts(rows, options, rule.area.centre, summary);
+  add_parts(rows, options, rule.area, summary);
   out.summary = summary.table();
   if (const auto axes = estimate_table.facts.find("axes"); axes != estimate_table.facts.end())
     out.matches.facts["axes"] = axes->second;

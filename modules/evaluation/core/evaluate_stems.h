@@ -1,6 +1,7 @@
 // A stem table held against reference trees.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cloud/plot_area.h"
@@ -11,15 +12,18 @@ namespace bole {
 
 struct StemEvaluation {
   Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm,
-                  // ref_dbh_cm, dbh_error_cm
+                  // ref_dbh_cm, dbh_error_cm; tree_name and ref_name (text) where ids are no whole numbers
   Table summary;  // measure, value, unit, published
   std::size_t matched = 0, missed = 0, extra = 0;
+  std::vector<std::string> warnings;
 };
 
 // Both tables are read by field_table() with the options columns and rows, and need tree_id, x_m, y_m, dbh_cm;
 // dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one matching within the distance and diameter gates.
 // Reference trees count as `rule` says; a stem is false when it matches no tree at all (counted or not) and counts
-// itself. Throws Error{bad_input} when a column is absent.
+// itself. Stems whose state is "rejected" take no part. Rows without a position are left out and told in the warnings.
+// Ids that are no whole numbers ("A12", blank) are numbered above the others. Throws Error{bad_input} when a column is
+// absent or no row has a position.
 //
 // Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
 // root of the largest eigenvalue of Sigma, RMSE per axis. Where stems were moved onto the reference, the motion is told

@@ -4,20 +4,14 @@
 #include <limits>
 #include <numbers>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
 constexpr double deg = std::numbers::pi / 180;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double guidance_step_m = 1;
-
-// 97.5 % quantile of Student's t: tabulated for few degrees of freedom, else its expansion, good to 0.002.
-double student_975(int freedom) {
-  constexpr double table[] = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-  if (freedom < 1) return nan;
-  if (freedom <= 10) return table[freedom - 1];
-  return 1.96 + 2.372 / freedom + 2.82 / (static_cast<double>(freedom) * freedom);
-}
 
 using Ids = Table::Values;
 
@@ -72,7 +66,7 @@ Table rows_table(const RowSet& set) {
   for (const int r : set.order) {
     const auto& row = set.rows[static_cast<std::size_t>(r)];
     const auto [a, b] = ends_of(set, row);
-    const double half = student_975(static_cast<int>(row.plants.size()) - 2) * row.line.angle_se_rad;
+    const double half = student_975(static_cast<double>(row.plants.size()) - 2) * row.line.angle_se_rad;
     angle.push_back(row.line.angle_rad / deg), se.push_back(row.line.angle_se_rad / deg);
     lo.push_back((row.line.angle_rad - half) / deg), hi.push_back((row.line.angle_rad + half) / deg);
     x0.push_back(a.x()), y0.push_back(a.y()), x1.push_back(b.x()), y1.push_back(b.y());

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
+constexpr double start_keyframes = 3;        // as far as these lie apart reaches the first place, see open_motion
 constexpr std::size_t first_keyframes = 6;   // of a map of the ground
 constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
 constexpr std::size_t usual_frames = 20;
@@ -199,18 +200,47 @@ double Odometry::least_overlap() const {
 }
 
 // One sparse frame may look open by chance; surroundings that are open stay so. So the last frames speak together, by
-// their geometric mean. The first frame has nothing to be seen against, and
-// empty ones were not registered.
+// their geometric mean. The first frame has nothing to be seen against, empty ones were not registered, and those of
+// the first place (see open_motion) say nothing of what comes after it.
 double Odometry::recent_observability(double of_this_frame) const {
   constexpr std::size_t most = 4;
   double sum = std::log(std::max(of_this_frame, 1e-6));
   std::size_t n = 1;
-  for (std::size_t k = frames_.size(); n < most && k-- > 1;)
+  for (std::size_t k = frames_.size(); n < most && k-- > std::max<std::size_t>(1, left_start_);)
     if (frames_[k].rounds > 0) sum += std::log(std::max(frames_[k].observability, 1e-6)), ++n;
   return std::exp(sum / static_cast<double>(n));
 }
 
-std::string Odometry::objection(const Registration& r, const Observability& seen, const FrameMotion& prediction,
+// At rest the map is one frame, seen again on the very same lines: they tell little about a shift across them, even in
+// a plot, and so it goes on for the first steps. So open motions are let pass until the sensor has left its first
+// place. In a corridor, which it may leave without being seen to, nothing ever gets hold, and all of that is withdrawn.
+std::string Odometry::open_motion(const Registration& r, const Observability& seen) {
+  const std::string text = "the surroundings leave a direction of motion open: " + seen.motion_text();
+  if (r.conditioning < least_conditioning) return text;
+  const double way_m = (r.motion.T_map_end.translation() - keyframes_.front().T_map_keyframe.translation()).norm();
+  if (left_start_ == 0 && way_m >= start_keyframes * options_.keyframe_distance_m) left_start_ = frames_.size();
+  if (recent_observability(seen.weakest) >= options_.least_observability) {
+    held_ |= r.overlap >= least_overlap();
+    return {};
+  }
+  if (left_start_ > 0) return text;
+  open_at_start_ = text;
+  return {};
+}
+
+void Odometry::withdraw_start() {
+  for (std::size_t k = 1; k < frames_.size(); ++k) frames_[k].ok = false;
+  last_good_ = 0;
+  failed_in_a_row_ = static_cast<int>(frames_.size()) - 1;
+}
+
+void Odometry::finish() {
+  if (held_ || open_at_start_.empty()) return;
+  why_failed_ = open_at_start_;
+  withdraw_start();
+}
+
+std::string Odometry::objection(const Registration& r, const std::string& open, const FrameMotion& prediction,
                                 double begin_s, double end_s) const {
   if (const double least = least_overlap(); r.overlap < least)
     return "only " + percent(r.overlap) + " of " + std::to_string(r.tried) + " points agree with the map, " +
@@ -220,8 +250,7 @@ std::string Odometry::objection(const Registration& r, const Observability& seen
   const double speed =
       (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
-  if (r.conditioning < least_conditioning || recent_observability(seen.weakest) < options_.least_observability)
-    return "the surroundings leave a direction of motion open: " + seen.motion_text();
+  if (!open.empty()) return open;
   const double elapsed_s = end_s - last_good().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
@@ -246,6 +275,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   }
 
   Stopwatch watch;
+  bool never_held = false;
   motion_covariance_.setZero();
   found_again_after_s_ = doubt_ = 0;
   const FrameMotion prediction = predicted(begin_s, end_s);
@@ -262,7 +292,9 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds, frame.conditioning = r.conditioning;
     const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
     frame.observability = seen.weakest;
-    const auto why = objection(r, seen, prediction, begin_s, end_s);
+    const auto open = open_motion(r, seen);
+    const auto why = objection(r, open, prediction, begin_s, end_s);
+    never_held = !open.empty() && why == open && !held_;
     times_.judge_s += watch.lap_s();
     frame.ok = why.empty();
     if (frame.ok)
@@ -274,6 +306,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   path_m_ += (frame.motion.T_map_end.translation() - frames_.back().motion.T_map_end.translation()).norm();
   frames_.push_back(frame);
   if (frame.ok) last_good_ = frames_.size() - 1;
+  if (never_held) withdraw_start();
   doubted_ = !frame.ok && (doubted_ || why_failed_ == doubt_text());
   watch.lap_s();
   if (frame.ok && keyframe_due(frame)) add_keyframe(features, frames_.back());

@@ -53,6 +53,9 @@ class Odometry {
   double found_again_after_s() const { return found_again_after_s_; }
   double doubt() const { return doubt_; }  // see Relocalisation
 
+  // After the last frame: a walk that never left a place without hold all round is withdrawn, see open_motion.
+  void finish();
+
   // Removes the failed frames at the end and the key frames made since the last good one.
   void drop_failed_tail();
 
@@ -73,9 +76,11 @@ class Odometry {
   const TrackedFrame& last_good() const { return frames_[last_good_]; }
   double least_overlap() const;
   double recent_observability(double of_this_frame) const;
+  void withdraw_start();
   // Empty when the frame is credible, else why not.
-  std::string objection(const Registration& r, const Observability& seen, const FrameMotion& prediction, double begin_s,
+  std::string objection(const Registration& r, const std::string& open, const FrameMotion& prediction, double begin_s,
                         double end_s) const;
+  std::string open_motion(const Registration& r, const Observability& seen);  // empty when none is, or not judged yet
   std::string doubt_text() const;  // empty when the place that was found is the only one
   void add_keyframe(const Features& features, const TrackedFrame& frame);
   bool keyframe_due(const TrackedFrame& frame) const;
@@ -90,6 +95,9 @@ class Odometry {
   std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;
   bool doubted_ = false;                        // since the last good frame
+  std::size_t left_start_ = 0;                  // the frame that first was out of the first place; 0 when none was
+  bool held_ = false;                           // once at least, no motion was open
+  std::string open_at_start_;                   // what was open in frames that were let pass, see open_motion
   double found_again_after_s_ = 0, doubt_ = 0;  // of the frame in work, see Relocalisation
   std::string why_failed_;
   OdometryTimes times_;

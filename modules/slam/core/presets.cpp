@@ -30,8 +30,9 @@ const std::vector<PresetRow>& preset_rows() {
       {"query_spacing", {0.4, 0.4, 0.4, 0.6, 0.6}},
       {"map_spacing", {0.2, 0.2, 0.2, 0.2, 0.1}},
       {"first_guess", {"velocity", "last_frame", "velocity", "velocity", "velocity"}},
-      {"deskew", {"once", "twice", "once", "once", "elastic"}},
-      {"rounds", {count(12), count(12), count(12), count(12), count(12)}},
+      {"deskew", {"once", "twice", "once", "elastic", "elastic"}},
+      // After a sudden turn begin and end need more rounds from a prediction that is off by degrees.
+      {"rounds", {count(12), count(12), count(12), count(30), count(30)}},
       {"neighbour_keyframes", {count(60), count(60), count(60), count(60), count(400)}},
       {"local_map", {"nearest", "nearest", "last", "last", "nearest"}},
       {"keyframe_distance", {0.3, 0.3, 0.3, 0.3, 0.3}},

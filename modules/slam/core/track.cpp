@@ -52,6 +52,15 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
+void tell_lost(const Odometry& odometry, double start_s, Report& report) {
+  const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
+  report.status = Status::finished_early;
+  report.warnings.push_back("the track was lost at frame " + std::to_string(first.index) + ", " +
+                            seconds_text(first.begin_s - start_s) + " after the start: " + odometry.why_failed() +
+                            ". The map ends there");
+  report.facts["lost_at_frame"] = std::to_string(first.index);
+}
+
 FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
   const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
   FeatureExtractor extractor(options);
@@ -64,7 +73,8 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   Features features;
   FirstPass out;
   Stopwatch watch;
-  double read_s = 0, features_s = 0, start_s = 0;
+  double read_s = 0, features_s = 0;
+  const double start_s = source.size() ? source.frame_time_s(0) : 0;
   std::size_t used = 0, points = 0, found_again = 0;
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
@@ -91,7 +101,6 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     const auto before = odometry.frames().size(), keyframes = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
     if (odometry.frames().size() == before) continue;  // nothing to begin with yet
-    if (before == 0) start_s = scan.begin_time_s;
     if (by_context && odometry.keyframes().size() > keyframes)
       odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
     ++used, points += features.query.size();
@@ -105,16 +114,10 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (!odometry.frames().back().ok) warnings.add(i, scan.begin_time_s - start_s, odometry.why_failed());
     preview.frame(odometry, features);
     if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
-    if (odometry.lost()) {
-      const auto first = i + 1 - odometry.failed_in_a_row();
-      report.status = Status::finished_early;
-      report.warnings.push_back("the track was lost at frame " + std::to_string(first) + ", " +
-                                seconds_text(source.frame_time_s(first) - start_s) +
-                                " after the start: " + odometry.why_failed() + ". The map ends there");
-      report.facts["lost_at_frame"] = std::to_string(first);
-      break;
-    }
+    if (odometry.lost()) break;
   }
+  odometry.finish();
+  if (odometry.lost()) tell_lost(odometry, source.frame_time_s(0), report);
   odometry.drop_failed_tail();
   preview.all(odometry);
   const auto n = std::max<std::size_t>(used, 1);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/option_text.h"
+#include "base/statistics.h"
 #include "steering/core/passes.h"
 #include "steering/core/tracking_tables.h"
 
@@ -124,10 +125,7 @@ double median_speed_km_h(const Track& track, const Pass& pass) {
   std::vector<double> v;
   for (std::size_t i = pass.first + 1; i <= pass.last; ++i)
     v.push_back(3.6 * (track.truth[i] - track.truth[i - 1]).norm() / (track.time_s[i] - track.time_s[i - 1]));
-  if (v.empty()) return nan;
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
+  return median(std::move(v));
 }
 
 // Offsets of an earlier pass by place along the line, for the distance to it.
@@ -200,6 +198,10 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
   result.summary = summary_table(passes);
   result.errors = error_table(passes);
   result.report.counts["passes"] = static_cast<std::int64_t>(passes.size());
+  if (std::ranges::all_of(drives, [](const Drive& d) { return d.track.navigated.empty(); }))
+    result.report.warn(
+        "no reference: errors are those that the receiver saw, without its own (connect 'reference', or a log with "
+        "ref_x_m and ref_y_m)");
   const auto all = overall(passes);
   result.report.metrics["line_sd"] = {all.line.sd, Unit::metre};
   result.report.metrics["line_max"] = {all.line.max, Unit::metre};

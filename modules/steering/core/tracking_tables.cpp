@@ -79,13 +79,17 @@ void add_published(Columns& columns, double speed_km_h) {
     columns.add(names[i], row == published_table.end() ? nan : row->values[i]);
 }
 
+// Of the speeds at which this part was measured.
 Spread average(const std::vector<SpeedErrors>& speeds, Spread SpeedErrors::*part) {
   Spread a;
-  const double n = static_cast<double>(speeds.size());
+  double n = 0;
   for (const auto& e : speeds) {
-    a.count += (e.*part).count;
-    a.mean += (e.*part).mean / n, a.sd += (e.*part).sd / n, a.max += (e.*part).max / n;
+    const Spread& s = e.*part;
+    if (s.count == 0) continue;
+    n += 1, a.count += s.count, a.mean += s.mean, a.sd += s.sd, a.max += s.max;
   }
+  if (a.count == 0) return {0, nan, nan, nan};
+  a.mean /= n, a.sd /= n, a.max /= n;
   return a;
 }
 

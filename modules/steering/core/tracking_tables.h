@@ -36,7 +36,8 @@ SpeedErrors overall(const std::vector<MeasuredPass>& passes);  // all samples to
 
 Table pass_table(const std::vector<MeasuredPass>& passes);
 // speed_km_h, then line_, adjacent_, controller_ and receiver_ mean_m, sd_m, max_m, and published_* of SPEC E5 where
-// the paper has that speed; the last row, speed "mean", averages the speeds as the paper does.
+// the paper has that speed; the last row, speed "mean", averages the speeds as the paper does, of each part those at
+// which it was measured.
 Table summary_table(const std::vector<MeasuredPass>& passes);
 Table error_table(const std::vector<MeasuredPass>& passes);
 

@@ -32,7 +32,7 @@ class Editor {
     for (const char* needed : {"tree_id", "x_m", "y_m", "dbh_cm"})
       if (!stems_.has(needed))
         throw bad_input(fmt::format("a stem table without {}", needed), "tree_id, x_m, y_m, dbh_cm");
-    stems_.want_texts("note");
+    stems_.want_texts("note"), stems_.want_texts("state");
     for (std::size_t i = 0; i < stems_.size(); ++i) last_id_ = std::max(last_id_, id_of(i));
   }
 
@@ -99,6 +99,7 @@ class Editor {
       case Action::remove:
         return forget(row);
       case Action::move:
+        move_sections(row, *edit.to - place_of(row));
         for (const auto& [base, at, to] :
              {std::tuple("base_x_m", "x_m", edit.to->x()), {"base_y_m", "y_m", edit.to->y()}})
           stems_.set(row, base, stems_.number(row, base) + to - stems_.number(row, at)), stems_.set(row, at, to);
@@ -107,7 +108,7 @@ class Editor {
         set_diameter(row, *edit.dbh_cm);
         return decided(row, "edited");
       case Action::set_height:
-        stems_.set(row, "height_m", *edit.height_m), stems_.set(row, "height_seen", std::int64_t{1});
+        set_height(row, *edit.height_m);
         forget_form(row);
         return decided(row, "edited");
       case Action::split:
@@ -147,8 +148,28 @@ class Editor {
 
   void decided(std::size_t row, const std::string& state) { stems_.set(row, "state", state); }
 
+  // The stem stands elsewhere, and what was measured of it with it.
+  void move_sections(std::size_t row, const Vector2d& shift) {
+    for (std::size_t i = 0; i < sections_.size(); ++i)
+      if (sections_.integer(i, "tree_id") == id_of(row))
+        sections_.set(i, "x_m", sections_.number(i, "x_m") + shift.x()),
+            sections_.set(i, "y_m", sections_.number(i, "y_m") + shift.y());
+  }
+
+  void forget_sections(std::size_t row) {
+    for (std::size_t i = sections_.size(); i-- > 0;)
+      if (sections_.integer(i, "tree_id") == id_of(row)) sections_.remove(i);
+  }
+
+  void set_height(std::size_t row, double height_m) {
+    stems_.want_numbers("height_m");
+    stems_.set(row, "height_m", height_m), stems_.set(row, "height_seen", std::int64_t{1});
+  }
+
+  // Sections of another diameter contradict the one that a person gives: they go.
   void set_diameter(std::size_t row, double dbh_cm) {
     stems_.set(row, "dbh_cm", dbh_cm);
+    forget_sections(row);
     stems_.set(row, "dbh_lo_cm", nan), stems_.set(row, "dbh_hi_cm", nan);
     stems_.set(row, "girth_dbh_cm", nan), stems_.set(row, "ovality_pct", nan);
     forget_form(row);
@@ -161,8 +182,7 @@ class Editor {
 
   void forget(std::size_t row) {
     relabel_as(id_of(row), 0);
-    for (std::size_t i = sections_.size(); i-- > 0;)
-      if (sections_.integer(i, "tree_id") == id_of(row)) sections_.remove(i);
+    forget_sections(row);
     stems_.remove(row);
   }
 
@@ -195,7 +215,7 @@ class Editor {
       at = fitted.centre, dbh_cm = 200 * fitted.radius;
     }
     const auto row = new_stem(at, dbh_cm, edit.dbh_cm ? "added by hand" : "added by hand, circle fitted to the slice");
-    if (edit.height_m) stems_.set(row, "height_m", *edit.height_m), stems_.set(row, "height_seen", std::int64_t{1});
+    if (edit.height_m) set_height(row, *edit.height_m);
     tree_ = id_of(row);
     Relabel claim;
     claim.to.push_back({static_cast<std::int32_t>(tree_), at});

@@ -31,7 +31,7 @@ struct EditInputs {
 
 struct EditedStems {
   Table stems;     // as given, and `note`; state is edited, accepted or rejected where a person decided
-  Table sections;  // of the stems that are left; empty when none were given
+  Table sections;  // of the stems that are left and have their measured diameter; empty when none were given
   std::optional<PointCloud> points;
   Table log;  // edit, action, tree_id, x_m, y_m, outcome (applied, conflict), message, author, time, reason
   Report report;
@@ -40,7 +40,9 @@ struct EditedStems {
 // Applies `edits` in their order. An edit finds its stem by place, since ids change when a run is repeated: the nearest
 // within match_distance, unless a second one is less than twice as far. What finds no stem, more than one, or another
 // measurement than the one that was accepted or rejected is a conflict: it changes nothing and is told.
-// Ids are kept; new stems get ids above all others. A diameter that a person gives has no interval (NaN).
+// Ids are kept; new stems get ids above all others. A diameter that a person gives has no interval (NaN), and the
+// sections of its stem, which say otherwise, are dropped; those of a moved stem move with it. Columns that hold the
+// decision and are absent (state, note, height_m) are added.
 // Throws Error{bad_input} when `stems` lacks tree_id, x_m, y_m or dbh_cm, Error{cancelled} when asked to.
 EditedStems apply_stem_edits(const EditInputs& inputs, const std::vector<StemEdit>& edits, const EditOptions& options,
                              const Run& run);

@@ -47,15 +47,16 @@ LitDepth lit_depth(double impact2, double width) {
     return {depth, depth > 0 ? -0.5 / depth : 0, 0};
   }
   static const std::vector<double> table = make_table();
-  const double q = std::clamp(impact2 / impact_step, 0.0, impact_steps - 1e-9),
-               w = std::min(width / width_step, width_steps - 1e-9);
+  constexpr double by_impact_step = 1 / impact_step, by_width_step = 1 / width_step;
+  const double q = std::clamp(impact2 * by_impact_step, 0.0, impact_steps - 1e-9),
+               w = std::min(width * by_width_step, width_steps - 1e-9);
   const auto iq = static_cast<std::size_t>(q), iw = static_cast<std::size_t>(w);
   const double fq = q - static_cast<double>(iq), fw = w - static_cast<double>(iw);
   const auto* low = table.data() + iw * (impact_steps + 1) + iq;
   const auto* high = low + impact_steps + 1;
   const double a = low[0] + fq * (low[1] - low[0]), b = high[0] + fq * (high[1] - high[0]);
-  return {a + fw * (b - a), ((1 - fw) * (low[1] - low[0]) + fw * (high[1] - high[0])) / impact_step,
-          (b - a) / width_step};
+  return {a + fw * (b - a), ((1 - fw) * (low[1] - low[0]) + fw * (high[1] - high[0])) * by_impact_step,
+          (b - a) * by_width_step};
 }
 
 }  // namespace bole

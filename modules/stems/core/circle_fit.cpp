@@ -92,36 +92,60 @@ std::optional<Circle> hyper_circle(const std::vector<Eigen::Vector2d>& points, c
 
 namespace {
 
-// One weighted Gauss-Newton step of the geometric fit; false when the geometry is degenerate.
-bool improve(const std::vector<Eigen::Vector2d>& points, double scale, Circle& circle) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-  for (const auto& p : points) {
-    const Eigen::Vector2d d = p - circle.centre;
-    const double distance = d.norm();
-    if (distance < 1e-6) continue;
-    const double residual = distance - circle.radius, w = tukey_weight(residual / scale);
-    if (w == 0) continue;
-    const Eigen::Vector3d j(-d.x() / distance, -d.y() / distance, -1);
-    normal += w * j * j.transpose(), rhs -= w * residual * j;
+// The points of a circle fit and their distances from its present centre, by coordinate.
+class Ring {
+ public:
+  Ring(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
+    x_.reserve(points.size()), y_.reserve(points.size());
+    for (const auto& p : points) x_.push_back(p.x()), y_.push_back(p.y());
+    distance_.resize(points.size());
+    look_from(circle.centre);
   }
-  normal.diagonal().array() += 1e-9 * normal.trace();
-  const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
-  if (solver.info() != Eigen::Success || !(normal.trace() > 0)) return false;
-  Eigen::Vector3d step = solver.solve(rhs);
-  if (!step.allFinite()) return false;
-  const double longest = 0.5 * circle.radius + 0.01;
-  if (step.norm() > longest) step *= longest / step.norm();
-  circle.centre += step.head<2>(), circle.radius += step.z();
-  return circle.radius > 0;
-}
 
-double robust_scale(const std::vector<Eigen::Vector2d>& points, const Circle& circle, double reach) {
-  std::vector<double> residuals;
-  for (const auto& p : points)
-    if (const double e = std::abs((p - circle.centre).norm() - circle.radius); e < reach) residuals.push_back(e);
-  return 1.4826 * median_of(residuals);
-}
+  void look_from(const Eigen::Vector2d& centre) {
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const double dx = x_[i] - centre.x(), dy = y_[i] - centre.y();
+      distance_[i] = std::sqrt(dx * dx + dy * dy);
+    }
+  }
+
+  // One weighted Gauss-Newton step of the geometric fit from the circle looked from last; false when the geometry is
+  // degenerate.
+  bool improve(double scale, Circle& circle) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const double distance = distance_[i];
+      if (distance < 1e-6) continue;
+      const double residual = distance - circle.radius, w = tukey_weight(residual / scale);
+      if (w == 0) continue;
+      const Eigen::Vector3d j((circle.centre.x() - x_[i]) / distance, (circle.centre.y() - y_[i]) / distance, -1);
+      normal += w * j * j.transpose(), rhs -= w * residual * j;
+    }
+    normal.diagonal().array() += 1e-9 * normal.trace();
+    const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
+    if (solver.info() != Eigen::Success || !(normal.trace() > 0)) return false;
+    Eigen::Vector3d step = solver.solve(rhs);
+    if (!step.allFinite()) return false;
+    const double longest = 0.5 * circle.radius + 0.01;
+    if (step.norm() > longest) step *= longest / step.norm();
+    circle.centre += step.head<2>(), circle.radius += step.z();
+    look_from(circle.centre);
+    return circle.radius > 0;
+  }
+
+  double robust_scale(const Circle& circle, double reach) {
+    errors_.clear();
+    for (const double distance : distance_)
+      if (const double e = std::abs(distance - circle.radius); e < reach) errors_.push_back(e);
+    return 1.4826 * median_of(errors_);
+  }
+
+  const std::vector<double>& distance() const { return distance_; }
+
+ private:
+  std::vector<double> x_, y_, distance_, errors_;
+};
 
 }  // namespace
 
@@ -129,13 +153,14 @@ std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& po
                                           double start_error_m, double max_sigma_m) {
   if (points.size() < 5 || !(start.radius > 0)) return std::nullopt;
   RobustCircle fit{start, 0, 0, 0};
+  Ring ring(points, start);
   constexpr double smallest_sigma = 0.001;
   double scale = std::max(start_error_m, max_sigma_m) / 2;
   for (int i = 0; i < 25; ++i) {
     const Circle before = fit.circle;
     const double scale_before = scale;
-    if (!improve(points, scale, fit.circle)) return std::nullopt;
-    const double found = robust_scale(points, fit.circle, 4.685 * scale);
+    if (!ring.improve(scale, fit.circle)) return std::nullopt;
+    const double found = ring.robust_scale(fit.circle, 4.685 * scale);
     if (!std::isfinite(found)) return std::nullopt;
     scale = std::clamp(std::max(found, 0.7 * scale), smallest_sigma, std::max(max_sigma_m, 0.7 * scale));
     constexpr double settled_m = 1e-6;
@@ -145,9 +170,9 @@ std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& po
   }
   fit.sigma = scale;
   std::vector<double> angles;
-  for (const auto& p : points) {
-    const Eigen::Vector2d d = p - fit.circle.centre;
-    if (std::abs(d.norm() - fit.circle.radius) > 2.5 * scale) continue;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::abs(ring.distance()[i] - fit.circle.radius) > 2.5 * scale) continue;
+    const Eigen::Vector2d d = points[i] - fit.circle.centre;
     ++fit.inliers, angles.push_back(std::atan2(d.y(), d.x()));
   }
   fit.arc_rad = covered_arc_rad(angles);

@@ -8,9 +8,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace bole {
 namespace {
@@ -36,6 +38,19 @@ Eigen::Vector3d voxel_centre(std::uint64_t key) {
   };
   return {part(0), part(21), part(42)};
 }
+
+// Most points lie in a voxel that was met a moment ago: told without a search, so that few keys need sorting.
+class RecentKeys {
+ public:
+  bool is_new(std::uint64_t key) {
+    auto& met = met_[(key * 0x9e3779b97f4a7c15ULL) >> (64 - bits)];
+    return std::exchange(met, key) != key;  // no key is zero
+  }
+
+ private:
+  static constexpr int bits = 9;
+  std::array<std::uint64_t, 1U << bits> met_{};
+};
 
 double crown_base(const Stem& stem, const std::vector<Eigen::Vector3d>& voxels) {
   constexpr auto layers = static_cast<std::size_t>(tallest_m / layer_m);
@@ -74,6 +89,7 @@ double covered_area_m2(const std::vector<Eigen::Vector2d>& points, double reach)
 
 void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
   std::vector<std::vector<std::uint64_t>> keys(stems.size());
+  std::vector<RecentKeys> recent(stems.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
@@ -82,9 +98,10 @@ void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const Po
     Eigen::Vector3d p = points.positions()[i].cast<double>();
     p.head<2>() -= s.breast_height.head<2>(), p.z() -= s.ground_z;
     if (!(p.z() >= lowest_m) || p.z() >= tallest_m) continue;
-    auto& mine = keys[id - 1];
     const auto key = voxel_key(p);
-    if (mine.empty() || mine.back() != key) mine.push_back(key);
+    if (!recent[id - 1].is_new(key)) continue;
+    auto& mine = keys[id - 1];
+    mine.push_back(key);
     if (mine.size() >= 400000 && std::has_single_bit(mine.size())) {
       std::ranges::sort(mine);
       mine.erase(std::unique(mine.begin(), mine.end()), mine.end());

@@ -121,26 +121,28 @@ class JointFit {
 
   void evaluate(const TaperedCylinder& c, std::vector<Value>& values) const {
     values.resize(points_.size());
+    const CylinderResiduals of(c);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto e = value(c, points_[i]);
+      const auto e = residual(of, points_[i], false);
       values[i] = {e.value, e.impact, e.usable};
     }
   }
 
-  PointResidual residual(const TaperedCylinder& c, const BarkPoint& p) const {
-    return options_.along_rays ? ray_residual(c, p, most_gate) : surface_residual(c, p);
-  }
-  PointResidual value(const TaperedCylinder& c, const BarkPoint& p) const {
-    return options_.along_rays ? ray_residual(c, p, most_gate, false) : surface_residual(c, p, false);
+  PointResidual residual(const CylinderResiduals& of, const BarkPoint& p, bool derivatives) const {
+    return options_.along_rays ? of.along_ray(p, most_gate, derivatives) : of.surface(p, derivatives);
   }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
     constexpr double most_per_patch = 8;
-    std::map<std::tuple<int, int, int>, int> patches;
+    std::vector<std::tuple<int, int, int>> patches;
+    patches.reserve(points_.size());
     for (const auto& p : points_)
-      ++patches[{p.pass, p.section,
-                 static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6)))}];
+      patches.emplace_back(p.pass, p.section,
+                           static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6))));
+    std::ranges::sort(patches);
+    const auto repeated = std::ranges::unique(patches);
+    patches.erase(repeated.begin(), repeated.end());
     return std::min(
         1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
@@ -173,13 +175,6 @@ class JointFit {
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
 
-  Eigen::VectorXd row_of(const PointResidual& e, const BarkPoint& p) const {
-    Eigen::VectorXd j = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(size_));
-    j.head<7>() = e.jacobian;
-    if (views_ > 1) j.segment<2>(7 + 2 * p.view) = e.jacobian.head<2>();
-    return j;
-  }
-
   Eigen::VectorXd offsets_of(const TaperedCylinder& c, int axis) const {
     Eigen::VectorXd o(static_cast<Eigen::Index>(views_));
     for (std::size_t k = 0; k < views_; ++k) o[static_cast<Eigen::Index>(k)] = c.view_offset[k][axis];
@@ -201,6 +196,20 @@ class JointFit {
     }
   }
 
+  // Adds what one view says: derivatives by its offset are those by (x, y).
+  void add(const Matrix7& of_view, int view, Eigen::MatrixXd& normal) const {
+    normal.topLeftCorner<7, 7>() += of_view;
+    if (views_ < 2) return;
+    const Eigen::Index at = 7 + 2 * view;
+    normal.block<2, 7>(at, 0) += of_view.topRows<2>(), normal.block<7, 2>(0, at) += of_view.leftCols<2>();
+    normal.block<2, 2>(at, at) += of_view.topLeftCorner<2, 2>();
+  }
+  void add(const Vector7& of_view, int view, Eigen::VectorXd& gradient) const {
+    gradient.head<7>() += of_view;
+    if (views_ > 1) gradient.segment<2>(7 + 2 * view) += of_view.head<2>();
+  }
+
+  // At the cylinder that was evaluated last.
   double assemble(const TaperedCylinder& c, double scale, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient) const {
     const auto n = static_cast<Eigen::Index>(size_);
     normal = Eigen::MatrixXd::Zero(n, n), gradient = Eigen::VectorXd::Zero(n);
@@ -210,25 +219,21 @@ class JointFit {
     constexpr double k2 = 4.685 * 4.685;
     double sum = 0;
     const double factor = information_ / (scale * scale);
+    const CylinderResiduals of(c);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (!active_[i]) continue;
-      const auto& p = points_[i];
-      const auto e = residual(c, p);
-      const double u2 = e.usable ? e.value * e.value / (scale * scale * k2) : 1;
+      const double u2 = values_[i].usable ? square(values_[i].value) / (scale * scale * k2) : 1;
       sum += rho(u2);
       if (u2 >= 1) continue;
+      const auto& p = points_[i];
+      const auto e = residual(of, p, true);
       const double w = factor * (1 - u2) * (1 - u2);
       const auto k = static_cast<std::size_t>(p.view);
       by_view[k].noalias() += w * e.jacobian * e.jacobian.transpose();
       rhs[k] += w * e.value * e.jacobian;
     }
-    for (std::size_t k = 0; k < views_; ++k) {
-      normal.topLeftCorner<7, 7>() += by_view[k], gradient.head<7>() += rhs[k];
-      if (views_ < 2) continue;
-      const auto at = static_cast<Eigen::Index>(7 + 2 * k);
-      normal.block<2, 7>(at, 0) += by_view[k].topRows<2>(), normal.block<7, 2>(0, at) += by_view[k].leftCols<2>();
-      normal.block<2, 2>(at, at) += by_view[k].topLeftCorner<2, 2>(), gradient.segment<2>(at) += rhs[k].head<2>();
-    }
+    for (std::size_t k = 0; k < views_; ++k)
+      add(by_view[k], static_cast<int>(k), normal), add(rhs[k], static_cast<int>(k), gradient);
     add_prior(c, normal, gradient);
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
@@ -253,7 +258,7 @@ class JointFit {
 
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
-  std::vector<bool> active_;
+  std::vector<char> active_;           // by point: whether it takes part
   std::vector<Value> values_, tried_;  // at the present cylinder; at the last one tried
   std::vector<int> pass_of_view_;
   std::size_t views_;
@@ -292,22 +297,22 @@ void JointFit::describe(CylinderFit& fit) const {
   std::map<std::pair<int, int>, Eigen::VectorXd> by_section, by_bearing;
   fit.weight.assign(points_.size(), 0);
   const double s2 = fit.sigma_m * fit.sigma_m;
+  const CylinderResiduals of(c);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!active_[i]) continue;
     const auto& p = points_[i];
-    const auto e = residual(c, p);
+    const auto e = residual(of, p, true);
     const double u = e.value / (4.685 * fit.sigma_m);
     if (!e.usable || std::abs(u) >= 1) continue;
     const double w = (1 - u * u) * (1 - u * u);
     fit.weight[i] = w, ++fit.inliers;
-    const Eigen::VectorXd j = row_of(e, p);
-    normal += information_ * (1 - u * u) * (1 - 5 * u * u) / s2 * j * j.transpose();
-    const Eigen::VectorXd g = information_ * w * e.value / s2 * j;
+    add(information_ * (1 - u * u) * (1 - 5 * u * u) / s2 * e.jacobian * e.jacobian.transpose(), p.view, normal);
+    const Vector7 g = information_ * w * e.value / s2 * e.jacobian;
     const auto bearing =
         static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));
     auto& a = by_section.try_emplace({p.pass, p.section}, Eigen::VectorXd::Zero(n)).first->second;
     auto& b = by_bearing.try_emplace({p.pass, bearing}, Eigen::VectorXd::Zero(n)).first->second;
-    a += g, b += g;
+    add(g, p.view, a), add(g, p.view, b);
   }
   Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(n, n);
   add_prior(c, prior, unused);
@@ -370,16 +375,19 @@ std::vector<Eigen::Vector2d> likeliest_offsets(const DriftEvidence& evidence, co
 
 std::vector<int> number_views(std::vector<BarkPoint>& points, bool by_bearing) {
   constexpr int sectors = 18;
-  std::map<std::pair<int, int>, int> numbers;
-  const auto key = [&](const BarkPoint& p) {
-    if (!by_bearing) return std::pair(p.pass, -1);
-    return std::pair(p.pass, static_cast<int>(std::floor((std::atan2(p.ray.y(), p.ray.x()) / std::numbers::pi + 1) *
-                                                         0.5 * sectors)));
-  };
-  for (const auto& p : points) numbers.emplace(key(p), 0);
+  using Key = std::pair<int, int>;
+  std::vector<Key> keys;
+  keys.reserve(points.size());
+  for (const auto& p : points)
+    keys.emplace_back(
+        p.pass, by_bearing ? static_cast<int>(
+                                 std::floor((std::atan2(p.ray.y(), p.ray.x()) / std::numbers::pi + 1) * 0.5 * sectors))
+                           : -1);
+  std::map<Key, int> numbers;
+  for (const auto& k : keys) numbers.emplace(k, 0);
   std::vector<int> pass_of_view;
   for (auto& [k, number] : numbers) number = static_cast<int>(pass_of_view.size()), pass_of_view.push_back(k.first);
-  for (auto& p : points) p.view = numbers[key(p)];
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].view = numbers[keys[i]];
   return pass_of_view;
 }
 

@@ -98,6 +98,21 @@ PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint&
 PointResidual ray_residual(const TaperedCylinder& cylinder, const BarkPoint& point, double ray_gate,
                            bool derivatives = true);
 
+// The same for many points of one cylinder: what they share is found once.
+class CylinderResiduals {
+ public:
+  explicit CylinderResiduals(const TaperedCylinder& cylinder);
+  PointResidual surface(const BarkPoint& point, bool derivatives = true) const;
+  PointResidual along_ray(const BarkPoint& point, double ray_gate, bool derivatives = true) const;
+
+ private:
+  Eigen::Vector3d from_axis(const BarkPoint& point) const;  // from the axis point of its view
+
+  const TaperedCylinder& c_;
+  Eigen::Vector3d axis_;                   // unit direction
+  Eigen::Vector3d axis_by_x_, axis_by_y_;  // its derivatives by the slopes
+};
+
 // Levenberg-Marquardt with Tukey weights from `start` (offsets are set to zero unless there is one per view). Nothing
 // when too few points or no convergence.
 std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& points, TaperedCylinder start,

@@ -4,85 +4,86 @@
 #include "stems/core/cylinder_fit.h"
 
 namespace bole {
-namespace {
 
-// What both residuals share: the point seen from the axis point of its view, and the axis.
-struct Seen {
-  Eigen::Vector3d q;  // from the axis point to the measured point
-  Eigen::Vector3d a;  // axis direction
-  double norm;        // of (slope_x, slope_y, 1)
-  double s;           // along the axis
-  // Derivative of the axis direction by slope k (0 or 1).
-  Eigen::Vector3d axis_derivative(int k) const { return (Eigen::Vector3d::Unit(k) - a[k] * a) / norm; }
-};
-
-Seen look(const TaperedCylinder& c, const BarkPoint& point) {
-  Seen seen;
-  const Eigen::Vector3d axis(c.slope_x, c.slope_y, 1);
-  seen.norm = axis.norm(), seen.a = axis / seen.norm;
-  seen.q = point.p - Eigen::Vector3d(c.x, c.y, 0);
-  if (!c.view_offset.empty()) seen.q.head<2>() -= c.view_offset[static_cast<std::size_t>(point.view)];
-  seen.s = seen.q.dot(seen.a);
-  return seen;
+CylinderResiduals::CylinderResiduals(const TaperedCylinder& cylinder) : c_(cylinder) {
+  const Eigen::Vector3d along(c_.slope_x, c_.slope_y, 1);
+  const double norm = along.norm();
+  axis_ = along / norm;
+  axis_by_x_ = (Eigen::Vector3d::UnitX() - axis_.x() * axis_) / norm,
+  axis_by_y_ = (Eigen::Vector3d::UnitY() - axis_.y() * axis_) / norm;
 }
 
-}  // namespace
+Eigen::Vector3d CylinderResiduals::from_axis(const BarkPoint& point) const {
+  Eigen::Vector3d q = point.p - Eigen::Vector3d(c_.x, c_.y, 0);
+  if (!c_.view_offset.empty()) q.head<2>() -= c_.view_offset[static_cast<std::size_t>(point.view)];
+  return q;
+}
 
-PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point, bool derivatives) {
+PointResidual CylinderResiduals::surface(const BarkPoint& point, bool derivatives) const {
   PointResidual out;
-  const auto seen = look(c, point);
-  const Eigen::Vector3d across = seen.q - seen.s * seen.a;
+  const Eigen::Vector3d q = from_axis(point);
+  const double s = q.dot(axis_);  // along the axis
+  const Eigen::Vector3d across = q - s * axis_;
   const double distance = across.norm();
   if (distance < 1e-6) return out;
-  const Eigen::Vector3d outward = across / distance;
-  out.value = distance - (c.radius + c.taper * seen.s), out.usable = true;
+  out.value = distance - (c_.radius + c_.taper * s), out.usable = true;
   if (!derivatives) return out;
+  const Eigen::Vector3d outward = across / distance;
   for (int k = 0; k < 2; ++k) {
-    out.jacobian[k] = -outward[k] + c.taper * seen.a[k];
-    const Eigen::Vector3d da = seen.axis_derivative(k);
-    out.jacobian[2 + k] = -seen.s * outward.dot(da) - c.taper * seen.q.dot(da);
+    out.jacobian[k] = -outward[k] + c_.taper * axis_[k];
+    const auto& da = k == 0 ? axis_by_x_ : axis_by_y_;
+    out.jacobian[2 + k] = -s * outward.dot(da) - c_.taper * q.dot(da);
   }
-  out.jacobian[4] = -1, out.jacobian[5] = -seen.s;
+  out.jacobian[4] = -1, out.jacobian[5] = -s;
   return out;
+}
+
+PointResidual CylinderResiduals::along_ray(const BarkPoint& point, double ray_gate, bool derivatives) const {
+  PointResidual out;
+  const Eigen::Vector3d q = from_axis(point);
+  const Eigen::Vector3d& d = point.ray;
+  const double s = q.dot(axis_);  // along the axis
+  // In the plane across the axis: `along` runs with the projected ray, `impact2` is the squared distance of its line
+  // from the axis.
+  const double cos_axis = d.dot(axis_), m2 = 1 - cos_axis * cos_axis;
+  if (m2 < 0.1) return out;  // nearly parallel to the stem, or no ray
+  const double by_m = 1 / std::sqrt(m2), A = q.dot(d) - s * cos_axis, along = A * by_m;
+  const double impact2 = std::max(0.0, q.squaredNorm() - s * s - along * along);
+  const double radius = c_.radius + c_.taper * s;
+  if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
+  const double by_r = 1 / radius, share2 = impact2 * by_r * by_r, width = point.beam_sd * by_r;
+  if (share2 >= 1 && width <= 0) return out;  // a ray that would miss
+  const LitDepth lit = lit_depth(share2, width);
+  const double across = along + radius * lit.depth;
+  out.value = across * by_m - c_.range_offset, out.impact = std::sqrt(share2), out.usable = true;
+  if (!derivatives) return out;
+
+  const double by_radius = lit.depth - 2 * share2 * lit.by_impact2 - width * lit.by_width,
+               by_impact2 = lit.by_impact2 * by_r;
+  const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {
+    const double dm_by_m = -cos_axis * d_cos * by_m * by_m;
+    const double d_along = dA * by_m - along * dm_by_m;
+    const double d_impact2 = d_q2 - 2 * s * ds - 2 * along * d_along;
+    return (d_along + by_radius * d_radius + by_impact2 * d_impact2 - across * dm_by_m) * by_m;
+  };
+  for (int k = 0; k < 2; ++k) {
+    const double ds = -axis_[k];
+    out.jacobian[k] = derivative(-2 * q[k], ds, -d[k] - ds * cos_axis, 0, c_.taper * ds);
+    const auto& da = k == 0 ? axis_by_x_ : axis_by_y_;
+    const double ds_a = q.dot(da), dc = d.dot(da);
+    out.jacobian[2 + k] = derivative(0, ds_a, -ds_a * cos_axis - s * dc, dc, c_.taper * ds_a);
+  }
+  out.jacobian[4] = by_radius * by_m, out.jacobian[5] = s * out.jacobian[4];
+  out.jacobian[6] = -1;
+  return out;
+}
+
+PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point, bool derivatives) {
+  return CylinderResiduals(c).surface(point, derivatives);
 }
 
 PointResidual ray_residual(const TaperedCylinder& c, const BarkPoint& point, double ray_gate, bool derivatives) {
-  PointResidual out;
-  const auto seen = look(c, point);
-  const Eigen::Vector3d& d = point.ray;
-  // In the plane across the axis: `along` runs with the projected ray, `impact2` is the squared distance of its line
-  // from the axis.
-  const double cos_axis = d.dot(seen.a), m2 = 1 - cos_axis * cos_axis;
-  if (m2 < 0.1) return out;  // nearly parallel to the stem, or no ray
-  const double m = std::sqrt(m2), qd = seen.q.dot(d), A = qd - seen.s * cos_axis, along = A / m;
-  const double impact2 = std::max(0.0, seen.q.squaredNorm() - seen.s * seen.s - along * along);
-  const double radius = c.radius + c.taper * seen.s;
-  if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
-  const double q = impact2 / (radius * radius), width = point.beam_sd / radius;
-  if (q >= 1 && width <= 0) return out;  // a ray that would miss
-  const LitDepth lit = lit_depth(q, width);
-  const double across = along + radius * lit.depth;
-  out.value = across / m - c.range_offset, out.impact = std::sqrt(q), out.usable = true;
-  if (!derivatives) return out;
-
-  const double by_radius = lit.depth - 2 * q * lit.by_impact2 - width * lit.by_width,
-               by_impact2 = lit.by_impact2 / radius;
-  const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {
-    const double dm = -cos_axis * d_cos / m;
-    const double d_along = dA / m - A * dm / m2;
-    const double d_impact2 = d_q2 - 2 * seen.s * ds - 2 * along * d_along;
-    return (d_along + by_radius * d_radius + by_impact2 * d_impact2) / m - across * dm / m2;
-  };
-  for (int k = 0; k < 2; ++k) {
-    const double ds = -seen.a[k];
-    out.jacobian[k] = derivative(-2 * seen.q[k], ds, -d[k] - ds * cos_axis, 0, c.taper * ds);
-    const Eigen::Vector3d da = seen.axis_derivative(k);
-    const double ds_a = seen.q.dot(da), dc = d.dot(da);
-    out.jacobian[2 + k] = derivative(0, ds_a, -ds_a * cos_axis - seen.s * dc, dc, c.taper * ds_a);
-  }
-  out.jacobian[4] = derivative(0, 0, 0, 0, 1), out.jacobian[5] = derivative(0, 0, 0, 0, seen.s);
-  out.jacobian[6] = -1;
-  return out;
+  return CylinderResiduals(c).along_ray(point, ray_gate, derivatives);
 }
 
 }  // namespace bole

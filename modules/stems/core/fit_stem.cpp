@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "stems/core/circle_fit.h"
 #include "stems/core/contour.h"
 #include "stems/core/ring_density.h"
@@ -20,13 +21,6 @@ namespace {
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
 // an even choice. A first look tells what stems share, and needs fewer.
 constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
-
-// Student's quantile for 97.5 % (Abramowitz and Stegun 26.7.5).
-double student_975(double freedom) {
-  constexpr double z = 1.959964;
-  const double z3 = z * z * z, z5 = z3 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
-}
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {
@@ -235,18 +229,19 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
 
   std::vector<double> errors, angles, unaligned;
   std::vector<OutlinePoint> outline;
-  TaperedCylinder together = fit.cylinder;
-  together.view_offset.clear();
+  TaperedCylinder as_one = fit.cylinder;
+  as_one.view_offset.clear();
+  const CylinderResiduals of(fit.cylinder), together(as_one);
   int inside = 0, on = 0;
   RingDensity density(s.radius);
   ContraryArc contrary;
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
-    const auto e = surface_residual(fit.cylinder, p);
+    const auto e = of.surface(p, false);
     if (!e.usable) continue;
     density.add(e.value);
-    unaligned.push_back(surface_residual(together, p, false).value);
+    unaligned.push_back(together.surface(p, false).value);
     const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
     const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
     contrary.add(bearing, -e.value, std::abs(e.value) < reach);
@@ -254,7 +249,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
       ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
       if (!fit.along_rays)
         outline.push_back({bearing, e.value});
-      else if (const auto r = ray_residual(fit.cylinder, p, options_.ray_gate, false); r.usable)
+      else if (const auto r = of.along_ray(p, options_.ray_gate, false); r.usable)
         // Measured too far along the ray is too near to the axis by the cosine of incidence.
         outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
     } else if (e.value < 0) {

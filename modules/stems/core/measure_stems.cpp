@@ -131,9 +131,9 @@ class Survey {
     run_.report(0, "stem layer");
     layer_ =
         make_stem_layer(points_, std::max(0.05, options_.search_bottom_m - 0.3), options_.search_top_m + 0.3, run_);
-    auto thin = thin_layer(layer_, run_);
-    if (layer_.size() > 0) keep_upright(layer_, thin, run_);
-    const auto circles = find_slab_circles(layer_, thin, options_, run_.part(0.05, 0.30));
+    const auto upright =
+        upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom_m, slabs_top_m(options_), run_);
+    const auto circles = find_slab_circles(layer_, upright, options_, run_.part(0.05, 0.30));
     circles_ = circles.size();
     auto linked = link_circles(circles, options_);
     candidates_ = std::move(linked.stems);

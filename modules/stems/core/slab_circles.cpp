@@ -1,135 +1,14 @@
 #include "stems/core/slab_circles.h"
 
-#include <tbb/parallel_for.h>
-
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 namespace bole {
-namespace {
-
-constexpr double voxel_m = 0.02, voxel_height_m = 0.05;
-
-// Row by row over the grid, in threads; cancelled workers stop early and the caller throws.
-template <class F>
-void for_each_row(const StemLayer& grid, const Run& run, F&& f) {
-  tbb::parallel_for(0, grid.ny, [&](int iy) {
-    if (!run.cancelled()) f(iy);
-  });
-  run.check_cancel();
-}
-
-std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
-  struct Keyed {
-    std::int64_t key;
-    std::uint32_t k;
-  };
-  std::vector<Keyed> keyed;
-  for (auto k = layer.start[cell]; k < layer.start[cell + 1]; ++k) {
-    const auto& p = layer.position[k];
-    const auto ix = static_cast<std::int64_t>(std::floor((p.x() - layer.corner.x()) / voxel_m)),
-               iy = static_cast<std::int64_t>(std::floor((p.y() - layer.corner.y()) / voxel_m));
-    const auto ih = static_cast<std::int64_t>(std::floor(layer.height[k] / voxel_height_m));
-    keyed.push_back({(ih << 52) ^ (iy << 26) ^ ix, k});
-  }
-  std::ranges::sort(keyed, {}, &Keyed::key);
-  std::vector<Voxel> voxels;
-  for (std::size_t i = 0; i < keyed.size();) {
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    std::size_t j = i;
-    for (; j < keyed.size() && keyed[j].key == keyed[i].key; ++j) {
-      const auto& p = layer.position[keyed[j].k];
-      sum += Eigen::Vector4d(p.x(), p.y(), p.z(), layer.height[keyed[j].k]);
-    }
-    const auto n = static_cast<double>(j - i);
-    sum /= n;
-    voxels.push_back({static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
-                      static_cast<float>(sum[3]), static_cast<float>(std::sqrt(n))});
-    i = j;
-  }
-  return voxels;
-}
-
-VoxelLayer join(std::vector<std::vector<Voxel>>& by_cell) {
-  VoxelLayer out;
-  out.start.assign(by_cell.size() + 1, 0);
-  for (std::size_t c = 0; c < by_cell.size(); ++c)
-    out.start[c + 1] = out.start[c] + static_cast<std::uint32_t>(by_cell[c].size());
-  out.voxels.reserve(out.start.back());
-  for (auto& cell : by_cell) out.voxels.insert(out.voxels.end(), cell.begin(), cell.end());
-  return out;
-}
-
-// Voxels of the cells around v whose height is within `reach_height` of that of v; voxels of a cell are in the order of
-// their height steps.
-template <class F>
-void for_each_voxel_near(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v, double reach,
-                         double reach_height, F&& f) {
-  const auto step = [](double height) { return static_cast<int>(std::floor(height / voxel_height_m)); };
-  const int lowest = step(v.height - reach_height), highest = step(v.height + reach_height);
-  const int x0 = grid.cell_x(v.x - reach), x1 = grid.cell_x(v.x + reach), y0 = grid.cell_y(v.y - reach),
-            y1 = grid.cell_y(v.y + reach);
-  for (int iy = y0; iy <= y1; ++iy)
-    for (int ix = x0; ix <= x1; ++ix) {
-      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
-      const auto *first = thin.voxels.data() + thin.start[cell], *last = thin.voxels.data() + thin.start[cell + 1];
-      for (const auto* o = std::partition_point(first, last, [&](const Voxel& w) { return step(w.height) < lowest; });
-           o != last && step(o->height) <= highest; ++o)
-        f(*o);
-    }
-}
-
-bool is_upright(const StemLayer& grid, const VoxelLayer& thin, const Voxel& v) {
-  constexpr float reach = 0.10F;
-  constexpr float steepest = 3;  // heights of neighbours differ by more only on ground steeper than 60 degrees
-  constexpr int enough = 8;
-  int n = 0;
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-  for_each_voxel_near(grid, thin, v, reach, steepest * reach, [&](const Voxel& o) {
-    const Eigen::Vector3f d(o.x - v.x, o.y - v.y, o.z - v.z);
-    if (d.squaredNorm() > reach * reach) return;
-    ++n, sum += d, squares += d * d.transpose();
-  });
-  if (n < enough) return true;
-  const Eigen::Matrix3f covariance =
-      squares / static_cast<float>(n) - (sum / static_cast<float>(n)) * (sum / static_cast<float>(n)).transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(covariance);
-  return std::abs(solver.eigenvectors()(2, 0)) < 0.6F;
-}
-
-}  // namespace
-
-VoxelLayer thin_layer(const StemLayer& layer, const Run& run) {
-  std::vector<std::vector<Voxel>> by_cell(static_cast<std::size_t>(layer.nx) * static_cast<std::size_t>(layer.ny));
-  for_each_row(layer, run, [&](int iy) {
-    for (int ix = 0; ix < layer.nx; ++ix) {
-      const auto cell =
-          static_cast<std::size_t>(iy) * static_cast<std::size_t>(layer.nx) + static_cast<std::size_t>(ix);
-      by_cell[cell] = thin_cell(layer, cell);
-    }
-  });
-  return join(by_cell);
-}
-
-void keep_upright(const StemLayer& grid, VoxelLayer& thin, const Run& run) {
-  std::vector<std::vector<Voxel>> by_cell(thin.start.size() - 1);
-  for_each_row(grid, run, [&](int iy) {
-    for (int ix = 0; ix < grid.nx; ++ix) {
-      const auto cell = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid.nx) + static_cast<std::size_t>(ix);
-      for (auto k = thin.start[cell]; k < thin.start[cell + 1]; ++k)
-        if (is_upright(grid, thin, thin.voxels[k])) by_cell[cell].push_back(thin.voxels[k]);
-    }
-  });
-  thin = join(by_cell);
-}
-
 namespace {
 
 // A small generator with a fixed sequence on every platform (splitmix64).
@@ -164,6 +43,8 @@ class SlabGrid {
       add_columns(thin, thin.start[cell], thin.start[cell + 1], low, high);
       start_.push_back(static_cast<std::uint32_t>(columns_.size()));
     }
+    x_.reserve(columns_.size()), y_.reserve(columns_.size()), weight_.reserve(columns_.size());
+    for (const auto& c : columns_) x_.push_back(c.x), y_.push_back(c.y), weight_.push_back(c.weight);
   }
 
   std::pair<std::uint32_t, std::uint32_t> cell(int ix, int iy) const {
@@ -173,16 +54,29 @@ class SlabGrid {
   const Voxel& operator[](std::uint32_t k) const { return columns_[k]; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(columns_.size()); }
 
+  // Calls f(first, last) for the stretches of columns whose cells meet the square of half-width `reach` around (x, y).
   template <class F>
-  void for_each_near(float x, float y, float reach, F&& f) const {
+  void for_each_stretch_near(float x, float y, float reach, F&& f) const {
     const int x0 = grid_.cell_x(x - reach), x1 = grid_.cell_x(x + reach), y0 = grid_.cell_y(y - reach),
               y1 = grid_.cell_y(y + reach);
     for (int iy = y0; iy <= y1; ++iy) {
       const auto row = static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx);
-      for (auto k = start_[row + static_cast<std::size_t>(x0)]; k < start_[row + static_cast<std::size_t>(x1) + 1]; ++k)
-        f(k);
+      const auto first = start_[row + static_cast<std::size_t>(x0)],
+                 last = start_[row + static_cast<std::size_t>(x1) + 1];
+      if (first < last) f(first, last);
     }
   }
+  template <class F>
+  void for_each_near(float x, float y, float reach, F&& f) const {
+    for_each_stretch_near(x, y, reach, [&](std::uint32_t first, std::uint32_t last) {
+      for (auto k = first; k < last; ++k) f(k);
+    });
+  }
+
+  // By column, for sums over many of them.
+  const float* x() const { return x_.data(); }
+  const float* y() const { return y_.data(); }
+  const float* weight() const { return weight_.data(); }
 
  private:
   // Voxels of a cell are sorted by height, then y, then x: columns of a slab are joined through their key.
@@ -195,8 +89,8 @@ class SlabGrid {
     for (auto k = first; k < last; ++k) {
       const auto& v = thin.voxels[k];
       if (v.height < low || v.height >= high) continue;
-      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / voxel_m)) << 32) +
-                           static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / voxel_m)),
+      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / thin_voxel_m)) << 32) +
+                           static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / thin_voxel_m)),
                        k});
     }
     std::ranges::stable_sort(keyed, {}, &Keyed::key);
@@ -216,31 +110,62 @@ class SlabGrid {
 
   const StemLayer& grid_;
   std::vector<Voxel> columns_;
+  std::vector<float> x_, y_, weight_;
   std::vector<std::uint32_t> start_;
 };
 
+struct Ring {
+  Ring(float centre_x, float centre_y, float r)
+      : x(centre_x),
+        y(centre_y),
+        radius(r),
+        tolerance(ring_tolerance(r)),
+        outer(radius + tolerance),
+        hollow(std::max(0.F, radius - 2.5F * tolerance)) {}
+  float x, y, radius, tolerance, outer, hollow;
+};
+
+// Nearly all circles are worse than the best so far. Sums over several columns at a time tell most of them, but for
+// rounding, which depends on the order of the sums and is allowed for.
+bool can_beat(const SlabGrid& slab, const Ring& ring, double beat) {
+  constexpr float rounding = 1e-4F;
+  const float by_tolerance = 1 / ring.tolerance, hollow2 = ring.hollow * ring.hollow;
+  const float *x = slab.x(), *y = slab.y(), *weight = slab.weight();
+  Score all;
+  slab.for_each_stretch_near(ring.x, ring.y, ring.outer, [&](std::uint32_t first, std::uint32_t last) {
+    float on = 0, inside = 0;
+#pragma omp simd reduction(+ : on, inside)
+    for (std::size_t k = first; k < last; ++k) {
+      const float dx = x[k] - ring.x, dy = y[k] - ring.y, d2 = dx * dx + dy * dy;
+      const float e = (std::sqrt(d2) - ring.radius) * by_tolerance, near = 1 - e * e;
+      on += near > 0 ? weight[k] * near : 0;
+      inside += d2 < hollow2 ? weight[k] : 0;
+    }
+    all.on += on, all.inside += inside;
+  });
+  return all.most() + rounding * (all.on + all.inside) > beat;
+}
+
 // Sectors are counted only where the circle could beat `beat`: most cannot, and angles are what costs.
-Score score_circle(const SlabGrid& slab, float x, float y, float radius, double beat) {
+Score score_circle(const SlabGrid& slab, const Ring& ring, double beat) {
   Score s;
-  const float tolerance = ring_tolerance(radius), outer = radius + tolerance,
-              hollow = std::max(0.F, radius - 2.5F * tolerance);
-  slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
+  slab.for_each_near(ring.x, ring.y, ring.outer, [&](std::uint32_t k) {
     const auto& v = slab[k];
-    const float dx = v.x - x, dy = v.y - y, d2 = dx * dx + dy * dy;
-    if (d2 > outer * outer) return;
-    const float e = (std::sqrt(d2) - radius) / tolerance;
+    const float dx = v.x - ring.x, dy = v.y - ring.y, d2 = dx * dx + dy * dy;
+    if (d2 > ring.outer * ring.outer) return;
+    const float e = (std::sqrt(d2) - ring.radius) / ring.tolerance;
     if (e > -1) {
       s.on += v.weight * (1 - e * e), s.height += v.weight * v.height, s.z += v.weight * v.z, s.weight += v.weight,
           ++s.points;
-    } else if (d2 < hollow * hollow) {
+    } else if (d2 < ring.hollow * ring.hollow) {
       s.inside += v.weight;
     }
   });
   if (s.most() <= beat) return s;
-  const float inner = radius - tolerance;
-  slab.for_each_near(x, y, outer, [&](std::uint32_t k) {
-    const float dx = slab[k].x - x, dy = slab[k].y - y, d2 = dx * dx + dy * dy;
-    if (d2 > outer * outer || (inner > 0 && d2 <= inner * inner)) return;
+  const float inner = ring.radius - ring.tolerance;
+  slab.for_each_near(ring.x, ring.y, ring.outer, [&](std::uint32_t k) {
+    const float dx = slab[k].x - ring.x, dy = slab[k].y - ring.y, d2 = dx * dx + dy * dy;
+    if (d2 > ring.outer * ring.outer || (inner > 0 && d2 <= inner * inner)) return;
     const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
     s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
   });
@@ -263,10 +188,31 @@ constexpr double usual_radius_m = 0.12;
 // Tries per seed and reach. Few points cost little, and there each must do.
 int attempts_among(std::size_t points) { return points < 150 ? 25 : 5; }
 
-using Neighbours = std::array<std::vector<std::uint32_t>, reaches.size()>;
+// Columns around a cell, as stretches of them.
+class Neighbours {
+ public:
+  Neighbours(const SlabGrid& slab, float x, float y, float reach) {
+    slab.for_each_stretch_near(x, y, reach, [&](std::uint32_t first, std::uint32_t last) {
+      stretches_.push_back({size_, first}), size_ += last - first;
+    });
+  }
+  std::size_t size() const { return size_; }
+  std::uint32_t operator[](std::size_t i) const {
+    const auto it = std::prev(std::ranges::upper_bound(stretches_, i, {}, &Stretch::before));
+    return it->first + static_cast<std::uint32_t>(i - it->before);
+  }
+
+ private:
+  struct Stretch {
+    std::size_t before;
+    std::uint32_t first;
+  };
+  std::vector<Stretch> stretches_;
+  std::size_t size_ = 0;
+};
 
 // The best circle through `seed` and two of its neighbours, tried at several scales.
-SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Voxel& seed,
+SlabCircle best_circle_at(const SlabGrid& slab, const std::vector<Neighbours>& near, const Voxel& seed,
                           const MeasureOptions& options, Random random) {
   const auto least = static_cast<float>(0.0035 * options.min_dbh_cm),
              most = static_cast<float>(0.0055 * options.max_dbh_cm);  // radii with a margin
@@ -282,7 +228,9 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
       if (radius < least || radius > std::min(most, reaches[scale])) continue;
       // Wide circles meet more leaves by chance: what counts is between the number of points and their density.
       const double share = std::sqrt(usual_radius_m / radius);
-      const auto s = score_circle(slab, x, y, radius, best.score / share);
+      const Ring ring(x, y, radius);
+      if (!can_beat(slab, ring, best.score / share)) continue;
+      const auto s = score_circle(slab, ring, best.score / share);
       if (share * s.most() <= best.score) continue;
       const double arc = static_cast<double>(std::popcount(s.sectors)) / sector_count;
       const double score = share * s.most() * std::sqrt(arc);
@@ -298,16 +246,14 @@ SlabCircle best_circle_at(const SlabGrid& slab, const Neighbours& near, const Vo
 std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab, int number, int iy,
                                     const MeasureOptions& options) {
   std::vector<SlabCircle> found;
-  Neighbours near;
+  std::vector<Neighbours> near;  // by reach
   for (int ix = 0; ix < grid.nx; ++ix) {
     const auto [first, last] = slab.cell(ix, iy);
     if (first == last) continue;
     const auto x = static_cast<float>(grid.corner.x() + (ix + 0.5) * grid.cell_m),
                y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
-    for (std::size_t scale = 0; scale < reaches.size(); ++scale) {
-      near[scale].clear();
-      slab.for_each_near(x, y, reaches[scale], [&](std::uint32_t k) { near[scale].push_back(k); });
-    }
+    near.clear();
+    for (const float reach : reaches) near.emplace_back(slab, x, y, reach);
     const auto stride = (last - first + most_seeds - 1) / most_seeds;
     for (auto k = first; k < last; k += stride) {
       auto circle = best_circle_at(slab, near, slab[k], options,
@@ -350,17 +296,25 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
   return kept;
 }
 
+int slab_count(const MeasureOptions& options) {
+  return std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+}
+
+float slab_edge(const MeasureOptions& options, int slab) {
+  return static_cast<float>(options.search_bottom_m + slab * slab_thickness_m);
+}
+
 }  // namespace
+
+double slabs_top_m(const MeasureOptions& options) { return slab_edge(options, slab_count(options)); }
 
 std::vector<SlabCircle> find_slab_circles(const StemLayer& grid, const VoxelLayer& thin, const MeasureOptions& options,
                                           const Run& run) {
   std::vector<SlabCircle> all;
-  const int slabs =
-      std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+  const int slabs = slab_count(options);
   for (int s = 0; s < slabs; ++s) {
     run.report(static_cast<double>(s) / slabs, "circles by height");
-    const auto low = static_cast<float>(options.search_bottom_m + s * slab_thickness_m);
-    const SlabGrid slab(grid, thin, low, low + static_cast<float>(slab_thickness_m));
+    const SlabGrid slab(grid, thin, slab_edge(options, s), slab_edge(options, s + 1));
     std::vector<std::vector<SlabCircle>> by_row(static_cast<std::size_t>(grid.ny));
     for_each_row(grid, run,
                  [&](int iy) { by_row[static_cast<std::size_t>(iy)] = seek_in_row(grid, slab, s, iy, options); });

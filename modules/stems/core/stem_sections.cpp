@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
@@ -34,10 +33,15 @@ void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, co
 
 std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes,
                                               const SectionPlan& plan, const MeasureOptions& options) {
-  std::map<int, std::vector<Eigen::Vector2d>> by_section;
-  for (const auto& p : points) by_section[p.section].push_back(p.p.head<2>());
   std::vector<MeasuredSection> out;
-  for (const auto& [number, ring] : by_section) {
+  if (points.empty()) return out;
+  const auto [lowest, highest] = std::ranges::minmax(points, {}, &BarkPoint::section);
+  const int first = lowest.section;
+  std::vector<std::vector<Eigen::Vector2d>> rings(static_cast<std::size_t>(highest.section - first) + 1);
+  for (const auto& p : points) rings[static_cast<std::size_t>(p.section - first)].push_back(p.p.head<2>());
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const auto& ring = rings[i];
+    const int number = first + static_cast<int>(i);
     MeasuredSection m;
     m.number = number, m.z = number * plan.step, m.section.height = plan.breast_height + m.z;
     const double expected = std::max(0.01, plan.radius + plan.taper * m.z);

@@ -1,12 +1,13 @@
-// slam_accuracy [scan=FOLDER] [frames=N] [table=FILE.csv] [out=FILE.tum] [option=value ...]
-// Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap, trajectory.tum, trees.csv) or,
-// without one, on a synthetic plot, and prints the trajectory error, the time per frame, and how thick and how wide the
-// trunks are in the map. `table` gets what the odometry found for each frame.
+// slam_accuracy [scan=FOLDER] [first=N] [frames=N] [table=FILE.csv] [out=FILE.tum] [option=value ...]
+// Runs the SLAM engine on a simulated recording (FOLDER of `bole simulate`: walk.pcap or frames, trajectory.tum,
+// trees.csv), or a stretch of it, or, without one, on a synthetic plot, and prints the trajectory error, the time per
+// frame, and how thick and how wide the trunks are in the map. `table` gets what the odometry found for each frame.
 #include <sys/resource.h>
 
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -87,12 +88,13 @@ Pose aligned(const Trajectory& estimate, const Trajectory& truth) {
 }
 
 #ifdef BOLE_HAS_IO
-class FirstFrames : public FrameSource {
+class Stretch : public FrameSource {
  public:
-  FirstFrames(std::shared_ptr<const FrameSource> all, std::size_t most) : all_(std::move(all)), most_(most) {}
-  std::size_t size() const override { return std::min(most_, all_->size()); }
-  void read(std::size_t index, ScanFrame& frame) const override { all_->read(index, frame); }
-  double frame_time_s(std::size_t index) const override { return all_->frame_time_s(index); }
+  Stretch(std::shared_ptr<const FrameSource> all, std::size_t first, std::size_t most)
+      : all_(std::move(all)), first_(std::min(first, all_->size())), most_(most) {}
+  std::size_t size() const override { return std::min(most_, all_->size() - first_); }
+  void read(std::size_t index, ScanFrame& frame) const override { all_->read(first_ + index, frame); }
+  double frame_time_s(std::size_t index) const override { return all_->frame_time_s(first_ + index); }
   int rings() const override { return all_->rings(); }
   std::vector<double> ring_elevations_rad() const override { return all_->ring_elevations_rad(); }
   std::string sensor_model() const override { return all_->sensor_model(); }
@@ -101,8 +103,13 @@ class FirstFrames : public FrameSource {
 
  private:
   std::shared_ptr<const FrameSource> all_;
-  std::size_t most_;
+  std::size_t first_, most_;
 };
+
+std::shared_ptr<const FrameSource> recording(const std::string& folder) {
+  const std::string capture = folder + "/walk.pcap";
+  return open_frame_source(std::filesystem::exists(capture) ? capture : folder + "/frames");
+}
 
 // A circle through the breast-height points of each tree (algebraic start, Tukey weights), held against its girth.
 void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_map) {
@@ -220,8 +227,9 @@ void print_loops(const Table& loops, const Trajectory& truth) {
 }  // namespace
 
 int main(int count, char** arguments) try {
-  std::map<std::string, std::string> own{{"scan", ""},   {"frames", "200"}, {"noise", "0.02"}, {"gait", "1"},
-                                         {"half", "16"}, {"radius", "8"},   {"table", ""},     {"out", ""}};
+  std::map<std::string, std::string> own{{"scan", ""},  {"frames", "200"}, {"noise", "0.02"},
+                                         {"gait", "1"}, {"half", "16"},    {"radius", "8"},
+                                         {"table", ""}, {"out", ""},       {"first", "0"}};
   OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
@@ -248,7 +256,7 @@ int main(int count, char** arguments) try {
     source = scan;
   } else {
 #ifdef BOLE_HAS_IO
-    source = std::make_shared<FirstFrames>(open_frame_source(own["scan"] + "/walk.pcap"), std::stoul(own["frames"]));
+    source = std::make_shared<Stretch>(recording(own["scan"]), std::stoul(own["first"]), std::stoul(own["frames"]));
     truth.poses = read_tum_poses(own["scan"] + "/trajectory.tum");
 #else
     throw bad_input("this program was built without the readers", "module io");

@@ -58,9 +58,10 @@ PUBLISHED_OVERALL = {
 
 POSITION = [("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m")]
 DIAMETER = [("dbh_bias", "DBH bias, cm"), ("dbh_rmse", "DBH RMSE, cm"), ("dbh_relative_rmse", "rel. RMSE, %"),
-            ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
-TRACK = [("ate_rmse", "ATE, m"), ("completeness", "found, %"), ("loop_precision", "loop precision, %"),
-         ("loop_recall", "loop recall, %"), ("ms_per_frame", "ms/frame")]
+            ("dbh_interval_coverage", "intervals that hold, %"), ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
+TRACK = [("ate_rmse", "ATE, m"), ("completeness", "found, %"), ("correctness", "right, %"),
+         ("loop_precision", "loop precision, %"), ("loop_pose_precision", "loop poses true, %"),
+         ("loop_recall", "loop recall, %"), ("ms_per_frame", "ms/frame"), ("peak_mib", "peak, MiB")]
 OVERALL = [("trees", "trees found"), ("position_mean_x", "mean x, m"), ("position_mean_y", "mean y, m"),
            ("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m"),
            ("dbh_bias", "DBH bias, cm"), ("dbh_relative_bias", "rel. bias, %"), ("dbh_rmse", "DBH RMSE, cm"),
@@ -182,11 +183,13 @@ def loop_figures(arguments, out, scan):
 
 
 def figures(arguments, out, scan):
-    stages = {s["id"]: s for s in json.loads((out / "summary.json").read_text())["stages"]}
+    summary = json.loads((out / "summary.json").read_text())
+    stages = {s["id"]: s for s in summary["stages"]}
     found = {name: m["value"] for name, m in stages["evaluate"]["metrics"].items()}
     slam = stages["slam"]
     found["ms_per_frame"] = 1000 * slam["seconds"] / max(1, slam["counts"]["frames"])
     found["loops"] = slam["counts"].get("loops", 0)
+    found["peak_mib"] = summary["peak_mib"]
     found.update(loop_figures(arguments, out, scan))
     matches = [r for r in rows_of(out / "matches.csv") if r["kind"] == "matched"]
     found["errors"] = [[float(r[c]) for c in ("dx_m", "dy_m", "dbh_error_cm", "ref_dbh_cm")] for r in matches]
@@ -277,7 +280,7 @@ def main():
                         help="a scan that is there; without SEED that of the first seed")
     parser.add_argument("--scans", type=pathlib.Path, help="folder with scans that are there, named PLOT-SEED")
     parser.add_argument("--budget", type=float, default=0, metavar="MINUTES", help="begin no run that would end later")
-    parser.add_argument("--loop-radius", type=float, default=5, help="metres within which a revisit is right")
+    parser.add_argument("--loop-radius", type=float, default=3, help="metres within which a revisit is right")
     parser.add_argument("--keep", action="store_true", help="keep the scans")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)

@@ -70,6 +70,29 @@ TEST(PlotArea, PolygonsThatEncloseNothingAreRefused) {
   EXPECT_EQ(text_of({{0, 0}, {4, 0}, {4, 4}, {0, 0}}), "accepted");  // closed by hand
 }
 
+TEST(CountingRule, TravelsAsATable) {
+  for (const auto& area :
+       {PlotArea{}, rectangle_area({0.1, 512345.678}, 20, 25, 0.3), circle_area({1, 2}, 12.62), polygon_area(ell)}) {
+    const auto back = counting_rule(to_table({area, 5.5}));
+    EXPECT_EQ(back.min_dbh_cm, 5.5);
+    EXPECT_EQ(back.area.shape, area.shape);
+    EXPECT_EQ(back.area.centre, area.centre);
+    EXPECT_EQ(back.area.bearing_rad, area.bearing_rad);
+    EXPECT_EQ(back.area.vertices, area.vertices);
+    EXPECT_EQ(back.area.outline(), area.outline());
+  }
+  EXPECT_THROW(counting_rule(Table{}), Error);
+}
+
+TEST(CountingRule, NoRuleMeansEveryTree) {
+  EXPECT_TRUE(CountingRule{}.counts({512345, 5412345}, 5));
+  EXPECT_TRUE(CountingRule{}.counts({0, 0}, NAN));
+  const CountingRule thick{{}, 7.5};
+  EXPECT_FALSE(thick.counts({0, 0}, 7.4));
+  EXPECT_TRUE(thick.counts({0, 0}, 7.5));
+  EXPECT_FALSE(thick.counts({0, 0}, NAN));
+}
+
 TEST(CountingRule, SpeaksNoLanguage) {
   const CommaLocale comma;
   if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
@@ -93,20 +116,6 @@ TEST(CountingRule, AFactThatIsNoNumberIsRefused) {
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("the fact 'width_m' of the plot is '12,5'"));
   }
-}
-
-TEST(CountingRule, TravelsAsATable) {
-  for (const auto& area :
-       {PlotArea{}, rectangle_area({0.1, 512345.678}, 20, 25, 0.3), circle_area({1, 2}, 12.62), polygon_area(ell)}) {
-    const auto back = counting_rule(to_table({area, 5.5}));
-    EXPECT_EQ(back.min_dbh_cm, 5.5);
-    EXPECT_EQ(back.area.shape, area.shape);
-    EXPECT_EQ(back.area.centre, area.centre);
-    EXPECT_EQ(back.area.bearing_rad, area.bearing_rad);
-    EXPECT_EQ(back.area.vertices, area.vertices);
-    EXPECT_EQ(back.area.outline(), area.outline());
-  }
-  EXPECT_THROW(counting_rule(Table{}), Error);
 }
 
 }  // namespace

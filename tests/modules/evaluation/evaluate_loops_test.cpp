@@ -76,6 +76,10 @@ TEST(EvaluateLoops, RelativePosesAreHeldAgainstTheReference) {
   EXPECT_NEAR(value(e.summary, "loop_pose_precision"), 100.0 / 3, 1e-9);
   EXPECT_NEAR(e.loops.numbers("shift_error_m")[1], 0.2, 1e-9);
   EXPECT_NEAR(e.loops.numbers("turn_error_deg")[2], 2, 1e-6);
+  EXPECT_NEAR(value(e.summary, "loop_shift_error_median"), 0, 1e-9);
+  // Of two loops the median lies between them, and is not the greater one.
+  EXPECT_NEAR(value(evaluate_loops(t.subset({0, 1}), out_and_back(), {}).summary, "loop_shift_error_median"), 0.1,
+              1e-9);
   EvaluationOptions wide;
   wide.loop_shift_m = 0.3, wide.loop_turn_deg = 3;
   EXPECT_EQ(evaluate_loops(t, out_and_back(), wide).true_poses, 3u);

@@ -1,11 +1,12 @@
 #include "evaluation/core/evaluate_stems.h"
-#include <Eigen/Geometry>
 
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "evaluation/core/assignment.h"
 
@@ -131,11 +132,56 @@ TEST(EvaluateStems, PublishedFiguresStandBesideOurs) {
   EvaluationOptions o;
   o.published_plot = "2";
   const auto summary = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}}), o, plot).summary;
-  for (std::size_t i = 0; i < summary.rows(); ++i) {
-    if (summary.texts("measure")[i] == "dbh_rmse") {
-      EXPECT_EQ(summary.texts("published")[i], "1.07");
-    }
-  }
+  const auto& names = summary.texts("measure");
+  const auto at = std::ranges::find(names, "dbh_rmse");
+  ASSERT_NE(at, names.end());
+  EXPECT_EQ(summary.texts("published")[static_cast<std::size_t>(at - names.begin())], "1.07");
+}
+
+// Places as a survey in UTM has them, and no plot: no rings about a point that nobody chose.
+TEST(EvaluateStems, WithoutAPlotThereAreNoRings) {
+  const auto utm = trees({{512345, 5412345, 5}, {512355, 5412345, 32}, {512365, 5412345, std::nan("")}});
+  const auto e = evaluate_stems(utm, utm, {}, {});
+  EXPECT_EQ(e.matched, 3U);  // thin ones and those without a diameter too
+  const auto& names = e.summary.texts("measure");
+  EXPECT_TRUE(std::ranges::none_of(names, [](const auto& n) { return n.starts_with("distance_"); }));
+  EXPECT_EQ(std::ranges::count_if(names, [](const auto& n) { return n.ends_with("_cm_trees"); }), 2);
+  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  const CountingRule around{circle_area({512345, 5412345}, 25), 0};
+  EXPECT_EQ(value(evaluate_stems(utm, utm, {}, around).summary, "distance_10_to_15_m_trees"), 1);
+}
+
+TEST(EvaluateStems, RejectedStemsTakeNoPart) {
+  const auto reference = trees({{0, 0, 20}, {5, 5, 20}});
+  auto estimate = trees({{0, 0, 20}, {5, 5, 20}, {-5, 5, 20}});
+  estimate.set("state", std::vector<std::string>{"accepted", "rejected", "rejected"});
+  const auto e = evaluate_stems(estimate, reference, {}, plot);
+  EXPECT_EQ(e.matched, 1U);
+  EXPECT_EQ(e.missed, 1U);
+  EXPECT_EQ(e.extra, 0U);
+  EXPECT_THAT(e.matches.integers("tree_id"), testing::ElementsAre(1, 0));
+}
+
+TEST(EvaluateStems, FieldListsNameTheirTreesAsTheyLike) {
+  auto reference = trees({{0, 0, 20}, {5, 5, 20}, {-5, 5, 20}});
+  const auto estimate = trees({{0, 0, 20}, {5, 5, 20}});
+  reference.set("tree_id", std::vector<std::string>{"A12", "7", ""});
+  const auto named = evaluate_stems(estimate, reference, {}, plot).matches;
+  EXPECT_THAT(named.integers("ref_id"), testing::ElementsAre(8, 7, 9));
+  EXPECT_THAT(named.texts("ref_name"), testing::ElementsAre("A12", "", ""));
+  EXPECT_FALSE(named.has("tree_name"));
+  reference.set("tree_id",
+                std::vector<double>{4, std::nan(""), 1000000});  // what a blank makes of a column of whole numbers
+  const auto blank = evaluate_stems(estimate, reference, {}, plot).matches;
+  EXPECT_THAT(blank.integers("ref_id"), testing::ElementsAre(4, 1000001, 1000000));
+  EXPECT_FALSE(blank.has("ref_name"));
+}
+
+TEST(EvaluateStems, ATreeWithoutAPlaceIsToldAndLeftOut) {
+  const auto e = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}, {std::nan(""), 3, 20}}), {}, plot);
+  EXPECT_EQ(e.matched, 1U);
+  EXPECT_EQ(e.missed, 0U);
+  EXPECT_THAT(e.warnings, testing::ElementsAre("1 of 2 rows of the reference have no position and are left out"));
 }
 
 TEST(EvaluateStems, AbsentColumnsAndPositionsAreNamed) {
@@ -146,7 +192,7 @@ TEST(EvaluateStems, AbsentColumnsAndPositionsAreNamed) {
     evaluate_stems(trees({{0, std::nan(""), 20}}), trees({{0, 0, 20}}), {}, plot);
     FAIL();
   } catch (const Error& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("row 1 of a stem table has no position"));
+    EXPECT_THAT(e.what(), testing::HasSubstr("no row of the stems has a position"));
   }
 }
 

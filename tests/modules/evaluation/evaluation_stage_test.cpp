@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "pipeline/register_all_stages.h"
 #include "pipeline/stage.h"
 
@@ -41,10 +43,54 @@ TEST_F(EvaluationStage, ComparesWithAReference) {
   EXPECT_EQ(result.report.metrics.at("dbh_bias").unit, Unit::centimetre);
 }
 
+TEST_F(EvaluationStage, WarnsOfTreesWithoutAPlace) {
+  auto reference = one_tree(0, 20).subset({0, 0});
+  reference.set("x_m", std::vector<double>{0, std::nan("")});
+  DataSet in;
+  in.set("stems", one_tree(0, 20)), in.set("reference_stems", std::move(reference));
+  EXPECT_THAT(run(in).report.warnings, testing::Contains(testing::HasSubstr("have no position")));
+}
+
 TEST_F(EvaluationStage, OtherAxesAreSuspectedWhenNothingMatches) {
   DataSet in;
   in.set("stems", one_tree(7, 21)), in.set("reference_stems", one_tree(0, 20));
   EXPECT_THAT(run(in).report.warnings, testing::Contains(testing::HasSubstr("same axes")));
+}
+
+// A field list with names, units and a polar origin of its own gives the errors of the list in our own columns.
+TEST_F(EvaluationStage, ComparesWithAListWhoseColumnsAreMapped) {
+  Table stems;
+  stems.set("tree_id", std::vector<std::int64_t>{1, 2}), stems.set("x_m", std::vector<double>{3, 0.05}),
+      stems.set("y_m", std::vector<double>{0, -4}), stems.set("dbh_cm", std::vector<double>{21, 30});
+  Table list;
+  list.set("Nr", std::vector<std::int64_t>{11, 12, 13}), list.set("DIAM", std::vector<double>{200, 310, 250});
+  list.set("gon", std::vector<double>{100, 200, 0}), list.set("dist", std::vector<double>{300, 400, 100});
+  list.set("plot", std::vector<std::int64_t>{3, 3, 4});
+  DataSet in;
+  in.set("stems", stems), in.set("reference_stems", list);
+  OptionSet options(*StageRegistry::global().at("evaluation.plot").options);
+  options.set_text("reference_columns", "tree_id=Nr, dbh_cm=DIAM:mm, azimuth_deg=gon:gon, distance_m=dist:cm");
+  options.set_text("reference_rows", "plot=3");
+  const auto result = run_stage(StageRegistry::global().at("evaluation.plot"), in, options, {});
+  EXPECT_EQ(result.report.counts.at("matched"), 2);
+  EXPECT_EQ(result.report.counts.at("missed"), 0) << "the tree of the other plot takes no part";
+  EXPECT_NEAR(result.report.metrics.at("dbh_bias").value, (1.0 - 1.0) / 2, 1e-9);
+  const auto& matches = result.outputs.table("matches");
+  EXPECT_THAT(matches.numbers("ref_dbh_cm"), testing::Pointwise(testing::DoubleNear(1e-9), std::vector{20.0, 31.0}));
+  EXPECT_THAT(matches.numbers("dx_m"), testing::Pointwise(testing::DoubleNear(1e-9), std::vector{0.0, 0.05}));
+}
+
+TEST_F(EvaluationStage, AMappedColumnThatIsAbsentIsNamed) {
+  DataSet in;
+  in.set("stems", one_tree(0, 20)), in.set("reference_stems", one_tree(0, 20));
+  OptionSet options(*StageRegistry::global().at("evaluation.plot").options);
+  options.set_text("reference_columns", "dbh_cm=BHD:mm");
+  try {
+    run_stage(StageRegistry::global().at("evaluation.plot"), in, options, {});
+    FAIL() << "no error";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("BHD"), testing::HasSubstr("dbh_cm")));
+  }
 }
 
 }  // namespace

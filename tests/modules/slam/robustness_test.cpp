@@ -105,6 +105,25 @@ TEST(Robustness, ATurnOnTheSpot) {
   EXPECT_LT(worst_m(result.trajectory, source), 0.05);
 }
 
+// Within 0.8 s: the prediction from the frame before is off by up to 15 deg, and twelve rounds do not do.
+TEST(Robustness, AnAboutTurnOnTheMove) {
+  const auto source = walk_of(
+      [](double t) {
+        const double s = std::clamp((t - 0.5) / 0.8, 0.0, 1.0), eased = s * s * s * (10 - 15 * s + 6 * s * s);
+        const double heading = std::numbers::pi * eased;
+        Pose T = Pose::Identity();
+        T.translation() = Eigen::Vector3d(0.5 * std::sin(heading) - 1, -0.5 * std::cos(heading), 1.6);
+        T.linear() = rotation_from_rpy(0, 0, heading);
+        return T;
+      },
+      23);
+  auto options = preset("best");
+  options.refine_rounds = -1, options.dense_map = false;
+  const auto result = run_slam(source, options, {});
+  EXPECT_EQ(result.report.counts.at("frames"), 23) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.06);
+}
+
 TEST(Robustness, ASteepSlope) {
   auto world = synthetic::trunks(9, 3.5);
   // The same plot tilted by 25 deg about x, walked with the sensor upright.

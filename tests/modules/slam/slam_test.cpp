@@ -192,6 +192,35 @@ TEST(Slam, ALongCorridorIsRefusedAndAPlotIsNot) {
   }
 }
 
+// At rest one frame is all that the map holds: what a step of the sensor will tell is no reason to give up before it.
+TEST(Slam, AStartAtRestIsJudgedByWhatTheFirstStepsShow) {
+  const auto world = synthetic::trunks(9, 3.5);
+  auto sensor = SpinningSensor::vlp32c(900);
+  sensor.range_noise_m = 0.01;
+  const auto rest_and_walk = [](double t) {
+    Pose T = Pose::Identity();
+    T.translation() = Eigen::Vector3d(std::max(0.0, t - 0.6), 0, 1.5);
+    return T;
+  };
+  auto options = preset("forest");
+  options.least_observability = 0;
+  const auto unjudged = run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
+  const auto seen = unjudged.odometry.numbers("observability");
+  const double at_rest = *std::min_element(seen.begin() + 1, seen.begin() + 6);
+  const double walking = *std::min_element(seen.end() - 4, seen.end());
+  ASSERT_GT(walking, 1.5 * at_rest);
+
+  options.least_observability = std::sqrt(at_rest * walking);
+  const auto judged = run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
+  EXPECT_EQ(judged.report.counts.at("frames_failed"), 0) << testing::PrintToString(judged.report.warnings);
+  try {
+    run_slam(SyntheticScan(world, sensor, rest_and_walk, 6), options, {});
+    ADD_FAILURE() << "nothing ever got hold";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("direction of motion open"));
+  }
+}
+
 TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
   auto source = small_walk(20);
   source.spoil = [](std::size_t index, ScanFrame& frame) {

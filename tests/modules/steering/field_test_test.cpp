@@ -1,10 +1,13 @@
 // The whole test drive and its analysis.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "steering/core/field_test.h"
 #include "steering/core/tracking_errors.h"
+#include "steering/core/tracking_tables.h"
 #include "steering/core/tuning.h"
 
 namespace bole::steering {
@@ -101,16 +104,34 @@ TEST(FieldTest, StopsWithoutFixesAndGoesOn) {
   EXPECT_LT(value(e.summary, "line_max_m", 0), 0.35);
 }
 
-TEST(FieldTest, IsTheSameForTheSameSeedAndTurnsWithTheField) {
+TEST(FieldTest, IsTheSameForTheSameSeedAlone) {
   FieldTestOptions o;
   o.speeds = "5";
   const auto a = measured(o), b = measured(o);
   EXPECT_EQ(a.errors.numbers("error_m"), b.errors.numbers("error_m"));
-  o.direction_deg = 123;
-  const auto turned = measured(calm());
-  EXPECT_EQ(turned.passes.rows(), 6u);
   o.seed = 2;
   EXPECT_NE(a.errors.numbers("error_m"), measured(o).errors.numbers("error_m"));
+}
+
+// Errors are those of the drive, wherever the rows lead.
+TEST(FieldTest, TurnsWithTheField) {
+  auto o = calm();
+  o.speeds = "5", o.direction_deg = 0;
+  const auto straight = simulate_field_test(o, {});
+  o.direction_deg = 123;
+  const auto turned = simulate_field_test(o, {});
+  const auto bearing = [](const Table& lines) {
+    return std::atan2(value(lines, "b_x_m", 0) - value(lines, "a_x_m", 0),
+                      value(lines, "b_y_m", 0) - value(lines, "a_y_m", 0));
+  };
+  const double turn = std::remainder(bearing(turned.lines) - bearing(straight.lines), 2 * std::numbers::pi);
+  EXPECT_NEAR(std::abs(turn), 123 * std::numbers::pi / 180, 1e-6);
+  const auto a = tracking_errors(straight.log, &straight.lines, nullptr, {}, {}),
+             b = tracking_errors(turned.log, &turned.lines, nullptr, {}, {});
+  ASSERT_EQ(a.passes.rows(), b.passes.rows());
+  for (const char* column : {"line_mean_m", "line_sd_m", "line_max_m", "length_m"})
+    for (std::size_t i = 0; i < a.passes.rows(); ++i)
+      EXPECT_NEAR(value(a.passes, column, i), value(b.passes, column, i), 1e-5) << column << " of pass " << i + 1;
 }
 
 TEST(FieldTest, SaysWhatIsWrong) {
@@ -152,6 +173,7 @@ TEST(TrackingErrors, FindsLineAndPassesInABareLog) {
   EXPECT_NEAR(value(e.passes, "line_sd_m", 1), 0.04 / std::sqrt(2), 0.003);
   EXPECT_EQ(e.summary.texts("speed_km_h")[0], "5");  // 1.5 m/s
   EXPECT_TRUE(std::isnan(value(e.summary, "receiver_sd_m", 0)));
+  EXPECT_THAT(e.report.warnings, testing::Contains(testing::HasSubstr("no reference")));
 }
 
 TEST(TrackingErrors, TakesAReferenceReceiverByTime) {
@@ -167,6 +189,20 @@ TEST(TrackingErrors, TakesAReferenceReceiverByTime) {
   const auto by_time = tracking_errors(log, &test.lines, &reference, {}, {});
   EXPECT_EQ(direct.errors.numbers("error_m"), by_time.errors.numbers("error_m"));
   EXPECT_EQ(direct.errors.numbers("receiver_m"), by_time.errors.numbers("receiver_m"));
+  EXPECT_THAT(by_time.report.warnings, testing::Not(testing::Contains(testing::HasSubstr("no reference"))));
+}
+
+// One pass alone at its speed has no neighbour: the others make the mean of the adjacent error.
+TEST(TrackingTables, TheMeanIsOfTheSpeedsThatWereMeasured) {
+  const auto pass = [](double speed, double error, double adjacent) {
+    return MeasuredPass{1, 0, 1, speed, {{0, 0, error, NAN, adjacent}, {1, 1, error, NAN, adjacent}}};
+  };
+  const auto summary = summary_table({pass(3, 0.01, 0.02), pass(5, 0.02, NAN), pass(7, 0.06, 0.04)});
+  ASSERT_EQ(summary.texts("speed_km_h").back(), "mean");
+  EXPECT_NEAR(value(summary, "line_mean_m", 3), 0.03, 1e-12);
+  EXPECT_NEAR(value(summary, "adjacent_mean_m", 3), 0.03, 1e-12);
+  EXPECT_NEAR(value(summary, "adjacent_max_m", 3), 0.03, 1e-12);
+  EXPECT_TRUE(std::isnan(value(summary, "controller_sd_m", 3)));  // at no speed
 }
 
 TEST(Tuning, FindsGainsThatDriveTheTestWithoutOscillation) {

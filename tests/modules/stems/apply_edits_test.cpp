@@ -158,7 +158,49 @@ TEST(ApplyEdits, TablesOfOthersNeedPlacesAndDiameters) {
   const auto e = apply_stem_edits({&t, nullptr, nullptr, nullptr},
                                   parse_stem_edits(R"([{"action": "accept", "at": [0, 0]}])"), {}, bole::Run{});
   EXPECT_EQ(e.report.counts.at("applied"), 1);
+  EXPECT_THAT(e.stems.texts("state"), ElementsAre("accepted"));
   EXPECT_FALSE(e.points.has_value());
+}
+
+// A file of whole centimetres and metres has columns of whole numbers, and one without states has no such column.
+TEST(ApplyEdits, WholeNumbersAndAbsentColumnsTakeWhatIsEdited) {
+  Table t;
+  t.set("tree_id", std::vector<std::int64_t>{1, 2}), t.set("x_m", std::vector<std::int64_t>{0, 5}),
+      t.set("y_m", std::vector<std::int64_t>{0, 0}), t.set("dbh_cm", std::vector<std::int64_t>{20, 30}),
+      t.set("dbh_lo_cm", std::vector<std::int64_t>{19, 29}), t.set("lean_deg", std::vector<std::int64_t>{1, 2}),
+      t.set("note", std::vector<double>(2, std::nan("")));
+  const auto e = apply_stem_edits({&t, nullptr, nullptr, nullptr}, parse_stem_edits(R"([
+    {"action": "resize", "at": [0, 0], "dbh_cm": 23.4},
+    {"action": "move", "at": [5, 0], "to": [4.9, 0.25]},
+    {"action": "set_height", "at": [0, 0], "height_m": 17.5},
+    {"action": "note", "at": [0, 0], "text": "taped"},
+    {"action": "add", "at": [9, 9], "dbh_cm": 12.5}])"),
+                                  {}, bole::Run{});
+  EXPECT_EQ(e.report.counts.at("applied"), 5);
+  EXPECT_THAT(e.stems.numbers("dbh_cm"), ElementsAre(23.4, 30, 12.5));
+  EXPECT_TRUE(std::isnan(e.stems.numbers("dbh_lo_cm")[0]));
+  EXPECT_EQ(e.stems.numbers("dbh_lo_cm")[1], 29);
+  EXPECT_THAT(e.stems.numbers("x_m"), ElementsAre(0, 4.9, 9));
+  EXPECT_THAT(e.stems.numbers("y_m"), ElementsAre(0, 0.25, 9));
+  EXPECT_EQ(e.stems.numbers("height_m")[0], 17.5);
+  EXPECT_TRUE(std::isnan(e.stems.numbers("height_m")[1]));
+  EXPECT_TRUE(std::isnan(e.stems.numbers("lean_deg")[2]));  // not known of the added one
+  EXPECT_THAT(e.stems.texts("state"), ElementsAre("edited", "edited", "edited"));
+  EXPECT_THAT(e.stems.texts("note"), ElementsAre("taped", "", ""));
+  EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(1, 2, 3));
+}
+
+// Meshes and maps are drawn from sections: they must tell of the stem as it was edited.
+TEST(ApplyEdits, SectionsFollowTheirStem) {
+  auto s = stand();
+  s.sections.set("x_m", std::vector<double>{0, 0.01, 5, 5.4}),
+      s.sections.set("y_m", std::vector<double>{0, 0, 0.02, 0});
+  const auto e = edited(s, R"([{"action": "move", "at": [5, 0], "to": [4.9, 0.1]},
+                               {"action": "resize", "at": [0, 0], "dbh_cm": 25}])");
+  EXPECT_THAT(e.sections.integers("tree_id"), ElementsAre(2, 3));
+  EXPECT_THAT(e.sections.numbers("x_m"), ElementsAre(testing::DoubleNear(4.9, 1e-12), 5.4));
+  EXPECT_THAT(e.sections.numbers("y_m"), ElementsAre(testing::DoubleNear(0.12, 1e-12), 0));
+  EXPECT_THAT(e.sections.numbers("diameter_cm"), ElementsAre(30, 10));
 }
 
 }  // namespace
