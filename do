@@ -14,11 +14,13 @@ install_packages() {
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
 }
 
+usage="usage: ./do build | demo | test | bench | format | lint | docs"
 case "${1:-help}" in
   build) install_packages; cmake --workflow --preset build ;;
   demo) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target demo ;;
   test) install_packages; cmake --workflow --preset ci; cmake --workflow --preset fuzz ;;
   bench) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target bench ;;
   format | lint | docs) install_packages; cmake --preset headless; cmake --build --preset headless --target "$1" ;;
-  *) echo "usage: ./do build | demo | test | bench | format | lint | docs" ;;
+  help) echo "$usage" ;;
+  *) echo "$usage" >&2; exit 2 ;;
 esac

@@ -48,18 +48,18 @@ void ProgressLine::update(std::string_view step, double fraction, std::string_vi
 }
 
 // Signals are blocked in every thread and taken by one that waits for them: nothing runs in signal context.
-Interrupts::Interrupts() {
+Interrupts::Interrupts(First first) {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  watcher_ = std::jthread([this, set](std::stop_token stop) {
+  watcher_ = std::jthread([this, set, first](std::stop_token stop) {
     const timespec patience{0, 100'000'000};
     while (!stop.stop_requested()) {
       const int signal_number = sigtimedwait(&set, nullptr, &patience);
       if (signal_number != SIGINT && signal_number != SIGTERM) continue;
-      if (!finish_.stop_requested()) {
+      if (first == First::finishes && !finish_.stop_requested()) {
         finish_.request_stop();
         fmt::print(stderr, "\nFinishing with what there is so far; interrupt again to cancel.\n");
       } else {

@@ -29,10 +29,12 @@ class ProgressLine {
   std::chrono::steady_clock::time_point step_start_, last_draw_;
 };
 
-// While it lives, the first Ctrl-C (or SIGTERM) asks to finish with the best so far, the second to cancel.
+// While it lives, the first Ctrl-C (or SIGTERM) asks to finish with the best so far, the second to cancel. Work that
+// has no best so far is cancelled at once.
 class Interrupts {
  public:
-  Interrupts();
+  enum class First { finishes, cancels };
+  explicit Interrupts(First first);
   ~Interrupts();
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;

@@ -12,7 +12,9 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/option_text.h"
 #include "vtkBoleStage.h"
+#include "vtkbridge/file_keys.h"
 #include "vtkbridge/stage_control.h"
 #include "vtkbridge/stage_execution.h"
 #include "vtkbridge/summary.h"
@@ -27,7 +29,8 @@ std::string_view stage_state_name(StageState state) {
 
 struct PipelineExecutor::Graph {
   std::map<std::string, vtkSmartPointer<vtkBoleStage>, std::less<>> stages;
-  std::map<std::string, int> executions;  // as counted when the last run ended
+  std::map<std::string, int> executions;               // as counted when the last run ended
+  std::map<std::string, std::string> stamps_of_input;  // of the files that a stage read then
   std::shared_ptr<ResultCache> cache;
   vtkNew<vtkCallbackCommand> silence;  // an observer that does nothing
   std::mutex mutex;
@@ -66,6 +69,14 @@ void note_first_error(RunOutcome& outcome, int exit_code, const std::string& err
   if (outcome.exit_code != 0) return;
   outcome.exit_code = exit_code;
   outcome.error = error;
+}
+
+std::string stamps_of_input(const OptionSet& options) {
+  std::string stamps;
+  for (const auto& spec : options.table().specs)
+    if (const auto value = options.get(spec.name); is_input_path(spec, value))
+      stamps += change_stamp(option_text(value));
+  return stamps;
 }
 
 fs::path cache_folder(const RunSettings& settings) {
@@ -164,7 +175,10 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
     vtk_stage->ConnectInput(port.name.c_str(), usable ? stage(source.id) : nullptr, source.port.c_str());
   }
   vtk_stage->SetControl(control_for(node, settings, so_far));
-  if (!vtk_stage->OutputFilesPresent()) vtk_stage->Modified();
+  auto& stamps = graph_->stamps_of_input[node.id];
+  const auto stamps_now = stamps_of_input(*vtk_stage->GetOptions());
+  if (!vtk_stage->OutputFilesPresent() || stamps != stamps_now) vtk_stage->Modified();
+  stamps = stamps_now;
   set_running(vtk_stage);
   vtk_stage->Update();
   set_running(nullptr);

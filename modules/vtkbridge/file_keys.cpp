@@ -14,6 +14,9 @@
 
 namespace bole {
 namespace fs = std::filesystem;
+namespace {
+constexpr std::uintmax_t large_file_bytes = std::uintmax_t{256} << 20;  // reading it takes long enough to tell about it
+}
 
 std::int64_t change_time_ns(const fs::path& path) {
   std::error_code ignored;
@@ -25,7 +28,8 @@ FileKeys::FileKeys(fs::path memo_file) : memo_file_(std::move(memo_file)) {
   std::ifstream in(memo_file_);
   if (!in) return;
   try {
-    for (const auto& [path, entry] : nlohmann::json::parse(in).items())
+    const auto memo = nlohmann::json::parse(in);  // outlives items()
+    for (const auto& [path, entry] : memo.items())
       known_[path] = {entry.at("size").get<std::uintmax_t>(), entry.at("changed_ns").get<std::int64_t>(),
                       entry.at("key").get<std::string>()};
   } catch (const nlohmann::json::exception&) {
@@ -42,7 +46,42 @@ void FileKeys::save() {
   changed_ = false;
 }
 
-std::string FileKeys::file_key(const fs::path& path) {
+namespace {
+
+// Without a slash at its end.
+fs::path whole_path(const fs::path& path) {
+  const fs::path whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// The files that a path stands for, sorted: the file itself; of a folder all that are in it and the times beside it.
+std::vector<fs::path> files_of(const fs::path& path) {
+  if (fs::is_regular_file(path)) return {path};
+  std::vector<fs::path> files;
+  if (!fs::is_directory(path)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  for (const char* beside : {"times.txt", "timestamps.txt"})
+    if (const auto file = path.parent_path() / beside; fs::is_regular_file(file)) files.push_back(file);
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+std::string change_stamp(const fs::path& path) {
+  try {
+    std::string stamp;
+    for (const auto& file : files_of(whole_path(path)))
+      stamp += file.string() + '\n' + std::to_string(fs::file_size(file)) + ' ' + std::to_string(change_time_ns(file)) +
+               '\n';
+    return stamp;
+  } catch (const fs::filesystem_error&) {
+    return "unreadable";
+  }
+}
+
+std::string FileKeys::file_key(const fs::path& path, const Run& run) {
   const std::string name = fs::absolute(path).lexically_normal().string();
   const Known now{fs::file_size(path), change_time_ns(path), {}};
   if (const auto it = known_.find(name);
@@ -52,25 +91,30 @@ std::string FileKeys::file_key(const fs::path& path) {
   if (!in) return "unreadable";
   ContentHash hash;
   std::vector<char> buffer(std::size_t{1} << 20);
-  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
+  std::uintmax_t done = 0;
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
+    run.check_cancel();
     hash.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(in.gcount()))));
+    done += static_cast<std::uintmax_t>(in.gcount());
+    if (now.size > large_file_bytes)
+      run.report(static_cast<double>(done) / static_cast<double>(now.size),
+                 "reading " + path.filename().string() + " to see whether its result is known");
+  }
   known_[name] = {now.size, now.changed_ns, hash.hex()};
   changed_ = true;
   return known_[name].key;
 }
 
-std::string FileKeys::key(const fs::path& path) {
+std::string FileKeys::key(const fs::path& path, const Run& run) {
   try {
-    if (fs::is_regular_file(path)) return file_key(path);
+    if (fs::is_regular_file(path)) return file_key(path, run);
     if (!fs::is_directory(path)) return "absent";
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(path))
-      if (entry.is_regular_file()) files.push_back(entry.path());
-    std::ranges::sort(files);
     ContentHash hash;
-    for (const auto& file : files) {
-      hash.add_text(file.lexically_relative(path).string());
-      hash.add_text(file_key(file));
+    const fs::path folder = whole_path(path);
+    for (const auto& file : files_of(folder)) {
+      run.check_cancel();
+      hash.add_text(file.lexically_relative(folder).string());
+      hash.add_text(file_key(file, run));
     }
     return hash.hex();
   } catch (const fs::filesystem_error&) {

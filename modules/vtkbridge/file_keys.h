@@ -6,15 +6,18 @@
 #include <map>
 #include <string>
 
+#include "base/run.h"
+
 namespace bole {
 
 class FileKeys {
  public:
   explicit FileKeys(std::filesystem::path memo_file);
 
-  // The key of a file, or of a folder: names and contents of all files in it. A path that is not there has the key
-  // "absent": the stage that reads it tells about it in its own words.
-  std::string key(const std::filesystem::path& path);
+  // The key of a file, or of a folder: names and contents of all files in it, and of the times that lie beside it,
+  // which belong to the frames of a scan. A path that is not there has the key "absent": the stage that reads it tells
+  // about it in its own words. Throws Error{cancelled}.
+  std::string key(const std::filesystem::path& path, const Run& run = {});
   // Writes what was learnt.
   void save();
 
@@ -24,11 +27,14 @@ class FileKeys {
     std::int64_t changed_ns = 0;
     std::string key;
   };
-  std::string file_key(const std::filesystem::path& path);
+  std::string file_key(const std::filesystem::path& path, const Run& run);
   std::filesystem::path memo_file_;
   std::map<std::string, Known> known_;
   bool changed_ = false;
 };
+
+// A text that differs once a file, or a file of a folder, has another name, size or time of change. Reads no contents.
+std::string change_stamp(const std::filesystem::path& path);
 
 std::int64_t change_time_ns(const std::filesystem::path& path);
 

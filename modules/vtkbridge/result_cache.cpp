@@ -96,9 +96,9 @@ fs::path ResultCache::blob_path(const std::string& id) const {
 
 fs::path ResultCache::result_path(const std::string& key) const { return folder_ / "results" / (key + ".json"); }
 
-std::string ResultCache::file_key(const fs::path& path) {
+std::string ResultCache::file_key(const fs::path& path, const Run& run) {
   const std::lock_guard lock(mutex_);
-  std::string key = file_keys_.key(path);
+  std::string key = file_keys_.key(path, run);
   file_keys_.save();
   return key;
 }

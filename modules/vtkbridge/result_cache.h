@@ -47,7 +47,7 @@ class ResultCache : private BlobStore {
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  std::string file_key(const std::filesystem::path& path);
+  std::string file_key(const std::filesystem::path& path, const Run& run = {});
 
   // The result under a key, when all its parts are there; its arrays are checked when they are loaded.
   std::optional<CachedResult> find(const std::string& key);

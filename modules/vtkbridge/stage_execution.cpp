@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "base/content_hash.h"
+#include "base/option_text.h"
 
 namespace bole {
 namespace {
@@ -76,11 +77,12 @@ std::string stage_key(const StageType& type, const OptionSet& options, const Por
   hash.add_text(type.name);
   hash.add_value(type.version);
   for (const auto& spec : type.options->specs) {
-    const std::string value = option_text(options.get(spec.name));
+    const OptionValue value = options.get(spec.name);
+    const bool is_path = is_input_path(spec, value);
     hash.add_text(spec.name);
-    hash.add_text(spec.text_kind == TextKind::input_path && !value.empty() ? cache.file_key(value) : value);
+    hash.add_text(is_path ? cache.file_key(option_text(value), run) : option_text(value));
     // The name counts as well: readers tell formats by it.
-    if (spec.text_kind == TextKind::input_path) hash.add_text(std::filesystem::path(value).filename().string());
+    if (is_path) hash.add_text(std::filesystem::path(option_text(value)).filename().string());
   }
   for (const auto& [port, lazy] : inputs) {
     hash.add_text(port);

@@ -3,6 +3,7 @@
 
 import pathlib
 import re
+import subprocess
 import sys
 import unittest
 
@@ -119,6 +120,34 @@ class Repository(unittest.TestCase):
     def test_folders_of_the_top_level(self):
         expected = {"app", "modules", "pipelines", "tests", "resources", "docs"}
         self.assertTrue(expected <= {p.name for p in ROOT.iterdir() if p.is_dir()})
+
+    # What a person who opens the repository sees first; output of a run does not belong here.
+    TOP_LEVEL = {"app", "docs", "modules", "pipelines", "resources", "tests", ".ci", ".clang-format", ".clang-tidy", ".gitignore", "CHANGELOG.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "do", "packages.apt"}
+
+    def test_nothing_else_lies_at_the_top_level(self):
+        listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True)
+        if listing.returncode != 0:
+            self.skipTest("this is no checkout")
+        self.assertEqual({p.split("/")[0] for p in listing.stdout.split("\0") if p} - self.TOP_LEVEL, set())
+
+    def test_every_thin_class_is_known_to_paraview(self):
+        found = {}
+        for p in sources(MODULES):
+            if p.parent.name == "vtk" and (stage := re.search(r'SetStageType\("([^"]+)"\)', p.read_text())):
+                found[stage.group(1)] = p.stem
+        table = dict(re.findall(r'\{"([\w.]+)",\s*"(vtkBole\w+)"\}', (MODULES / "pipeline" / "paraview_xml.cpp").read_text()))
+        self.assertGreater(len(found), 20, "no classes found: the test looks in the wrong way")
+        self.assertEqual(table, found)
+
+    # printf and its like ask the language of the system for the decimal point; files have one point in every language.
+    SPEAKS_A_LANGUAGE = re.compile(r"\b(strto[dfl]d?|sto[df]|stold|atof)\s*\(|\b\w*(printf|scanf)\s*\([^;]*%[-+ #0-9.*]*l?[aefgAEFG]\b")
+
+    def test_numbers_speak_no_language(self):
+        found = [f"{p.relative_to(ROOT)}: {m.group(0)[:80]}" for folder in (MODULES, ROOT / "app" / "cli") for p in sources(folder) for m in self.SPEAKS_A_LANGUAGE.finditer(p.read_text(errors="replace"))]
+        self.assertEqual(found, [], "use number_from_text, std::from_chars or fmt")
+        for text in ("strtod(t, nullptr)", "std::stod(t)", 'sscanf(t, "%d:%lf", &a, &b)', 'snprintf(t, n, "%.*f", 2, x)'):
+            self.assertTrue(self.SPEAKS_A_LANGUAGE.search(text), text)
+        self.assertFalse(self.SPEAKS_A_LANGUAGE.search('sscanf(t, "%d-%d", &a, &b)'))
 
     def test_source_files_stay_readable(self):
         found = [f"{p.relative_to(ROOT)}: {n} lines" for folder in ("app", "modules") for p in sources(ROOT / folder) if (n := len(p.read_text(errors="replace").splitlines())) > 600]

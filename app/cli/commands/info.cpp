@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,9 @@ namespace {
 using nlohmann::ordered_json;
 
 bool is_recording(const std::filesystem::path& path) {
-  const auto extension = path.extension().string();
+  auto extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return std::filesystem::is_directory(path) || extension == ".pcap" || extension == ".pcapng" || extension == ".cap";
 }
 
@@ -69,13 +73,19 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   return json;
 }
 
+// Names in a file may be in any encoding.
+std::string text_of(const ordered_json& json, int indent = -1) {
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 void print_text(const ordered_json& json, int depth = 0) {
   for (const auto& [key, value] : json.items()) {
     if (value.is_object() && !value.contains("type")) {
       fmt::print("{:>{}}{}\n", "", 2 * depth, key);
       print_text(value, depth + 1);
     } else {
-      fmt::print("{:>{}}{:<22} {}\n", "", 2 * depth, key, value.is_string() ? value.get<std::string>() : value.dump());
+      fmt::print("{:>{}}{:<22} {}\n", "", 2 * depth, key,
+                 value.is_string() ? value.get<std::string>() : text_of(value));
     }
   }
 }
@@ -100,7 +110,7 @@ void add_info(Program& program) {
       all.push_back(is_recording(file) ? describe_recording(file) : describe_cloud(file));
       if (!args->json) print_text(all.back()), fmt::print("\n");
     }
-    if (args->json) fmt::print("{}\n", all.dump(2));
+    if (args->json) fmt::print("{}\n", text_of(all, 2));
   });
 }
 

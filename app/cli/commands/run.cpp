@@ -75,7 +75,7 @@ void print_evaluation(const StageOutcome& outcome, bool poses_given) {
 void run_document(Program& program, const Arguments& args) {
   auto document = PipelineDocument::load(args.pipeline, StageRegistry::global());
   apply_sets(document, args.sets);
-  Interrupts interrupts;
+  Interrupts interrupts(Interrupts::First::finishes);
   ProgressLine line;
   RunSettings settings;
   settings.output_dir = args.out;

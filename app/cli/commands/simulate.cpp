@@ -20,7 +20,7 @@ void add_simulate(Program& program) {
   add_option_flags(*command, args->options);
   command->callback([args] {
     args->options.check_all();
-    Interrupts interrupts;
+    Interrupts interrupts(Interrupts::First::finishes);
     ProgressLine line;
     Run run;
     run.finish = interrupts.finish();

@@ -25,7 +25,7 @@ void add_simulate_field(Program& program) {
   add_option_flags(*command, args->options);
   command->callback([args] {
     args->options.check_all();
-    Interrupts interrupts;
+    Interrupts interrupts(Interrupts::First::cancels);
     ProgressLine line;
     Run run;
     run.cancel = interrupts.cancel();

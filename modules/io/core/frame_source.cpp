@@ -14,7 +14,7 @@ const OptionTable& option_table(const FrameSourceOptions*) {
       {
           Option<S, std::string>{"sensor",
                                  &S::sensor,
-                                 TextKind::plain,
+                                 TextKind::input_path_or_name,
                                  {},
                                  Tier::basic,
                                  "Sensor: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, hdl64e_s2, "

@@ -16,6 +16,8 @@
 #include "vtkBolePipeline.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/executor.h"
+#include "vtkbridge/file_keys.h"
+#include "vtkbridge/stage_execution.h"
 
 namespace bole {
 namespace {
@@ -195,6 +197,92 @@ TEST_F(Executor, InputFilesCountByContent) {
   run_pipeline(with_file, settings_);
   EXPECT_EQ(toy::runs()["toy.points"], 2);
   EXPECT_EQ(written(), "14 extra");
+}
+
+// A program that keeps its pipeline, as Python's vtkBolePipeline does, sees that a file was edited in between.
+TEST_F(Executor, AFileThatIsEditedBetweenTwoRunsIsReadAgain) {
+  for (const bool use_cache : {true, false}) {
+    SCOPED_TRACE(use_cache);
+    toy::runs()["toy.points"] = 0;
+    settings_.use_cache = use_cache;
+    const auto file = out_.path() / "in.txt";
+    std::ofstream(file) << "abc";
+    auto with_file = document();
+    with_file.set("a.file", file.string());
+    PipelineExecutor executor(with_file);
+    executor.run(settings_);
+    EXPECT_EQ(written(), "13 extra");
+    executor.run(settings_);
+    EXPECT_EQ(toy::runs()["toy.points"], 1);
+    std::ofstream(file) << "abcd";
+    executor.run(settings_);
+    EXPECT_EQ(toy::runs()["toy.points"], 2);
+    EXPECT_EQ(written(), "14 extra");
+    fs::remove_all(settings_.output_dir / "cache");
+  }
+}
+
+TEST(FileKeys, TimesBesideAFolderOfFramesCount) {
+  const toy::TemporaryFolder out;
+  const auto frames = out.path() / "walk" / "frames";
+  fs::create_directories(frames);
+  std::ofstream(frames / "0.bin") << "0123456789abcdef";
+  FileKeys keys({});
+  const auto key = keys.key(frames), stamp = change_stamp(frames);
+  EXPECT_EQ(keys.key(frames), key);
+  EXPECT_EQ(change_stamp(frames), stamp);
+  std::ofstream(out.path() / "walk" / "times.txt") << "1.5\n";
+  const auto timed_key = keys.key(frames), timed_stamp = change_stamp(frames);
+  EXPECT_NE(timed_key, key);
+  EXPECT_NE(timed_stamp, stamp);
+  std::ofstream(out.path() / "walk" / "times.txt") << "2.25\n";
+  EXPECT_NE(keys.key(frames), timed_key);
+  EXPECT_NE(change_stamp(frames), timed_stamp);
+  EXPECT_EQ(keys.key(frames / ""), keys.key(frames));
+}
+
+TEST(FileKeys, ReadingABigFileTellsHowFarItIsAndCanBeCancelled) {
+  const toy::TemporaryFolder out;
+  std::ofstream(out.path() / "scan.pcap") << 'x';
+  fs::resize_file(out.path() / "scan.pcap", 300U << 20);  // takes no room on the disk
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  double last = 0;
+  run.progress = [&](double fraction, std::string_view what) {
+    EXPECT_THAT(std::string(what), HasSubstr("scan.pcap"));
+    last = fraction;
+    if (fraction > 0.5) stop.request_stop();
+  };
+  FileKeys keys({});
+  EXPECT_THROW(keys.key(out.path() / "scan.pcap", run), Error);
+  EXPECT_GT(last, 0.5);
+  EXPECT_LT(last, 0.9);
+  EXPECT_EQ(keys.key(out.path() / "scan.pcap").size(), 32U);
+}
+
+TEST(StageKey, AFileThatAnOptionMayNameCountsByItsContent) {
+  const toy::TemporaryFolder out;
+  const auto file = out.path() / "unit.json";
+  struct Options {
+    std::string sensor = "auto";
+  };
+  const auto table = make_option_table<Options>({Option<Options, std::string>{
+      "sensor", &Options::sensor, TextKind::input_path_or_name, {}, Tier::basic, "A name or a file."}});
+  StageType type;
+  type.name = "toy.sensor", type.options = &table;
+  OptionSet options(table);
+  ResultCache cache(out.path() / "cache");
+  const auto key = [&] { return stage_key(type, options, {}, {}, cache); };
+  const auto unnamed = key();
+  options.set("sensor", std::string("vlp16"));
+  EXPECT_NE(key(), unnamed);
+  options.set("sensor", file.string());
+  std::ofstream(file) << "1";
+  const auto first = key();
+  EXPECT_EQ(key(), first);
+  std::ofstream(file) << "22";
+  EXPECT_NE(key(), first);
 }
 
 TEST_F(Executor, ASinkWritesAgainWhenItsFileIsGone) {

@@ -1,0 +1,35 @@
+#!/usr/bin/env python3
+"""Installs a build (cmake and the folder of the build are the arguments) and runs what was installed from another place."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+cmake, build = sys.argv[1:]
+with tempfile.TemporaryDirectory(prefix="bole_install_") as temporary:
+    prefix = pathlib.Path(temporary) / "first"
+    subprocess.run([cmake, "--install", build, "--prefix", prefix, "--strip"], check=True, stdout=subprocess.DEVNULL)
+    moved = pathlib.Path(temporary) / "moved"
+    shutil.move(prefix, moved)
+    environment = {k: v for k, v in os.environ.items() if k not in {"BOLE_RESOURCE_DIR", "LD_LIBRARY_PATH"}}
+    bole = moved / "bin" / "bole"
+
+    def run(*arguments):
+        return subprocess.run([bole, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=60)
+
+    libraries = subprocess.run(["ldd", bole], env=environment, capture_output=True, text=True, check=True).stdout
+    ours = [line.split()[2] for line in libraries.splitlines() if "libbole_" in line or "libvtkBole" in line]
+    assert ours and all(pathlib.Path(p).is_relative_to(moved) for p in ours), libraries
+    listed = run("stages")
+    assert listed.returncode == 0 and "stems.measure" in listed.stdout, listed
+    # The resources are those of the installation, not of the folder that it was built from.
+    plots = moved / "share" / "bole" / "resources" / "plots"
+    shutil.copy(plots / "demo.json", plots / "only_installed.json")
+    told = run("simulate", "--plot", "no_such_plot", "--out", moved / "scan")
+    assert told.returncode == 2 and "only_installed" in told.stderr, told
+    assert (moved / "share" / "bole" / "pipelines" / "forest_plot.json").is_file()
+    validated = run("validate", moved / "share" / "bole" / "pipelines" / "forest_plot.json", "--set", f"scan.file={moved}")
+    assert "report.plot" in validated.stderr + validated.stdout or validated.returncode == 0, validated
