@@ -14,6 +14,9 @@
 
 namespace bole {
 namespace fs = std::filesystem;
+namespace {
+constexpr std::uintmax_t large_file_bytes = std::uintmax_t{256} << 20;  // reading it takes long enough to tell about it
+}
 
 std::int64_t change_time_ns(const fs::path& path) {
   std::error_code ignored;
@@ -42,7 +45,7 @@ void FileKeys::save() {
   changed_ = false;
 }
 
-std::string FileKeys::file_key(const fs::path& path) {
+std::string FileKeys::file_key(const fs::path& path, const Run& run) {
   const std::string name = fs::absolute(path).lexically_normal().string();
   const Known now{fs::file_size(path), change_time_ns(path), {}};
   if (const auto it = known_.find(name);
@@ -52,16 +55,23 @@ std::string FileKeys::file_key(const fs::path& path) {
   if (!in) return "unreadable";
   ContentHash hash;
   std::vector<char> buffer(std::size_t{1} << 20);
-  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
+  std::uintmax_t done = 0;
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
+    run.check_cancel();
     hash.add_bytes(std::as_bytes(std::span(buffer.data(), static_cast<std::size_t>(in.gcount()))));
+    done += static_cast<std::uintmax_t>(in.gcount());
+    if (now.size > large_file_bytes)
+      run.report(static_cast<double>(done) / static_cast<double>(now.size),
+                 "reading " + path.filename().string() + " to see whether its result is known");
+  }
   known_[name] = {now.size, now.changed_ns, hash.hex()};
   changed_ = true;
   return known_[name].key;
 }
 
-std::string FileKeys::key(const fs::path& path) {
+std::string FileKeys::key(const fs::path& path, const Run& run) {
   try {
-    if (fs::is_regular_file(path)) return file_key(path);
+    if (fs::is_regular_file(path)) return file_key(path, run);
     if (!fs::is_directory(path)) return "absent";
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(path))
@@ -70,7 +80,7 @@ std::string FileKeys::key(const fs::path& path) {
     ContentHash hash;
     for (const auto& file : files) {
       hash.add_text(file.lexically_relative(path).string());
-      hash.add_text(file_key(file));
+      hash.add_text(file_key(file, run));
     }
     return hash.hex();
   } catch (const fs::filesystem_error&) {

@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "base/run.h"
+
 namespace bole {
 
 class FileKeys {
@@ -13,8 +15,8 @@ class FileKeys {
   explicit FileKeys(std::filesystem::path memo_file);
 
   // The key of a file, or of a folder: names and contents of all files in it. A path that is not there has the key
-  // "absent": the stage that reads it tells about it in its own words.
-  std::string key(const std::filesystem::path& path);
+  // "absent": the stage that reads it tells about it in its own words. Throws Error{cancelled}.
+  std::string key(const std::filesystem::path& path, const Run& run = {});
   // Writes what was learnt.
   void save();
 
@@ -24,7 +26,7 @@ class FileKeys {
     std::int64_t changed_ns = 0;
     std::string key;
   };
-  std::string file_key(const std::filesystem::path& path);
+  std::string file_key(const std::filesystem::path& path, const Run& run);
   std::filesystem::path memo_file_;
   std::map<std::string, Known> known_;
   bool changed_ = false;
