@@ -4,6 +4,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "cloud/large_cloud.h"
+
 namespace bole {
 namespace {
 
@@ -48,6 +50,7 @@ json store_cloud(const PointCloud& cloud, BlobStore& store) {
   j["columns"] = json::object();
   for (const auto& [name, column] : cloud.columns()) {
     const std::string id = std::visit([&](const auto& values) { return put_vector(values, store); }, *column);
+    leave_memory(*column, 0, cloud.size());
     j["columns"][name] = {{"type", array_type_name(column_type(*column))}, {"blob", id}};
   }
   return j;
@@ -60,15 +63,31 @@ ArrayType type_from_name(const std::string& name) {
   throw damaged("array type '" + name + "'");
 }
 
-std::shared_ptr<const Column> load_column(const json& j, std::size_t size, const BlobStore& store) {
+std::size_t stored_bytes(const json& columns, const BlobStore& store) {
+  std::size_t bytes = 0;
+  for (const auto& [name, column] : columns.items()) bytes += store.size(column.at("blob").get<std::string>());
+  return bytes;
+}
+
+// `on_file`: the cloud is so large that its columns are not kept in memory.
+std::shared_ptr<const Column> load_column(const json& j, std::size_t size, bool on_file, const BlobStore& store) {
   const auto id = j.at("blob").get<std::string>();
   const auto type_name = j.at("type").get<std::string>();
   if (auto shared = std::static_pointer_cast<const Column>(store.recall(id, type_name));
       shared && column_size(*shared) == size)
     return shared;
   Column column = make_column(type_from_name(type_name), 0);
-  std::visit([&]<class T>(std::vector<T>& values) { values = get_vector<T>(j.at("blob"), size, store); }, column);
-  auto shared = std::make_shared<const Column>(std::move(column));
+  FilePages pages;
+  std::visit(
+      [&]<class T>(std::vector<T>& values) {
+        values = get_vector<T>(j.at("blob"), size, store);
+        const std::size_t bytes = size * sizeof(T);
+        if (on_file && bytes >= least_file_bytes)
+          pages = lay_on_file(values.data(), bytes, Content::keep, scratch_folders());
+      },
+      column);
+  auto shared = column_with_pages(std::move(column), std::move(pages));
+  leave_memory(*shared, 0, size);
   store.remember(id, type_name, shared);
   return shared;
 }
@@ -88,8 +107,9 @@ std::shared_ptr<const PointCloud> load_cloud(const json& j, const BlobStore& sto
     store.remember(id, positions_tag, positions);
   }
   cloud->share_positions(positions);
+  const bool large = stored_bytes(j.at("columns"), store) > large_columns_bytes;
   for (const auto& [name, column] : j.at("columns").items())
-    cloud->share_column(name, load_column(column, size, store));
+    cloud->share_column(name, load_column(column, size, large, store));
   return cloud;
 }
 

@@ -14,7 +14,7 @@ StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run
   points.set_column(arrays::classification, std::move(model.classification));
   StageResult result;
   result.outputs.set("slope", ground::slope_deg(model.dem));
-  result.outputs.set("canopy", ground::canopy_height(points, model.dem, model.dem.cell_m));
+  result.outputs.set("canopy", ground::canopy_height(points, model.dem, model.dem.cell_m, run));
   result.outputs.set("points", std::move(points));
   result.outputs.set("dem", std::move(model.dem));
   result.outputs.set("dem_filled", std::move(model.filled));

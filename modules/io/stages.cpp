@@ -1,6 +1,7 @@
 // The stages of the module io: what brings files into a pipeline.
 #include "io/core/cloud_reader.h"
 #include "io/core/frame_source.h"
+#include "io/core/memory_advice.h"
 #include "io/core/table_file.h"
 #include "io/core/track_file.h"
 #include "io/core/trajectory_file.h"
@@ -98,6 +99,8 @@ StageType read_cloud_stage() {
     const auto& o = options.as<ReadCloudOptions>();
     StageResult result;
     auto reading = read_cloud(o.file, o, run);
+    if (auto advice = memory_advice(reading.cloud.size(), available_memory_bytes()); !advice.empty())
+      reading.report.warn(std::move(advice));
     result.outputs.set("points", std::move(reading.cloud));
     result.report = std::move(reading.report);
     return result;

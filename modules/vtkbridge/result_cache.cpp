@@ -103,12 +103,44 @@ std::string ResultCache::file_key(const fs::path& path, const Run& run) {
   return key;
 }
 
-std::string ResultCache::put(std::span<const std::byte> bytes) {
-  std::string id = content_hash(bytes);
+// Arrays of large clouds take seconds: they go piece by piece, and a cancel is heard between two of them.
+class ResultCache::PolledStore : public BlobStore {
+ public:
+  PolledStore(ResultCache& cache, const Run& run) : cache_(cache), run_(run) {}
+  std::string put(std::span<const std::byte> bytes) override { return cache_.put(bytes, run_); }
+  std::size_t size(const std::string& id) const override { return cache_.size(id); }
+  void get(const std::string& id, std::span<std::byte> into) const override { cache_.get(id, into); }
+
+ private:
+  ResultCache& cache_;
+  const Run& run_;
+};
+
+namespace {
+
+template <class F>
+void in_pieces(std::span<const std::byte> bytes, const Run& run, F&& f) {
+  constexpr std::size_t piece = std::size_t{16} << 20;
+  for (std::size_t at = 0; at < bytes.size(); at += piece) {
+    run.check_cancel();
+    f(bytes.subspan(at, std::min(piece, bytes.size() - at)));
+  }
+}
+
+}  // namespace
+
+std::string ResultCache::put(std::span<const std::byte> bytes, const Run& run) {
+  ContentHash hash;
+  in_pieces(bytes, run, [&](auto part) { hash.add_bytes(part); });
+  std::string id = hash.hex();
   const fs::path path = blob_path(id);
   std::error_code ignored;
-  if (fs::file_size(path, ignored) != bytes.size())
-    write_text_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (fs::file_size(path, ignored) == bytes.size()) return id;
+  AtomicFile file(path);
+  in_pieces(bytes, run, [&](auto part) {
+    file.stream().write(reinterpret_cast<const char*>(part.data()), static_cast<std::streamsize>(part.size()));
+  });
+  file.commit();
   return id;
 }
 
@@ -141,15 +173,16 @@ std::optional<CachedResult> ResultCache::find(const std::string& key) {
 }
 
 std::map<std::string, std::string> ResultCache::store(const std::string& key, const std::string& stage_type,
-                                                      const StageResult& result,
-                                                      const std::vector<WrittenFile>& files) {
+                                                      const StageResult& result, const std::vector<WrittenFile>& files,
+                                                      const Run& run) {
   ordered_json entry{{"stage", stage_type},
                      {"report", report_to_json(result.report)},
                      {"outputs", ordered_json::object()},
                      {"files", files_to_json(files)}};
   std::map<std::string, std::string> stored;
+  PolledStore store(*this, run);
   for (const auto& [port, data] : result.outputs.all()) {
-    stored[port] = store_data(data, *this);
+    stored[port] = store_data(data, store);
     entry["outputs"][port] = ordered_json::parse(stored[port]);
   }
   try {

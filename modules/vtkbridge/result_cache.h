@@ -41,6 +41,8 @@ struct CachedResult {
 };
 
 class ResultCache : private BlobStore {
+  class PolledStore;
+
  public:
   // The folder is made when the first result is stored.
   explicit ResultCache(std::filesystem::path folder);
@@ -51,9 +53,10 @@ class ResultCache : private BlobStore {
 
   // The result under a key, when all its parts are there; its arrays are checked when they are loaded.
   std::optional<CachedResult> find(const std::string& key);
-  // Returns what load() takes, per port.
+  // Returns what load() takes, per port. Throws Error{cancelled} among others.
   std::map<std::string, std::string> store(const std::string& key, const std::string& stage_type,
-                                           const StageResult& result, const std::vector<WrittenFile>& files);
+                                           const StageResult& result, const std::vector<WrittenFile>& files,
+                                           const Run& run = {});
   void remove(const std::string& key);
   // Throws Error{failed} when an array is damaged.
   Data load(const std::string& stored, const FrameOpener& open_frames) const {
@@ -64,7 +67,8 @@ class ResultCache : private BlobStore {
   std::uintmax_t prune(std::uintmax_t most_bytes);
 
  private:
-  std::string put(std::span<const std::byte> bytes) override;
+  std::string put(std::span<const std::byte> bytes) override { return put(bytes, {}); }
+  std::string put(std::span<const std::byte> bytes, const Run& run);
   std::size_t size(const std::string& id) const override;
   void get(const std::string& id, std::span<std::byte> into) const override;
   std::filesystem::path blob_path(const std::string& id) const;

@@ -4,6 +4,7 @@
 
 #include "base/content_hash.h"
 #include "base/option_text.h"
+#include "cloud/large_cloud.h"
 
 namespace bole {
 namespace {
@@ -16,11 +17,34 @@ class HashingStore : public BlobStore {
   void get(const std::string&, std::span<std::byte>) const override {}
 };
 
+void leave_memory(const DataSet& data) {
+  for (const auto& [port, value] : data.all())
+    if (const auto* cloud = std::get_if<std::shared_ptr<const PointCloud>>(&value); cloud && *cloud)
+      leave_memory(**cloud);
+}
+
+// What a stage added to a large cloud goes to where the rest of it is.
+void lay_clouds_on_file(StageResult& result, const Run& run) {
+  std::size_t without_room = 0;
+  const auto outputs = result.outputs.all();
+  for (const auto& [port, value] : outputs) {
+    const auto* cloud = std::get_if<std::shared_ptr<const PointCloud>>(&value);
+    if (!cloud || !*cloud || columns_bytes(**cloud) <= large_columns_bytes) continue;
+    PointCloud on_file = **cloud;
+    without_room += lay_columns_on_file(on_file, scratch_folders(run));
+    result.outputs.set(port, std::move(on_file));
+  }
+  if (without_room > 0) result.report.warn(no_room_for_scratch(without_room));
+}
+
 StageResult run_now(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run) {
   DataSet data;
   for (const auto& [port, lazy] : inputs)
     if (lazy) data.set(port, lazy->get());
-  return run_stage(type, data, options, run);
+  StageResult result = run_stage(type, data, options, run);
+  lay_clouds_on_file(result, run);
+  leave_memory(data), leave_memory(result.outputs);
+  return result;
 }
 
 // A result that lies in the cache. Should it prove damaged, the stage is run once for all its outputs.
@@ -126,9 +150,10 @@ StageExecution execute_stage(const StageType& type, const OptionSet& options, co
   if (cache && whole) {
     try {
       const auto load = loader();
-      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files))
+      for (const auto& [port, text] : cache->store(key, type.name, result, execution.files, run))
         execution.outputs.at(port)->set_load(load(port, text));
     } catch (const std::exception& e) {  // a full disk must not cost the result
+      run.check_cancel();
       spdlog::warn("{}: the result is not kept in the cache: {}", type.name, e.what());
     }
   }

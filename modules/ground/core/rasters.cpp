@@ -56,11 +56,12 @@ Raster slope_deg(const Raster& dem) {
   return out;
 }
 
-Raster canopy_height(const PointCloud& cloud, const Raster& dem, double cell_m) {
+Raster canopy_height(const PointCloud& cloud, const Raster& dem, double cell_m, const Run& run) {
   if (!(cell_m > 0)) throw bad_input("a canopy height cell of " + number_text(cell_m) + " m", "a positive size");
   const auto& height = cloud.values<float>(arrays::height_above_ground);
   Raster out = same_place(dem, cell_m, "canopy_height_m");
   for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if ((i & 0xfffffU) == 0) run.check_cancel();
     if (!std::isfinite(height[i])) continue;
     const Eigen::Vector3d p = cloud.position(i);
     const double u = std::floor((p.x() - out.origin.x()) / cell_m), v = std::floor((p.y() - out.origin.y()) / cell_m);

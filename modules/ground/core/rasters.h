@@ -13,7 +13,8 @@ Raster slope_deg(const Raster& dem);
 
 // Canopy height model (quantity "canopy_height_m"): the greatest value of the array height_above_ground in each cell,
 // at least 0; NaN where a cell has no point with a height. On the grid of `dem` when `cell_m` is its cell size, else on
-// a grid with the same corner and extent. Throws Error{bad_input} when the array is absent or cell_m is not positive.
-Raster canopy_height(const PointCloud& cloud, const Raster& dem, double cell_m);
+// a grid with the same corner and extent. Throws Error{bad_input} when the array is absent or cell_m is not positive,
+// Error{cancelled}.
+Raster canopy_height(const PointCloud& cloud, const Raster& dem, double cell_m, const Run& run = {});
 
 }  // namespace bole::ground

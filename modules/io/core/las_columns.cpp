@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/large_cloud.h"
+
 namespace bole::las {
 
 namespace {
@@ -30,9 +32,13 @@ std::int32_t grid_middle(std::int32_t low, std::int32_t high, double scale, doub
 }
 
 template <class T>
-void set_unless_zero(PointCloud& cloud, const ArrayInfo& info, std::vector<T>& values) {
-  if (std::ranges::any_of(values, [](T v) { return v != T{}; })) cloud.set_column(info, std::move(values));
-  values = {};
+bool any_set(const std::vector<T>& values) {
+  return std::ranges::any_of(values, [](T v) { return v != T{}; });
+}
+
+template <class T>
+void leave(const std::vector<T>& values, std::size_t first, std::size_t count) {
+  if (first < values.size()) leave_memory(&values[first], std::min(count, values.size() - first) * sizeof(T));
 }
 
 }  // namespace
@@ -49,14 +55,48 @@ ColumnBuilder::ColumnBuilder(int point_format, int record_length, std::vector<Ex
     extra_.push_back(make_column(sensor_axis(dimension) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
 }
 
-void ColumnBuilder::resize(std::size_t count) {
-  const auto all = [count](auto&... columns) { (columns.resize(count), ...); };
-  all(positions_, intensity_, scan_angle_, return_number_, number_of_returns_, classification_, user_data_, flags_,
+// All but the positions, as far as the points have them.
+template <class F>
+void ColumnBuilder::for_each_column(F&& f) {
+  const auto all = [&](auto&... columns) { (f(columns), ...); };
+  all(intensity_, scan_angle_, return_number_, number_of_returns_, classification_, user_data_, flags_,
       point_source_id_);
-  if (layout_.time >= 0) time_.resize(count);
+  if (layout_.time >= 0) f(time_);
   if (layout_.colour >= 0) all(red_, green_, blue_);
-  if (layout_.near_infrared >= 0) near_infrared_.resize(count);
-  for (auto& column : extra_) std::visit([count](auto& values) { values.resize(count); }, column);
+  if (layout_.near_infrared >= 0) f(near_infrared_);
+  for (auto& column : extra_) std::visit(f, column);
+}
+
+void ColumnBuilder::expect(std::size_t count, std::size_t most_bytes, const std::vector<std::filesystem::path>& folders,
+                           std::vector<std::string>& warnings) {
+  expected_ = count;
+  positions_.reserve(count);
+  std::size_t bytes = 0, without_room = 0;
+  for_each_column([&](auto& values) {
+    values.reserve(count);
+    bytes += count * sizeof(values[0]);
+  });
+  if (bytes <= most_bytes) return;
+  folders_ = folders;
+  for_each_column([&](auto& values) {
+    const std::size_t size = count * sizeof(values[0]);
+    if (size < least_file_bytes) return;
+    if (auto pages = lay_on_file(values.data(), size, Content::undefined, folders_))
+      pages_[values.data()] = std::move(pages);
+    else
+      without_room += size;
+  });
+  if (without_room > 0) warnings.push_back(no_room_for_scratch(without_room));
+}
+
+void ColumnBuilder::resize(std::size_t count) {
+  if (count > expected_) pages_.clear();  // the columns move to other memory
+  positions_.resize(count);
+  for_each_column([count](auto& values) { values.resize(count); });
+}
+
+void ColumnBuilder::leave(std::size_t first, std::size_t count) {
+  if (!pages_.empty()) for_each_column([=](const auto& values) { las::leave(values, first, count); });
 }
 
 IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count, std::size_t first) {
@@ -114,7 +154,7 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
 }
 
 PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset,
-                                 bool* exact) {
+                                 bool* exact, const Run& run) {
   PointCloud cloud;
   cloud.scale = scale.cwiseAbs();
   cloud.origin = offset;
@@ -151,16 +191,38 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
   set_unless_zero(cloud, arrays::scan_angle, scan_angle_);
   set_unless_zero(cloud, arrays::user_data, user_data_);
   set_unless_zero(cloud, arrays::point_source_id, point_source_id_);
-  if (std::ranges::any_of(red_, [](auto v) { return v != 0; }) ||
-      std::ranges::any_of(green_, [](auto v) { return v != 0; }) ||
-      std::ranges::any_of(blue_, [](auto v) { return v != 0; })) {
-    cloud.set_column(arrays::red, std::move(red_)), cloud.set_column(arrays::green, std::move(green_)),
-        cloud.set_column(arrays::blue, std::move(blue_));
-  }
+  finish_colours(cloud);
   set_unless_zero(cloud, arrays::near_infrared, near_infrared_);
   finish_flags(cloud);
-  finish_extra(cloud);
+  finish_extra(cloud, run);
   return cloud;
+}
+
+template <class T>
+FilePages ColumnBuilder::pages_of(const std::vector<T>& values) {
+  const auto it = pages_.find(values.data());
+  return it == pages_.end() ? FilePages() : std::move(pages_.extract(it).mapped());
+}
+
+// Puts a column into the cloud, together with the pages that it lies on.
+template <class T>
+void ColumnBuilder::set(PointCloud& cloud, std::string_view name, std::vector<T>& values) {
+  auto pages = pages_of(values);
+  las::leave(values, 0, values.size());
+  cloud.share_column(name, column_with_pages(std::move(values), std::move(pages)));
+  values = {};
+}
+
+template <class T>
+void ColumnBuilder::set_unless_zero(PointCloud& cloud, const ArrayInfo& info, std::vector<T>& values) {
+  if (any_set(values)) return set(cloud, info.name, values);
+  pages_of(values);
+  values = {};
+}
+
+void ColumnBuilder::finish_colours(PointCloud& cloud) {
+  if (!any_set(red_) && !any_set(green_) && !any_set(blue_)) return;
+  set(cloud, arrays::red.name, red_), set(cloud, arrays::green.name, green_), set(cloud, arrays::blue.name, blue_);
 }
 
 void ColumnBuilder::finish_flags(PointCloud& cloud) {
@@ -173,24 +235,36 @@ void ColumnBuilder::finish_flags(PointCloud& cloud) {
                            [&](unsigned flags) { return static_cast<std::uint8_t>(flags >> flag.shift & flag.mask); });
     cloud.set_column(flag.name, std::move(values));
   }
+  pages_of(flags_);
   flags_ = {};
 }
 
 // Extra bytes win over fields of the point of the same name: a writer that has both means the exact one.
-void ColumnBuilder::finish_extra(PointCloud& cloud) {
+void ColumnBuilder::finish_extra(PointCloud& cloud, const Run& run) {
   for (std::size_t d = 0; d < dimensions_.size(); ++d) {
-    const int axis = sensor_axis(dimensions_[d]);
-    if (axis < 0) {
-      cloud.set_column(dimensions_[d].name, std::move(extra_[d]));
-      continue;
-    }
-    const auto& global = std::get<std::vector<double>>(extra_[d]);
-    std::vector<float> local(global.size());
-    std::ranges::transform(global, local.begin(),
-                           [from = cloud.origin[axis]](double v) { return static_cast<float>(v - from); });
-    cloud.set_column(dimensions_[d].name, std::move(local));
-    extra_[d] = Column{};
+    run.check_cancel();
+    if (const int axis = sensor_axis(dimensions_[d]); axis >= 0)
+      finish_sensor_axis(cloud, d, axis, run);
+    else
+      std::visit([&](auto& values) { set(cloud, dimensions_[d].name, values); }, extra_[d]);
   }
+}
+
+void ColumnBuilder::finish_sensor_axis(PointCloud& cloud, std::size_t dimension, int axis, const Run& run) {
+  constexpr std::size_t block = 1 << 22;
+  auto& global = std::get<std::vector<double>>(extra_[dimension]);
+  std::vector<float> local(global.size());
+  FilePages pages;
+  if (!folders_.empty()) pages = lay_on_file(local.data(), local.size() * sizeof(float), Content::undefined, folders_);
+  for (std::size_t begin = 0; begin < local.size(); begin += block) {
+    run.check_cancel();
+    const std::size_t count = std::min(block, local.size() - begin);
+    for (std::size_t i = begin; i < begin + count; ++i) local[i] = static_cast<float>(global[i] - cloud.origin[axis]);
+    las::leave(global, begin, count), las::leave(local, begin, count);
+  }
+  pages_of(global);
+  global = {};
+  cloud.share_column(dimensions_[dimension].name, column_with_pages(std::move(local), std::move(pages)));
 }
 
 }  // namespace bole::las

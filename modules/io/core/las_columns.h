@@ -2,9 +2,12 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <limits>
+#include <map>
 #include <vector>
 
+#include "base/file_pages.h"
 #include "cloud/point_cloud.h"
 #include "io/core/las_extra_bytes.h"
 #include "io/core/las_format.h"
@@ -25,9 +28,18 @@ class ColumnBuilder {
  public:
   ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions);
 
+  // Tells how many points will come, so that columns need not be moved as they grow. Where there are more than
+  // `most_bytes` of columns they lie on file in one of the folders from the start (cloud/large_cloud.h), with a warning
+  // when none of them has the room.
+  void expect(std::size_t count, std::size_t most_bytes, const std::vector<std::filesystem::path>& folders,
+              std::vector<std::string>& warnings);
+
   // Room for `count` points; what was decoded stays.
   void resize(std::size_t count);
   std::size_t size() const { return positions_.size(); }
+
+  // Lets the points [first, first + count) leave memory, all but their coordinates, as far as they lie on file.
+  void leave(std::size_t first, std::size_t count);
 
   // Decodes records into the places [first, first + count) and returns their bounding box. Different places may be
   // filled from different threads.
@@ -35,11 +47,22 @@ class ColumnBuilder {
 
   // The cloud, its origin near the middle of `box` on the grid of the coordinates. Columns that hold nothing but zeros
   // are left out. `*exact` says whether float32 offsets give every coordinate back.
-  PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact);
+  PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact,
+                    const Run& run = {});
 
  private:
+  template <class F>
+  void for_each_column(F&& f);
+  template <class T>
+  FilePages pages_of(const std::vector<T>& values);
+  template <class T>
+  void set(PointCloud& cloud, std::string_view name, std::vector<T>& values);
+  template <class T>
+  void set_unless_zero(PointCloud& cloud, const ArrayInfo& info, std::vector<T>& values);
+  void finish_colours(PointCloud& cloud);
   void finish_flags(PointCloud& cloud);
-  void finish_extra(PointCloud& cloud);
+  void finish_extra(PointCloud& cloud, const Run& run);
+  void finish_sensor_axis(PointCloud& cloud, std::size_t dimension, int axis, const Run& run);
 
   PointLayout layout_;
   std::size_t stride_;
@@ -51,6 +74,9 @@ class ColumnBuilder {
   std::vector<std::uint16_t> point_source_id_, red_, green_, blue_, near_infrared_;
   std::vector<ExtraDimension> dimensions_;
   std::vector<Column> extra_;
+  std::size_t expected_ = 0;
+  std::vector<std::filesystem::path> folders_;  // for columns on file; empty where all stay in memory
+  std::map<const void*, FilePages> pages_;      // by the first value of the column that lies on them; gone before it
 };
 
 }  // namespace bole::las

@@ -33,16 +33,18 @@ struct Read {
   IntegerBox box;
 };
 
-Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run) {
+Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                       const Run& run, std::vector<std::string>& warnings) {
   const auto stride = static_cast<std::uint64_t>(info.record_length);
   const std::uint64_t points = std::min(info.points, (info.data_end - info.data_offset) / stride);
-  builder.resize(points);
+  builder.expect(points, options.columns_in_memory, scratch_folders(run), warnings);
   const std::uint8_t* records = file.data() + info.data_offset;
   Read read;
   // Between batches the calling thread reports; blocks are small enough to stay in the processor's cache.
   constexpr std::uint64_t batch = 1 << 21, block = 1 << 12;
   for (std::uint64_t begin = 0; begin < points; begin += batch) {
     const std::uint64_t end = std::min(points, begin + batch);
+    builder.resize(end);
     tbb::enumerable_thread_specific<IntegerBox> boxes;
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, block),
                       [&](const tbb::blocked_range<std::uint64_t>& range) {
@@ -51,16 +53,18 @@ Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, 
                       });
     run.check_cancel();
     for (const auto& box : boxes) read.box.add(box);
+    builder.leave(begin, end - begin);
+    leave_memory(records + begin * stride, (end - begin) * stride);
     run.report(static_cast<double>(end) / static_cast<double>(points), "reading points");
   }
   read.points = points;
   return read;
 }
 
-Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run,
-                     std::vector<std::string>& warnings) {
+Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                     const Run& run, std::vector<std::string>& warnings) {
   Read read;
-  read.points = laz::read_points(file, info, builder, read.box, run, warnings);
+  read.points = laz::read_points(file, info, builder, options.columns_in_memory, read.box, run, warnings);
   return read;
 }
 
@@ -80,8 +84,8 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   ColumnBuilder builder(
       info.point_format, info.record_length,
       options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
-  const Read read = info.compressed ? read_compressed(file, info, builder, run, warnings)
-                                    : read_uncompressed(file, info, builder, run);
+  const Read read = info.compressed ? read_compressed(file, info, builder, options, run, warnings)
+                                    : read_uncompressed(file, info, builder, options, run, warnings);
   if (read.points == 0 && info.points > 0)
     throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points),
                     "a whole file", "Copy or download the file again");
@@ -89,7 +93,7 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
     warnings.push_back(
         fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
   bool exact = true;
-  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact);
+  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);
   if (!exact)
     warnings.push_back(fmt::format(
         "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",

@@ -10,6 +10,7 @@
 #include "base/option.h"
 #include "base/report.h"
 #include "base/run.h"
+#include "cloud/large_cloud.h"
 #include "cloud/point_cloud.h"
 #include "io/core/las_bytes.h"
 #include "io/core/las_info.h"
@@ -19,6 +20,8 @@ namespace bole {
 struct LasReadOptions {
   bool drop_withheld = false;
   bool extra_bytes = true;
+  std::size_t columns_in_memory = large_columns_bytes;  // bytes; with more of them columns lie on file: no option of a
+                                                        // pipeline, for it changes no result
 };
 const OptionTable& option_table(const LasReadOptions*);
 

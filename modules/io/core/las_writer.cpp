@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "cloud/large_cloud.h"
 #include "io/core/crs_geokeys.h"
 #include "io/core/las_records.h"
 
@@ -192,6 +193,7 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
     for (std::size_t i = 0; i < count; ++i) statistics.add(encoder, &records[i * encoder.record_length()]);
     write_bytes(file, records);
     if (!file.stream()) break;  // a full disk is told by commit()
+    leave_memory(cloud, begin, count);
     run.report(static_cast<double>(begin + count) / static_cast<double>(cloud.size()), "writing points");
   }
   file.stream().seekp(0);

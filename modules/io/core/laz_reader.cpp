@@ -27,9 +27,11 @@ class PointReader {
   PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing)
       : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
 
-  std::uint64_t read(std::vector<std::string>& warnings) {
+  std::uint64_t read(std::size_t columns_in_memory, std::vector<std::string>& warnings) {
     if (const auto table = read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
       builder_.resize(0);
+      if (const auto points = believable(*table); points > 0)
+        builder_.expect(points, columns_in_memory, scratch_folders(run_), warnings);
       read_chunks(*table);
     } else {
       if (packing_.compressor != Compressor::pointwise)
@@ -58,6 +60,16 @@ class PointReader {
   static bool plausible(const Chunk& chunk) {
     constexpr std::uint64_t most_points_per_byte = 64, most_points = 1 << 20;
     return chunk.points <= most_points && chunk.points / most_points_per_byte <= chunk.end - chunk.begin;
+  }
+
+  // Points of the whole table, or 0 where that many in so few bytes would be new: then memory grows with what is found.
+  std::uint64_t believable(const std::vector<Chunk>& table) const {
+    std::uint64_t points = 0;
+    for (const auto& chunk : table) {
+      if (!plausible(chunk)) return 0;
+      points += chunk.points;
+    }
+    return points <= file_.size() ? points : 0;
   }
 
   void read_chunks(const std::vector<Chunk>& table) {
@@ -100,6 +112,9 @@ class PointReader {
       box_.add(boxes[i]);
       broken_ = sound[i] < chunks[i].points;
     }
+    if (chunks.empty()) return;
+    builder_.leave(first.front(), total - first.front());
+    leave_memory(file_.data() + chunks.front().begin, chunks.back().end - chunks.front().begin);
   }
 
   // Decodes a chunk to the places from `first` on, making room as it goes when `grow`; returns the number of sound
@@ -172,15 +187,15 @@ class PointReader {
 
 }  // namespace
 
-std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, IntegerBox& box, const Run& run,
-                          std::vector<std::string>& warnings) {
+std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, std::size_t columns_in_memory,
+                          IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
   if (vlr == nullptr)
     throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
   if (info.points == 0) return 0;
   // EVLRs lie behind the chunk table: what is before them is all that chunks may use.
   PointReader reader(file, info, builder, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));
-  const std::uint64_t points = reader.read(warnings);
+  const std::uint64_t points = reader.read(columns_in_memory, warnings);
   box = reader.box();
   return points;
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/file_pages.h"
 
 namespace bole {
 
@@ -30,10 +31,13 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     throw failure("'" + path.string() + "' cannot be mapped into memory: " + std::strerror(reason));
   ::madvise(start, size, MADV_SEQUENTIAL);
   bytes_ = {static_cast<const std::uint8_t*>(start), size};
+  know_file_pages(start, size);
 }
 
 MappedFile::~MappedFile() {
-  if (!bytes_.empty()) ::munmap(const_cast<std::uint8_t*>(bytes_.data()), bytes_.size());
+  if (bytes_.empty()) return;
+  forget_file_pages(bytes_.data());
+  ::munmap(const_cast<std::uint8_t*>(bytes_.data()), bytes_.size());
 }
 
 }  // namespace bole

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "cloud/large_cloud.h"
 #include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/crown_form.h"
@@ -342,6 +343,7 @@ class Survey {
 
   void label() {
     run_.report(0.85, "points of each tree");
+    leave_memory(points_);  // the rays of a large cloud, read all over it by the fits
     auto labels = assign_points(out_.stems, points_, options_, run_);
     measure_heights(out_.stems, points_, labels, run_);
     judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);

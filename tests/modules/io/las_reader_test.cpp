@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 #include "io/core/las_format.h"
@@ -263,6 +265,36 @@ TEST(LasReader, CancelsAndReports) {
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cancelled);
   }
+}
+
+// A cloud whose columns are larger than memory should hold comes out the same, with its large columns on file.
+TEST(LasReader, LargeColumnsLieOnFile) {
+  constexpr std::size_t points = least_file_bytes / sizeof(double) + 4321;
+  LasFile file;
+  for (std::size_t i = 0; i < points; ++i) {
+    std::uint8_t* p = file.add(static_cast<std::int32_t>(i), 5, static_cast<std::int32_t>(i % 1000));
+    las::store(p + 12, static_cast<std::uint16_t>(i));
+    las::store(p + 20, 0.25 * static_cast<double>(i));
+  }
+  const auto path = std::filesystem::temp_directory_path() / "bole_large_columns.las";
+  {
+    const auto bytes = file.bytes();
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+  Report report;
+  const PointCloud cloud = read_las(path, {.columns_in_memory = 0}, {}, &report), plain = read_las(path);
+  std::filesystem::remove(path);
+  EXPECT_TRUE(report.warnings.empty());
+  const auto on_file = [](const PointCloud& c) {
+    return lies_on_file(c.values<double>(arrays::time).data(), points * sizeof(double));
+  };
+  EXPECT_TRUE(on_file(cloud));
+  EXPECT_FALSE(on_file(plain));
+  EXPECT_EQ(cloud.values<double>(arrays::time), plain.values<double>(arrays::time));
+  EXPECT_EQ(cloud.values<double>(arrays::time)[points - 1], 0.25 * static_cast<double>(points - 1));
+  EXPECT_EQ(cloud.values<float>(arrays::intensity), plain.values<float>(arrays::intensity));
+  EXPECT_EQ(cloud.positions(), plain.positions());
 }
 
 }  // namespace
