@@ -115,6 +115,7 @@ void MainWindow::connect_document() {
     job = now, last = stage;
     pipeline_->set_state(stage, StageState::running);
   });
+  connect(run_, &RunBehavior::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.

@@ -13,10 +13,12 @@ namespace bole::desktop {
 namespace {
 
 constexpr std::size_t most_jobs = 100;
-constexpr std::chrono::milliseconds progress_gap{50};
+// What changes in the window makes it put its 3-D view on the screen anew: with software OpenGL that is work.
+constexpr std::chrono::milliseconds progress_gap{150};
 
-// The outputs of all stages that ran, as core data. Called in the worker: stored results are read here.
-Results collect(const PipelineExecutor& executor, const RunOutcome& outcome) {
+// The outputs of all stages that ran, as core data. Called in the worker: stored results are read here, unless only
+// those are asked for that are in memory.
+Results collect(const PipelineExecutor& executor, const RunOutcome& outcome, bool in_memory = false) {
   Results results;
   for (const auto& stage : outcome.stages) {
     if (stage.state != StageState::done && stage.state != StageState::from_cache) continue;
@@ -24,26 +26,31 @@ Results collect(const PipelineExecutor& executor, const RunOutcome& outcome) {
     if (!object) continue;
     for (const auto& port : object->GetType()->outputs) {
       if (port.kind == DataKind::frames) continue;
-      const auto data = attached(object->GetOutputDataObject(object->FindOutputPort(port.name.c_str())));
-      if (data) results[stage.record.id].set(port.name, data->get());
+      auto* output = object->GetOutputDataObject(object->FindOutputPort(port.name.c_str()));
+      const auto data = output ? attached(output) : nullptr;  // none of a stage that was left out
+      if (data && (!in_memory || data->loaded())) results[stage.record.id].set(port.name, data->get());
     }
   }
   return results;
 }
 
-// The index of the points is made here too, for it takes seconds on a large cloud. A run that was cancelled or gave
-// nothing to look at leaves the views as they are.
-Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& before,
+// The index of the points is made here too, for it takes seconds on a large cloud; that of `seen`, when they are the
+// same. A run that was cancelled or gave nothing to look at leaves the views as they were `before`.
+Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& before, const Survey& seen,
                       const std::stop_token& cancel) {
   if (outcome.exit_code == 3) return before;
   Run run;
   run.cancel = cancel;
   try {
-    const auto survey = survey_of(outcome, results, before, run);
+    const auto survey = survey_of(outcome, results, seen, run);
     return survey.empty() ? before : survey;
   } catch (const Error&) {
     return before;
   }
+}
+
+bool has_heights(const DataSet& outputs) {
+  return outputs.has("points") && outputs.cloud("points").has(arrays::height_above_ground);
 }
 
 bool ended_early(const RunOutcome& outcome) {
@@ -142,9 +149,16 @@ RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& can
 void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, const Survey& before) {
   auto result = std::make_shared<JobResult>();
   try {
-    result->outcome = executor_->run(settings_for(job, cancel_token));
+    auto settings = settings_for(job, cancel_token);
+    Survey seen = before;
+    if (seen.empty())
+      settings.preview = [&, preview = settings.preview](const StageNode& node) {
+        show_early(node, job.id, seen, cancel_token);
+        return preview(node);
+      };
+    result->outcome = executor_->run(settings);
     result->results = collect(*executor_, result->outcome);
-    result->survey = survey_to_show(result->outcome, result->results, before, cancel_token);
+    result->survey = survey_to_show(result->outcome, result->results, before, seen, cancel_token);
   } catch (const std::exception& e) {  // a stored result that cannot be read
     if (result->outcome.exit_code == 0) result->outcome.exit_code = 1;
     result->outcome.error = e.what();
@@ -152,6 +166,30 @@ void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, cons
   }
   QMetaObject::invokeMethod(
       this, [this, result] { end(result); }, Qt::QueuedConnection);
+}
+
+// Where nothing is seen yet, the map is shown as soon as it has heights: its stems follow. Called as `next` begins,
+// while what it takes is in memory.
+void RunBehavior::show_early(const StageNode& next, int job, Survey& seen, const std::stop_token& cancel_token) {
+  if (!seen.empty()) return;
+  RunOutcome so_far;
+  for (const auto* node : executor_->document().in_order()) {
+    if (node->id == next.id) break;
+    StageOutcome stage;
+    stage.record.id = node->id, stage.record.type = node->type->name, stage.state = StageState::done;
+    so_far.stages.push_back(std::move(stage));
+  }
+  const auto results = collect(*executor_, so_far, true);
+  if (!std::ranges::any_of(results, [](const auto& r) { return has_heights(r.second); })) return;
+  seen = survey_to_show(so_far, results, {}, {}, cancel_token);
+  QMetaObject::invokeMethod(
+      this,
+      [this, survey = seen, job] {
+        if (!current_ || current_->id != job || task_.deliver || task_.document != documents_) return;
+        survey_ = survey;
+        Q_EMIT survey_begun();
+      },
+      Qt::QueuedConnection);
 }
 
 void RunBehavior::note_progress(const QString& stage, double fraction, const QString& what) {

@@ -40,13 +40,16 @@ class RunBehavior : public QObject {
   std::shared_ptr<const Job> job(int id) const;                            // null when it is gone
   std::shared_ptr<const Job> current() const { return current_; }
 
-  const Survey& survey() const { return survey_; }  // of the last run that ended
+  const Survey& survey() const {
+    return survey_;
+  }  // of the last run that ended; the map alone while the first one runs
   // Another document is open: runs of the one before go on, but are not shown.
   void forget_survey();
 
  Q_SIGNALS:
   void progressed(const QString& stage, double fraction, const QString& what);
   void finished(const RunOutcome& outcome, const Results& results);
+  void survey_begun();  // there is a map where there was nothing; its stems will come with finished()
   void job_began(int id);
   void job_ended(int id);
   void jobs_changed();                                             // state or progress of any
@@ -61,6 +64,7 @@ class RunBehavior : public QObject {
   int queue(std::shared_ptr<Job> job, Deliver deliver);
   void start_next();
   void work(const std::stop_token& cancel, const Job& job, const Survey& before);
+  void show_early(const StageNode& next, int job, Survey& seen, const std::stop_token& cancel);
   void note_progress(const QString& stage, double fraction, const QString& what);
   void end(const std::shared_ptr<const JobResult>& result);
   void keep_whole(Job& job, const std::shared_ptr<const JobResult>& result);

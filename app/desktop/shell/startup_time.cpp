@@ -34,8 +34,16 @@ double since_process_start() {
   return seconds(CLOCK_BOOTTIME) - std::stod(field) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
+long resident_mib() {
+  std::ifstream in("/proc/self/statm");
+  long pages = 0, resident = 0;
+  in >> pages >> resident;
+  return resident * sysconf(_SC_PAGESIZE) / (1 << 20);
+}
+
 void print(const char* what) {
-  std::printf("%s: %.2f s, %.2f s of CPU\n", what, since_process_start(), seconds(CLOCK_PROCESS_CPUTIME_ID));
+  std::printf("%s: %.2f s, %.2f s of CPU, %ld MiB of memory\n", what, since_process_start(),
+              seconds(CLOCK_PROCESS_CPUTIME_ID), resident_mib());
   std::fflush(stdout);
 }
 
