@@ -64,24 +64,69 @@ class FieldCheckTest : public QObject {
     window.show();
     QVERIFY(open_sample_and_wait(window));
     const auto& check = *window.findChild<FieldCheck*>();
-    const auto bias_cm = [&] {
-      double sum = 0;
-      int n = 0;
-      for (const auto& row : check.rows())
-        if (row.kind == MatchKind::matched) sum += row.dbh_cm - row.field_dbh_cm, ++n;
-      return n == 12 ? sum / n : std::nan("");
+    struct Errors {
+      int trees = 0;
+      double bias_cm = 0, rmse_cm = 0;
     };
-    const double with_beam = bias_cm();
-    QVERIFY2(std::abs(with_beam) < 0.1, qPrintable(QString::number(with_beam)));
+    const auto errors = [&] {
+      double sum = 0, squares = 0;
+      int n = 0;
+      for (const auto& row : check.rows()) {
+        if (row.kind != MatchKind::matched) continue;
+        const double e = row.dbh_cm - row.field_dbh_cm;
+        sum += e, squares += e * e, ++n;
+      }
+      return Errors{n, sum / std::max(n, 1), std::sqrt(squares / std::max(n, 1))};
+    };
+    const auto set = [&](const char* option, double value) {
+      window.properties().findChild<QDoubleSpinBox*>(option)->setValue(value);
+      QCoreApplication::processEvents();
+    };
+    const auto run = [&] {
+      action_of(window, "run_without_report")->trigger();
+      QVERIFY(wait_for_run(window));
+      const auto e = errors();
+      qInfo("lesson: %d trees, bias %.2f cm, RMSE %.2f cm", e.trees, e.bias_cm, e.rmse_cm);
+    };
+    // Step 2.
+    const auto with_beam = errors();
+    QCOMPARE(with_beam.trees, 12);
+    QVERIFY2(std::abs(with_beam.bias_cm) < 0.1, qPrintable(QString::number(with_beam.bias_cm)));
+    // Step 3.
     window.pipeline().select_stage("stems");
     window.properties().set_tier(Tier::expert);
-    window.properties().findChild<QDoubleSpinBox*>("beam_divergence")->setValue(0);
+    set("beam_divergence", 0);
+    set("beam_aperture", 0);
+    run();
+    const auto as_lines = errors();
+    QCOMPARE(as_lines.trees, 12);
+    QVERIFY2(std::abs(as_lines.bias_cm - 0.25) < 0.1, qPrintable(QString::number(as_lines.bias_cm)));
+    // Step 4: robust weights leave some of the bias.
+    window.session().undo_stack().undo();
+    window.session().undo_stack().undo();
     QCoreApplication::processEvents();
-    window.properties().findChild<QDoubleSpinBox*>("beam_aperture")->setValue(0);
-    action_of(window, "run_without_report")->trigger();
-    QVERIFY(wait_for_run(window));
-    const double as_lines = bias_cm();
-    QVERIFY2(std::abs(as_lines - 0.2) < 0.1, qPrintable(QString::number(as_lines)));
+    window.properties().findChild<QComboBox*>("model")->setCurrentText("surface");
+    QCoreApplication::processEvents();
+    run();
+    const auto surface = errors();
+    QCOMPARE(surface.trees, 12);
+    QVERIFY2(std::abs(surface.bias_cm - 0.11) < 0.08, qPrintable(QString::number(surface.bias_cm)));
+    // Without the edges diameters are too small and scatter more, and a tree may be lost.
+    window.properties().findChild<QComboBox*>("model")->setCurrentText("auto");
+    QCoreApplication::processEvents();
+    set("beam_divergence", 0);
+    set("beam_aperture", 0);
+    set("ray_gate", 0.6);
+    run();
+    const auto middle = errors();
+    QVERIFY(middle.trees >= 10);
+    QVERIFY2(middle.bias_cm < -0.1, qPrintable(QString::number(middle.bias_cm)));
+    QVERIFY2(middle.rmse_cm > 1.2 * as_lines.rmse_cm, qPrintable(QString::number(middle.rmse_cm)));
+    // Step 5.
+    window.properties().findChild<QPushButton*>("defaults")->click();
+    QCoreApplication::processEvents();
+    run();
+    QCOMPARE(errors().bias_cm, with_beam.bias_cm);
     window.properties().set_tier(Tier::basic);
     window.session().discard_recovery();
     window.session().undo_stack().setClean();

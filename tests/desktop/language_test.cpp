@@ -11,8 +11,14 @@
 #include <QXmlStreamReader>
 
 #include "main_window.h"
+#include "render/charts/linked_charts.h"
+#include "render/charts/stem_profile.h"
+#include "render/charts/stem_slice.h"
+#include "render/charts/trajectory_charts.h"
+#include "render/scene/view_furniture.h"
 #include "shell/language.h"
 #include "shell_test.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 
@@ -77,6 +83,53 @@ class LanguageTest : public QObject {
     for (const auto* type : StageRegistry::global().all())
       QVERIFY2(stage_title(*type) != QString::fromStdString(type->title),
                qPrintable("translate in app/desktop/i18n/stages_zh_CN.ts: " + QString::fromStdString(type->title)));
+  }
+
+  // What the charts and the 3-D view write has its Chinese words; numbers stay.
+  void figures_speak_chinese() {
+    install_language(*QCoreApplication::instance(), "zh_CN");
+    const auto look = screen_look(QPalette());
+    QStringList english;
+    auto listening = look;
+    listening.words = [&](std::string_view text) {
+      const QString shown = QString::fromStdString(look.words(text));
+      QString rest = shown;
+      for (const char* unit : {"RMSE", "north"}) rest.remove(unit);
+      if (rest.contains(QRegularExpression("[A-Za-z]{3,}"))) english << shown;
+      return shown.toStdString();
+    };
+    Table stems, matches;
+    stems.set("tree_id", std::vector<std::int64_t>{1, 2}), stems.set("dbh_cm", std::vector<double>{20, 31});
+    stems.set("height_m", std::vector<double>{15, 21}), stems.set("height_seen", std::vector<double>{1, 0});
+    matches.set("kind", std::vector<std::string>{"matched", "matched"});
+    matches.set("tree_id", std::vector<double>{1, 2}), matches.set("dbh_cm", std::vector<double>{20, 31});
+    matches.set("ref_dbh_cm", std::vector<double>{20.5, 30});
+    Trajectory path;
+    for (int i = 0; i < 3; ++i) {
+      StampedPose pose;
+      pose.time_s = i, pose.T_target_sensor.translation().x() = i;
+      path.poses.push_back(pose);
+    }
+    StemSliceData slice;
+    StemProfileData profile;
+    std::vector<Figure> figures{diameter_histogram(stems, {}, {}).figure,
+                                height_over_diameter(stems, {}, {}).figure,
+                                estimated_over_field(matches, {}, {}).figure,
+                                diameter_histogram(Table(stems.subset({})), {}, {}).figure,
+                                estimated_over_field(Table(), {}, {}).figure,
+                                stem_slice(slice, 80, 80),
+                                stem_profile(profile, 60, 90),
+                                trajectory_error_chart({&path, &path, nullptr}, 120)};
+    ViewFurniture furniture;
+    furniture.width_mm = 200, furniture.height_mm = 150, furniture.mm_per_metre = 5, furniture.grid_step_m = 2;
+    furniture.paint = PointPaint();
+    furniture.paint->title = "tree id";
+    for (auto& patch : furniture_patches(furniture)) figures.push_back(patch.figure);
+    for (const auto& figure : figures) screen_overlay(figure, 96, listening);
+    QVERIFY2(english.isEmpty(), qPrintable("translate in app/desktop/i18n/figures_zh_CN.ts:\n" + english.join('\n')));
+    QCOMPARE(QString::fromStdString(look.words("n 12   bias -0.20 cm   RMSE 0.41 cm")),
+             QStringLiteral("n 12   偏差 -0.20 cm   RMSE 0.41 cm"));
+    QCOMPARE(look.words("Tree 7"), std::string("Tree 7"));
   }
 
   void the_window_speaks_chinese() {

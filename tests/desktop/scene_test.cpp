@@ -28,6 +28,7 @@
 #include "render/scene/map_figure.h"
 #include "report/make_report.h"
 #include "small_plot.h"
+#include "views/frame_pace.h"
 #include "views/scene_view.h"
 
 Q_DECLARE_METATYPE(bole::RunOutcome)
@@ -124,6 +125,28 @@ class SceneTest : public QObject {
     QVERIFY(built.wait(60000));
     QVERIFY(index.complete());
     QCOMPARE(index.octree()->size(), cloud->size());
+  }
+
+  // A machine whose frames cost so much: after a few of them each is in time, those with new points too.
+  void frames_keep_their_pace() {
+    for (const double point_s : {20e-9, 120e-9, 400e-9}) {
+      const double fresh_s = 4 * point_s;
+      FramePace pace(0.042);
+      std::size_t unseen = 0;
+      double slowest_s = 0;
+      for (int frame = 0; frame < 200; ++frame) {
+        if (frame % 20 == 10) unseen = 2'000'000;  // the camera turns to what it has not seen
+        const auto budget = pace.next();
+        const std::size_t fresh = std::min(unseen, budget.fresh), drawn = budget.points;
+        unseen -= fresh;
+        const double took_s = point_s * static_cast<double>(drawn) + fresh_s * static_cast<double>(fresh);
+        if (frame >= 60) slowest_s = std::max(slowest_s, took_s);
+        pace.note(took_s, drawn, fresh, unseen > 0);
+      }
+      QVERIFY2(slowest_s < 0.05, qPrintable(QString("%1 s at %2 s per point").arg(slowest_s).arg(point_s)));
+      // And time is used: not less than half of what there is.
+      QVERIFY(point_s * static_cast<double>(pace.next().points) > 0.021 || pace.next().points == 2'500'000);
+    }
   }
 
   void heights_and_the_clip_box_are_set_by_numbers() {

@@ -255,6 +255,59 @@ class ShellTest : public QObject {
     QCOMPARE(window.scene().actor_count(), all);
   }
 
+  // The first run shows the map before its stems are measured; so the sample is seen within seconds.
+  void the_map_is_seen_before_its_stems() {
+    QTemporaryDir folder;  // no results of an earlier run
+    write_cloud(folder.filePath("cloud.xyz").toStdString());
+    write_pipeline(folder.filePath("plot.json").toStdString());
+    MainWindow window;
+    window.show();
+    window.open(folder.filePath("plot.json"));
+    int begun = 0;
+    connect(&window.runner(), &RunBehavior::survey_begun, &window, [&] {
+      ++begun;
+      QVERIFY(window.runner().running());
+      const auto& survey = window.scene().survey();
+      QVERIFY(survey.points && survey.index && !survey.stems);
+      QVERIFY(survey.points->has(arrays::height_above_ground));
+    });
+    window.refresh();
+    QVERIFY(wait_for_run(window));
+    QCOMPARE(begun, 1);
+    QVERIFY(window.scene().survey().stems);
+    const auto index = window.runner().survey().index;
+    window.session().set_option("slice", "thickness", 0.2);
+    window.refresh();
+    QVERIFY(wait_for_run(window));
+    QCOMPARE(begun, 1);  // there is something to look at already
+    QCOMPARE(window.runner().survey().index, index);
+    window.session().discard_recovery();
+    window.session().undo_stack().setClean();
+  }
+
+  // The 3-D view too; figures that are exported stay white (scene_test.cpp compares them with the report's).
+  void the_view_follows_the_theme() {
+    MainWindow window;
+    window.resize(900, 600);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.open(plot());
+    window.refresh();
+    QVERIFY(wait_for_run(window));
+    const auto corner = [&] {
+      [&] { QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000); }();
+      QTest::qWait(50);
+      const auto picture = window.scene().grabFramebuffer();
+      return picture.pixelColor(picture.width() / 2, 2).lightness();
+    };
+    apply_theme(Theme::light);
+    QCOMPARE(corner(), 255);
+    apply_theme(Theme::dark);
+    QVERIFY(corner() < 60);
+    apply_theme(Theme::light);
+    QCOMPARE(corner(), 255);
+  }
+
   void themes_follow_the_palette() {
     QImage chart(2, 1, QImage::Format_RGBA8888);
     chart.setPixelColor(0, 0, Qt::white);

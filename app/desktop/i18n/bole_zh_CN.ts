@@ -1269,6 +1269,42 @@
             <source>Select a stem to see its slice.</source>
             <translation>选择一株单木以查看其横切面。</translation>
         </message>
+        <message>
+            <source>Tree %1   %2</source>
+            <translation>单木 %1   %2</translation>
+        </message>
+        <message>
+            <source>DBH %1 cm</source>
+            <translation>胸径 %1 cm</translation>
+        </message>
+        <message>
+            <source>95 %: %1 to %2</source>
+            <translation>95%：%1 至 %2</translation>
+        </message>
+        <message>
+            <source>arc %1°</source>
+            <translation>弧段 %1°</translation>
+        </message>
+        <message>
+            <source>fit %1 cm   spread %2 cm   arc %3°</source>
+            <translation>拟合 %1 cm   离散 %2 cm   弧段 %3°</translation>
+        </message>
+        <message>
+            <source>drawn %1 cm, no fit here</source>
+            <translation>所画 %1 cm，此处无法拟合</translation>
+        </message>
+        <message>
+            <source>good</source>
+            <translation>良好</translation>
+        </message>
+        <message>
+            <source>fair</source>
+            <translation>一般</translation>
+        </message>
+        <message>
+            <source>poor</source>
+            <translation>较差</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::TablePanel</name>

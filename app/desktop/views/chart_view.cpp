@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "shell/theme.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
@@ -64,10 +64,7 @@ void ChartView::paintEvent(QPaintEvent*) {
     painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Run the pipeline to see its stems."));
     return;
   }
-  const auto image = figure_image(chart_.figure, 96 * devicePixelRatioF());
-  QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
-  picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(sheet().topLeft(), on_paper(picture, palette()));
+  painter.drawImage(sheet().topLeft(), figure_picture(chart_.figure, palette(), 96, devicePixelRatioF()));
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {

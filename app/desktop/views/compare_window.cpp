@@ -7,9 +7,11 @@
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/error.h"
 #include "render/charts/trajectory_charts.h"
 #include "views/camera_link.h"
 #include "views/figure_view.h"
@@ -72,6 +74,21 @@ QString CompareWindow::title(std::size_t which) const {
   return tr("Run %1: %2").arg(job.id).arg(what);
 }
 
+// Both charts have the same axis, else the worse run looks like the better one.
+double CompareWindow::greatest_error() const {
+  double most_cm = 0;
+  for (const auto& side : sides_) {
+    const auto reference = reference_path(*side.job->document, side.result.results);
+    const auto& walk = side.result.survey.walk;
+    if (!reference || !walk) continue;
+    try {
+      most_cm = std::max(most_cm, greatest_error_cm({walk.get(), reference.get(), nullptr}));
+    } catch (const Error&) {  // a path of one pose: its chart says so
+    }
+  }
+  return most_cm;
+}
+
 QWidget* CompareWindow::column(std::size_t which) {
   auto* box = new QWidget(this);
   auto* heading = new QLabel(title(which), box);
@@ -83,12 +100,13 @@ QWidget* CompareWindow::column(std::size_t which) {
   const auto& side = sides_[which];
   const auto reference = reference_path(*side.job->document, side.result.results);
   if (reference && side.result.survey.walk)
-    errors_[which]->show_figure([reference, walk = side.result.survey.walk](double width_mm) {
-      // The figure is drawn later: it must own both paths.
-      auto figure = trajectory_error_chart({walk.get(), reference.get(), nullptr}, width_mm);
-      figure.draw = [reference, walk, draw = std::move(figure.draw)](Canvas& canvas) { draw(canvas); };
-      return figure;
-    });
+    errors_[which]->show_figure(
+        [reference, walk = side.result.survey.walk, top_cm = greatest_error()](double width_mm) {
+          // The figure is drawn later: it must own both paths.
+          auto figure = trajectory_error_chart({walk.get(), reference.get(), nullptr}, width_mm, top_cm);
+          figure.draw = [reference, walk, draw = std::move(figure.draw)](Canvas& canvas) { draw(canvas); };
+          return figure;
+        });
   auto* parts = new QSplitter(Qt::Vertical, box);
   parts->addWidget(scenes_[which]);
   parts->addWidget(errors_[which]);

@@ -37,6 +37,7 @@ class CompareWindow : public QWidget {
 
  private:
   QWidget* column(std::size_t which);
+  double greatest_error() const;  // along the paths of both runs, cm; 0 without reference paths
   void fill_table();
   QString title(std::size_t which) const;
 

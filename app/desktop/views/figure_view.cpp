@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
@@ -23,7 +24,7 @@ void FigureView::show_figure(std::function<Figure(double)> make) {
 
 void FigureView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), palette().base());
   QString instead = empty_text_;
   if (make_ && width() > 20) {
     try {
@@ -32,16 +33,14 @@ void FigureView::paintEvent(QPaintEvent*) {
       Figure figure = make_(width_mm);
       const double height_mm = height() * mm_per_px;
       const double scale = std::min(1.0, height_mm / figure.height_mm);
-      const auto image = figure_image(figure, 96 * scale * devicePixelRatioF());
-      QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
-      picture.setDevicePixelRatio(devicePixelRatioF());
-      painter.drawImage(QPointF((width() - width() * scale) / 2, 0), picture);
+      painter.drawImage(QPointF((width() - width() * scale) / 2, 0),
+                        figure_picture(figure, palette(), 96 * scale, devicePixelRatioF()));
       return;
     } catch (const Error& e) {
       instead = QString::fromUtf8(e.what());
     }
   }
-  painter.setPen(Qt::darkGray);
+  painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
   painter.drawText(rect().adjusted(8, 4, -8, -4), Qt::AlignCenter | Qt::TextWordWrap, instead);
 }
 

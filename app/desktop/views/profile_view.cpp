@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "shell/theme.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
@@ -57,11 +57,9 @@ void ProfileView::paintEvent(QPaintEvent*) {
     painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its profile."));
     return;
   }
-  const auto image =
-      figure_image(stem_profile(data_, width() * mm_per_px, height() * mm_per_px), 96 * devicePixelRatioF());
-  QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
-  picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(0, 0, on_paper(picture, palette()));
+  painter.drawImage(0, 0,
+                    figure_picture(stem_profile(data_, width() * mm_per_px, height() * mm_per_px), palette(), 96,
+                                   devicePixelRatioF()));
 }
 
 }  // namespace bole::desktop

@@ -54,6 +54,28 @@ void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_
   camera->SetParallelScale(3);
 }
 
+void fit_box(vtkCamera* camera, const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, double aspect) {
+  constexpr double filled = 0.9, least_m = 0.5;
+  const auto screen = screen_of(camera);
+  const Eigen::Vector3d centre = (lo + hi) / 2;
+  const double up_slope = filled * std::tan(camera->GetViewAngle() * std::numbers::pi / 360),
+               right_slope = up_slope * aspect;
+  double distance_m = least_m, half_height = least_m / 2;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d at((corner & 1) != 0 ? hi.x() : lo.x(), (corner & 2) != 0 ? hi.y() : lo.y(),
+                             (corner & 4) != 0 ? hi.z() : lo.z());
+    const Eigen::Vector3d off = at - centre;
+    const double right = std::abs(off.dot(screen.right)), up = std::abs(off.dot(screen.up));
+    distance_m =
+        std::max({distance_m, right / right_slope - off.dot(screen.ahead), up / up_slope - off.dot(screen.ahead)});
+    half_height = std::max({half_height, up / filled, right / aspect / filled});
+  }
+  const Eigen::Vector3d eye = centre - distance_m * screen.ahead;
+  camera->SetFocalPoint(centre.data());
+  camera->SetPosition(eye.data());
+  camera->SetParallelScale(half_height);
+}
+
 void set_parallel(vtkCamera* camera, bool on) {
   if (on) camera->SetParallelScale(perspective_half_height_m(camera));
   camera->SetParallelProjection(on);

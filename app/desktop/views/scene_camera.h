@@ -18,6 +18,9 @@ void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, 
 // To a place that is then seen from the side, from no further off than `distance_m`.
 void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_m);
 
+// Keeps the direction and moves the camera so far off that a box fills the view but for a margin.
+void fit_box(vtkCamera* camera, const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, double aspect);
+
 void set_parallel(vtkCamera* camera, bool on);  // what is at the focal point keeps its size
 
 }  // namespace bole::desktop

@@ -22,15 +22,14 @@
 #include "render/scene/stem_shapes.h"
 #include "render/scene/view_camera.h"
 #include "views/clip_handles.h"
+#include "views/figure_picture.h"
 #include "views/scene_camera.h"
 
 namespace bole::desktop {
 namespace {
 
 constexpr double target_s = 0.042;  // of a frame while the camera moves, until it is on the screen: above 20 frames/s
-constexpr std::size_t least_budget = 60'000, first_budget = 400'000, most_budget = 2'500'000;
-constexpr std::size_t rest_budget = 4'000'000;                          // points of a view at rest
-constexpr std::size_t fresh_moving = 150'000, fresh_resting = 500'000;  // points prepared for one frame
+constexpr FramePace::Budget at_rest{4'000'000, 500'000};
 constexpr int rest_ms = 150;
 constexpr double highlight_m = 0.12;     // by how much the ring of the selected tree stands off its bark
 constexpr double mm_per_px = 25.4 / 96;  // of the widget's own pixels
@@ -39,14 +38,14 @@ constexpr double approach_m = 7;
 }  // namespace
 
 SceneView::SceneView(Selection& selection, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), selection_(selection), moving_budget_(first_budget) {
+    : QVTKOpenGLNativeWidget(parent), selection_(selection), pace_(target_s) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetNumberOfLayers(2);
   window->AddRenderer(renderer_);
   window->AddRenderer(furniture_.renderer());
-  renderer_->SetBackground(1, 1, 1);
   setRenderWindow(window);
+  follow_theme();
   setMouseTracking(true);
   vtkNew<vtkInteractorStyleTerrain> style;  // z stays up
   interactor()->SetInteractorStyle(style);
@@ -73,6 +72,20 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
 }
 
 SceneView::~SceneView() = default;
+
+void SceneView::changeEvent(QEvent* event) {
+  QVTKOpenGLNativeWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) follow_theme();
+}
+
+// Figures of the report are made without the window and stay white.
+void SceneView::follow_theme() {
+  look_ = screen_look(palette());
+  set_background(renderer_, look_.dark);
+  furniture_.set_look(look_);
+  if (has_survey()) rebuild();
+  redraw();
+}
 
 void SceneView::show_survey(const Survey& survey) {
   const bool first = !has_survey();
@@ -213,7 +226,8 @@ void SceneView::rebuild() {
     add(stems_actor(shapes_, origin_, true));
     add(breast_height_actor(shapes_, origin_, 0.04));
   }
-  if (survey_.walk && survey_.walk->poses.size() > 1) add(path_actor(*survey_.walk, origin_, 0.05, hex(0x1f6f9f)));
+  if (survey_.walk && survey_.walk->poses.size() > 1)
+    add(path_actor(*survey_.walk, origin_, 0.05, look_.dark ? on_dark(ink::path) : hex(0x1f6f9f)));
   rebuild_grid();
   draw_highlight();
 }
@@ -224,8 +238,8 @@ void SceneView::rebuild_grid() {
   if (!settings_.grid || !survey_.points) return;
   const auto box = whole();
   grid_step_m_ = nice_step((box.hi - box.lo).head<2>().maxCoeff(), 8);
-  grid_ =
-      grid_actor({box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}, box.lo.z(), grid_step_m_, origin_, hex(0x8d99a1));
+  grid_ = grid_actor({box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}, box.lo.z(), grid_step_m_, origin_,
+                     look_.dark ? hex(0x4f585e) : hex(0x8d99a1));
   renderer_->AddActor(grid_);
 }
 
@@ -239,7 +253,8 @@ void SceneView::draw_highlight() {
   if (shape.empty()) return;
   highlight_ = breast_height_actor(shape, origin_, highlight_m);
   highlight_->GetMapper()->ScalarVisibilityOff();
-  highlight_->GetProperty()->SetColor(0.0, 0.45, 0.9);
+  const Color blue = look_.dark ? hex(0x5ab0ff) : hex(0x0073e6);
+  highlight_->GetProperty()->SetColor(blue.r, blue.g, blue.b);
   renderer_->AddActor(highlight_);
 }
 
@@ -262,7 +277,8 @@ void SceneView::begin_motion() {
 void SceneView::before_frame() {
   frame_start_ = std::chrono::steady_clock::now();
   timed_ = moving_;
-  complete_ = layer_.update(renderer_, moving_ ? moving_budget_ : rest_budget, moving_ ? fresh_moving : fresh_resting);
+  const auto budget = moving_ ? pace_.next() : at_rest;
+  complete_ = layer_.update(renderer_, budget.points, budget.fresh);
   renderer_->ResetCameraClippingRange();
   furniture_.set_shadow({}, 0, 0);
   place_furniture();
@@ -283,11 +299,8 @@ void SceneView::after_frame() {
 // The picture is on the screen: all that a frame costs has been paid.
 void SceneView::frame_shown() {
   if (!std::exchange(timed_, false)) return;
-  last_frame_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
-  // Half way to what this frame says: single slow frames (another program's work) do not count much.
-  const double better = static_cast<double>(moving_budget_) * std::clamp(target_s / last_frame_s_, 0.5, 1.3);
-  moving_budget_ = std::clamp(static_cast<std::size_t>(0.5 * (better + static_cast<double>(moving_budget_))),
-                              least_budget, most_budget);
+  pace_.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count(), layer_.drawn(),
+             layer_.fresh(), !complete_);
 }
 
 double SceneView::frame_target_s() const { return target_s; }
@@ -333,9 +346,8 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   if (extent_known_) {
     // Strays far away do not set the scale.
     const auto box = whole();
-    const Eigen::Vector3d lo = box.lo - origin_, hi = box.hi - origin_;
-    const double bounds[6] = {lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z()};
-    renderer_->ResetCamera(bounds);
+    fit_box(camera, box.lo - origin_, box.hi - origin_, static_cast<double>(width()) / std::max(1, height()));
+    renderer_->ResetCameraClippingRange();
   } else {
     renderer_->ResetCamera();
   }

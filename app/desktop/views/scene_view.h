@@ -16,10 +16,12 @@
 #include <vector>
 
 #include "document/survey.h"
+#include "render/draw/screen_look.h"
 #include "render/scene/furniture_layer.h"
 #include "render/scene/pick.h"
 #include "render/scene/point_layer.h"
 #include "selection/selection.h"
+#include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/view_settings.h"
 
@@ -89,12 +91,14 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
  protected:
   bool event(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  void follow_theme();
   void follow_index();
   void rebuild();
   void repaint_points();
@@ -123,6 +127,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool extent_known_ = false;
   std::vector<StemShape> shapes_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
+  ScreenLook look_;
   PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
   FurnitureLayer furniture_;
@@ -137,9 +142,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;
-  std::size_t moving_budget_;
+  FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
-  double last_frame_s_ = 0;
   QPoint pressed_at_;
   std::optional<Grip> dragged_;
 };

@@ -1,7 +1,5 @@
 #include "views/slice_view.h"
 
-#include <fmt/format.h>
-
 #include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QPainter>
@@ -9,7 +7,7 @@
 #include <numbers>
 
 #include "render/charts/columns.h"
-#include "shell/theme.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
@@ -17,6 +15,13 @@ namespace {
 constexpr double mm_per_px = 25.4 / 96;
 constexpr double grip_px = 8, least_radius_m = 0.01, most_radius_m = 2.5;
 constexpr double start_error_m = 0.05, most_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
+
+QString quality_text(const std::string& quality) {
+  if (quality == "good") return SliceView::tr("good");
+  if (quality == "fair") return SliceView::tr("fair");
+  if (quality == "poor") return SliceView::tr("poor");
+  return QString::fromStdString(quality);
+}
 
 }  // namespace
 
@@ -86,16 +91,20 @@ void SliceView::write_lines() {
   const auto& stems = *survey_.stems;
   const auto row = stem_->row;
   const auto number = [&](const char* name) { return numbers_or_nan(stems, name)[row]; };
-  data_.lines = {fmt::format("Tree {}   {}", stem_->tree_id, data_.quality)};
+  const auto text = [](const QString& s) { return s.toStdString(); };
+  const auto digits = [](double v, int decimals) { return QString::fromStdString(fixed(v, decimals)); };
+  data_.lines = {text(tr("Tree %1   %2").arg(stem_->tree_id).arg(quality_text(data_.quality)))};
   const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
-  data_.lines.push_back("DBH " + fixed(number("dbh_cm"), 1) + " cm" +
-                        (std::isfinite(lo + hi) ? "   95 %: " + fixed(lo, 1) + " to " + fixed(hi, 1) : "") +
-                        (std::isfinite(number("arc_deg")) ? "   arc " + fixed(number("arc_deg"), 0) + "°" : ""));
+  QString measured = tr("DBH %1 cm").arg(digits(number("dbh_cm"), 1));
+  if (std::isfinite(lo + hi)) measured += "   " + tr("95 %: %1 to %2").arg(digits(lo, 1), digits(hi, 1));
+  if (std::isfinite(number("arc_deg"))) measured += "   " + tr("arc %1°").arg(digits(number("arc_deg"), 0));
+  data_.lines.push_back(text(measured));
   if (fit_)
-    data_.lines.push_back(fmt::format("fit {} cm   spread {} cm   arc {}°", fixed(200 * fit_->circle.radius, 1),
-                                      fixed(100 * fit_->sigma, 1), fixed(fit_->arc_rad * 180 / std::numbers::pi, 0)));
+    data_.lines.push_back(text(tr("fit %1 cm   spread %2 cm   arc %3°")
+                                   .arg(digits(200 * fit_->circle.radius, 1), digits(100 * fit_->sigma, 1),
+                                        digits(fit_->arc_rad * 180 / std::numbers::pi, 0))));
   else if (data_.drawn)
-    data_.lines.push_back("drawn " + fixed(200 * data_.drawn->radius_m, 1) + " cm, no fit here");
+    data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
   else
     data_.lines.push_back(texts_or_empty(stems, "reasons")[row]);
 }
@@ -226,11 +235,8 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its slice."));
     return;
   }
-  const auto image = figure_image(stem_slice(data_, sheet().width() * mm_per_px, sheet().height() * mm_per_px),
-                                  96 * devicePixelRatioF());
-  QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
-  picture.setDevicePixelRatio(devicePixelRatioF());
-  painter.drawImage(sheet().topLeft(), on_paper(picture, palette()));
+  const auto figure = stem_slice(data_, sheet().width() * mm_per_px, sheet().height() * mm_per_px);
+  painter.drawImage(sheet().topLeft(), figure_picture(figure, palette(), 96, devicePixelRatioF()));
 }
 
 }  // namespace bole::desktop

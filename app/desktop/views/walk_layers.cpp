@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "render/draw/color.h"
 #include "render/scene/actors.h"
 
 namespace bole::desktop {
@@ -110,6 +109,13 @@ void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> 
   if (slot) renderer_->AddActor(slot);
 }
 
+void WalkLayers::set_dark(bool dark) {
+  dark_ = dark;
+  for (const auto& [actor, ink] :
+       {std::pair{path_, ink::primary}, {good_loops_, ink::good}, {bad_loops_, ink::poor}, {sensor_, ink::accent}})
+    if (actor) paint(actor, shown(ink));
+}
+
 void WalkLayers::clear() {
   for (auto& block : blocks_) set(block, nullptr);
   blocks_.clear(), block_points_.clear();
@@ -198,15 +204,15 @@ void WalkLayers::set_path(const Trajectory& path) {
   data->SetPoints(points);
   data->SetLines(lines);
   auto actor = actor_of(data);
-  paint(actor, ink::primary);
+  paint(actor, shown(ink::primary));
   actor->GetProperty()->SetLineWidth(3);
   set(path_, actor);
 }
 
 void WalkLayers::set_loops(const Segments& accepted, const Segments& refused) {
   accepted_ = accepted.size(), refused_ = refused.size();
-  set(good_loops_, lines_actor(accepted, origin_, ink::good));
-  set(bad_loops_, lines_actor(refused, origin_, ink::poor));
+  set(good_loops_, lines_actor(accepted, origin_, shown(ink::good)));
+  set(bad_loops_, lines_actor(refused, origin_, shown(ink::poor)));
 }
 
 void WalkLayers::show_frame(const PlacedFrame& frame) {
@@ -227,7 +233,7 @@ void WalkLayers::set_frame(const std::vector<Eigen::Vector3d>& positions, const 
   ball->SetPhiResolution(12);
   ball->Update();
   auto mark = actor_of(ball->GetOutput());
-  paint(mark, ink::accent);
+  paint(mark, shown(ink::accent));
   set(sensor_, mark);
 }
 

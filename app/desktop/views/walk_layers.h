@@ -10,6 +10,7 @@
 #include "behaviors/frame_reader.h"
 #include "document/live_map.h"
 #include "document/survey.h"
+#include "render/draw/screen_look.h"
 
 namespace bole::desktop {
 
@@ -17,6 +18,7 @@ class WalkLayers {
  public:
   explicit WalkLayers(vtkRenderer* renderer) : renderer_(renderer) {}
 
+  void set_dark(bool dark);  // the paper below
   void clear();
   // Only what has changed since the last call is made anew.
   void show_live(LiveMap& map, bool frame);
@@ -35,6 +37,7 @@ class WalkLayers {
   const Eigen::Vector3d& origin() const { return origin_; }  // what is drawn at zero
 
  private:
+  Color shown(const Color& ink) const { return dark_ ? on_dark(ink) : ink; }
   void set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> actor);
   void set_block(std::size_t block, const LiveMap& map);
   void set_path(const Trajectory& path);
@@ -47,6 +50,7 @@ class WalkLayers {
   std::vector<vtkSmartPointer<vtkActor>> blocks_;
   std::vector<std::size_t> block_points_;
   vtkSmartPointer<vtkActor> path_, good_loops_, bad_loops_, frame_, sensor_;
+  bool dark_ = false;
   std::size_t step_ = 1;  // of every so many points one is drawn
   std::size_t drawn_ = 0, accepted_ = 0, refused_ = 0;
 };

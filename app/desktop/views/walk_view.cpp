@@ -5,9 +5,12 @@
 #include <vtkInteractorStyleTerrain.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QEvent>
 #include <algorithm>
 
 #include "render/scene/view_camera.h"
+#include "shell/theme.h"
+#include "views/figure_picture.h"
 
 namespace bole::desktop {
 
@@ -15,11 +18,23 @@ WalkView::WalkView(QWidget* parent) : QVTKOpenGLNativeWidget(parent), layers_(re
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->AddRenderer(renderer_);
-  renderer_->SetBackground(1, 1, 1);
+  follow_theme();
   setRenderWindow(window);
   vtkNew<vtkInteractorStyleTerrain> style;  // z stays up
   interactor()->SetInteractorStyle(style);
   eye_ = Eigen::Vector3d(renderer_->GetActiveCamera()->GetPosition());
+}
+
+void WalkView::changeEvent(QEvent* event) {
+  QVTKOpenGLNativeWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) follow_theme();
+}
+
+void WalkView::follow_theme() {
+  const bool dark = is_dark(palette());
+  set_background(renderer_, dark);
+  layers_.set_dark(dark);
+  redraw();
 }
 
 void WalkView::clear() {

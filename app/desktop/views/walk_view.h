@@ -26,8 +26,10 @@ class WalkView : public QVTKOpenGLNativeWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  void follow_theme();
   bool camera_moved() const;
   void redraw();
 

@@ -200,10 +200,17 @@ Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_m
   return figure;
 }
 
-Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm) {
+double greatest_error_cm(const TrajectoryComparison& comparison) {
+  check(comparison);
+  return errors_of(comparison).most_cm;
+}
+
+Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double least_top_cm) {
   check(comparison);
   Figure figure{"trajectory_error", "Error along the way", error_caption, width_mm, error_height_mm, true, {}};
-  figure.draw = [errors = errors_of(comparison)](Canvas& canvas) { draw_errors(canvas, errors, 0); };
+  auto errors = errors_of(comparison);
+  errors.most_cm = std::max(errors.most_cm, least_top_cm);
+  figure.draw = [errors = std::move(errors)](Canvas& canvas) { draw_errors(canvas, errors, 0); };
   return figure;
 }
 

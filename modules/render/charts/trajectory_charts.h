@@ -19,7 +19,9 @@ struct TrajectoryComparison {
 Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm);
 
 // Distance between the two at equal times, and its horizontal and vertical part, over the way.
-Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm);
+// The axis of the error reaches at least to `least_top_cm`: charts that are to be compared have it in common.
+Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double least_top_cm = 0);
+double greatest_error_cm(const TrajectoryComparison& comparison);
 
 // Both on one sheet.
 Figure trajectory_sheet(const TrajectoryComparison& comparison, double width_mm);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
+
+#include "render/draw/screen_look.h"
 
 namespace bole {
 namespace {
@@ -12,12 +15,46 @@ namespace {
 constexpr double mm_per_pt = 25.4 / 72;
 constexpr double full_turn = 2 * std::numbers::pi;
 
-void set_color(cairo_t* cairo, const Color& c) { cairo_set_source_rgba(cairo, c.r, c.g, c.b, c.a); }
+void set_color(cairo_t* cairo, const Color& color) {
+  const auto* look = look_of(cairo);
+  const Color c = look != nullptr && look->dark ? on_dark(color) : color;
+  cairo_set_source_rgba(cairo, c.r, c.g, c.b, c.a);
+}
 
 void set_stroke(cairo_t* cairo, const Stroke& stroke) {
   set_color(cairo, stroke.color);
   cairo_set_line_width(cairo, stroke.width_mm);
   cairo_set_dash(cairo, stroke.dash_mm.data(), static_cast<int>(stroke.dash_mm.size()), 0);
+}
+
+std::string shown(cairo_t* cairo, std::string_view utf8) {
+  const auto* look = look_of(cairo);
+  return look != nullptr && look->words ? look->words(utf8) : std::string(utf8);
+}
+
+// Part of a text that one font has the characters of.
+struct TextRun {
+  std::string text;
+  bool wide = false;  // Chinese, Japanese, Korean and what follows them in Unicode
+};
+
+// One run, unless the look has a font for wide characters: that need not have the Latin ones.
+std::vector<TextRun> runs_of(cairo_t* cairo, const std::string& utf8) {
+  const auto* look = look_of(cairo);
+  if (look == nullptr || look->wide_font.empty()) return {{utf8, false}};
+  std::vector<TextRun> runs{{}};
+  for (const char c : utf8) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool first = (byte & 0xc0) != 0x80, wide = byte >= 0xe3;  // of a character; from U+3000
+    if (first && wide != runs.back().wide) runs.push_back({{}, wide});
+    runs.back().text += c;
+  }
+  return runs;
+}
+
+void use_wide_font(cairo_t* cairo, const TextStyle& style) {
+  cairo_select_font_face(cairo, look_of(cairo)->wide_font.c_str(), CAIRO_FONT_SLANT_NORMAL,
+                         style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
 }
 
 }  // namespace
@@ -171,43 +208,51 @@ void Canvas::set_font(const TextStyle& style) const {
 }
 
 Eigen::Vector2d Canvas::text_size(std::string_view utf8, const TextStyle& style) const {
+  double advance = 0;
+  for (const auto& run : runs_of(cairo_, shown(cairo_, utf8))) {
+    set_font(style);
+    if (run.wide) use_wide_font(cairo_, style);
+    cairo_text_extents_t extents{};
+    cairo_text_extents(cairo_, run.text.c_str(), &extents);
+    advance += extents.x_advance;
+  }
   set_font(style);
-  cairo_text_extents_t extents{};
   cairo_font_extents_t font{};
-  cairo_text_extents(cairo_, std::string(utf8).c_str(), &extents);
   cairo_font_extents(cairo_, &font);
-  return {extents.x_advance, font.ascent + font.descent};
+  return {advance, font.ascent + font.descent};
 }
 
 void Canvas::text(const Eigen::Vector2d& at, std::string_view utf8, const TextStyle& style) {
   if (utf8.empty()) return;
-  const std::string copy(utf8);
-  set_font(style);
-  cairo_text_extents_t extents{};
-  cairo_text_extents(cairo_, copy.c_str(), &extents);
+  const auto runs = runs_of(cairo_, shown(cairo_, utf8));
+  const double advance = text_size(utf8, style).x();
   cairo_font_extents_t font{};
   cairo_font_extents(cairo_, &font);
-  const double dx = style.h == HAlign::left     ? 0
-                    : style.h == HAlign::centre ? -extents.x_advance / 2
-                                                : -extents.x_advance;
+  const double dx = style.h == HAlign::left ? 0 : style.h == HAlign::centre ? -advance / 2 : -advance;
   // "middle" centres the capitals, which is what the eye takes for the height of a line.
   const double capital = 0.716 * style.size_pt * mm_per_pt;
   const double dy = style.v == VAlign::top      ? capital
                     : style.v == VAlign::middle ? capital / 2
                     : style.v == VAlign::bottom ? -font.descent
                                                 : 0;
+  const auto draw = [&](void (*put)(cairo_t*, const char*)) {
+    cairo_move_to(cairo_, dx, dy);
+    for (const auto& run : runs) {  // each leaves the pen behind itself
+      set_font(style);
+      if (run.wide) use_wide_font(cairo_, style);
+      put(cairo_, run.text.c_str());
+    }
+  };
   cairo_save(cairo_);
   cairo_translate(cairo_, at.x(), at.y());
   cairo_rotate(cairo_, -style.angle_rad);
   if (style.halo_mm > 0) {
-    cairo_move_to(cairo_, dx, dy);
-    cairo_text_path(cairo_, copy.c_str());
+    draw(cairo_text_path);
     set_stroke(cairo_, Stroke{ink::paper.with_alpha(0.85), 2 * style.halo_mm});
     cairo_stroke(cairo_);
   }
-  cairo_move_to(cairo_, dx, dy);
   set_color(cairo_, style.color);
-  cairo_show_text(cairo_, copy.c_str());
+  draw(cairo_show_text);
   cairo_restore(cairo_);
   cairo_new_path(cairo_);
 }

@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "render/draw/screen_look.h"
 
 namespace bole {
 namespace {
@@ -34,12 +35,15 @@ void check(cairo_status_t status, const Figure& figure) {
     throw failure("figure '" + figure.name + "' could not be drawn: " + cairo_status_to_string(status));
 }
 
-void draw_on(cairo_surface_t* surface, const Figure& figure, double scale, bool paper = true) {
+void draw_on(cairo_surface_t* surface, const Figure& figure, double scale, bool paper = true,
+             const ScreenLook* look = nullptr) {
   Context cairo(cairo_create(surface), cairo_destroy);
+  if (look != nullptr) set_look(cairo.get(), *look);
   cairo_scale(cairo.get(), scale, scale);
   if (paper) {
     // The whole surface, also the part of a pixel beyond the sheet's edge.
-    cairo_set_source_rgb(cairo.get(), ink::paper.r, ink::paper.g, ink::paper.b);
+    const Color sheet = look != nullptr && look->dark ? on_dark(ink::paper) : ink::paper;
+    cairo_set_source_rgb(cairo.get(), sheet.r, sheet.g, sheet.b);
     cairo_paint(cairo.get());
   }
   Canvas canvas(cairo.get(), figure.width_mm, figure.height_mm);
@@ -47,7 +51,7 @@ void draw_on(cairo_surface_t* surface, const Figure& figure, double scale, bool 
   check(cairo_status(cairo.get()), figure);
 }
 
-Surface raster(const Figure& figure, double dpi, bool paper = true) {
+Surface raster(const Figure& figure, double dpi, bool paper = true, const ScreenLook* look = nullptr) {
   const double w = std::round(figure.width_mm / mm_per_inch * dpi),
                h = std::round(figure.height_mm / mm_per_inch * dpi);
   if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
@@ -57,7 +61,7 @@ Surface raster(const Figure& figure, double dpi, bool paper = true) {
   const auto format = paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
   Surface surface(cairo_image_surface_create(format, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);
-  draw_on(surface.get(), figure, dpi / mm_per_inch, paper);
+  draw_on(surface.get(), figure, dpi / mm_per_inch, paper, look);
   cairo_surface_flush(surface.get());
   return surface;
 }
@@ -130,6 +134,14 @@ Image image_of(const Surface& surface, bool opaque) {
 Image figure_image(const Figure& figure, double dpi) { return image_of(raster(figure, dpi), true); }
 
 Image figure_overlay(const Figure& figure, double dpi) { return image_of(raster(figure, dpi, false), false); }
+
+Image screen_image(const Figure& figure, double dpi, const ScreenLook& look) {
+  return image_of(raster(figure, dpi, true, &look), true);
+}
+
+Image screen_overlay(const Figure& figure, double dpi, const ScreenLook& look) {
+  return image_of(raster(figure, dpi, false, &look), false);
+}
 
 std::string figure_png(const Figure& figure, double dpi) { return surface_png(raster(figure, dpi).get(), dpi); }
 

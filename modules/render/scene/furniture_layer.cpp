@@ -53,8 +53,8 @@ vtkSmartPointer<vtkImageData> empty_image(int width, int height) {
   return image;
 }
 
-vtkSmartPointer<vtkActor2D> patch_actor(const Figure& figure, double px_per_mm) {
-  const auto picture = figure_overlay(figure, px_per_mm * mm_per_inch);
+vtkSmartPointer<vtkActor2D> patch_actor(const Figure& figure, double px_per_mm, const ScreenLook& look) {
+  const auto picture = screen_overlay(figure, px_per_mm * mm_per_inch, look);
   const auto image = empty_image(picture.width, picture.height);
   const std::size_t row = 4 * static_cast<std::size_t>(picture.width);
   auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
@@ -119,7 +119,7 @@ void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
   for (const auto& patch : furniture_patches(furniture)) {
     auto& slot = slots_[patch.state];
     if (!slot.actor) {
-      slot.actor = patch_actor(patch.figure, px_per_mm);
+      slot.actor = patch_actor(patch.figure, px_per_mm, look_);
       renderer_->AddActor2D(slot.actor);
     }
     slot.last_use = round_;
@@ -135,6 +135,16 @@ void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
     it = slots_.erase(it);
   }
   draw_lines(furniture, px_per_mm);
+}
+
+void FurnitureLayer::set_look(const ScreenLook& look) {
+  look_ = look;
+  for (auto& [state, slot] : slots_) renderer_->RemoveActor2D(slot.actor);
+  slots_.clear();
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    const Color color = look.dark ? on_dark(line_kinds[k].color) : line_kinds[k].color;
+    lines_[k].actor->GetProperty()->SetColor(color.r, color.g, color.b);
+  }
 }
 
 void FurnitureLayer::draw_lines(const ViewFurniture& furniture, double px_per_mm) {

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "render/draw/screen_look.h"
 #include "render/scene/view_furniture.h"
 
 namespace bole {
@@ -25,6 +26,9 @@ class FurnitureLayer {
 
   // Takes effect with the next frame. Only patches whose state is new are drawn.
   void show(const ViewFurniture& furniture, double px_per_mm);
+
+  // Words and inks from now on.
+  void set_look(const ScreenLook& look);
 
   // Black of this opacity over each pixel, rows from below; an empty one takes it away.
   void set_shadow(const std::vector<std::uint8_t>& alpha, int width, int height);
@@ -40,6 +44,7 @@ class FurnitureLayer {
   };
   void draw_lines(const ViewFurniture& furniture, double px_per_mm);
 
+  ScreenLook look_;
   vtkNew<vtkRenderer> renderer_;
   std::unordered_map<std::string, Slot> slots_;
   // Drawn in the order in which they were added: the shadow, lines with their rims, patches.

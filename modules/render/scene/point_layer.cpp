@@ -2,6 +2,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPointData.h>
@@ -12,6 +13,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "render/scene/view_camera.h"
 
@@ -116,10 +118,14 @@ PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
   colors->SetNumberOfComponents(3);
   colors->SetNumberOfTuples(n);
   paint_points(*cloud_, tile.indices, paint_, colors->GetPointer(0));
+  vtkNew<vtkIdTypeArray> ids;  // one cell of all points
+  ids->SetNumberOfValues(n);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + n, vtkIdType{0});
+  vtkNew<vtkIdTypeArray> offsets;
+  offsets->InsertNextValue(0);
+  offsets->InsertNextValue(n);
   vtkNew<vtkCellArray> cells;
-  cells->AllocateEstimate(1, n);
-  cells->InsertNextCell(static_cast<int>(n));
-  for (vtkIdType i = 0; i < n; ++i) cells->InsertCellPoint(i);
+  cells->SetData(offsets, ids);
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetVerts(cells);
@@ -144,18 +150,17 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
   auto view = view_of(renderer, cloud_->origin - origin_);
   if (clip_) view.lo = (clip_->lo - cloud_->origin).cast<float>(), view.hi = (clip_->hi - cloud_->origin).cast<float>();
   const auto chosen = octree_->visible(view, budget, least_px);
-  drawn_ = 0;
+  drawn_ = fresh_ = 0;
   bool complete = true;
-  std::size_t prepared = 0;
   for (const auto i : chosen) {
     auto it = tiles_.find(i);
     if (it == tiles_.end()) {
       const auto& node = octree_->nodes()[i];
-      if (prepared > 0 && prepared + node.size() > fresh) {
+      if (fresh_ > 0 && fresh_ + node.size() > fresh) {
         complete = false;
         continue;
       }
-      prepared += node.size();
+      fresh_ += node.size();
       it = tiles_.emplace(i, make_tile(node)).first;
       if (it->second.actor) renderer->AddActor(it->second.actor);
     }

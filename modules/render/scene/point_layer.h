@@ -45,6 +45,7 @@ class PointLayer {
   bool update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh);
 
   std::size_t drawn() const { return drawn_; }      // points of the last update
+  std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
   std::vector<std::uint32_t> drawn_points() const;  // indices in the cloud of those that are seen
   const PointPaint& paint() const { return paint_; }
 
@@ -70,7 +71,7 @@ class PointLayer {
   std::unordered_map<std::uint32_t, Tile> tiles_;
   vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to
   std::uint64_t frame_ = 0;
-  std::size_t drawn_ = 0;
+  std::size_t drawn_ = 0, fresh_ = 0;
 };
 
 }  // namespace bole

@@ -1,0 +1,147 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+    <context>
+        <name>figures</name>
+        <message>
+            <source>DBH (cm)</source>
+            <translation>胸径 (cm)</translation>
+        </message>
+        <message>
+            <source>Stems</source>
+            <translation>株数</translation>
+        </message>
+        <message>
+            <source>Height (m)</source>
+            <translation>树高 (m)</translation>
+        </message>
+        <message>
+            <source>Field DBH (cm)</source>
+            <translation>实测胸径 (cm)</translation>
+        </message>
+        <message>
+            <source>Estimated DBH (cm)</source>
+            <translation>估计胸径 (cm)</translation>
+        </message>
+        <message>
+            <source>No diameters yet</source>
+            <translation>尚无胸径</translation>
+        </message>
+        <message>
+            <source>No heights yet</source>
+            <translation>尚无树高</translation>
+        </message>
+        <message>
+            <source>No field measurements are matched</source>
+            <translation>没有匹配的实测数据</translation>
+        </message>
+        <message>
+            <source>n %1   bias %2 cm   RMSE %3 cm</source>
+            <translation>n %1   偏差 %2 cm   RMSE %3 cm</translation>
+        </message>
+        <message>
+            <source>no points at this height</source>
+            <translation>此高度没有点</translation>
+        </message>
+        <message>
+            <source>Across (m)</source>
+            <translation>横向 (m)</translation>
+        </message>
+        <message>
+            <source>Height above ground (m)</source>
+            <translation>离地高度 (m)</translation>
+        </message>
+        <message>
+            <source>Way (m)</source>
+            <translation>路程 (m)</translation>
+        </message>
+        <message>
+            <source>Error (cm)</source>
+            <translation>误差 (cm)</translation>
+        </message>
+        <message>
+            <source>error</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>horizontal</source>
+            <translation>水平</translation>
+        </message>
+        <message>
+            <source>vertical</source>
+            <translation>垂直</translation>
+        </message>
+        <message>
+            <source>at the centre</source>
+            <translation>视图中心处</translation>
+        </message>
+        <message>
+            <source>at the centre, grid %1 m</source>
+            <translation>视图中心处，格网 %1 m</translation>
+        </message>
+        <message>
+            <source>grid %1 m</source>
+            <translation>格网 %1 m</translation>
+        </message>
+        <message>
+            <source>height above ground (m)</source>
+            <translation>离地高度 (m)</translation>
+        </message>
+        <message>
+            <source>intensity</source>
+            <translation>强度</translation>
+        </message>
+        <message>
+            <source>time (s)</source>
+            <translation>时间 (s)</translation>
+        </message>
+        <message>
+            <source>range (m)</source>
+            <translation>距离 (m)</translation>
+        </message>
+        <message>
+            <source>ring</source>
+            <translation>激光通道</translation>
+        </message>
+        <message>
+            <source>scan angle (°)</source>
+            <translation>扫描角 (°)</translation>
+        </message>
+        <message>
+            <source>return number</source>
+            <translation>回波序号</translation>
+        </message>
+        <message>
+            <source>number of returns</source>
+            <translation>回波数</translation>
+        </message>
+        <message>
+            <source>a colour for each tree id</source>
+            <translation>每个单木一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each pass</source>
+            <translation>每个行走遍次一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each keyframe</source>
+            <translation>每个关键帧一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each classification</source>
+            <translation>每个分类一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each point source id</source>
+            <translation>每个点源一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each stem</source>
+            <translation>每个树干一种颜色</translation>
+        </message>
+        <message>
+            <source>a colour for each plant</source>
+            <translation>每个植株一种颜色</translation>
+        </message>
+    </context>
+</TS>

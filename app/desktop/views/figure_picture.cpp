@@ -1,0 +1,63 @@
+#include "views/figure_picture.h"
+
+#include <vtkRenderer.h>
+
+#include <QCoreApplication>
+#include <QFontDatabase>
+#include <QRegularExpression>
+
+#include "shell/theme.h"
+
+namespace bole::desktop {
+namespace {
+
+// Texts of figures are English with numbers in them: they are looked up with %1, %2 in their place, in the context
+// "figures" of app/desktop/i18n.
+std::string in_the_language_of_the_window(std::string_view english) {
+  static const QRegularExpression number("(?<![A-Za-z_])-?\\d+(\\.\\d+)?");
+  const QString text = QString::fromUtf8(english.data(), static_cast<int>(english.size()));
+  QString pattern;
+  QStringList numbers;
+  int end = 0;
+  for (auto it = number.globalMatch(text); it.hasNext();) {
+    const auto match = it.next();
+    numbers << match.captured();
+    pattern += text.mid(end, match.capturedStart() - end) + "%" + QString::number(numbers.size());
+    end = match.capturedEnd();
+  }
+  pattern += text.mid(end);
+  QString translated = QCoreApplication::translate("figures", pattern.toUtf8().constData());
+  if (translated == pattern) return std::string(english);
+  for (const auto& n : numbers) translated = translated.arg(n);
+  return translated.toStdString();
+}
+
+std::string chinese_font() {
+  const auto families = QFontDatabase().families(QFontDatabase::SimplifiedChinese);
+  return families.isEmpty() ? std::string() : families.front().toStdString();
+}
+
+}  // namespace
+
+ScreenLook screen_look(const QPalette& palette) {
+  static const std::string wide_font = chinese_font();
+  return {is_dark(palette), in_the_language_of_the_window, wide_font};
+}
+
+void set_background(vtkRenderer* renderer, bool dark) {
+  const Color paper = dark ? on_dark(ink::paper) : ink::paper;
+  renderer->SetBackground(paper.r, paper.g, paper.b);
+}
+
+// Charts have colours of their own, which on_paper() turns over with the inks.
+QImage figure_picture(const Figure& figure, const QPalette& palette, double dpi, double ratio) {
+  auto look = screen_look(palette);
+  look.dark = false;
+  const auto image = screen_image(figure, dpi * ratio, look);
+  const QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
+  QImage shown = on_paper(picture.copy(), palette);
+  shown.setDevicePixelRatio(ratio);
+  return shown;
+}
+
+}  // namespace bole::desktop
