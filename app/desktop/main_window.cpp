@@ -104,7 +104,7 @@ void MainWindow::connect_document() {
   connect(sample_, &SampleBehavior::ready, this, [this](const auto& document, const QString& path) {
     guarded([&] {
       if (!may_lose_changes()) return;
-      session_.start(*document, path);
+      take_up(sample_pipeline_path(path), [&] { return *document; });
       document_is_open();
       refresh();
     });
@@ -117,6 +117,11 @@ void MainWindow::connect_document() {
   });
   connect(run_, &RunBehavior::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
+  connect(run_, &RunBehavior::job_ended, this, [this] {
+    if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
+  });
+  connect(&session_, &Session::unprotected, this,
+          [this](const QString& why) { complain(tr("Changes are not kept until they are saved: %1").arg(why)); });
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a stem, made, undone or redone, is seen at once; other options wait for Run.
     if (session_.document().at(stage.toStdString()).type->name == "stems.edit" && scene_->has_survey())
@@ -186,30 +191,30 @@ void MainWindow::tell(const QString& text, LogLevel level) {
 }
 
 void MainWindow::open(const QString& path) {
-  if (kind_of_file(path) == FileKind::pipeline) {
-    open_pipeline(path);
-  } else {
-    const QString pipeline = pipeline_path_for_file(path);
-    if (QFileInfo::exists(pipeline))
-      open_pipeline(pipeline);  // made for this file before
-    else
-      session_.start(document_for_file(path), pipeline);
-  }
+  if (!may_lose_changes()) return;
+  if (kind_of_file(path) == FileKind::pipeline)
+    take_up(path, {});
+  else
+    take_up(pipeline_path_for_file(path), [&] { return document_for_file(path); });
   document_is_open();
   if (QFileInfo::exists(session_.path())) note_recent_file(session_.path());
 }
 
-void MainWindow::open_pipeline(const QString& path) {
+void MainWindow::take_up(const QString& path, const std::function<PipelineDocument()>& make) {
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost && QMessageBox::question(this, tr("Changes were not saved"),
                                     tr("The program ended before changes to %1 were saved. Take them up again?")
                                         .arg(QFileInfo(path).fileName())) == QMessageBox::Yes)
     session_.recover(path);
+  else if (make && !QFileInfo::exists(path))
+    session_.start(make(), path);
   else
     session_.open(path);
 }
 
 void MainWindow::document_is_open() {
+  refresh_again_ = false;
+  pipeline_->forget_states();
   run_->forget_survey();
   selection_.select({});
   visibility_.show_all();
@@ -266,7 +271,7 @@ void MainWindow::show_survey(const Survey& survey) {
   Q_EMIT survey_shown(survey);
 }
 
-void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results) {
+void MainWindow::show_outcome(const RunOutcome& outcome) {
   for (const auto& stage : outcome.stages) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));
@@ -276,10 +281,9 @@ void MainWindow::show_outcome(const RunOutcome& outcome, const Results& results)
     for (const auto& warning : stage.record.report.warnings)
       tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
-  visibility_.take(outcome, results);
+  visibility_.take(run_->outcome(), run_->results());
   statusBar()->showMessage(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
-  if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -294,7 +298,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 bool MainWindow::may_lose_changes() {
   if (!session_.has_document() || session_.undo_stack().isClean()) return true;
-  const bool made_here = !QFileInfo::exists(session_.path()) && session_.undo_stack().count() == 0;
+  const bool made_here =
+      !QFileInfo::exists(session_.path()) && session_.undo_stack().count() == 0 && !session_.recovered();
   if (made_here) return true;  // a pipeline that the program made and nobody changed
   const auto answer =
       QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
@@ -311,9 +316,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
-  guarded([&] {
-    if (may_lose_changes()) open(urls.front().toLocalFile());
-  });
+  guarded([&] { open(urls.front().toLocalFile()); });
 }
 
 }  // namespace bole::desktop

@@ -37,8 +37,9 @@ class MainWindow : public QMainWindow {
  public:
   MainWindow();
 
-  void open(const QString& path);  // a pipeline; a cloud or a scan, for which a pipeline is made
-  void open_sample();              // made where it is not there yet, opened and run; in the background
+  // A pipeline; a cloud or a scan, for which a pipeline is made. Asks first what to do with changes that are not saved.
+  void open(const QString& path);
+  void open_sample();  // made where it is not there yet, opened and run; in the background
   void save(const QString& path);
   void run();                             // the whole pipeline; after the runs that are asked for already
   void refresh();                         // all but what writes files; after the run under way, when there is one
@@ -87,12 +88,13 @@ class MainWindow : public QMainWindow {
   void start(bool sinks, const QString& folder);
   bool may_lose_changes();  // asks what to do with changes that are not saved; false: stay
   void document_is_open();
-  void open_pipeline(const QString& path);
+  // The pipeline at `path`, or what a crash left of it; where it was never saved, the one that `make` gives.
+  void take_up(const QString& path, const std::function<PipelineDocument()>& make);
   void make_menus();
   void make_docks();
   void connect_document();
   void connect_views();
-  void show_outcome(const RunOutcome& outcome, const Results& results);
+  void show_outcome(const RunOutcome& outcome);
   void show_survey(const Survey& survey);
 
   Session session_;

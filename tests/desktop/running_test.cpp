@@ -25,6 +25,7 @@
 #include <QTimer>
 #include <QTreeWidget>
 
+#include "answer.h"
 #include "main_window.h"
 #include "panels/frame_bar.h"
 #include "panels/history_panel.h"
@@ -60,15 +61,6 @@ vtkStandardNewMacro(NotingOutputWindow)
 
 vtkCamera* camera_of(SceneView& view) {
   return view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
-}
-
-// Answers the next question of the window.
-void answer(QMessageBox::StandardButton button) {
-  QTimer::singleShot(0, [button] {
-    for (auto* widget : QApplication::topLevelWidgets())
-      if (auto* box = qobject_cast<QMessageBox*>(widget)) return box->button(button)->click();
-    QTimer::singleShot(20, [button] { answer(button); });
-  });
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "behaviors/measure_behavior.h"
 #include "behaviors/row_behavior.h"
 #include "document/figure_source.h"
+#include "document/stem_cut.h"
 #include "main_window.h"
 #include "panels/figure_dialog.h"
 #include "panels/range_slider.h"
@@ -147,6 +148,52 @@ class SceneTest : public QObject {
       // And time is used: not less than half of what there is.
       QVERIFY(point_s * static_cast<double>(pace.next().points) > 0.021 || pace.next().points == 2'500'000);
     }
+  }
+
+  void cuts_are_of_all_points_before_they_are_indexed() {
+    Survey survey;
+    survey.points = large_cloud(2'500'000);
+    survey.index = std::make_shared<const PointIndex>(survey.points);
+    Table stems;
+    stems.set("tree_id", std::vector<std::int64_t>{1});
+    for (const char* column : {"x_m", "y_m"}) stems.set(column, std::vector<double>{15});
+    stems.set("z_m", std::vector<double>{0});
+    stems.set("dbh_cm", std::vector<double>{40});
+    survey.stems = std::make_shared<const Table>(std::move(stems));
+    const auto stem = *stem_place(survey, 1);
+    const auto points = [&] { return cut_across(survey, stem, {}, {15, 15}, 0.6).points; };
+    const auto sampled = points();
+    QVERIFY(!survey.index->complete());
+    QVERIFY(sampled.size() > 20);
+    QTRY_VERIFY_WITH_TIMEOUT(survey.index->complete(), 60000);
+    QCOMPARE(points(), sampled);
+  }
+
+  void a_drag_follows_its_drawing_when_they_are_made_anew() {
+    auto& s = scene();
+    const auto drawing = [](const char* id, double x) {
+      SceneDrawing d;
+      d.id = id, d.strong = true;
+      d.grips.emplace_back(x, 4.0, 0.05);
+      return d;
+    };
+    settle();
+    std::vector<int> dragged;
+    const auto note = connect(&s, &SceneView::grip_dragged, &s, [&](const QString& layer, int which) {
+      if (layer == "test") dragged.push_back(which);
+    });
+    s.set_drawings("test", {drawing("west", 2), drawing("east", 7)});
+    const QPoint at = s.place_of({7, 4.0, 0.05});
+    QTest::mousePress(&s, Qt::LeftButton, {}, at);
+    s.set_drawings("test", {drawing("east", 7)});  // a run has ended
+    QTest::mouseRelease(&s, Qt::LeftButton, {}, at);
+    QCOMPARE(dragged, std::vector<int>{0});
+    QTest::mousePress(&s, Qt::LeftButton, {}, at);
+    s.set_drawings("test", {drawing("west", 2)});
+    QTest::mouseRelease(&s, Qt::LeftButton, {}, at);
+    QCOMPARE(dragged.size(), std::size_t{1});
+    disconnect(note);
+    s.set_drawings("test", {});
   }
 
   void heights_and_the_clip_box_are_set_by_numbers() {

@@ -197,6 +197,39 @@ class ViewsTest : public QObject {
     QCOMPARE(table().model()->rowCount(), 9);
   }
 
+  void a_tree_that_the_filter_hides_is_the_one_that_is_edited() {
+    auto* line = table().parentWidget()->findChild<QLineEdit*>();
+    table().select_tree(5);
+    line->setText("tree_id = 1");
+    QCOMPARE(window_->selection().tree().value_or(0), std::int64_t{5});  // the filter selects nothing else
+    QVERIFY(!table().selected_tree());
+    table().select_tree(1);
+    window_->selection().select(7);
+    QVERIFY(!table().selected_tree());
+    trigger("Delete");
+    QVERIFY(wait());
+    QVERIFY(window_->runner().survey().row_of(1));
+    QVERIFY(!window_->runner().survey().row_of(7));
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    line->clear();
+    QCOMPARE(table().selected_tree().value_or(0), std::int64_t{7});
+  }
+
+  void drawing_a_tree_asks_for_a_stem_beside_it() {
+    QAction* add = window_->findChild<QAction*>("add_tree");
+    window_->selection().select({});
+    QSignalSpy said(&window_->slice(), &SliceView::said);
+    add->trigger();
+    QCOMPARE(said.size(), 1);
+    QVERIFY(!add->isChecked());
+    window_->selection().select(4);
+    add->trigger();
+    QVERIFY(add->isChecked());
+    add->trigger();
+    QCOMPARE(said.size(), 1);
+  }
+
   void a_moving_view_keeps_its_frame_time_and_refines_at_rest() {
     auto& scene = window_->scene();
     for (int k = 0; k < 5; ++k) QVERIFY(scene.draw_moving_frame() > 0);

@@ -1,5 +1,6 @@
 // Drives the real window: open, edit, undo, run, save, reopen.
 #include <QApplication>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
@@ -10,8 +11,13 @@
 #include <QTest>
 #include <QTreeWidget>
 #include <csignal>
+#include <set>
 
+#include "answer.h"
+#include "behaviors/sample_behavior.h"
+#include "document/new_document.h"
 #include "main_window.h"
+#include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
@@ -141,6 +147,244 @@ class WindowTest : public QObject {
     window.session().discard_recovery();
   }
 
+  void what_was_never_saved_is_recovered_too() {
+    const QTemporaryDir place;
+    const QString cloud = place.filePath("cloud.xyz"), path = place.filePath("cloud.json");
+    write_cloud(cloud.toStdString());
+    {
+      Session session;  // of a program that ends here
+      session.start(document_for_file(cloud), path);
+      session.set_option("slice", "height", 1.7);
+    }
+    MainWindow window;
+    answer(QMessageBox::Yes);
+    window.open(cloud);
+    QCOMPARE(slice_height(window), 1.7);
+    // It is not lost unasked.
+    answer(QMessageBox::Cancel);
+    window.open(folder_.filePath("plot.json"));
+    QCOMPARE(window.session().path(), path);
+    answer(QMessageBox::Discard);
+    window.open(folder_.filePath("plot.json"));
+    QVERIFY(!QFileInfo::exists(Session::recovery_path(path)));
+  }
+
+  void a_sample_that_was_saved_is_opened_as_it_was() {
+    const QTemporaryDir place;
+    const QString path = place.filePath("sample_plot.json");
+    const auto sample = std::make_shared<const PipelineDocument>(document_for_file(place.filePath("walk.pcap")));
+    {
+      Session session;
+      session.start(*sample, path);
+      session.set_option("slice", "height", 1.6);
+      session.save(path);
+      session.set_option("slice", "height", 1.7);
+    }
+    MainWindow window;
+    answer(QMessageBox::Yes);
+    Q_EMIT window.sample().ready(sample, path);
+    QCOMPARE(slice_height(window), 1.7);
+    answer(QMessageBox::Discard);
+    Q_EMIT window.sample().ready(sample, path);
+    QCOMPARE(slice_height(window), 1.6);
+  }
+
+  void opening_asks_for_what_is_not_saved() {
+    const QString first = folder_.filePath("first.json"), second = folder_.filePath("second.json");
+    write_pipeline(first.toStdString());
+    write_pipeline(second.toStdString());
+    MainWindow window;
+    window.open(first);
+    window.session().set_option("slice", "height", 1.5);
+    answer(QMessageBox::Cancel);
+    window.open(second);
+    QCOMPARE(window.session().path(), first);
+    QCOMPARE(slice_height(window), 1.5);
+    answer(QMessageBox::Save);
+    window.open(second);
+    QCOMPARE(window.session().path(), second);
+    window.open(first);  // nothing to ask
+    QCOMPARE(slice_height(window), 1.5);
+  }
+
+  void each_scan_has_a_pipeline_of_its_own() {
+    const QTemporaryDir place;
+    const auto at = [&](const char* name) { return place.filePath(name); };
+    for (const char* name : {"walk.pcap", "walk.xyz", "plot.xyz"}) std::ofstream(at(name).toStdString()) << "";
+    QCOMPARE(pipeline_path_for_file(at("walk.xyz")), at("walk.json"));
+    Session session;
+    session.start(document_for_file(at("walk.pcap")), at("walk.json"));
+    session.save(at("walk.json"));
+    QCOMPARE(pipeline_path_for_file(at("walk.pcap")), at("walk.json"));
+    QCOMPARE(pipeline_path_for_file(at("walk.xyz")), at("walk.xyz.json"));
+    std::ofstream(at("plot.json").toStdString()) << "a letter";
+    QCOMPARE(pipeline_path_for_file(at("plot.xyz")), at("plot.xyz.json"));
+    session.start(document_for_file(at("walk.pcap")), at("plot.xyz.json"));
+    session.set_option("slice", "height", 1.7);  // not saved, but kept for a crash
+    QCOMPARE(pipeline_path_for_file(at("plot.xyz")), at("plot_2.json"));
+  }
+
+  void edits_go_on_where_they_cannot_be_kept() {
+    Session session;
+    QStringList said;
+    connect(&session, &Session::unprotected, &session, [&](const QString& why) { said << why; });
+    const QString nowhere = folder_.filePath("cloud.xyz/plot.json");  // a file, no folder
+    session.start(document_for_file(folder_.filePath("cloud.xyz")), nowhere);
+    session.set_option("slice", "height", 1.5);
+    session.set_option("slice", "height", 1.6);
+    QCOMPARE(std::get<double>(session.document().at("slice").options.get("height")), 1.6);
+    QCOMPARE(session.undo_stack().count(), 2);
+    session.undo_stack().undo();
+    QCOMPARE(std::get<double>(session.document().at("slice").options.get("height")), 1.5);
+    session.change("nothing", session.document());
+    QCOMPARE(said.size(), 1);
+    QVERIFY2(said.front().contains("plot.json"), qPrintable(said.front()));
+  }
+
+  void what_is_undone_leaves_nothing_behind() {
+    const QString path = folder_.filePath("undone.json");
+    write_pipeline(path.toStdString());
+    Session session;
+    session.open(path);
+    const auto given = session.document().at("slice").given;
+    const auto text = session.document().to_json();
+    session.set_option("slice", "height", 1.5);
+    QVERIFY(QFileInfo::exists(Session::recovery_path(path)));
+    session.undo_stack().undo();
+    QCOMPARE(session.document().at("slice").given, given);  // a preset would not touch it
+    QCOMPARE(session.document().to_json(), text);
+    QVERIFY(!QFileInfo::exists(Session::recovery_path(path)));
+    session.undo_stack().redo();
+    QVERIFY(QFileInfo::exists(Session::recovery_path(path)));
+    session.open(path);
+    QVERIFY(QFileInfo::exists(Session::recovery_path(path)));  // that is asked before
+    session.discard_recovery();
+  }
+
+  void steps_of_several_edits_are_signed() {
+    Session session;
+    session.open(folder_.filePath("plot.json"));
+    qputenv("BOLE_AUTHOR", "A. Forester");
+    session.undo_stack().beginMacro("two");
+    session.set_option("slice", "height", 1.5);
+    session.set_option("slice", "thickness", 0.2);
+    session.undo_stack().endMacro();
+    QCOMPARE(session.edit_note(0).author, QString("A. Forester"));
+    QVERIFY(session.edit_note(0).time.isValid());
+    qunsetenv("BOLE_AUTHOR");
+    session.discard_recovery();
+  }
+
+  void a_run_that_is_cancelled_leaves_all_as_it_was() {
+    MainWindow window;
+    window.show();
+    window.open(folder_.filePath("plot.json"));
+    auto& runner = window.runner();
+    QSignalSpy ended(&runner, &RunBehavior::job_ended);
+    const auto all_ended = [&] {
+      while (runner.running())
+        if (!ended.wait(60000)) return false;
+      return true;
+    };
+    // The second of two, as soon as it begins.
+    const auto cancel = connect(&runner, &RunBehavior::job_began, &window, [&](int id) {
+      if (id > 1) runner.cancel();
+    });
+    window.run();
+    window.run();
+    QVERIFY(all_ended());
+    QCOMPARE(int(runner.jobs()[0]->state), int(JobState::done));
+    QCOMPARE(int(runner.jobs()[1]->state), int(JobState::cancelled));
+    QVERIFY(runner.survey().stems && window.scene().has_survey());
+    QCOMPARE(window.findChild<TablePanel*>()->model()->rowCount(), 9);
+
+    // One more, with an eye closed.
+    window.visibility().show("edit", ViewKind::scene, false);
+    const int actors = window.scene().actor_count();
+    window.session().set_option("slice", "thickness", 0.12);
+    window.run();
+    QVERIFY(all_ended());
+    disconnect(cancel);
+    QCOMPARE(int(runner.jobs()[2]->state), int(JobState::cancelled));
+    QCOMPARE(window.scene().actor_count(), actors);
+    QVERIFY(window.scene().survey().stems && window.scene().survey().points);
+    QVERIFY(runner.results().contains("stems"));  // what figures are drawn from
+    window.session().discard_recovery();
+  }
+
+  void results_are_fetched_behind_the_window() {
+    MainWindow window;
+    window.open(folder_.filePath("plot.json"));
+    auto& runner = window.runner();
+    QSignalSpy ended(&runner, &RunBehavior::job_ended);
+    std::set<int> live;
+    connect(&runner, &RunBehavior::progressed, &window, [&] { live.insert(runner.current()->id); });
+    QDir cache(folder_.filePath("plot_results/cache"));
+    QVERIFY(cache.removeRecursively());  // so that there is something to tell of
+    window.run();
+    QVERIFY(ended.wait(60000));
+    const int good = runner.jobs().back()->id;
+    QVERIFY(live.contains(good));
+    // Asked for anew while a result is fetched: the run comes after it.
+    QVERIFY(cache.removeRecursively());
+    int fetched = 0;
+    runner.fetch(good, [&](const JobResult& result) { fetched += result.survey.stems ? 1 : 0; });
+    window.refresh();
+    QCOMPARE(runner.jobs().size(), std::size_t{2});
+    QVERIFY(ended.wait(60000));
+    QCOMPARE(fetched, 1);
+    QVERIFY(!live.contains(runner.jobs()[1]->id));
+    QCOMPARE(runner.jobs().size(), std::size_t{3});
+    QVERIFY(ended.wait(60000));
+
+    // A run that failed has nothing to show or to compare.
+    QFile::copy(folder_.filePath("cloud.xyz"), folder_.filePath("bad.xyz"));
+    window.session().set_option("scan", "file", folder_.filePath("bad.xyz").toStdString());
+    std::ofstream(folder_.filePath("bad.xyz").toStdString()) << "no numbers\n";
+    window.run();
+    QVERIFY(ended.wait(60000));
+    const int failed = runner.jobs().back()->id;
+    QCOMPARE(int(runner.job(failed)->state), int(JobState::failed));
+    QVERIFY(runner.survey().stems);
+    QVERIFY_EXCEPTION_THROWN(runner.fetch(failed, {}), Error);
+    QVERIFY_EXCEPTION_THROWN(runner.show_again(failed), Error);
+
+    // Nor has a run of another document in this one.
+    window.session().undo_stack().undo();
+    const QString other = folder_.filePath("other.json");
+    write_pipeline(other.toStdString());
+    window.open(other);
+    QVERIFY_EXCEPTION_THROWN(runner.show_again(good), Error);
+    window.open(folder_.filePath("plot.json"));
+    runner.show_again(good);
+    window.open(other);  // before it is there
+    QVERIFY(ended.wait(60000));
+    QVERIFY(runner.survey().empty());
+  }
+
+  void a_run_of_another_document_is_not_shown_on_this_one() {
+    const QString other = folder_.filePath("other.json");
+    write_pipeline(other.toStdString());
+    MainWindow window;
+    window.open(folder_.filePath("plot.json"));
+    auto& runner = window.runner();
+    QSignalSpy ended(&runner, &RunBehavior::job_ended), live(&runner, &RunBehavior::progressed);
+    window.session().set_option("slice", "height", 1.4);  // so that there is something to do
+    window.refresh();
+    window.refresh();  // after it
+    QVERIFY(live.wait(60000));
+    window.session().undo_stack().undo();
+    window.open(other);
+    live.clear();
+    QVERIFY(ended.wait(60000));
+    QVERIFY(!runner.running());
+    QCOMPARE(runner.jobs().size(), std::size_t{1});
+    QCOMPARE(live.size(), 0);
+    auto& panel = window.pipeline();
+    for (int i = 0; i < panel.topLevelItemCount(); ++i)
+      QCOMPARE(panel.topLevelItem(i)->text(PipelinePanel::state_column), QString());
+  }
+
   void what_was_not_saved_survives_a_killed_program() {
     const QString path = folder_.filePath("killed.json");
     write_pipeline(path.toStdString());
@@ -161,6 +405,10 @@ class WindowTest : public QObject {
   }
 
  private:
+  static double slice_height(MainWindow& window) {
+    return std::get<double>(window.session().document().at("slice").options.get("height"));
+  }
+
   QTemporaryDir folder_;
 };
 

@@ -1,23 +1,16 @@
 #include "behaviors/figure_export.h"
 
-#include <memory>
-
 #include "main_window.h"
 #include "panels/figure_dialog.h"
 
 namespace bole::desktop {
 
 void install_figure_export(MainWindow& window) {
-  // What the last run of this document gave.
-  const auto results = std::make_shared<Results>();
-  QObject::connect(&window.runner(), &RunBehavior::finished, &window,
-                   [results](const RunOutcome&, const Results& all) { *results = all; });
-  QObject::connect(&window, &MainWindow::document_opened, &window, [results] { results->clear(); });
   window.add_action(
       window.menu(Menu::file), "export_figure", MainWindow::tr("Export a figure…"),
-      [&window, results] {
-        FigureSource source(window.session().has_document() ? &window.session().document() : nullptr, *results,
-                            window.runner().survey());
+      [&window] {
+        FigureSource source(window.session().has_document() ? &window.session().document() : nullptr,
+                            window.runner().results(), window.runner().survey());
         if (source.names().empty())
           throw bad_input("there is nothing to draw yet", "stems, rows or points", "Run the pipeline first");
         auto* dialog = new FigureDialog(std::move(source), &window);

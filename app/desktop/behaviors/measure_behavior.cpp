@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStatusBar>
-#include <QUndoCommand>
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
@@ -60,10 +59,10 @@ QString ask(Kind kind, std::size_t clicked) {
 
 }  // namespace
 
-class EditMeasurements : public QUndoCommand {
+class EditMeasurements : public SignedCommand {
  public:
   EditMeasurements(MeasureBehavior& behavior, const QString& what, std::vector<Measurement> after)
-      : QUndoCommand(what), behavior_(behavior), before_(behavior.list()), after_(std::move(after)) {}
+      : SignedCommand(what), behavior_(behavior), before_(behavior.list()), after_(std::move(after)) {}
   void undo() override { behavior_.put(before_); }
   void redo() override { behavior_.put(after_); }
 
@@ -174,7 +173,7 @@ void MeasureBehavior::fit_ring(Measurement& ring) const {
   const double reach = 1.3 * drawn->radius_m + start_error_m;
   const Eigen::Vector3d centre = Eigen::Vector3d(drawn->centre.x(), drawn->centre.y(), drawn->z_m) - cloud.origin;
   const Eigen::Vector3d half(reach, reach, slice_half_m);
-  auto found = survey.index->octree()->in_box((centre - half).cast<float>(), (centre + half).cast<float>());
+  auto found = survey.index->in_box(cloud, (centre - half).cast<float>(), (centre + half).cast<float>());
   std::ranges::sort(found);
   const std::size_t step = std::max<std::size_t>(1, found.size() / most_points);
   std::vector<Eigen::Vector2d> near;

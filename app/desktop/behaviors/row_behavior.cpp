@@ -189,6 +189,7 @@ Eigen::Vector3d RowBehavior::on_ground(const Eigen::Vector2d& at) const {
 
 SceneDrawing RowBehavior::drawing_of(const Row& row) const {
   SceneDrawing d;
+  d.id = row.id;
   d.lines.emplace_back();
   for (const auto& p : row.course) d.lines.back().push_back(on_ground(p));
   d.grips = {on_ground(row.from), on_ground(row.to)};

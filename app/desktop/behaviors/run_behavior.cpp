@@ -3,6 +3,7 @@
 #include <vtkDataObject.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "behaviors/preview_channel.h"
 #include "vtkbridge/core_conversion.h"
@@ -35,17 +36,16 @@ Results collect(const PipelineExecutor& executor, const RunOutcome& outcome, boo
 }
 
 // The index of the points is made here too, for it takes seconds on a large cloud; that of `seen`, when they are the
-// same. A run that was cancelled or gave nothing to look at leaves the views as they were `before`.
-Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& before, const Survey& seen,
+// same. Empty when the run was cancelled or gave nothing to look at.
+Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& seen,
                       const std::stop_token& cancel) {
-  if (outcome.exit_code == 3) return before;
+  if (outcome.exit_code == 3) return {};
   Run run;
   run.cancel = cancel;
   try {
-    const auto survey = survey_of(outcome, results, seen, run);
-    return survey.empty() ? before : survey;
+    return survey_of(outcome, results, seen, run);
   } catch (const Error&) {
-    return before;
+    return {};
   }
 }
 
@@ -85,7 +85,10 @@ RunBehavior::~RunBehavior() {
 }
 
 int RunBehavior::start(const QString& output_dir, bool sinks) {
-  return queue(job_for(std::make_shared<const PipelineDocument>(session_.document()), output_dir, sinks), {});
+  auto job = job_for(std::make_shared<const PipelineDocument>(session_.document()), output_dir, sinks);
+  job->path = session_.path();
+  job->opened = documents_;
+  return queue(std::move(job), {});
 }
 
 int RunBehavior::queue(std::shared_ptr<Job> job, Deliver deliver) {
@@ -140,7 +143,7 @@ RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& can
   };
   settings.preview = [this](const StageNode& node) {
     return std::make_shared<PreviewChannel>(this, [this, id = QString::fromStdString(node.id)](const DataSet& part) {
-      if (task_.document == documents_) Q_EMIT snapshot_taken(id, part);
+      if (for_window(task_)) Q_EMIT snapshot_taken(id, part);
     });
   };
   return settings;
@@ -158,11 +161,11 @@ void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, cons
       };
     result->outcome = executor_->run(settings);
     result->results = collect(*executor_, result->outcome);
-    result->survey = survey_to_show(result->outcome, result->results, before, seen, cancel_token);
+    result->survey = survey_to_show(result->outcome, result->results, seen, cancel_token);
   } catch (const std::exception& e) {  // a stored result that cannot be read
     if (result->outcome.exit_code == 0) result->outcome.exit_code = 1;
     result->outcome.error = e.what();
-    result->survey = before;
+    result->survey = {};
   }
   QMetaObject::invokeMethod(
       this, [this, result] { end(result); }, Qt::QueuedConnection);
@@ -181,12 +184,13 @@ void RunBehavior::show_early(const StageNode& next, int job, Survey& seen, const
   }
   const auto results = collect(*executor_, so_far, true);
   if (!std::ranges::any_of(results, [](const auto& r) { return has_heights(r.second); })) return;
-  seen = survey_to_show(so_far, results, {}, {}, cancel_token);
+  seen = survey_to_show(so_far, results, {}, cancel_token);
   QMetaObject::invokeMethod(
       this,
       [this, survey = seen, job] {
         if (!current_ || current_->id != job || task_.deliver || task_.document != documents_) return;
         survey_ = survey;
+        begun_ = true;
         Q_EMIT survey_begun();
       },
       Qt::QueuedConnection);
@@ -216,12 +220,12 @@ void RunBehavior::note_progress(const QString& stage, double fraction, const QSt
   }
   job.fraction = fraction;
   job.what = what;
-  Q_EMIT progressed(stage, fraction, what);
+  if (for_window(task_)) Q_EMIT progressed(stage, fraction, what);
   Q_EMIT jobs_changed();
 }
 
 void RunBehavior::end(const std::shared_ptr<const JobResult>& result) {
-  const auto task = std::move(task_);
+  const auto task = std::exchange(task_, {});  // what still comes of it is not shown
   auto& job = *task.job;
   current_.reset();
   job.ended = Job::Clock::now();
@@ -230,16 +234,20 @@ void RunBehavior::end(const std::shared_ptr<const JobResult>& result) {
   if (job.state == JobState::kept) keep_whole(job, result);
   for (const auto& stage : result->outcome.stages)
     if (stage.state == StageState::done) seconds_[stage.record.id] = stage.record.report.seconds;
-  // First the next one, so that who listens and asks running() sees the truth.
-  start_next();
-  if (task.deliver) {
-    task.deliver(*result);
-  } else if (task.document == documents_) {
-    survey_ = result->survey;
-    Q_EMIT finished(result->outcome, result->results);
-  } else {
-    Q_EMIT finished({}, {});  // of a document that is not open any more
+  // What is shown, and the next one, before anybody listens and asks for them.
+  if (for_window(task)) {
+    if (std::exchange(begun_, false)) survey_ = {};  // what was shown early goes with the run that is cancelled
+    take(*result);
   }
+  start_next();
+  if (task.deliver && result->outcome.exit_code == 0)
+    task.deliver(*result);
+  else if (task.deliver)
+    Q_EMIT fetch_failed(QString::fromStdString(result->outcome.error));
+  else if (for_window(task))
+    Q_EMIT finished(result->outcome, result->results);
+  else
+    Q_EMIT finished({}, {});  // of a document that is not open any more
   Q_EMIT job_ended(job.id);
   Q_EMIT jobs_changed();
 }
@@ -247,15 +255,30 @@ void RunBehavior::end(const std::shared_ptr<const JobResult>& result) {
 void RunBehavior::fetch(int id, Deliver deliver) {
   const auto asked = job(id);
   if (!asked) throw bad_input("run " + std::to_string(id) + " is not in the list any more", "one that is");
+  if (!asked->has_result())
+    throw bad_input("run " + std::to_string(id) + " gave no result", "one that was not cancelled and did not fail");
   if (asked->whole) return deliver(*asked->whole);
   queue(job_for(asked->document, asked->output_dir, false), std::move(deliver));
 }
 
 void RunBehavior::show_again(int id) {
-  fetch(id, [this](const JobResult& result) {
-    survey_ = result.survey;
+  const auto asked = job(id);
+  if (asked && asked->opened != documents_ && asked->path != session_.path())
+    throw bad_input("run " + std::to_string(id) + " is of " + asked->path.toStdString(),
+                    "a run of the pipeline in hand", "Open that pipeline first");
+  fetch(id, [this, document = documents_](const JobResult& result) {
+    if (document != documents_) return;
+    take(result);
     Q_EMIT finished(result.outcome, result.results);
   });
+}
+
+// A run that was cancelled or gave nothing leaves what is shown as it is.
+void RunBehavior::take(const JobResult& result) {
+  if (result.survey.empty()) return;
+  survey_ = result.survey;
+  outcome_ = result.outcome;
+  results_ = result.results;
 }
 
 // Results that the cache does not have are large: only those of the last two stay.
@@ -269,6 +292,9 @@ void RunBehavior::keep_whole(Job& job, const std::shared_ptr<const JobResult>& r
 
 void RunBehavior::forget_survey() {
   survey_ = {};
+  begun_ = false;
+  outcome_ = {};
+  results_.clear();
   ++documents_;
 }
 

@@ -50,6 +50,9 @@ void add_frame_actions(MainWindow* w, WalkPanel* walk) {
 void compare(MainWindow* w, int first, int second) {
   auto sides = std::make_shared<std::vector<CompareWindow::Side>>();
   for (const int id : {first, second})
+    if (const auto job = w->runner().job(id); !job || !job->has_result())
+      throw bad_input("run " + std::to_string(id) + " gave no result", "two that were not cancelled and did not fail");
+  for (const int id : {first, second})
     w->runner().fetch(id, [w, sides, job = w->runner().job(id)](const JobResult& result) {
       sides->push_back({job, result});
       if (sides->size() < 2) return;
@@ -73,6 +76,9 @@ void install_running(MainWindow& window) {
   QObject::connect(history, &HistoryPanel::compare_asked, w,
                    [w](int first, int second) { w->guarded([&] { compare(w, first, second); }); });
   QObject::connect(history, &HistoryPanel::refused, w, &MainWindow::complain);
+  QObject::connect(&w->runner(), &RunBehavior::fetch_failed, w, [w](const QString& why) {
+    w->complain(MainWindow::tr("The result of the run could not be had again: %1").arg(why));
+  });
 }
 
 }  // namespace bole::desktop

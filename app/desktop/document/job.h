@@ -20,7 +20,7 @@ QString job_state_text(JobState state);
 struct JobResult {
   RunOutcome outcome;
   Results results;
-  Survey survey;
+  Survey survey;  // empty: nothing new to look at
 };
 
 struct Job {
@@ -30,6 +30,8 @@ struct Job {
   QString title;    // of the document
   QString changes;  // options that differ from those of the run before, "slam.preset = loam"
   std::shared_ptr<const PipelineDocument> document;  // as it stood when the run was asked for
+  QString path;    // where the session kept the document; empty of one that is fetched
+  int opened = 0;  // how many documents were opened until then, this one included
   QString output_dir;
   bool sinks = true;  // stages that write files run too
   QDateTime asked_at;
@@ -46,6 +48,7 @@ struct Job {
   std::shared_ptr<const JobResult> whole;  // kept where the cache does not have it: of a run that was ended early
 
   bool over() const { return state != JobState::waiting && state != JobState::running; }
+  bool has_result() const { return state == JobState::done || state == JobState::kept; }
   double elapsed_s(Clock::time_point now) const;
   // Of the stage in work and, when `later_s` is known, of those after it; nothing before there is something to go by.
   std::optional<double> left_s(Clock::time_point now) const;

@@ -3,8 +3,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "base/resources.h"
+#include "document/session.h"
 #include "shell/resources.h"
 #include "sim/core/simulate.h"
 
@@ -20,6 +22,44 @@ SimulationOptions sample_options() {
   options.speed = 3;  // a walk of seconds; the poses are known, so nothing depends on small steps
   options.stand_still = 0.2;
   return options;
+}
+
+constexpr auto sample_scan = "walk.pcap";
+
+bool same_file(const QFileInfo& a, const QFileInfo& b) {
+  return a.absoluteFilePath() == b.absoluteFilePath() || (a.exists() && a == b);
+}
+
+// Whether a pipeline begins with this scan or cloud. One that cannot be read does not.
+bool reads(const QString& pipeline, const QFileInfo& scan) {
+  try {
+    const auto document = PipelineDocument::load(pipeline.toStdString(), StageRegistry::global());
+    return std::ranges::any_of(document.stages(), [&](const StageNode& node) {
+      if (!node.type->inputs.empty() || !(node.type->output("points") || node.type->output("frames"))) return false;
+      return std::ranges::any_of(node.type->options->specs, [&](const OptionSpec& spec) {
+        return spec.text_kind == TextKind::input_path &&
+               same_file(scan, QFileInfo(QString::fromStdString(std::get<std::string>(node.options.get(spec.name)))));
+      });
+    });
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// The first of `base`.json, the name of the scan with .json, `base`_2.json and so on that is for this scan, saved or
+// left by a crash, or is free: walk.pcap and walk.laz have a pipeline each.
+QString path_that_reads(const QFileInfo& scan, const QString& base) {
+  constexpr int most = 100;
+  for (int k = 0; k < most; ++k) {
+    const QString path = k == 0   ? base + ".json"
+                         : k == 1 ? scan.absoluteFilePath() + ".json"
+                                  : QString("%1_%2.json").arg(base).arg(k);
+    const QString left = Session::recovery_path(path);
+    const bool saved = QFileInfo::exists(path), lost = QFileInfo::exists(left);
+    if ((!saved && !lost) || reads(saved ? path : left, scan)) return path;
+  }
+  throw bad_input("every name for a pipeline of '" + scan.filePath().toStdString() + "' is taken",
+                  "one like '" + base.toStdString() + ".json'", "Move pipelines away that are not needed");
 }
 
 }  // namespace
@@ -53,8 +93,13 @@ PipelineDocument document_for_file(const QString& path) {
 }
 
 QString pipeline_path_for_file(const QString& path) {
-  const QFileInfo info(path);
-  return info.absolutePath() + "/" + info.completeBaseName() + ".json";
+  const QFileInfo info(QDir::cleanPath(path));
+  return path_that_reads(info, info.absolutePath() + "/" + info.completeBaseName());
+}
+
+QString sample_pipeline_path(const QString& wanted) {
+  const QFileInfo info(wanted);
+  return path_that_reads(QFileInfo(info.dir(), sample_scan), info.absolutePath() + "/" + info.completeBaseName());
 }
 
 PipelineDocument sample_document(const QString& folder, const Run& run) {
@@ -67,7 +112,7 @@ PipelineDocument sample_document(const QString& folder, const Run& run) {
   }
   auto document = shipped_pipeline("forest_plot.json");
   const auto file = [&](const char* name) { return dir.absoluteFilePath(name).toStdString(); };
-  document.set("scan.file", file("walk.pcap"));
+  document.set("scan.file", file(sample_scan));
   document.set("slam.trajectory", file("trajectory.tum"));
   document.set("reference_trees.file", file("trees.csv"));
   document.set("plot.width", "12");

@@ -16,7 +16,10 @@ FileKind kind_of_file(const QString& path);  // by what it is called; a folder i
 
 // A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
 PipelineDocument document_for_file(const QString& path);
-QString pipeline_path_for_file(const QString& path);  // where that document is saved unless the person says otherwise
+// Where that document is saved unless the person says otherwise: beside the file, under a name that is free or holds a
+// pipeline for this file. Throws Error{bad_input} when all are taken.
+QString pipeline_path_for_file(const QString& path);
+QString sample_pipeline_path(const QString& wanted);  // likewise for the sample plot in the folder of `wanted`
 
 // Simulates the sample plot into `folder` when it is not there yet, about a second of work, and gives the document
 // that surveys it: raw scan, poses, reference trees. Throws Error{cancelled} and Error{failed}.

@@ -41,6 +41,17 @@ std::shared_ptr<const PointOctree> PointIndex::octree() const {
   return octree_;
 }
 
+std::vector<std::uint32_t> PointIndex::in_box(const PointCloud& cloud, const Eigen::Vector3f& lo,
+                                              const Eigen::Vector3f& hi) const {
+  if (complete_) return octree()->in_box(lo, hi);
+  std::vector<std::uint32_t> found;
+  const auto& positions = cloud.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if ((positions[i].array() >= lo.array()).all() && (positions[i].array() <= hi.array()).all())
+      found.push_back(static_cast<std::uint32_t>(i));
+  return found;
+}
+
 void PointIndex::build(const PointCloud& cloud, const Run& run) {
   auto octree = std::make_shared<const PointOctree>(cloud, run);
   const std::scoped_lock lock(mutex_);

@@ -20,6 +20,10 @@ class PointIndex : public QObject {
   ~PointIndex() override;  // ends the building within a fraction of a second
 
   std::shared_ptr<const PointOctree> octree() const;  // a sample of the cloud until it is complete
+  // All points within a box, in any order; `cloud` is the one that is indexed, or another whose points lie as its do.
+  // Until the octree is complete every point is looked at: what is measured is measured on all of them.
+  std::vector<std::uint32_t> in_box(const PointCloud& cloud, const Eigen::Vector3f& lo,
+                                    const Eigen::Vector3f& hi) const;
   bool complete() const { return complete_; }
 
  Q_SIGNALS:

@@ -1,40 +1,36 @@
 #include "document/session.h"
 
 #include <QFile>
-#include <QUndoCommand>
+#include <exception>
+#include <utility>
 
 #include "base/atomic_file.h"
 #include "document/person.h"
 
 namespace bole::desktop {
 
-// Knows who made it, and when.
-class SignedCommand : public QUndoCommand {
- public:
-  explicit SignedCommand(const QString& text) : QUndoCommand(text), note_{person(), QDateTime::currentDateTime()} {}
-  const EditNote& note() const { return note_; }
-
- private:
-  EditNote note_;
-};
+SignedCommand::SignedCommand(const QString& text) : QUndoCommand(text), note_{person(), QDateTime::currentDateTime()} {}
 
 class EditOption : public SignedCommand {
  public:
-  EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after)
+  EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after,
+             bool given_before)
       : SignedCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
         session_(session),
         stage_(std::move(stage)),
         option_(std::move(option)),
         before_(std::move(before)),
-        after_(std::move(after)) {}
+        after_(std::move(after)),
+        given_before_(given_before) {}
 
-  void undo() override { session_.apply(stage_, option_, before_); }
-  void redo() override { session_.apply(stage_, option_, after_); }
+  void undo() override { session_.apply(stage_, option_, before_, given_before_); }
+  void redo() override { session_.apply(stage_, option_, after_, true); }
 
  private:
   Session& session_;
   std::string stage_, option_;
   OptionValue before_, after_;
+  bool given_before_;
 };
 
 class ReplaceDocument : public SignedCommand {
@@ -50,7 +46,12 @@ class ReplaceDocument : public SignedCommand {
   PipelineDocument before_, after_;
 };
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent) : QObject(parent) {
+  // What was undone as far as it was saved needs no recovery. Another document empties the stack: that is no undoing.
+  connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) {
+    if (clean && undo_.count() > 0) discard_recovery();
+  });
+}
 
 void Session::open(const QString& path) {
   take(PipelineDocument::load(path.toStdString(), StageRegistry::global()), path);
@@ -60,6 +61,7 @@ void Session::recover(const QString& path) {
   // Beside the document, so that relative paths hold.
   take(PipelineDocument::load(recovery_path(path).toStdString(), StageRegistry::global()), path);
   undo_.resetClean();
+  recovered_ = true;
 }
 
 void Session::start(PipelineDocument document, const QString& path) {
@@ -81,6 +83,8 @@ void Session::take(PipelineDocument document, const QString& path) {
   document_ = std::make_unique<PipelineDocument>(std::move(document));
   path_ = path;
   undo_.clear();
+  recovered_ = false;
+  protected_ = true;
   Q_EMIT document_replaced();
 }
 
@@ -88,12 +92,21 @@ void Session::discard_recovery() {
   if (!path_.isEmpty()) QFile::remove(recovery_path(path_));
 }
 
-void Session::journal() const {
-  if (!path_.isEmpty()) write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+// Called by commands of the stack, through which nothing may be thrown: Qt calls them from its own loop.
+void Session::journal() {
+  if (path_.isEmpty()) return;
+  try {
+    write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+    protected_ = true;
+  } catch (const std::exception& e) {
+    if (std::exchange(protected_, false)) Q_EMIT unprotected(QString::fromUtf8(e.what()));
+  }
 }
 
 EditNote Session::edit_note(int index) const {
-  const auto* edit = dynamic_cast<const SignedCommand*>(undo_.command(index));
+  const auto* command = undo_.command(index);
+  while (command && command->childCount() > 0) command = command->child(command->childCount() - 1);
+  const auto* edit = dynamic_cast<const SignedCommand*>(command);
   return edit ? edit->note() : EditNote{};
 }
 
@@ -101,6 +114,7 @@ void Session::save(const QString& path) {
   write_text_file(path.toStdString(), document_->to_json());
   discard_recovery();
   path_ = path;
+  recovered_ = false;
   undo_.setClean();
 }
 
@@ -109,14 +123,18 @@ void Session::set_option(const std::string& stage_id, const std::string& option,
   const OptionValue checked = node.type->options->at(option).checked(value);
   const OptionValue before = node.options.get(option);
   if (checked == before) return;
-  undo_.push(new EditOption(*this, stage_id, option, before, checked));  // the stack owns it and calls redo()
+  undo_.push(new EditOption(*this, stage_id, option, before, checked,
+                            node.given.contains(option)));  // the stack owns it and calls redo()
 }
 
-void Session::apply(const std::string& stage_id, const std::string& option, const OptionValue& value) {
+void Session::apply(const std::string& stage_id, const std::string& option, const OptionValue& value, bool given) {
   for (auto& node : document_->stages())
     if (node.id == stage_id) {
       node.options.set(option, value);
-      node.given.insert(option);
+      if (given)
+        node.given.insert(option);
+      else
+        node.given.erase(option);
     }
   journal();
   Q_EMIT option_changed(QString::fromStdString(stage_id), QString::fromStdString(option));

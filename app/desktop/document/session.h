@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QUndoCommand>
 #include <QUndoStack>
 #include <memory>
 
@@ -17,6 +18,16 @@ struct EditNote {
   QDateTime time;
 };
 
+// A command that knows it, for the stack of the session.
+class SignedCommand : public QUndoCommand {
+ public:
+  explicit SignedCommand(const QString& text);
+  const EditNote& note() const { return note_; }
+
+ private:
+  EditNote note_;
+};
+
 class Session : public QObject {
   Q_OBJECT
 
@@ -24,7 +35,8 @@ class Session : public QObject {
   explicit Session(QObject* parent = nullptr);
 
   // Throw bole::Error; the document in hand stays as it was. Every change is also written to recovery_path(), which
-  // save() and discard_recovery() remove: after a crash it holds what was not saved.
+  // save() and discard_recovery() remove: after a crash it holds what was not saved. Where that cannot be written edits
+  // go on, and unprotected() says so.
   void open(const QString& path);
   void recover(const QString& path);                           // opens what a crash left of `path`; not saved yet
   void start(PipelineDocument document, const QString& path);  // a new one that is to be saved at `path`
@@ -43,23 +55,27 @@ class Session : public QObject {
   void change(const QString& what, PipelineDocument after);
 
   QUndoStack& undo_stack() { return undo_; }
-  EditNote edit_note(int index) const;  // of a command of the stack
+  EditNote edit_note(int index) const;           // of a command of the stack; of the last step of one that has several
+  bool recovered() const { return recovered_; }  // what a crash left, not saved yet
 
  Q_SIGNALS:
   void document_replaced();  // another document, or stages were added, taken away, renamed or joined otherwise
   void option_changed(const QString& stage, const QString& option);
+  void unprotected(const QString& why);  // changes are lost if the program ends; once until they are kept again
 
  private:
   friend class EditOption;
   friend class ReplaceDocument;
-  void apply(const std::string& stage_id, const std::string& option, const OptionValue& value);
+  void apply(const std::string& stage_id, const std::string& option, const OptionValue& value, bool given);
   void take(PipelineDocument document, const QString& path);
   void put(const PipelineDocument& document);
-  void journal() const;
+  void journal();
 
   std::unique_ptr<PipelineDocument> document_;
   QString path_;
   QUndoStack undo_;
+  bool recovered_ = false;
+  bool protected_ = true;  // the last change could be written to recovery_path()
 };
 
 }  // namespace bole::desktop

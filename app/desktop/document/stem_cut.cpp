@@ -26,7 +26,7 @@ std::vector<std::uint32_t> points_near(const Survey& survey, const StemPlace& st
   const Eigen::Vector3d lo = centre - cloud.origin + Eigen::Vector3d(-reach_m, -reach_m, low_m - slope_m),
                         hi = centre - cloud.origin + Eigen::Vector3d(reach_m, reach_m, high_m + slope_m);
   const auto* heights = heights_of(cloud);
-  auto found = survey.index->octree()->in_box(lo.cast<float>(), hi.cast<float>());
+  auto found = survey.index->in_box(cloud, lo.cast<float>(), hi.cast<float>());
   std::erase_if(found, [&](std::uint32_t i) {
     const double h = heights != nullptr ? static_cast<double>((*heights)[i]) : cloud.position(i).z() - stem.foot.z();
     return !(h >= low_m && h <= high_m);

@@ -21,7 +21,7 @@ void Visibility::take(const RunOutcome& outcome, const Results& results) {
 }
 
 Survey Visibility::survey_for(ViewKind view, const Survey& all) const {
-  if (hidden(view).empty()) return all;
+  if (hidden(view).empty() || results_.empty()) return all;
   Results rest = results_;
   for (const auto& stage : hidden(view)) rest.erase(stage);
   return survey_of(outcome_, rest, all, Run());

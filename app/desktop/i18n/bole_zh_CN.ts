@@ -444,6 +444,14 @@
     <context>
         <name>bole::desktop::MainWindow</name>
         <message>
+            <source>Changes are not kept until they are saved: %1</source>
+            <translation>更改在保存之前不受保护:%1</translation>
+        </message>
+        <message>
+            <source>The result of the run could not be had again: %1</source>
+            <translation>无法重新取得该次运行的结果:%1</translation>
+        </message>
+        <message>
             <source>Export a figure…</source>
             <translation>导出图件…</translation>
         </message>
@@ -1245,6 +1253,10 @@
     </context>
     <context>
         <name>bole::desktop::SliceView</name>
+        <message>
+            <source>Select a stem first: a new tree is drawn in the slice about it.</source>
+            <translation>请先选择一株单木:新树在其横切面中绘制。</translation>
+        </message>
         <message>
             <source> m high</source>
             <translation> m 高</translation>

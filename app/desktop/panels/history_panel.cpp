@@ -105,7 +105,7 @@ void HistoryPanel::fill_runs() {
   for (auto job = runs_.jobs().rbegin(); job != runs_.jobs().rend(); ++job) {
     if (!(*job)->sinks || !(*job)->over()) continue;
     const auto& j = **job;
-    const bool shown = j.state == JobState::done || j.state == JobState::kept;
+    const bool shown = j.has_result();
     auto* item = new QTreeWidgetItem(
         list_, {QString::number(j.id), j.asked_at.toString("HH:mm:ss"),
                 shown ? headline(j.outcome) + (j.state == JobState::kept ? tr(" (ended early)") : QString())

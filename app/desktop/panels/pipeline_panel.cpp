@@ -113,6 +113,11 @@ void PipelinePanel::set_state(const QString& stage, StageState state, const QStr
     if (id_of(topLevelItem(i)) == stage) show_state(topLevelItem(i));
 }
 
+void PipelinePanel::forget_states() {
+  states_.clear();
+  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
+}
+
 QString PipelinePanel::current_stage() const { return currentItem() ? id_of(currentItem()) : QString(); }
 
 void PipelinePanel::select_stage(const QString& id) {

@@ -21,6 +21,7 @@ class PipelinePanel : public QTreeWidget {
   PipelinePanel(Session& session, Visibility& visibility, QWidget* parent);
 
   void set_state(const QString& stage, StageState state, const QString& message = {});
+  void forget_states();  // of runs of another document
   QString current_stage() const;
   void select_stage(const QString& id);
 

@@ -72,7 +72,10 @@ void TablePanel::show_table(std::shared_ptr<const Table> table) {
 }
 
 QString TablePanel::filter(const QString& text) {
+  following_ = true;  // the view would select the row after one that is hidden
   rows_->set_text(text);
+  if (selection_.tree()) select_tree(*selection_.tree());
+  following_ = false;
   return rows_->problem();
 }
 
@@ -110,19 +113,25 @@ std::optional<std::int64_t> TablePanel::selected_tree() const {
   return model_.table()->integers("tree_id")[*row];
 }
 
-void TablePanel::select_tree(std::int64_t id) {
+std::optional<std::size_t> TablePanel::row_of(std::int64_t id) const {
   const auto* table = model_.table();
-  if (table == nullptr || !table->has("tree_id")) return;
+  if (table == nullptr || !table->has("tree_id")) return {};
   const auto ids = table->integers("tree_id");
   const auto it = std::ranges::find(ids, id);
-  if (it == ids.end()) return clearSelection();
-  const auto index = rows_->mapFromSource(model_.index(static_cast<int>(it - ids.begin()), 0));
+  if (it == ids.end()) return {};
+  return static_cast<std::size_t>(it - ids.begin());
+}
+
+void TablePanel::select_tree(std::int64_t id) {
+  const auto row = row_of(id);
+  const auto index = row ? rows_->mapFromSource(model_.index(static_cast<int>(*row), 0)) : QModelIndex();
+  if (!index.isValid()) return clearSelection();  // another table, or hidden by the filter
   selectRow(index.row());
   scrollTo(index);
 }
 
 std::optional<StemEdit> TablePanel::edit_of_selection(StemEdit::Action action) const {
-  const auto row = selected_row();
+  const auto row = selection_.tree() ? row_of(*selection_.tree()) : std::nullopt;
   const auto* table = model_.table();
   if (!row || !table->has("x_m") || !table->has("y_m") || !table->has("dbh_cm")) return {};
   StemEdit edit;

@@ -50,8 +50,9 @@ class TablePanel : public QTableView {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  std::optional<std::size_t> selected_row() const;  // of the table, whatever the sorting
-  // An edit of the selected stem with its place and diameter; nothing when none is selected.
+  std::optional<std::size_t> selected_row() const;             // of the table, whatever the sorting
+  std::optional<std::size_t> row_of(std::int64_t tree) const;  // likewise
+  // An edit of the stem that is selected, in this table or elsewhere, with its place and diameter.
   std::optional<StemEdit> edit_of_selection(StemEdit::Action action) const;
   void make_actions();
   void request(StemEdit::Action action);

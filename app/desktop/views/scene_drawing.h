@@ -12,6 +12,7 @@ namespace bole::desktop {
 
 // World coordinates, metres.
 struct SceneDrawing {
+  std::string id;  // of what it stands for; a drag goes on with the drawing of the same id when they are made anew
   std::vector<std::vector<Eigen::Vector3d>> lines;
   std::vector<Eigen::Vector3d> marks;
   std::vector<Eigen::Vector3d> grips;  // places that can be dragged, at their height
@@ -28,6 +29,7 @@ struct Grip {
   std::string layer;
   std::size_t drawing = 0, grip = 0;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  std::string id;  // of the drawing
 };
 
 // Distance in pixels of a place on the screen from the lines of a drawing; infinity when none is seen.

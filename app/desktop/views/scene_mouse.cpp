@@ -66,7 +66,7 @@ std::optional<Grip> SceneView::grip_at(const QPoint& at) {
       for (std::size_t g = 0; g < drawings[d].grips.size(); ++g)
         if (const auto place = on_screen(view, drawings[d].grips[g]);
             place && (place->px - px).norm() <= grip_px * devicePixelRatioF())
-          return Grip{layer, d, g, drawings[d].grips[g]};
+          return Grip{layer, d, g, drawings[d].grips[g], drawings[d].id};
     }
   return {};
 }

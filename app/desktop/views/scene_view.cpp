@@ -260,6 +260,13 @@ void SceneView::draw_highlight() {
 
 void SceneView::set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings) {
   if (drawings.empty() && !drawings_.contains(layer)) return;
+  if (dragged_ && dragged_->layer == layer) {
+    const auto same = std::ranges::find(drawings, dragged_->id, &SceneDrawing::id);
+    if (same == drawings.end() || same->grips.size() <= dragged_->grip)
+      dragged_.reset();
+    else
+      dragged_->drawing = static_cast<std::size_t>(same - drawings.begin());
+  }
   drawings_[layer] = std::move(drawings);
   redraw();
 }

@@ -59,6 +59,10 @@ void SliceView::set_breast_height(double metres) {
 void SliceView::set_height(double metres) { height_->setValue(metres); }
 
 void SliceView::set_adding(bool on) {
+  if (on && !stem_) {
+    Q_EMIT said(tr("Select a stem first: a new tree is drawn in the slice about it."));
+    return adding_changed(false);
+  }
   if (adding_ == on) return;
   adding_ = on;
   if (on && data_.reach_m < 1) {  // a new tree stands beside the selected one
@@ -76,6 +80,7 @@ void SliceView::reload(bool keep_view) {
   grip_ = Grip::none;
   if (!stem_) {
     data_ = {};
+    set_adding(false);
     return update();
   }
   if (!keep_view || before != stem_->tree_id) {

@@ -35,8 +35,14 @@ Kind kind_from(const Json& value, const std::string& where) {
 
 double number_from(const Json& value, const std::string& where) {
   const double number = value.is_number() ? value.get<double>() : std::nan("");
-  if (!(std::abs(number) <= 1e9)) throw bad_input(where + " holds " + value.dump(), "a number");
+  if (!std::isfinite(number)) throw bad_input(where + " holds " + value.dump(), "a number");
   return number;
+}
+
+double metres_from(const Json& value, const std::string& where) {
+  const double metres = number_from(value, where);
+  if (std::abs(metres) > 1e9) throw bad_input(where + " holds " + value.dump(), "metres");
+  return metres;
 }
 
 Measurement measurement_from(const Json& object, const std::string& where) {
@@ -51,12 +57,14 @@ Measurement measurement_from(const Json& object, const std::string& where) {
   for (const auto& place : object["points"]) {
     if (!place.is_array() || place.size() != 3)
       throw bad_input(where + " has a point " + place.dump(), "[x, y, z] in metres");
-    m.points.emplace_back(number_from(place[0], where), number_from(place[1], where), number_from(place[2], where));
+    m.points.emplace_back(metres_from(place[0], where), metres_from(place[1], where), metres_from(place[2], where));
   }
-  const auto fact = [&](const char* key, std::optional<double>& into) {
-    if (object.contains(key)) into = number_from(object[key], where);
+  const auto fact = [&](const char* key, std::optional<double>& into, auto read) {
+    if (object.contains(key)) into = read(object[key], where);
   };
-  fact("height_above_ground_m", m.height_above_ground_m), fact("range_m", m.range_m), fact("time_s", m.time_s);
+  fact("height_above_ground_m", m.height_above_ground_m, metres_from);
+  fact("range_m", m.range_m, metres_from);
+  fact("time_s", m.time_s, number_from);  // since 1970 in most captures: beyond any length
   return m;
 }
 

@@ -62,14 +62,15 @@ TEST(Measurement, ARingIsTheCircleThroughThreePlaces) {
 
 TEST(Measurement, AFileOfThemComesBackAsItWas) {
   auto point = measured(Kind::point, {utm});
-  point.name = "nest, \"old\"", point.height_above_ground_m = 12.5;
+  point.name = "nest, \"old\"", point.height_above_ground_m = 12.5, point.time_s = 1'732'190'123.25;  // since 1970
   const std::vector<Measurement> all{point, measured(Kind::distance, {utm, 2 * utm})};
   const auto back = parse_measurements(measurements_json(all));
   ASSERT_EQ(back.size(), 2u);
   EXPECT_EQ(back[0].name, point.name);
   EXPECT_EQ(back[0].points[0], utm);
   EXPECT_EQ(back[0].height_above_ground_m, 12.5);
-  EXPECT_FALSE(back[0].time_s);
+  EXPECT_EQ(back[0].time_s, point.time_s);
+  EXPECT_FALSE(back[1].time_s);
   EXPECT_EQ(back[1].kind, Kind::distance);
   EXPECT_EQ(back[1].points[1], 2 * utm);
   EXPECT_NE(measurements_csv(all).find("\"nest, \"\"old\"\"\",point,height above ground,12.5"), std::string::npos);
