@@ -202,7 +202,10 @@ void SceneView::measure_extent() {
   extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
 
-int SceneView::actor_count() { return renderer_->GetActors()->GetNumberOfItems(); }
+int SceneView::actor_count() {
+  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) +
+         (survey_.points && !survey_.points->empty() ? 1 : 0);
+}
 
 void SceneView::rebuild() {
   layer_.show(nullptr, nullptr, origin_);

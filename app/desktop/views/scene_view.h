@@ -73,7 +73,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
   QPoint place_of(const Eigen::Vector3d& world);  // in the widget; (-1, -1) behind the eye
 
-  int actor_count();
+  int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
   bool refined() const { return complete_ && !moving_; }
   // One frame as it is drawn while the camera moves; seconds. For the frame-rate test and benchmark.

@@ -191,6 +191,11 @@ void PointLayer::forget_unused() {
   }
 }
 
+std::size_t PointLayer::actors() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      tiles_, [&](const auto& t) { return t.second.actor && renderer_ && renderer_->HasViewProp(t.second.actor); }));
+}
+
 std::vector<std::uint32_t> PointLayer::drawn_points() const {
   std::vector<std::uint32_t> points;
   for (const auto& [i, tile] : tiles_)

@@ -46,6 +46,7 @@ class PointLayer {
 
   std::size_t drawn() const { return drawn_; }      // points of the last update
   std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
+  std::size_t actors() const;                       // that the renderer holds for it; grows as the picture is refined
   std::vector<std::uint32_t> drawn_points() const;  // indices in the cloud of those that are seen
   const PointPaint& paint() const { return paint_; }
 
