@@ -84,7 +84,7 @@ void write_text(const std::filesystem::path& path, const PointCloud& cloud, char
                    decimals);
     for (const auto& [name, column] : cloud.columns())
       std::visit(
-          [&](const auto& values) {
+          [&, &name = name](const auto& values) {  // clang 14 captures no structured binding by itself
             if (axis_of_sensor(name) >= 0)
               fmt::format_to(std::back_inserter(out), "{}{:.{}f}", delimiter,
                              origin_of(name, cloud) + static_cast<double>(values[i]), decimals);
