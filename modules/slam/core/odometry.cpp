@@ -14,6 +14,7 @@ namespace {
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 constexpr std::size_t least_features = 100;
 constexpr double start_keyframes = 3;        // as far as these lie apart reaches the first place, see open_motion
+constexpr double least_at_start = 0.5;       // of the observability asked later; plots have 0.7 and more, fields 0.2
 constexpr std::size_t first_keyframes = 6;   // of a map of the ground
 constexpr double least_conditioning = 2e-4;  // a forest plot has 0.05 to 0.5, vine rows over much ground a thousandth
 constexpr std::size_t usual_frames = 20;
@@ -212,18 +213,20 @@ double Odometry::recent_observability(double of_this_frame) const {
 }
 
 // At rest the map is one frame, seen again on the very same lines: they tell little about a shift across them, even in
-// a plot, and so it goes on for the first steps. So open motions are let pass until the sensor has left its first
-// place. In a corridor, which it may leave without being seen to, nothing ever gets hold, and all of that is withdrawn.
+// a plot, and so it goes on for the first steps. So motions that are not quite held are let pass until the sensor has
+// left its first place. Where nothing gets hold of it before that, as in a corridor, which it may leave without being
+// seen to, or where it comes to a motion that cannot be, all of that is withdrawn.
 std::string Odometry::open_motion(const Registration& r, const Observability& seen) {
   const std::string text = "the surroundings leave a direction of motion open: " + seen.motion_text();
   if (r.conditioning < least_conditioning) return text;
   const double way_m = (r.motion.T_map_end.translation() - keyframes_.front().T_map_keyframe.translation()).norm();
   if (left_start_ == 0 && way_m >= start_keyframes * options_.keyframe_distance_m) left_start_ = frames_.size();
-  if (recent_observability(seen.weakest) >= options_.least_observability) {
+  const double recent = recent_observability(seen.weakest);
+  if (recent >= options_.least_observability) {
     held_ |= r.overlap >= least_overlap();
     return {};
   }
-  if (left_start_ > 0) return text;
+  if (left_start_ > 0 || recent < least_at_start * options_.least_observability) return text;
   open_at_start_ = text;
   return {};
 }
@@ -294,7 +297,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     frame.observability = seen.weakest;
     const auto open = open_motion(r, seen);
     const auto why = objection(r, open, prediction, begin_s, end_s);
-    never_held = !open.empty() && why == open && !held_;
+    never_held = !why.empty() && !held_ && (why == open || !open_at_start_.empty());
     times_.judge_s += watch.lap_s();
     frame.ok = why.empty();
     if (frame.ok)

@@ -219,6 +219,16 @@ TEST(Slam, AStartAtRestIsJudgedByWhatTheFirstStepsShow) {
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("direction of motion open"));
   }
+
+  // Where next to nothing holds, as on a field, the first frame is refused: hold found later does not mend the start.
+  options.least_observability = 3 * at_rest;
+  try {
+    run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
+    ADD_FAILURE() << "a start without any hold was let pass";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("frame 1 "));
+    EXPECT_THAT(e.what(), HasSubstr("direction of motion open"));
+  }
 }
 
 TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
