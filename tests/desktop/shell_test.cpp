@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -237,6 +238,27 @@ class ShellTest : public QObject {
     QCOMPARE(window.stems().model()->rowCount(), 9);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.pdf"), Error);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.json"), Error);
+  }
+
+  void an_empty_window_says_where_to_begin() {
+    note_recent_file(plot());
+    MainWindow window;
+    window.show();
+    QVERIFY(window.findChild<QPushButton*>("welcome_sample")->isVisible());
+    window.findChild<QPushButton*>("welcome_recent")->click();
+    QVERIFY(window.session().has_document());
+    QTRY_VERIFY(!window.findChild<QWidget*>("welcome"));
+    window.refresh();
+    QVERIFY(wait_for_run(window));
+    auto& header = *window.stems().horizontalHeader();
+    const auto name = [&](int place) {
+      return window.stems().model()->headerData(header.logicalIndex(place), Qt::Horizontal).toString();
+    };
+    QCOMPARE(name(0), QString("tree_id"));
+    QCOMPARE(name(1), QString("dbh_cm"));
+    window.stems().show_table(window.scene().survey().stems);  // the same again
+    QCOMPARE(name(1), QString("dbh_cm"));
+    window.session().discard_recovery();
   }
 
   void an_eye_hides_what_a_stage_made() {

@@ -650,6 +650,22 @@
             <translation>模式</translation>
         </message>
         <message>
+            <source>From scans to a stem map</source>
+            <translation>从扫描到单木分布图</translation>
+        </message>
+        <message>
+            <source>Open the sample plot</source>
+            <translation>打开示例样地</translation>
+        </message>
+        <message>
+            <source>Open a scan, a point cloud or a pipeline…</source>
+            <translation>打开扫描数据、点云或处理流程…</translation>
+        </message>
+        <message>
+            <source>or drop a file on this window</source>
+            <translation>或将文件拖放到此窗口</translation>
+        </message>
+        <message>
             <source>Open recent</source>
             <translation>最近打开</translation>
         </message>
