@@ -242,7 +242,11 @@ void MainWindow::save(const QString& path) {
   Q_EMIT document_saved();
 }
 
-void MainWindow::run() { start(true, results_folder()); }
+void MainWindow::run() {
+  if (!session_.has_document())
+    throw bad_input("no pipeline is open", "one to run", "Open a scan, a point cloud or a pipeline");
+  start(true, results_folder());
+}
 
 void MainWindow::export_to(const QString& folder) { start(true, folder); }
 

@@ -1207,6 +1207,34 @@
             <source>Open file</source>
             <translation>打开文件</translation>
         </message>
+        <message>
+            <source>on</source>
+            <translation>开</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source> or </source>
+            <translation> 或 </translation>
+        </message>
+        <message>
+            <source>Counts only while &apos;%1&apos; is empty.</source>
+            <translation>仅当“%1”为空时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is given.</source>
+            <translation>仅当给出“%1”时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is %2.</source>
+            <translation>仅当“%1”为 %2 时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is not %2.</source>
+            <translation>仅当“%1”不为 %2 时有效。</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::RowBehavior</name>
