@@ -291,6 +291,15 @@ std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
   return seen;
 }
 
+// What is no number would pass every limit.
+StemFitResult checked(StemFitResult result) {
+  if (const auto& s = result.stem;
+      s && !(s->breast_height.allFinite() && s->direction.allFinite() && std::isfinite(s->ground_z) &&
+             std::isfinite(s->radius + s->taper) && !std::isnan(s->radius_high)))
+    return {std::nullopt, "the fit failed: it gives no number"};
+  return result;
+}
+
 }  // namespace
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
@@ -301,7 +310,7 @@ StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, c
                        const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                        const MeasureOptions& options) {
   try {
-    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).first();
+    return checked(StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).first());
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }
@@ -311,7 +320,8 @@ StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const Cloud
                          const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                          const MeasureOptions& options) {
   try {
-    return StemFitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).again(before);
+    const StemFitter fitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options);
+    return checked(fitter.again(before));
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }

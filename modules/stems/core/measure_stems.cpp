@@ -51,7 +51,9 @@ class Survey {
         trajectory_(trajectory),
         options_(options),
         run_(run),
-        breast_height_(slice_height_m(slice)) {}
+        breast_height_(slice_height_m(slice)) {
+    out_.breast_height_m = breast_height_;
+  }
 
   StemSurvey measure() {
     auto priors = search();
@@ -348,9 +350,9 @@ class Survey {
     measure_heights(out_.stems, points_, labels, run_);
     judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
     run_.report(0.92, "stem curves and crowns");
-    follow_stems(out_.stems, points_, labels, options_, run_);
-    measure_volumes(out_.stems, breast_height_);
-    measure_crowns(out_.stems, points_, labels, run_);
+    follow_stems(out_.stems, points_, labels, breast_height_, options_, run_, out_.report);
+    measure_volumes(out_.stems, breast_height_, run_, out_.report);
+    measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.points = input_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
