@@ -83,6 +83,18 @@ TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
   EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
 }
 
+TEST(PlotMetrics, TheHeightCurveBeginsAtTheBreastHeightOfTheTable) {
+  auto table = line_of_stems(40, 40);
+  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.3 + d²"));
+  set_breast_height_m(table, 1.37);
+  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.37 + d²"));
+}
+
+TEST(PlotMetrics, HowUnsureTheFormIsTakenIsTold) {
+  EXPECT_THAT(told(plot_metrics(line_of_stems(40, 40), rectangle, 4, 7.5)),
+              testing::HasSubstr("their form unsure by 7.5 % (standard deviation)"));
+}
+
 // A tape gives no interval; it must not take that of the plot away.
 TEST(PlotMetrics, OneTapedStemLeavesThePlotItsIntervals) {
   auto t = line_of_stems(20, 20);
