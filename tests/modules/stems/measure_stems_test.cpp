@@ -322,6 +322,30 @@ TEST(MeasureStems, ACancelIsHeeded) {
   EXPECT_THROW(measure_stems(cloud.points, cloud.points, cloud.dem, nullptr, {}, run), Error);
 }
 
+// Wherever the run is when the cancel comes, it ends with it and with no result that is half made.
+TEST(MeasureStems, ACancelIsHeededAtEveryStep) {
+  const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 6), coarse());
+  const auto slice = breast_height_slice(cloud.points, {}, {});
+  std::set<std::string> steps;
+  bole::Run run;
+  run.progress = [&](double, std::string_view what) { steps.emplace(what); };
+  measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+  EXPECT_GE(steps.size(), 5U);
+  for (const auto& step : steps) {
+    std::stop_source stop;
+    run.cancel = stop.get_token();
+    run.progress = [&](double, std::string_view what) {
+      if (what == step) stop.request_stop();
+    };
+    try {
+      measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+      ADD_FAILURE() << step;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::cancelled) << step;
+    }
+  }
+}
+
 TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
   const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
   SliceOptions o;
