@@ -10,7 +10,6 @@
 
 #include "base/atomic_file.h"
 #include "base/version.h"
-#include "cloud/breast_height.h"
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
 #include "render/offscreen/offscreen.h"
@@ -128,7 +127,6 @@ class Writer {
     ReportContent content;
     content.title = o_.title;
     content.facts = {{"Plot", describe(data_.rule.area)}, {"Axes", axes_text()}};
-    content.facts.emplace_back("Breast height", number_text(breast_height_m(*data_.stems)) + " m");
     if (run_.record != nullptr && !run_.record->document.empty())
       content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));

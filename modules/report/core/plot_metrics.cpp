@@ -228,6 +228,7 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
                                                       : "; ";
   std::vector<MetricRow> rows;
   if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
+  rows.push_back({"Breast height", number_text(m.assumed.breast_height_m), "m", "above ground, where DBH is measured"});
   rows.push_back({"Stems", std::to_string(m.stems), "",
                   (min_dbh_cm > 0 ? "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" : std::string("of every DBH")) +
                       inside + std::to_string(m.too_thin) + " thinner"});
