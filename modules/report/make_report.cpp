@@ -130,7 +130,7 @@ class Writer {
     if (run_.record != nullptr && !run_.record->document.empty())
       content.facts.emplace_back("Pipeline", run_.record->document);
     content.facts.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
-    content.metrics = plot_metrics(*data_.stems, data_.rule, o_.class_width);
+    content.metrics = plot_metrics(*data_.stems, data_.rule, o_.class_width, o_.form_sd);
     content.stems = data_.stems, content.rejected = data_.rejected, content.edits = data_.edits,
     content.summary = data_.summary, content.loops = data_.loops, content.odometry = data_.odometry;
     content.rule = data_.rule, content.poses_given = poses_given();

@@ -9,6 +9,7 @@ namespace bole {
 void register_report_stages(StageRegistry& registry) {
   StageType type;
   type.name = "report.plot";
+  type.version = 2;
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "

@@ -1,5 +1,9 @@
 #include "report/survey_data.h"
 
+#include <algorithm>
+
+#include "report/core/plot_metrics.h"
+
 namespace bole {
 namespace {
 
@@ -11,6 +15,21 @@ const T* optional_input(const DataSet& inputs, std::string_view port) {
 Axes axes_of(const SurveyData& data) {
   if (const auto it = data.stems->facts.find("axes"); it != data.stems->facts.end()) return axes_from_name(it->second);
   return data.points != nullptr ? data.points->axes : Axes::unknown;
+}
+
+bool has_numbers(const Table& table, std::string_view column) {
+  const auto* values = table.find(column);
+  return values != nullptr && !std::holds_alternative<std::vector<std::string>>(*values);
+}
+
+std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule& rule) {
+  const auto columns = {"x_m", "y_m", "dbh_cm"};
+  if (!std::ranges::all_of(columns, [&](const char* c) { return has_numbers(stems, c); })) return nullptr;
+  std::vector<std::int64_t> counted(stems.rows(), 0);
+  for (const auto i : counted_stems(stems, rule)) counted[i] = 1;
+  auto out = std::make_shared<Table>(stems);
+  out->set("counted", std::move(counted));
+  return out;
 }
 
 }  // namespace
@@ -51,6 +70,7 @@ SurveyData survey_data(const DataSet& inputs) {
   data.odometry = optional_input<Table>(inputs, "odometry");
   data.axes = axes_of(data);
   if (inputs.has("plot")) data.rule = counting_rule(inputs.table("plot"));
+  if ((data.own_stems = with_counted(*data.stems, data.rule))) data.stems = data.own_stems.get();
   return data;
 }
 

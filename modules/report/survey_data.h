@@ -1,6 +1,8 @@
 // What the report is about: the connected inputs of the stage, and what follows from them and the options.
 #pragma once
 
+#include <memory>
+
 #include "cloud/data.h"
 #include "cloud/plot_area.h"
 
@@ -8,7 +10,7 @@ namespace bole {
 
 // A null pointer where an input is not connected.
 struct SurveyData {
-  const Table* stems = nullptr;
+  const Table* stems = nullptr;  // of survey_data(): with the column `counted`, 1 where plot values rest on the stem
   const PointCloud* points = nullptr;
   const PointCloud* slice = nullptr;
   const Raster* dem = nullptr;
@@ -26,7 +28,8 @@ struct SurveyData {
   const Table* odometry = nullptr;
 
   CountingRule rule;
-  Axes axes = Axes::unknown;  // of the stems
+  std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
+  Axes axes = Axes::unknown;               // of the stems
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }
 
   // Those that a person did not reject: what figures and meshes show.

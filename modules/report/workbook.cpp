@@ -165,7 +165,7 @@ void write_workbook(const std::filesystem::path& path, const SurveyData& data, c
                     const Run& run) {
   write_atomically(path, [&](const std::filesystem::path& draft) {
     Workbook book(draft);
-    const auto metrics = plot_metrics(*data.stems, data.rule, options.class_width);
+    const auto metrics = plot_metrics(*data.stems, data.rule, options.class_width, options.form_sd);
     add_metrics(book, metrics, data.rule.min_dbh_cm);
     add_classes(book, metrics);
     add_table(book, "Trees", data.stems);

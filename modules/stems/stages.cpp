@@ -18,7 +18,8 @@ StageType slice_stage() {
       "pictures of the sections.";
   t.source = "Bole";
   t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground.", false, {arrays::height_above_ground}}};
-  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {}}};
+  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {slice_height}}};
+  t.version = 2;
   t.options = &option_table(static_cast<const SliceOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     StageResult result;
@@ -45,6 +46,7 @@ StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
+  t.version = 2;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,

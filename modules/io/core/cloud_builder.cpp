@@ -83,8 +83,6 @@ constexpr std::array aliases{
     Alias{"hag", "height_above_ground"},
 };
 
-bool is_colour(std::string_view array) { return array == "red" || array == "green" || array == "blue"; }
-
 ArrayType column_type_for(const std::string& array, SourceType source) {
   // Text and decimal colours are scaled when their largest value is known.
   if (is_colour(array) && source != SourceType::uint8 && source != SourceType::uint16 &&
@@ -170,6 +168,21 @@ double source_value(SourceType type, const std::uint8_t* p, bool swap_bytes) {
       break;
   }
   return 0;
+}
+
+bool is_colour(std::string_view array) { return array == "red" || array == "green" || array == "blue"; }
+
+void poll_points(const Run& run, std::size_t point, double fraction) {
+  constexpr std::size_t points_between_polls = 1 << 16;
+  if (point % points_between_polls != 0) return;
+  run.check_cancel();
+  run.report(fraction, "reading points");
+}
+
+void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present) {
+  if (present < declared)
+    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
+                std::to_string(present) + " are there and were read");
 }
 
 std::string array_name(std::string_view file_name) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run.h"
 #include "io/core/cloud_reader.h"
 
 namespace bole {
@@ -24,6 +25,14 @@ struct SourceField {
 // What files call an array, in our words: "GpsTime", "scalar_Intensity", "diffuse_red" become time, intensity, red; x,
 // y and z stay. Names that are not known become lower case with underscores.
 std::string array_name(std::string_view file_name);
+
+bool is_colour(std::string_view array);  // red, green or blue
+
+// To be called for every point: now and then polls for a cancel and tells the share that is read.
+void poll_points(const Run& run, std::size_t point, double fraction);
+
+// Warns where a file ends before the points that its header declares.
+void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present);
 
 class CloudBuilder {
  public:

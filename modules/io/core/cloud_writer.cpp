@@ -8,6 +8,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "io/core/cloud_builder.h"
 #include "io/core/las_writer.h"
 #include "io/core/sensor_arrays.h"
 
@@ -15,8 +16,6 @@ namespace bole {
 namespace {
 
 constexpr std::size_t points_per_write = 1 << 14;
-
-bool is_colour(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
 
 // Every value is a byte times 257, as colours read from a byte are.
 bool fits_byte(const Column& column) {

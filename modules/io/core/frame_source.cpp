@@ -113,21 +113,4 @@ std::string frame_source_locator(const std::filesystem::path& path, const FrameS
   return json.dump();
 }
 
-std::shared_ptr<const FrameSource> reopen_frame_source(const std::string& locator, const Run& run) {
-  const auto json = nlohmann::json::parse(locator, nullptr, false);
-  if (!json.is_object() || !json.contains("file") || !json["file"].is_string())
-    throw bad_input("'" + locator.substr(0, 80) + "' does not say where a scan lies",
-                    "what FrameSource::locator() gives");
-  const FrameSourceOptions defaults;
-  OptionSet options(option_table(&defaults));
-  if (const auto it = json.find("options"); it != json.end() && it->is_object())
-    for (const auto& [name, value] : it->items()) {
-      if (value.is_boolean()) options.set(name, value.get<bool>());
-      if (value.is_number_integer()) options.set(name, value.get<std::int64_t>());
-      if (value.is_number_float()) options.set(name, value.get<double>());
-      if (value.is_string()) options.set(name, value.get<std::string>());
-    }
-  return open_frame_source(json["file"].get<std::string>(), options.as<FrameSourceOptions>(), run);
-}
-
 }  // namespace bole

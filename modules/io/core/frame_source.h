@@ -32,9 +32,6 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
                                                      const FrameSourceOptions& options = {}, const Run& run = {});
 
-// Opens again what FrameSource::locator() names. Throws Error{bad_input} when it is gone or the text is no locator.
-std::shared_ptr<const FrameSource> reopen_frame_source(const std::string& locator, const Run& run = {});
-
 // The locator of a scan opened with these options.
 std::string frame_source_locator(const std::filesystem::path& path, const FrameSourceOptions& options);
 

@@ -109,11 +109,18 @@ void set_fields(OGRFeature& feature, const VectorLayer& layer, std::size_t row) 
   }
 }
 
+// Plane metres about a place that nobody knows. By this name GeoPackage has an id of its own (-1); layers without any
+// system would be degrees of longitude and latitude there (0).
+constexpr char unknown_place[] =
+    R"(LOCAL_CS["Undefined Cartesian SRS",UNIT["Meter",1],AXIS["Easting",EAST],AXIS["Northing",NORTH]])";
+
 void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& errors) {
   OGRSpatialReference crs;
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const bool has_crs = !layer.crs_wkt.empty();
-  if (has_crs && crs.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE)
+  const bool no_place =
+                 layer.crs_wkt.empty() && layer.geometry != GeometryKind::none && EQUAL(set.GetDriverName(), "GPKG"),
+             has_crs = !layer.crs_wkt.empty() || no_place;
+  if (has_crs && crs.importFromWkt(no_place ? unknown_place : layer.crs_wkt.c_str()) != OGRERR_NONE)
     throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
                     "WKT 1 or 2");
   OGRLayer* out = set.CreateLayer(layer.name.c_str(), has_crs ? &crs : nullptr, geometry_type(layer.geometry), nullptr);

@@ -14,7 +14,6 @@ namespace bole {
 namespace {
 
 constexpr std::size_t most_fields = 256, most_values = 4096;
-constexpr std::size_t points_between_polls = 1 << 16;
 
 struct Field {
   SourceField source;
@@ -147,18 +146,6 @@ std::vector<SourceField> flat_fields(const Header& header) {
   return fields;
 }
 
-void poll(const Run& run, std::size_t i, std::size_t all) {
-  if (i % points_between_polls != 0) return;
-  run.check_cancel();
-  run.report(all > 0 ? static_cast<double>(i) / static_cast<double>(all) : 0, "reading points");
-}
-
-void warn_missing(Report& report, std::uint64_t declared, std::size_t present) {
-  if (present < declared)
-    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
-                std::to_string(present) + " are there and were read");
-}
-
 // Colours written as decimal numbers are the bits of a float.
 double ascii_value(const SourceField& field, char type, std::string_view word) {
   double value = 0;
@@ -181,7 +168,7 @@ CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions
   std::string_view line;
   std::size_t read = 0, bad = 0;
   while (read < header.declared() && lines.next(line)) {
-    poll(run, lines.number(), 0);
+    poll_points(run, lines.number(), 0);
     split_blanks(line, words);
     if (words.empty()) continue;
     ++read;
@@ -197,7 +184,7 @@ CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions
   if (bad > 0)
     out.report.warn(std::to_string(bad) + " lines with fewer than " + std::to_string(fields.size()) +
                     " values were left out");
-  warn_missing(out.report, header.declared(), read);
+  warn_cut_off(out.report, header.declared(), read);
   return out;
 }
 
@@ -209,7 +196,7 @@ CloudReading read_binary(Bytes data, const Header& header, const CloudReadOption
   builder.reserve(present);
   std::vector<double> row(fields.size());
   for (std::size_t i = 0; i < present; ++i) {
-    poll(run, i, present);
+    poll_points(run, i, static_cast<double>(i) / static_cast<double>(present));
     const std::uint8_t* p = data.data() + i * record;
     for (std::size_t f = 0; f < fields.size(); ++f) {
       row[f] = source_value(fields[f].type, p);
@@ -218,7 +205,7 @@ CloudReading read_binary(Bytes data, const Header& header, const CloudReadOption
     builder.add(row);
   }
   auto out = builder.finish();
-  warn_missing(out.report, header.declared(), present);
+  warn_cut_off(out.report, header.declared(), present);
   return out;
 }
 
@@ -246,7 +233,7 @@ CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOp
   builder.reserve(points);
   std::vector<double> row(fields.size());
   for (std::size_t i = 0; i < points; ++i) {
-    poll(run, i, points);
+    poll_points(run, i, static_cast<double>(i) / static_cast<double>(points));
     std::size_t column = 0, flat = 0;
     for (const auto& f : header.fields) {
       for (std::size_t k = 0; k < f.count; ++k, ++flat)

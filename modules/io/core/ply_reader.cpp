@@ -12,7 +12,6 @@ namespace bole {
 namespace {
 
 constexpr std::size_t most_properties = 1024;
-constexpr std::size_t points_between_polls = 1 << 16;
 
 struct Property {
   SourceField field;                     // for a list: the type of its entries
@@ -100,18 +99,6 @@ std::vector<SourceField> scalar_fields(const Element& vertex) {
   return fields;
 }
 
-void poll(const Run& run, std::size_t i, double fraction) {
-  if (i % points_between_polls != 0) return;
-  run.check_cancel();
-  run.report(fraction, "reading points");
-}
-
-void warn_missing(Report& report, std::uint64_t declared, std::uint64_t present) {
-  if (present < declared)
-    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
-                std::to_string(present) + " are there and were read");
-}
-
 // Walks through binary records; a record that does not end within the file stops it.
 class BinaryWalker {
  public:
@@ -151,7 +138,7 @@ class BinaryWalker {
       return true;
     }
     for (std::uint64_t i = 0; i < element.count; ++i) {
-      poll(run, i, 0);
+      poll_points(run, i, 0);
       if (!read(element, nullptr)) return false;
     }
     return true;
@@ -187,12 +174,12 @@ CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_in
   std::vector<double> row(fields.size());
   std::uint64_t read = 0;
   while (read < vertex.count && walker.read(vertex, &row)) {
-    poll(run, read, static_cast<double>(read) / static_cast<double>(vertex.count));
+    poll_points(run, read, static_cast<double>(read) / static_cast<double>(vertex.count));
     builder.add(row);
     ++read;
   }
   auto out = builder.finish();
-  warn_missing(out.report, vertex.count, read);
+  warn_cut_off(out.report, vertex.count, read);
   return out;
 }
 
@@ -227,7 +214,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   };
   for (std::size_t e = 0; e < vertex_index; ++e)
     for (std::uint64_t i = 0; i < header.elements[e].count; ++i) {
-      poll(run, i, 0);
+      poll_points(run, i, 0);
       if (!next_line())
         throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points",
                         "the whole file");
@@ -236,7 +223,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   std::vector<std::string_view> words;
   std::uint64_t read = 0, bad = 0;
   while (read < vertex.count && next_line()) {
-    poll(run, read, static_cast<double>(read) / static_cast<double>(vertex.count));
+    poll_points(run, read, static_cast<double>(read) / static_cast<double>(vertex.count));
     ++read;
     split_blanks(line, words);
     if (read_words(words, vertex, row))
@@ -248,7 +235,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
   if (bad > 0)
     out.report.warn(std::to_string(bad) + " lines that do not hold the properties of a vertex were left out");
-  warn_missing(out.report, vertex.count, read);
+  warn_cut_off(out.report, vertex.count, read);
   return out;
 }
 

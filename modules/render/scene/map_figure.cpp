@@ -12,6 +12,8 @@
 #include <memory>
 #include <numbers>
 
+#include "base/option.h"
+#include "cloud/breast_height.h"
 #include "render/draw/furniture.h"
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
@@ -183,7 +185,8 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   shading.radius_px = 1.2 * supersampling * options.dpi / 150;
   shading.strength = options.view == MapView::top ? 0.45 : 0.62;
   shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())},
-                 window_depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling, shading);
+                 window_depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling,
+                 shading);
   return {shrunk(rgb, width, height), projection};
 }
 
@@ -198,6 +201,7 @@ struct Drawing {
   View view;
   MapOptions options;
   bool north_known = true, has_walk = false, has_stems = false;
+  double breast_height_m = usual_breast_height_m;
 };
 
 void draw_grid_labels(Canvas& canvas, const Drawing& d) {
@@ -244,7 +248,7 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
   std::vector<LegendEntry> entries;
   if (d.has_stems)
     entries.push_back({Symbol::square, hex(0xe4572e), "fitted"}),
-        entries.push_back({Symbol::square, hex(0xffe066), "1.3 m"});
+        entries.push_back({Symbol::square, hex(0xffe066), number_text(d.breast_height_m) + " m"});
   if (d.has_walk) entries.push_back({Symbol::line, ink::primary, "walk"});
   for (const auto& entry : entries) {
     draw_symbol(canvas, entry.symbol, {x + 1.5, y}, 2.2, entry.color);
@@ -314,6 +318,7 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   drawing->north_known = data.north_known;
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;
   drawing->has_stems = !view.stems.empty();
+  if (data.stems != nullptr) drawing->breast_height_m = breast_height_m(*data.stems);
   std::tie(drawing->picture, drawing->projection) = render(data, options, view);
   round_colors(drawing->picture, options.color_step);
   view.indices = {}, view.drawn = {}, view.stems = {};

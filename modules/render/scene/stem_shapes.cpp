@@ -6,6 +6,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "cloud/breast_height.h"
 #include "render/charts/columns.h"
 
 namespace bole {
@@ -53,10 +54,10 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
   const auto lean = numbers_or_nan(stems, "lean_deg"), azimuth = numbers_or_nan(stems, "lean_azimuth_deg"),
              taper = numbers_or_nan(stems, "taper_cm_per_m"), height = numbers_or_nan(stems, "height_m");
   const auto quality = texts_or_empty(stems, "quality");
+  const double breast_height = breast_height_m(stems);
   std::vector<StemShape> shapes;
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (!std::isfinite(x[i] + y[i] + z[i] + dbh[i])) continue;
-    constexpr double breast_height = 1.3;
     StemShape shape;
     shape.tree_id = id[i], shape.quality = quality[i];
     shape.breast_height = {x[i], y[i], z[i] + breast_height}, shape.breast_radius_m = dbh[i] / 200;

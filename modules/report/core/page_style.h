@@ -26,6 +26,7 @@ th { text-align: left; font-weight: 600; border-bottom: 1px solid var(--ink); pa
 td { border-bottom: 1px solid var(--line); padding: .2rem .5rem; vertical-align: top; }
 th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 #plot td:nth-child(3) { white-space: nowrap; }
+#signature { break-inside: avoid; } #signature td { height: 3rem; } #signature th { width: 33%; }
 #evaluation table { margin-bottom: 1rem; table-layout: fixed; } #evaluation > table th:first-child { width: 46%; }
 .sortable th { cursor: pointer; position: sticky; top: 0; }
 .sortable th:hover { color: var(--blue); }

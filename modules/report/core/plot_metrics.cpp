@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/option.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 
@@ -116,9 +117,10 @@ std::vector<std::size_t> counted_stems(const Table& stems, const CountingRule& r
   return rows;
 }
 
-PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm) {
+PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm, double form_sd_pct) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   PlotMetrics m;
+  m.assumed = {breast_height_m(stems), form_sd_pct};
   m.area_m2 = rule.area.area_m2();
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m =
       m.lorey_height_m = m.dominant_height_m = nan;
@@ -140,7 +142,7 @@ PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double cl
   if (!counted.empty()) {
     take_diameters(counted, m);
     take_heights(counted, m);
-    m.stand = stand_values(counted);
+    m.stand = stand_values(counted, m.assumed);
   }
   m.stems_per_ha = static_cast<double>(m.stems) * m2_per_ha / m.area_m2;
   m.basal_area_m2_per_ha = m.basal_area_m2 * m2_per_ha / m.area_m2;
@@ -190,9 +192,11 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   if (!m.heights_known) return {{"Stem volume", "not given", "", "heights are lacking"}};
   if (s.curve) {
     const auto& c = *s.curve;
-    rows.push_back({"Height curve", "h = 1.3 + d²/(" + fixed(c.a, 3) + " + " + fixed(c.b, 4) + " d)²", "",
-                    "Näslund, d in cm; RMSE " + fixed(c.rmse_m, 2) + " m over " + std::to_string(c.trees) +
-                        " trees of " + fixed(c.least_dbh_cm, 0) + " to " + fixed(c.most_dbh_cm, 0) + " cm"});
+    rows.push_back(
+        {"Height curve",
+         "h = " + number_text(c.breast_height_m) + " + d²/(" + fixed(c.a, 3) + " + " + fixed(c.b, 4) + " d)²", "",
+         "Näslund, d in cm; RMSE " + fixed(c.rmse_m, 2) + " m over " + std::to_string(c.trees) + " trees of " +
+             fixed(c.least_dbh_cm, 0) + " to " + fixed(c.most_dbh_cm, 0) + " cm"});
     if (s.by_curve > 0 && std::isfinite(s.lorey_height_m))
       rows.push_back({"Lorey's height, all stems", fixed(s.lorey_height_m, 1), "m",
                       "by the curve for " + std::to_string(s.by_curve) + " of " + std::to_string(m.stems) + " stems"});
@@ -205,7 +209,9 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   }
   const std::string how = std::to_string(s.own_volume) +
                           " by their stem curve, the others as stems between paraboloid and cone through DBH and top" +
-                          (s.own_volume < m.stems ? ", their form unsure by 5 %" : "");
+                          (s.own_volume < m.stems ? ", their form unsure by " + number_text(m.assumed.form_sd_pct) +
+                                                        " % (standard deviation)"
+                                                  : "");
   rows.push_back(
       {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
   if (std::isfinite(m.area_m2))
@@ -222,6 +228,7 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
                                                       : "; ";
   std::vector<MetricRow> rows;
   if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
+  rows.push_back({"Breast height", number_text(m.assumed.breast_height_m), "m", "above ground, where DBH is measured"});
   rows.push_back({"Stems", std::to_string(m.stems), "",
                   (min_dbh_cm > 0 ? "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" : std::string("of every DBH")) +
                       inside + std::to_string(m.too_thin) + " thinner"});

@@ -40,6 +40,7 @@ struct PlotMetrics {
                                    // than half of their tops were seen
   std::size_t dominant_stems = 0;  // how many stems that is on this plot
   std::size_t dominant_tops = 0;   // how many of their tops were seen
+  StandAssumptions assumed;        // what `stand` rests on
   StandValues stand;               // heights of all stems, volume, intervals; without meaning where stems is 0
   std::vector<DiameterClass> classes;
 };
@@ -52,7 +53,9 @@ bool enough_tops(std::size_t seen, std::size_t stems);
 std::vector<double> seen_heights(const Table& stems);
 
 // `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen and state where known.
-PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm = 4);
+// Breast height is that of the table. `form_sd_pct`: see StandAssumptions.
+PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double class_cm = 4,
+                         double form_sd_pct = usual_form_sd_pct);
 
 // The rows of `stems` that count in plot_metrics().
 std::vector<std::size_t> counted_stems(const Table& stems, const CountingRule& rule);

@@ -125,6 +125,20 @@ std::string outside_note(std::size_t outside, const std::pair<std::string, std::
                    "note");
 }
 
+// Which of the stems listed count in no value of the plot, and why.
+std::string uncounted_note(const ReportContent& c, const std::vector<std::size_t>& rows) {
+  const auto counted = counted_stems(*c.stems, c.rule);
+  std::string ids;
+  for (const auto i : rows)
+    if (!std::binary_search(counted.begin(), counted.end(), i))
+      ids += (ids.empty() ? "" : ", ") +
+             (c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1));
+  if (ids.empty()) return {};
+  const std::string thin = c.rule.min_dbh_cm > 0 ? "thinner than " + fixed(c.rule.min_dbh_cm, 1) + " cm, " : "";
+  return paragraph("Counted in no value of the plot (" + thin + "without DBH, or rejected by hand): " + ids + ".",
+                   "note");
+}
+
 std::string stems_section(const ReportContent& c) {
   if (c.stems == nullptr) return {};
   const auto rows = rows_inside(*c.stems, c.rule.area);
@@ -134,7 +148,7 @@ std::string stems_section(const ReportContent& c) {
     text += " Heights with ≥ are lower bounds: the top was not seen.";
   return section("stems", "Stems",
                  paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") +
-                     stem_table(*c.stems, rows).html() +
+                     stem_table(*c.stems, rows).html() + uncounted_note(c, rows) +
                      outside_note(c.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
 }
 
@@ -287,6 +301,12 @@ std::string run_section(const ReportContent& c) {
   return section("run", "How it was made", body);
 }
 
+// To be filled in by hand on paper.
+std::string signature() {
+  HtmlTable table{{{"Name"}, {"Date"}, {"Signature"}}, {{"", "", ""}}, false};
+  return section("signature", "Checked and accepted", table.html());
+}
+
 std::string head(const ReportContent& c) {
   std::string out = "<header>\n<h1>" + escaped(c.title) + "</h1>\n<p class=\"facts\">";
   for (const auto& [name, value] : c.facts) out += "<span>" + escaped(name) + ": <b>" + escaped(value) + "</b></span> ";
@@ -301,7 +321,7 @@ std::string report_html(const ReportContent& c) {
       "content=\"width=device-width, initial-scale=1\">\n<title>" +
       escaped(c.title) + "</title>\n<style>\n" + std::string(page_style) + "</style>\n</head>\n<body>\n<main>\n";
   out += head(c) + metrics_section(c) + check_section(c) + evaluation_section(c) + pictures_section(c) +
-         stems_section(c) + slam_section(c) + run_section(c);
+         stems_section(c) + signature() + slam_section(c) + run_section(c);
   return out + "</main>\n<script>\n" + std::string(page_script) + "</script>\n</body>\n</html>\n";
 }
 

@@ -10,15 +10,16 @@ namespace bole {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double breast_height_m = 1.3, z_95 = 1.959964, shared_part = 0.25, form_sd = 0.05;
+constexpr double z_95 = 1.959964, shared_part = 0.25;
 constexpr std::size_t least_heights = 8;
 
 double basal_area_m2(double dbh_cm) { return std::numbers::pi / 40000 * dbh_cm * dbh_cm; }
 
-std::optional<HeightCurve> fit_once(const std::vector<SizedStem>& stems) {
+std::optional<HeightCurve> fit_once(const std::vector<SizedStem>& stems, double breast_height_m) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Vector2d rhs = Eigen::Vector2d::Zero();
   HeightCurve c;
+  c.breast_height_m = breast_height_m;
   c.least_dbh_cm = std::numeric_limits<double>::infinity();
   for (const auto& s : stems) {
     const Eigen::Vector2d j(1, s.dbh_cm);
@@ -63,27 +64,27 @@ double HeightCurve::height_m(double d) const {
   return breast_height_m + d * d / ((a + b * d) * (a + b * d));
 }
 
-std::optional<HeightCurve> fit_height_curve(const std::vector<SizedStem>& stems) {
+std::optional<HeightCurve> fit_height_curve(const std::vector<SizedStem>& stems, double breast_height_m) {
   std::vector<SizedStem> seen;
   for (const auto& s : stems)
     if (s.height_m > breast_height_m + 0.5 && s.dbh_cm > 0) seen.push_back(s);
-  auto curve = fit_once(seen);
+  auto curve = fit_once(seen, breast_height_m);
   if (!curve) return curve;
   std::erase_if(
       seen, [&](const SizedStem& s) { return std::abs(curve->height_m(s.dbh_cm) - s.height_m) > 3 * curve->rmse_m; });
-  return seen.size() == curve->trees ? curve : fit_once(seen);
+  return seen.size() == curve->trees ? curve : fit_once(seen, breast_height_m);
 }
 
-double form_volume_m3(double dbh_cm, double height_m) {
+double form_volume_m3(double dbh_cm, double height_m, double breast_height_m) {
   constexpr double power = 1.5;
   return height_m > breast_height_m
              ? basal_area_m2(dbh_cm) * height_m / (power + 1) * std::pow(height_m / (height_m - breast_height_m), power)
              : nan;
 }
 
-StandValues stand_values(const std::vector<SizedStem>& stems) {
+StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumptions& assumed) {
   StandValues v;
-  v.curve = fit_height_curve(stems);
+  v.curve = fit_height_curve(stems, assumed.breast_height_m);
   Spread area, volume, squares;
   double weighted = 0, heights = 0, basal_area = 0, area_squares = 0, volume_squares = 0, sum_d2 = 0, by_form_m3 = 0;
   const double usual = usual_relative_sd(stems);
@@ -95,7 +96,7 @@ StandValues stand_values(const std::vector<SizedStem>& stems) {
     const bool by_curve = !std::isfinite(height);
     if (by_curve && v.curve) height = v.curve->height_m(s.dbh_cm), v.by_curve += std::isfinite(height);
     const bool own = std::isfinite(s.volume_m3);
-    const double m3 = own ? s.volume_m3 : form_volume_m3(s.dbh_cm, height);
+    const double m3 = own ? s.volume_m3 : form_volume_m3(s.dbh_cm, height, assumed.breast_height_m);
     v.own_volume += own, by_form_m3 += own ? 0 : m3;
     basal_area += g, weighted += g * height, heights += height, v.volume_m3 += m3, sum_d2 += s.dbh_cm * s.dbh_cm;
     area_squares += g * g, volume_squares += m3 * m3;
@@ -106,7 +107,8 @@ StandValues stand_values(const std::vector<SizedStem>& stems) {
   v.mean_height_m = heights / n, v.lorey_height_m = weighted / basal_area;
   v.stems = {nan, z_95 * std::sqrt(n)};
   v.basal_area_m2 = {area.half(), z_95 * std::sqrt(area_squares)};
-  v.volume_m3_half = {std::hypot(volume.half(), z_95 * form_sd * by_form_m3), z_95 * std::sqrt(volume_squares)};
+  v.volume_m3_half = {std::hypot(volume.half(), z_95 * assumed.form_sd_pct / 100 * by_form_m3),
+                      z_95 * std::sqrt(volume_squares)};
   v.quadratic_mean_dbh_half_cm = squares.half() / std::sqrt(n * sum_d2);
   return v;
 }

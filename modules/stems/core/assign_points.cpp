@@ -129,8 +129,11 @@ class CanopyTop {
   CanopyTop(const PointCloud& points, const Run& run) {
     constexpr double most_cells = 1 << 24;
     Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), high = -low;
-    for (const auto& p : points.positions())
-      if (p.allFinite()) low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if ((i & 0xfffffU) == 0) run.check_cancel();
+      if (const auto& p = points.positions()[i]; p.allFinite())
+        low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
+    }
     if (!(low.array() <= high.array()).all()) return;
     corner_ = low;
     while ((std::floor((high - low).x() / cell_) + 1) * (std::floor((high - low).y() / cell_) + 1) > most_cells)
@@ -247,9 +250,11 @@ double quantile(std::vector<double>& values, double rank) {
   return *at;
 }
 
-SensorReach sensor_reach(const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of) {
+SensorReach sensor_reach(const PointCloud& points, const PointLabels& labels, const SensorOf& sensor_of,
+                         const Run& run) {
   std::vector<double> steepness, ranges;
-  for (std::size_t i = 0; i < points.size(); i += 7) {
+  for (std::size_t k = 0, i = 0; i < points.size(); ++k, i += 7) {
+    if ((k & 0x1ffffU) == 0) run.check_cancel();
     if (labels.tree_id[i] == 0) continue;
     const auto sensor = sensor_of(i);
     if (!sensor) continue;
@@ -271,7 +276,7 @@ void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointL
     for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m && !s.overhung;
     return;
   }
-  const SensorReach reach = sensor_reach(points, labels, sensor_of);
+  const SensorReach reach = sensor_reach(points, labels, sensor_of, run);
   std::vector<int> views(stems.size() + 1, 0);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();

@@ -5,7 +5,6 @@
 #include <CGAL/Alpha_shape_vertex_base_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "stems/core/each_stem.h"
 
 namespace bole {
 namespace {
@@ -24,7 +25,8 @@ using Triangulation =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 using AlphaShape = CGAL::Alpha_shape_2<Triangulation>;
 
-constexpr double voxel_m = 0.10, layer_m = 0.25, lowest_m = 1.0, branch_m = 0.30, reach_m = 0.5, tallest_m = 80;
+constexpr double voxel_m = 0.10, layer_m = 0.25, lowest_m = 1.0, branch_m = 0.30, reach_m = 0.5, tallest_m = 80,
+                 farthest_m = 1000;
 constexpr int bearings = 8, least_bearings = 3, metre_of_layers = 4, least_layers = 3;
 
 // A point in the axes of its tree, in voxels: from the stem at breast height and above the ground.
@@ -79,7 +81,10 @@ double covered_area_m2(const std::vector<Eigen::Vector2d>& points, double reach)
   if (points.size() < 3) return 0;
   std::vector<Kernel::Point_2> at;
   at.reserve(points.size());
-  for (const auto& p : points) at.emplace_back(p.x(), p.y());
+  for (const auto& p : points) {
+    if (!p.allFinite()) throw failure("a point of the outline is no number");  // the exact predicates would not end
+    at.emplace_back(p.x(), p.y());
+  }
   const AlphaShape shape(at.begin(), at.end(), reach * reach, AlphaShape::GENERAL);
   double area = 0;
   for (auto f = shape.finite_faces_begin(); f != shape.finite_faces_end(); ++f)
@@ -87,9 +92,11 @@ double covered_area_m2(const std::vector<Eigen::Vector2d>& points, double reach)
   return area;
 }
 
-void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run) {
+void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run,
+                    Report& report) {
   std::vector<std::vector<std::uint64_t>> keys(stems.size());
   std::vector<RecentKeys> recent(stems.size());
+  std::vector<char> astray(stems.size(), 0);  // a point too far away for a voxel, or no number
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
@@ -97,7 +104,8 @@ void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const Po
     const Stem& s = stems[id - 1];
     Eigen::Vector3d p = points.positions()[i].cast<double>();
     p.head<2>() -= s.breast_height.head<2>(), p.z() -= s.ground_z;
-    if (!(p.z() >= lowest_m) || p.z() >= tallest_m) continue;
+    if (!(p.norm() < farthest_m)) astray[id - 1] = 1;
+    if (!(p.z() >= lowest_m) || p.z() >= tallest_m || astray[id - 1] != 0) continue;
     const auto key = voxel_key(p);
     if (!recent[id - 1].is_new(key)) continue;
     auto& mine = keys[id - 1];
@@ -107,8 +115,9 @@ void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const Po
       mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
     }
   }
-  tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t k) {
-    if (run.cancelled()) return;
+  const auto measure = [&](std::size_t k) {
+    if (astray[k] != 0)
+      throw failure("a point of the tree lies more than 1 km from its stem, or one of both has no place");
     auto& mine = keys[k];
     std::ranges::sort(mine);
     mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
@@ -126,8 +135,9 @@ void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const Po
     std::vector<Eigen::Vector2d> at;
     for (const auto& [x, y] : plan) at.emplace_back(x, y);
     s.crown_area_m2 = covered_area_m2(at, reach_m);
-  });
-  run.check_cancel();
+  };
+  for_each_stem(stems, "the crown", run, report, measure,
+                [](Stem& s) { s.crown_base_m = s.crown_area_m2 = std::nan(""); });
 }
 
 }  // namespace bole

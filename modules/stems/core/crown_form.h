@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/report.h"
 #include "base/run.h"
 #include "stems/core/assign_points.h"
 
@@ -14,7 +15,8 @@ double covered_area_m2(const std::vector<Eigen::Vector2d>& points, double reach_
 
 // Sets crown_base_m, the height above ground from which branches stand out on three sides at least over a metre of
 // height, and crown_area_m2, the area that the points above cover. NaN where no crown is seen. Crowns are cut where
-// the points of a tree end (crown_radius).
-void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run);
+// the points of a tree end (crown_radius). A tree whose crown cannot be measured keeps NaN, and the report is warned.
+void measure_crowns(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run,
+                    Report& report);
 
 }  // namespace bole

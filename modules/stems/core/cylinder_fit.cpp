@@ -70,6 +70,7 @@ class JointFit {
     double damping = 1e-4;
     evaluate(c, values_);
     for (int i = 0; i < 40; ++i) {
+      if (options_.cancel.stop_requested()) return false;
       choose_active();
       Eigen::MatrixXd normal;
       Eigen::VectorXd gradient;

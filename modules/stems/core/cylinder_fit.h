@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace bole {
@@ -49,6 +50,7 @@ struct CylinderFitOptions {
   DriftPrior drift;
   RangeOffsetPrior range_offset;                 // along rays
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
+  std::stop_token cancel;                        // once asked for there is no fit
 };
 
 // The data on the view offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for

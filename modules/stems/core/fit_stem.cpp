@@ -81,7 +81,7 @@ class StemFitter {
  public:
   StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
              const Eigen::Vector3d& origin, double breast_height, const ProjectPriors& priors,
-             const MeasureOptions& options)
+             const MeasureOptions& options, const Run& run)
       : candidate_(candidate),
         layer_(layer),
         rays_(rays),
@@ -89,7 +89,8 @@ class StemFitter {
         origin_(origin),
         breast_height_(breast_height),
         priors_(priors),
-        options_(options) {}
+        options_(options),
+        run_(run) {}
 
   // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
   StemFitResult first() const {
@@ -148,8 +149,8 @@ class StemFitter {
     gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
     gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
     gather.highest = options_.search_top_m - breast_height_;
-    a.points = gather_bark(layer_, rays_, a.axes, gather);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_));
+    a.points = gather_bark(layer_, rays_, a.axes, gather, run_);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_), run_);
     const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
@@ -180,7 +181,8 @@ class StemFitter {
 
   CylinderFitOptions fit_options() const {
     CylinderFitOptions o;
-    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate;
+    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate,
+    o.cancel = run_.cancel;
     return o;
   }
 
@@ -214,6 +216,7 @@ class StemFitter {
   double breast_height_;
   const ProjectPriors& priors_;
   const MeasureOptions& options_;
+  const Run& run_;
 };
 
 Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const {
@@ -291,6 +294,15 @@ std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
   return seen;
 }
 
+// What is no number would pass every limit.
+StemFitResult checked(StemFitResult result) {
+  if (const auto& s = result.stem;
+      s && !(s->breast_height.allFinite() && s->direction.allFinite() && std::isfinite(s->ground_z) &&
+             std::isfinite(s->radius + s->taper) && !std::isnan(s->radius_high)))
+    return {std::nullopt, "the fit failed: it gives no number"};
+  return result;
+}
+
 }  // namespace
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
@@ -299,9 +311,10 @@ bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
 
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
                        const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
-                       const MeasureOptions& options) {
+                       const MeasureOptions& options, const Run& run) {
   try {
-    return StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).first();
+    return checked(
+        StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run).first());
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }
@@ -309,9 +322,10 @@ StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, c
 
 StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
                          const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
-                         const MeasureOptions& options) {
+                         const MeasureOptions& options, const Run& run) {
   try {
-    return StemFitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options).again(before);
+    const StemFitter fitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run);
+    return checked(fitter.again(before));
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};
   }

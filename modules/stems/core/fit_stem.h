@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run.h"
 #include "base/transform.h"
 #include "cloud/raster.h"
 #include "stems/core/cylinder_fit.h"
@@ -95,12 +96,12 @@ struct ProjectPriors {
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);
 
 // Neither throws for a bad tree. The first is a look: of very many points it takes fewer. The second starts from a stem
-// that was fitted before, with what was learnt since.
+// that was fitted before, with what was learnt since. After a cancel what they give has no meaning.
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
                        const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
-                       const MeasureOptions& options);
+                       const MeasureOptions& options, const Run& run);
 StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
                          const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
-                         const MeasureOptions& options);
+                         const MeasureOptions& options, const Run& run);
 
 }  // namespace bole

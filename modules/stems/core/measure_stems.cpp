@@ -1,6 +1,7 @@
 #include "stems/core/measure_stems.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -51,7 +52,9 @@ class Survey {
         trajectory_(trajectory),
         options_(options),
         run_(run),
-        breast_height_(slice_height_m(slice)) {}
+        breast_height_(slice_height_m(slice)) {
+    out_.breast_height_m = breast_height_;
+  }
 
   StemSurvey measure() {
     auto priors = search();
@@ -95,7 +98,7 @@ class Survey {
     const PassAlignment alignment(sightings);
     if (alignment.rms_m() < least_drift_to_align_m / 3) return false;
     if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
-    points_ = aligned(points_, alignment);
+    points_ = aligned(points_, alignment, run_);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
     if (alignments_.size() == 1) options_.range_bias_m = std::hypot(options_.range_bias_m, unknown_once_aligned_m);
     return true;
@@ -120,7 +123,7 @@ class Survey {
   void add_sensors() {
     const auto sensor_of = sensor_of_point();
     std::vector<float> x(points_.size()), y(x.size()), z(x.size());
-    tbb::parallel_for(std::size_t{0}, x.size(), [&](std::size_t i) {
+    for_each_point(x.size(), [&](std::size_t i) {
       const auto s = sensor_of(i).value_or(Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
       x[i] = s.x(), y[i] = s.y(), z[i] = s.z();
     });
@@ -136,7 +139,7 @@ class Survey {
         upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom_m, slabs_top_m(options_), run_);
     const auto circles = find_slab_circles(layer_, upright, options_, run_.part(0.05, 0.30));
     circles_ = circles.size();
-    auto linked = link_circles(circles, options_);
+    auto linked = link_circles(circles, options_, run_);
     candidates_ = std::move(linked.stems);
     for (const auto& w : linked.weak)
       out_.rejected.push_back(
@@ -159,11 +162,20 @@ class Survey {
     } else if (trajectory_ && trajectory_->poses.size() >= 2 && rays_.time) {
       const Eigen::Vector3f unknown = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
       rays_.sensor.assign(layer_.size(), unknown);
-      tbb::parallel_for(std::size_t{0}, layer_.size(), [&](std::size_t k) {
+      for_each_point(layer_.size(), [&](std::size_t k) {
         if (const auto s = sensor_at(*trajectory_, points_.origin, (*rays_.time)[layer_.index[k]]))
           rays_.sensor[k] = *s;
       });
     }
+  }
+
+  template <class F>
+  void for_each_point(std::size_t n, F&& f) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1 << 14), [&](const auto& block) {
+      if (run_.cancelled()) return;
+      for (auto i = block.begin(); i != block.end(); ++i) f(i);
+    });
+    run_.check_cancel();
   }
 
   // Calls f(i) in threads for i below n, in batches: progress comes from this thread alone, between them.
@@ -186,7 +198,7 @@ class Survey {
     auto no_stems = candidates_of_no_stem();
     no_stems.insert(no_stems.end(), unfitted_.begin(), unfitted_.end());
     for (const auto& c : no_stems) circles.insert(circles.end(), c.displaced.begin(), c.displaced.end());
-    candidates_ = link_circles(circles, options_).stems;
+    candidates_ = link_circles(circles, options_, run_).stems;
     if (candidates_.empty()) return;
     auto before = std::exchange(fitted_, {});
     fit_all(priors), test_rays();
@@ -205,7 +217,7 @@ class Survey {
     tried_ += candidates_.size();
     std::vector<StemFitResult> fits(candidates_.size());
     in_batches(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
-      fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+      fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
     });
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const auto& c = candidates_[i];
@@ -229,7 +241,7 @@ class Survey {
     in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
       auto& s = fitted_[i];
       if (hopeless(s)) return;
-      auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_);
+      auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
       if (!again.stem) return;
       again.stem->ray_through = s.ray_through;
       s = std::move(*again.stem);
@@ -248,7 +260,7 @@ class Survey {
       if (s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad) offsets.push_back(s.range_offset);
     }
     if (!drift.empty()) {
-      priors.drift = likeliest_drift(drift);
+      priors.drift = likeliest_drift(drift, run_);
       out_.report.metrics["drift_between_passes"] = {100 * std::hypot(priors.drift.pass_sd_m, moved_m_),
                                                      Unit::centimetre};
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
@@ -348,9 +360,9 @@ class Survey {
     measure_heights(out_.stems, points_, labels, run_);
     judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
     run_.report(0.92, "stem curves and crowns");
-    follow_stems(out_.stems, points_, labels, options_, run_);
-    measure_volumes(out_.stems, breast_height_);
-    measure_crowns(out_.stems, points_, labels, run_);
+    follow_stems(out_.stems, points_, labels, breast_height_, options_, run_, out_.report);
+    measure_volumes(out_.stems, breast_height_, run_, out_.report);
+    measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.points = input_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));

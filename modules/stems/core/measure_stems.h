@@ -3,6 +3,7 @@
 
 #include "base/report.h"
 #include "base/run.h"
+#include "cloud/breast_height.h"
 #include "cloud/raster.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
@@ -21,6 +22,7 @@ struct StemSurvey {
   std::vector<Stem> stems;  // ids from 1, from north to south, west to east where level
   std::vector<RejectedStem> rejected;
   PointCloud points;  // input with tree_id and stem
+  double breast_height_m = usual_breast_height_m;
   Report report;
 };
 

@@ -98,20 +98,22 @@ Eigen::Vector2d PassAlignment::at(std::int32_t pass, double time_s) const {
   return shift[next - 1] + share * (shift[next] - shift[next - 1]);
 }
 
-PointCloud aligned(const PointCloud& points, const PassAlignment& alignment) {
+PointCloud aligned(const PointCloud& points, const PassAlignment& alignment, const Run& run) {
   const auto* pass = points.has(arrays::pass) ? &points.values<std::int32_t>(arrays::pass) : nullptr;
   const auto* time = points.has(arrays::time) ? &points.values<double>(arrays::time) : nullptr;
   const bool rays = points.has(arrays::sensor_x) && points.has(arrays::sensor_y);
   auto positions = points.positions();
   auto x = rays ? points.values<float>(arrays::sensor_x) : std::vector<float>(),
        y = rays ? points.values<float>(arrays::sensor_y) : std::vector<float>();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size()), [&](const auto& block) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 16), [&](const auto& block) {
+    if (run.cancelled()) return;
     for (auto i = block.begin(); i != block.end(); ++i) {
       const Eigen::Vector2f d = alignment.at(pass ? (*pass)[i] : 0, time ? (*time)[i] : 0).template cast<float>();
       positions[i].template head<2>() -= d;
       if (rays) x[i] -= d.x(), y[i] -= d.y();
     }
   });
+  run.check_cancel();
   PointCloud out = points;
   out.set_positions(std::move(positions));
   if (rays) out.set_column(arrays::sensor_x, std::move(x)), out.set_column(arrays::sensor_y, std::move(y));

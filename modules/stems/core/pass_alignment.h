@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "base/run.h"
 #include "cloud/point_cloud.h"
 
 namespace bole {
@@ -41,6 +42,6 @@ class PassAlignment {
 
 // The cloud with every point and its sensor moved back by the displacement of its pass. Uses `pass`, `time` and
 // `sensor_x`, `sensor_y` where present.
-PointCloud aligned(const PointCloud& points, const PassAlignment& alignment);
+PointCloud aligned(const PointCloud& points, const PassAlignment& alignment, const Run& run);
 
 }  // namespace bole

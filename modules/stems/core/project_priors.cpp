@@ -1,5 +1,7 @@
 #include "stems/core/project_priors.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,13 +34,18 @@ RangeOffsetPrior drawn_to_zero(double mean_m, double variance_m2, double expecte
 
 }  // namespace
 
-DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems) {
+DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
   // A stem can say at most this much against a prior, so that few wild ones do not decide for all.
   constexpr double most_against = 10;
-  std::array<double, pass_sds.size() * view_sds.size()> sum{}, own{};
-  for (const auto* e : stems) {
-    for (std::size_t k = 0; k < own.size(); ++k)
-      own[k] = drift_log_likelihood(*e, {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]});
+  using Likelihoods = std::array<double, pass_sds.size() * view_sds.size()>;
+  std::vector<Likelihoods> of_stem(stems.size());
+  tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t i) {
+    for (std::size_t k = 0; k < of_stem[i].size() && !run.cancelled(); ++k)
+      of_stem[i][k] = drift_log_likelihood(*stems[i], {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]});
+  });
+  run.check_cancel();
+  Likelihoods sum{};
+  for (const auto& own : of_stem) {
     const double best = *std::ranges::max_element(own);
     for (std::size_t k = 0; k < own.size(); ++k) sum[k] += std::max(own[k] - best, -most_against);
   }

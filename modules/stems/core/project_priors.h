@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run.h"
 #include "stems/core/cylinder_fit.h"
 
 namespace bole {
@@ -10,7 +11,7 @@ namespace bole {
 inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the range offset is not estimated
 
 // The spreads of passes and views that make the evidence of all stems likeliest.
-DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems);
+DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run);
 
 // Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean of
 // bounded influence, drawn to zero by what is expected of a sensor: Student's distribution of three degrees of freedom

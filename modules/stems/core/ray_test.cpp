@@ -29,7 +29,8 @@ class StemSquares {
     squares_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
     for (std::uint32_t k = 0; k < stems.size(); ++k) {
       const auto& s = stems[k];
-      const double reach = s.radius + 1.3 * s.direction.head<2>().norm() / s.direction.z();
+      const double rise = s.breast_height.z() - s.ground_z, along = std::max(rise, highest_m - rise);
+      const double reach = s.radius + along * s.direction.head<2>().norm() / s.direction.z();
       for (int iy = clamp_y(s.breast_height.y() - reach); iy <= clamp_y(s.breast_height.y() + reach); ++iy)
         for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix)
           square(ix, iy).push_back(k);

@@ -156,15 +156,18 @@ StemCandidate candidate_of(const Consensus& c, const std::vector<SlabCircle>& ci
 
 }  // namespace
 
-LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const MeasureOptions& options) {
+LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const MeasureOptions& options, const Run& run) {
   Linker linker(circles, options);
   LinkedCircles out;
   std::vector<std::pair<Consensus, std::uint32_t>> queue;
-  for (std::uint32_t i = 0; i < circles.size(); ++i)
+  for (std::uint32_t i = 0; i < circles.size(); ++i) {
+    if (i % 16 == 0) run.check_cancel();
     if (auto c = linker.best_through(i); c.members.size() >= 2) queue.emplace_back(std::move(c), i);
+  }
   const auto weaker = [](const auto& a, const auto& b) { return a.first.score < b.first.score; };
   std::ranges::make_heap(queue, weaker);
   while (!queue.empty()) {
+    run.check_cancel();
     std::ranges::pop_heap(queue, weaker);
     auto [best, seed] = std::move(queue.back());
     queue.pop_back();

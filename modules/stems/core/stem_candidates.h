@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/run.h"
 #include "stems/core/slab_circles.h"
 
 namespace bole {
@@ -25,6 +26,6 @@ struct LinkedCircles {
   std::vector<StemCandidate> weak;   // seen in fewer than min_sections slabs, but in two at least
 };
 
-LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const MeasureOptions& options);
+LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const MeasureOptions& options, const Run& run);
 
 }  // namespace bole

@@ -1,13 +1,13 @@
 #include "stems/core/stem_curve.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "stems/core/circle_fit.h"
+#include "stems/core/each_stem.h"
 #include "stems/core/ring_density.h"
 
 namespace bole {
@@ -74,8 +74,8 @@ void follow(Stem& stem, const std::vector<Eigen::Vector3d>& near, const MeasureO
 
 }  // namespace
 
-void follow_stems(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
-                  const MeasureOptions& options, const Run& run) {
+void follow_stems(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, double breast_height_m,
+                  const MeasureOptions& options, const Run& run, Report& report) {
   std::vector<std::vector<Eigen::Vector3d>> near(stems.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
@@ -83,16 +83,18 @@ void follow_stems(std::vector<Stem>& stems, const PointCloud& points, const Poin
     if (id == 0) continue;
     const Stem& s = stems[id - 1];
     const Eigen::Vector3d p = points.positions()[i].cast<double>();
-    const double rise = p.z() - s.breast_height.z() - (s.highest - 1.3) * s.direction.z();
+    const double rise = p.z() - s.breast_height.z() - (s.highest - breast_height_m) * s.direction.z();
     if (rise < 0) continue;
     const Eigen::Vector2d axis =
         s.breast_height.head<2>() + (p.z() - s.breast_height.z()) / s.direction.z() * s.direction.head<2>();
     if ((p.head<2>() - axis).norm() < s.radius + margin_m + sway * rise) near[id - 1].push_back(p);
   }
-  tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t k) {
-    if (!run.cancelled()) follow(stems[k], near[k], options);
-  });
-  run.check_cancel();
+  for_each_stem(
+      stems, "the stem curve", run, report, [&](std::size_t k) { follow(stems[k], near[k], options); },
+      [](Stem& s) {
+        std::erase_if(s.sections, [&](const Section& c) { return c.curve && !c.used; });
+        for (auto& c : s.sections) c.curve = false;
+      });
 }
 
 std::vector<CurvePoint> stem_curve(const Stem& stem, double breast_height_m) {
@@ -133,13 +135,16 @@ StemVolume volume_of(const std::vector<CurvePoint>& curve, double top_m) {
   return v;
 }
 
-void measure_volumes(std::vector<Stem>& stems, double breast_height_m) {
-  for (auto& s : stems) {
+void measure_volumes(std::vector<Stem>& stems, double breast_height_m, const Run& run, Report& report) {
+  const auto measure = [&](std::size_t k) {
+    auto& s = stems[k];
     const auto curve = stem_curve(s, breast_height_m);
-    if (!s.height_seen || curve.size() < 2 || s.height_m <= curve.back().height_m) continue;
+    if (!s.height_seen || curve.size() < 2 || s.height_m <= curve.back().height_m) return;
     auto v = volume_of(curve, s.height_m);
     s.volume_m3 = v.m3, s.volume_method = std::move(v.method);
-  }
+  };
+  for_each_stem(stems, "the volume", run, report, measure,
+                [](Stem& s) { s.volume_m3 = std::nan(""), s.volume_method.clear(); });
 }
 
 }  // namespace bole

@@ -32,6 +32,10 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
   if (kept.empty()) return layer;
   const auto& positions = points.positions();
   Eigen::Vector2f low = positions[kept[0]].head<2>(), high = low;
+  const auto polled = [&](std::size_t k) {
+    if ((k & 0xfffffU) == 0) run.check_cancel();
+    return kept[k];
+  };
   for (const auto i : kept) low = low.cwiseMin(positions[i].head<2>()), high = high.cwiseMax(positions[i].head<2>());
   layer.corner = low.cast<double>();
   const Eigen::Vector2d extent = (high - low).cast<double>();
@@ -49,14 +53,14 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
            static_cast<std::size_t>(layer.cell_x(p.x()));
   };
   layer.start.assign(cells + 1, 0);
-  for (const auto i : kept) ++layer.start[cell_of(i) + 1];
+  for (std::size_t k = 0; k < kept.size(); ++k) ++layer.start[cell_of(polled(k)) + 1];
   std::partial_sum(layer.start.begin(), layer.start.end(), layer.start.begin());
   run.check_cancel();
   auto next = layer.start;
   layer.position.resize(kept.size()), layer.height.resize(kept.size()), layer.index.resize(kept.size());
   const auto& heights = points.values<float>(arrays::height_above_ground);
-  for (const auto i : kept) {
-    const auto k = next[cell_of(i)]++;
+  for (std::size_t j = 0; j < kept.size(); ++j) {
+    const auto i = polled(j), k = next[cell_of(i)]++;
     layer.position[k] = positions[i], layer.height[k] = heights[i], layer.index[k] = i;
   }
   return layer;

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "base/option.h"
+#include "cloud/breast_height.h"
 
 namespace bole {
 
 struct SliceOptions {
-  double height = 1.30;
+  double height = usual_breast_height_m;
   double thickness = 0.10;
 };
 

@@ -31,6 +31,7 @@ namespace {
 
 constexpr std::size_t most_points = 40000;
 constexpr std::size_t plenty = 300;
+constexpr std::size_t points_between_polls = 256;  // where each may lie on a page of a file
 
 Eigen::Vector3d sensor_of(const StemLayer& layer, const CloudRays& rays, std::size_t k) {
   if (rays.sensor_x) {
@@ -55,7 +56,7 @@ void drop_distant(std::vector<Near>& near, std::vector<Eigen::Vector3d>& ray, do
 }  // namespace
 
 std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
-                                   const GatherOptions& options) {
+                                   const GatherOptions& options, const Run& run) {
   struct Near {
     Eigen::Vector3d p;
     std::uint32_t k;
@@ -79,7 +80,10 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
   std::vector<Eigen::Vector3d> ray;
   if (rays.has_sensor()) {
     ray.reserve(near.size());
-    for (const auto& n : near) ray.emplace_back(layer.position[n.k].cast<double>() - sensor_of(layer, rays, n.k));
+    for (const auto& n : near) {
+      if (ray.size() % points_between_polls == 0 && run.cancelled()) return {};
+      ray.emplace_back(layer.position[n.k].cast<double>() - sensor_of(layer, rays, n.k));
+    }
     drop_distant(near, ray, options.max_range);
   }
   std::vector<BarkPoint> out;
@@ -148,13 +152,16 @@ std::vector<double> starts_of_stretches(std::vector<double> times, double gap_s)
 
 }  // namespace
 
-int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud) {
+int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud, const Run& run) {
   if ((!rays.time && !rays.pass) || points.empty()) return 1;
   const auto* pass = by_cloud || !rays.time ? rays.pass : nullptr;
   std::vector<double> times, starts;
   if (rays.time) {
     times.reserve(points.size());
-    for (const auto& p : points) times.push_back((*rays.time)[p.source]);
+    for (const auto& p : points) {
+      if (times.size() % points_between_polls == 0 && run.cancelled()) return 1;
+      times.push_back((*rays.time)[p.source]);
+    }
     starts = starts_of_stretches(times, gap_s);
   }
   using Key = std::pair<std::int32_t, std::ptrdiff_t>;
@@ -164,7 +171,10 @@ int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double 
   };
   std::vector<Key> keys;
   keys.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) keys.push_back(key(i));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % points_between_polls == 0 && run.cancelled()) return 1;
+    keys.push_back(key(i));
+  }
   std::vector<Key> numbered;
   for (const auto& k : keys)
     if (const auto at = std::ranges::lower_bound(numbered, k); at == numbered.end() || *at != k) numbered.insert(at, k);

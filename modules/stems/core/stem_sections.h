@@ -25,7 +25,7 @@ struct SectionLine {
 struct SectionPlan {
   double radius = 0, taper = 0;  // at breast height; metres of radius per metre
   double step = 0.1;             // spacing and thickness
-  double breast_height = 1.3;
+  double breast_height = usual_breast_height_m;
 };
 std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& points, const StemAxes& axes,
                                               const SectionPlan& plan, const MeasureOptions& options);

@@ -53,6 +53,7 @@ Table stem_table(const StemSurvey& survey) {
   Table t;
   t.facts["axes"] = axes_name(survey.points.axes);
   if (!survey.points.crs_wkt.empty()) t.facts["crs"] = survey.points.crs_wkt;
+  set_breast_height_m(t, survey.breast_height_m);
   const auto& stems = survey.stems;
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", stems, [](const Stem& s) { return s.id; });

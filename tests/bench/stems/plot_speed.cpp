@@ -1,18 +1,26 @@
-// plot_speed cloud=FILE [copies=N] [bare=yes] [threads=N] [option=value ...] From a file to the stem table, as
-// pipelines/stem_map_from_cloud.json goes: wall clock, processor time, points per second and peak memory of each stage.
-// `copies` lays the cloud N times beside itself, for the memory of large plots; `bare` drops all columns but intensity,
-// as most clouds of other makers come. Heights, classes and labels of the file are dropped in any case. Where the
-// machine is busy the processor time by the number of threads tells what an idle one would take. Options are those of
-// stems.measure. Not a Google Benchmark: a run of minutes is not repeated until it settles.
+// plot_speed cloud=FILE [copies=N] [bare=yes] [threads=N] [cancel=N] [option=value ...] From a file to the stem table,
+// as pipelines/stem_map_from_cloud.json goes: wall clock, processor time, points per second and peak memory of each
+// stage. `copies` lays the cloud N times beside itself, for the memory of large plots; `bare` drops all columns but
+// intensity, as most clouds of other makers come. Heights, classes and labels of the file are dropped in any case.
+// Where the machine is busy the processor time by the number of threads tells what an idle one would take. Options are
+// those of stems.measure. `cancel` measures the stems N times more, cancelled at moments spread over the time of the
+// first, and prints how long each took to end. Not a Google Benchmark: a run of minutes is not repeated until it
+// settles.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <fstream>
+#include <functional>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"
@@ -75,6 +83,50 @@ class Clock {
   double wall_ = 0, processor_ = 0, most_mib_ = 0;
 };
 
+// Seconds of wall clock and of the processor from a cancel, `after_s` into the measurement, to its end; less than zero
+// where it had ended before.
+std::pair<double, double> time_to_end(double after_s, const std::function<void(const Run&)>& measure) {
+  using Seconds = std::chrono::duration<double>;
+  std::stop_source stop;
+  std::chrono::steady_clock::time_point asked;
+  double processor = 0;
+  bool ended = false;
+  std::mutex mutex;
+  std::condition_variable end;
+  std::thread timer([&] {
+    std::unique_lock lock(mutex);
+    if (end.wait_for(lock, Seconds(after_s), [&] { return ended; })) return;
+    asked = std::chrono::steady_clock::now(), processor = processor_s();
+    stop.request_stop();
+  });
+  Run run;
+  run.cancel = stop.get_token();
+  try {
+    measure(run);
+  } catch (const Error&) {
+  }
+  const auto now = std::chrono::steady_clock::now();
+  const double used = processor_s();
+  {
+    const std::lock_guard lock(mutex);
+    ended = true;
+  }
+  end.notify_all();
+  timer.join();
+  return stop.stop_requested() ? std::pair(Seconds(now - asked).count(), used - processor) : std::pair(-1.0, -1.0);
+}
+
+void print_cancels(int times, double whole_s, const std::function<void(const Run&)>& measure) {
+  if (times < 1) return;
+  fmt::print("\n| cancelled after, s | to the end, wall, s | processor, s |\n|---|---|---|\n");
+  for (int k = 0; k < times; ++k) {
+    const double after = whole_s * (k + 0.5) / times;
+    const auto [wall, processor] = time_to_end(after, measure);
+    if (wall >= 0) fmt::print("| {:.2f} | {:.2f} | {:.2f} |\n", after, wall, processor);
+    std::fflush(stdout);
+  }
+}
+
 // N times the cloud side by side along x, with the columns that remain.
 PointCloud beside_itself(PointCloud cloud, int copies, bool bare) {
   for (const auto* label : {"tree_id", "stem", "height_above_ground", "classification"}) cloud.remove_column(label);
@@ -118,7 +170,7 @@ PointCloud beside_itself(PointCloud cloud, int copies, bool bare) {
 
 int run(int argc, char** argv) {
   std::string file;
-  int copies = 1, threads = 2;
+  int copies = 1, threads = 2, cancels = 0;
   bool bare = false;
   OptionSet options(option_table(static_cast<const MeasureOptions*>(nullptr)));
   for (int i = 1; i < argc; ++i) {
@@ -130,6 +182,8 @@ int run(int argc, char** argv) {
       copies = std::stoi(value);
     else if (name == "threads")
       threads = std::stoi(value);
+    else if (name == "cancel")
+      cancels = std::stoi(value);
     else if (name == "bare")
       bare = value == "yes";
     else
@@ -149,11 +203,16 @@ int run(int argc, char** argv) {
     return std::pair(ground::slope_deg(model.dem), ground::canopy_height(points, model.dem, model.dem.cell_m));
   });
   const auto slice = clock.time("slice", n, [&] { return breast_height_slice(points, {}, {}); });
-  const auto survey = clock.time(
-      "stems", n, [&] { return measure_stems(points, slice, model.dem, nullptr, options.as<MeasureOptions>(), {}); });
+  const auto measure = [&](const Run& run) {
+    return measure_stems(points, slice, model.dem, nullptr, options.as<MeasureOptions>(), run);
+  };
+  const auto start = std::chrono::steady_clock::now();
+  const auto survey = clock.time("stems", n, [&] { return measure({}); });
+  const double whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   clock.total(n);
   fmt::print("\n{:.1f} million points, {} threads: {} stems\n", 1e-6 * static_cast<double>(n), threads,
              survey.stems.size());
+  print_cancels(cancels, whole_s, [&](const Run& run) { measure(run); });
   return 0;
 }
 

@@ -168,6 +168,22 @@ TEST_F(GdalWriter, StemsAreTypedPoints) {
   GDALClose(set);
 }
 
+// Metres about the centre of a plot, which a geographic system by default would lay as degrees into the Atlantic.
+TEST_F(GdalWriter, LayersWithoutASystemAreMetresAndNoDegrees) {
+  const auto path = folder_ / "plot.gpkg";
+  write_geopackage(path, {point_layer("stems", stems(), "")});
+  auto* set = static_cast<GDALDataset*>(GDALOpenEx(path.c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+  ASSERT_NE(set, nullptr);
+  const auto* crs = set->GetLayerByName("stems")->GetSpatialRef();
+  ASSERT_NE(crs, nullptr);
+  EXPECT_TRUE(crs->IsLocal());
+  EXPECT_EQ(crs->GetLinearUnits(), 1);
+  auto* id = set->ExecuteSQL("SELECT srs_id FROM gpkg_contents", nullptr, nullptr);
+  EXPECT_EQ(OGRFeatureUniquePtr(id->GetNextFeature())->GetFieldAsInteger(0), -1);
+  set->ReleaseResultSet(id);
+  GDALClose(set);
+}
+
 TEST_F(GdalWriter, LayersThatCannotBeWritten) {
   VectorLayer layer = point_layer("stems", stems(), "");
   layer.shapes.pop_back();

@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "cloud/breast_height.h"
 #include "modules/render/small_survey.h"
 #include "render/offscreen/offscreen.h"
 #include "render/scene/actors.h"
@@ -97,6 +98,18 @@ TEST(Stems, ShapesFollowSectionsElseLeanAndTaper) {
   const Eigen::Vector3d along = (from_table[0].axis[2] - from_table[0].axis[0]).normalized();
   EXPECT_NEAR(std::acos(along.z()), lean, 1e-6);
   EXPECT_NEAR(std::atan2(along.x(), along.y()), 30 * std::numbers::pi / 180, 1e-6);  // azimuth from north
+}
+
+TEST(Stems, ShapesHaveTheBreastHeightOfTheirTable) {
+  auto stems = testing_data::make_small_survey().stems;
+  const auto usual = stem_shapes(stems, nullptr);
+  set_breast_height_m(stems, 1.37);
+  const auto shapes = stem_shapes(stems, nullptr);
+  const double ground = stems.numbers("z_m")[0], radius = stems.numbers("dbh_cm")[0] / 200;
+  EXPECT_NEAR(usual[0].breast_height.z(), ground + 1.3, 1e-9);
+  EXPECT_NEAR(shapes[0].breast_height.z(), ground + 1.37, 1e-9);
+  EXPECT_NEAR(shapes[0].axis[1].z(), ground + 1.37, 1e-9);
+  EXPECT_NEAR(shapes[0].radius_m[0], radius + 0.004 * 1.37, 1e-9);
 }
 
 TEST(Map, ShowsGroundStemsAndPaper) {

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 
 #include "io/core/gdal_writer.h"
@@ -13,6 +15,7 @@
 #include "modules/render/well_formed.h"
 #include "report/core/evaluation_section.h"
 #include "report/core/html.h"
+#include "report/core/plot_metrics.h"
 #include "report/survey_data.h"
 #include "survey/core/plot_options.h"
 
@@ -243,6 +246,39 @@ TEST_F(MakeReport, WhatAPersonDecidedNeedsNoLookAnyMore) {
     EXPECT_NE(option_table(static_cast<const survey::PlotOptions*>(nullptr)).find(name), nullptr) << name;
     EXPECT_THAT(page.substr(page.find("No plot boundary"), 300), HasSubstr(name));
   }
+}
+
+// Whoever signs can add up the plot from the stem table: it says which stems count, and the page which do not.
+TEST_F(MakeReport, TheStemTableSaysWhichStemsCount) {
+  auto s = testing_data::make_small_survey();
+  const auto n = s.stems.rows();
+  std::vector<std::string> state(n, "auto");
+  auto dbh = s.stems.numbers("dbh_cm");
+  const auto x = s.stems.numbers("x_m"), y = s.stems.numbers("y_m");
+  ASSERT_GE(n, 3U);
+  state[0] = "rejected", dbh[1] = 5.5;
+  s.stems.set("state", state), s.stems.set("dbh_cm", dbh);
+  const CountingRule rule{rectangle_area({0, 0}, 200, 200), 7.5};
+  DataSet inputs;
+  inputs.set("stems", s.stems), inputs.set("plot", to_table(rule));
+  auto options = quick();
+  options.figures = false;
+  make_report(inputs, options, run_);
+  const auto counted = read_table(dir_ / "stems.csv").integers("counted");
+  const auto m = plot_metrics(s.stems, rule);
+  EXPECT_EQ(counted[0], 0);
+  EXPECT_EQ(counted[1], 0);
+  EXPECT_EQ(std::count(counted.begin(), counted.end(), 1), static_cast<std::ptrdiff_t>(m.stems));
+  double area_m2 = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (counted[i] == 1) area_m2 += std::numbers::pi / 40000 * dbh[i] * dbh[i];
+  EXPECT_NEAR(area_m2, m.basal_area_m2, 1e-12);
+  const auto page = without_pictures(contents(dir_ / "report.html"));
+  EXPECT_THAT(page,
+              HasSubstr("Counted in no value of the plot (thinner than 7.5 cm, without DBH, or rejected by hand): " +
+                        s.stems.text("tree_id", 0, 0) + ", " + s.stems.text("tree_id", 1, 0) + "."));
+  EXPECT_THAT(page, HasSubstr("Checked and accepted"));
+  EXPECT_THAT(page, HasSubstr("Breast height"));
 }
 
 TEST_F(MakeReport, HeroIsDrawnWhenAskedFor) {

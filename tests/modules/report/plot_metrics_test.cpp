@@ -44,9 +44,9 @@ TEST(PlotMetrics, ByHand) {
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 17.25);
 }
 
-std::string told(const PlotMetrics& m) {
+std::string told(const PlotMetrics& m, double min_dbh_cm = 7) {
   std::string text;
-  for (const auto& row : metric_rows(m, 7)) text += row.name + "|" + row.value + "|" + row.how + "\n";
+  for (const auto& row : metric_rows(m, min_dbh_cm)) text += row.name + "|" + row.value + "|" + row.how + "\n";
   return text;
 }
 
@@ -83,6 +83,18 @@ TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
   EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
 }
 
+TEST(PlotMetrics, TheHeightCurveBeginsAtTheBreastHeightOfTheTable) {
+  auto table = line_of_stems(40, 40);
+  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.3 + d²"));
+  set_breast_height_m(table, 1.37);
+  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.37 + d²"));
+}
+
+TEST(PlotMetrics, HowUnsureTheFormIsTakenIsTold) {
+  EXPECT_THAT(told(plot_metrics(line_of_stems(40, 40), rectangle, 4, 7.5)),
+              testing::HasSubstr("their form unsure by 7.5 % (standard deviation)"));
+}
+
 // A tape gives no interval; it must not take that of the plot away.
 TEST(PlotMetrics, OneTapedStemLeavesThePlotItsIntervals) {
   auto t = line_of_stems(20, 20);
@@ -110,7 +122,7 @@ TEST(PlotMetrics, NoRuleCountsTheThin) {
   const auto m = plot_metrics(stems(), {});
   EXPECT_EQ(m.stems, 6U);  // all but the rejected one
   EXPECT_EQ(m.too_thin, 0U);
-  EXPECT_THAT(metric_rows(m, 0).front().how, testing::HasSubstr("of every DBH"));
+  EXPECT_THAT(told(m, 0), testing::HasSubstr("of every DBH"));
 }
 
 TEST(PlotMetrics, DominantHeightTakesTheThickest) {

@@ -36,6 +36,30 @@ TEST(HeightCurve, ComesBackFromItsOwnHeights) {
   EXPECT_FALSE(fit_height_curve(stems));
 }
 
+TEST(HeightCurve, BeginsAtTheBreastHeightOfTheStems) {
+  std::vector<SizedStem> stems;
+  for (double d = 10; d <= 40; d += 2) stems.push_back({d, 0.2, height_of(d) + 0.07, nan});
+  const auto c = fit_height_curve(stems, 1.37);
+  ASSERT_TRUE(c);
+  EXPECT_NEAR(c->b, 0.19, 1e-9);
+  EXPECT_NEAR(c->height_m(25), height_of(25) + 0.07, 1e-9);
+  const auto v = stand_values(stems, {1.37, 0}), usual = stand_values(stems);
+  EXPECT_NEAR(v.curve->a, 1.4, 1e-9);
+  // Measured higher up, the same diameter makes a thicker stem.
+  EXPECT_NEAR(form_volume_m3(20, 15, 1.37) / form_volume_m3(20, 15), std::pow(13.7 / 13.63, 1.5), 1e-12);
+  EXPECT_GT(v.volume_m3, usual.volume_m3);
+  EXPECT_LT(v.volume_m3_half.measured, usual.volume_m3_half.measured);  // a form that is known
+}
+
+TEST(StandValues, UnsureFormWidensTheIntervalOfTheVolume) {
+  std::vector<SizedStem> stems;
+  for (double d = 10; d <= 40; d += 1) stems.push_back({d, 0.2, height_of(d), nan});
+  const auto sure = stand_values(stems, {1.3, 0}), unsure = stand_values(stems, {1.3, 8});
+  EXPECT_EQ(unsure.volume_m3, sure.volume_m3);
+  EXPECT_NEAR(unsure.volume_m3_half.measured,
+              std::hypot(sure.volume_m3_half.measured, 1.959964 * 0.08 * sure.volume_m3), 1e-9);
+}
+
 TEST(StandValues, UnseenTopsComeFromTheCurve) {
   std::vector<SizedStem> stems;
   for (double d = 10; d <= 40; d += 1) stems.push_back({d, 0.2, std::lround(d) % 3 == 0 ? nan : height_of(d), nan});

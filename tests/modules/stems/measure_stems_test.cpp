@@ -150,6 +150,20 @@ TEST(MeasureStems, ABreastHeightHiddenByLeavesIsInterpolatedAndMarked) {
   EXPECT_THAT(stem_table(survey).texts("reasons")[0], testing::HasSubstr("breast height hidden: interpolated between"));
 }
 
+TEST(MeasureStems, BreastHeightIsThatOfTheSliceAndGoesWithTheTable) {
+  synthetic::TrueStem s;
+  s.dbh = 0.30, s.taper = 0.03;  // 3 cm of diameter per metre: 2.1 mm between 1.30 and 1.37 m
+  const auto cloud = make_stem_cloud({s}, coarse());
+  SliceOptions slice;
+  slice.height = 1.37;
+  const auto usual = measure(cloud), higher = measure_stems(cloud.points, breast_height_slice(cloud.points, slice, {}),
+                                                            cloud.dem, nullptr, {}, {});
+  ASSERT_EQ(higher.stems.size(), 1U);
+  EXPECT_EQ(breast_height_m(stem_table(usual)), 1.3);
+  EXPECT_EQ(breast_height_m(stem_table(higher)), 1.37);
+  EXPECT_NEAR(200 * (usual.stems[0].radius - higher.stems[0].radius), 0.21, 0.06);
+}
+
 TEST(MeasureStems, BreastHeightIsCountedFromTheUphillSide) {
   synthetic::TrueStem s;
   s.dbh = 0.40;
@@ -308,13 +322,41 @@ TEST(MeasureStems, ACancelIsHeeded) {
   EXPECT_THROW(measure_stems(cloud.points, cloud.points, cloud.dem, nullptr, {}, run), Error);
 }
 
+// Wherever the run is when the cancel comes, it ends with it and with no result that is half made.
+TEST(MeasureStems, ACancelIsHeededAtEveryStep) {
+  const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 6), coarse());
+  const auto slice = breast_height_slice(cloud.points, {}, {});
+  std::set<std::string> steps;
+  bole::Run run;
+  run.progress = [&](double, std::string_view what) { steps.emplace(what); };
+  measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+  EXPECT_GE(steps.size(), 5U);
+  for (const auto& step : steps) {
+    std::stop_source stop;
+    run.cancel = stop.get_token();
+    run.progress = [&](double, std::string_view what) {
+      if (what == step) stop.request_stop();
+    };
+    try {
+      measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+      ADD_FAILURE() << step;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::cancelled) << step;
+    }
+  }
+}
+
 TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
   const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
   SliceOptions o;
   o.height = 1.37;
   const auto slice = breast_height_slice(cloud.points, o, {});
   for (const float h : slice.values<float>(arrays::height_above_ground)) EXPECT_NEAR(h, 1.37, 0.0501);
-  EXPECT_NEAR(slice_height_m(slice), 1.37, 0.0101);  // scan lines leave the edges of the slice empty
+  EXPECT_EQ(slice_height_m(slice), 1.37);
+  EXPECT_EQ(slice_height_m(slice.subset({0})), 1.37);
+  auto plain = slice;  // of another program
+  plain.remove_column(slice_height.name);
+  EXPECT_NEAR(slice_height_m(plain), 1.37, 0.0101);  // scan lines leave the edges of the slice empty
   o.height = 5, o.thickness = 0.01;
   auto low = cloud.points;
   low.set_column(arrays::height_above_ground, std::vector<float>(low.size(), 0.5F));

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <new>
 #include <numbers>
 #include <random>
 
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/contour.h"
 #include "stems/core/crown_form.h"
+#include "stems/core/each_stem.h"
 #include "stems/core/measure_stems.h"
 #include "stems/core/stem_curve.h"
 #include "stems/core/stem_quality.h"
@@ -162,6 +165,95 @@ TEST(TreeForm, ACrownHasABaseAndAnAreaAndADeadStemHasNone) {
   EXPECT_NEAR(table.numbers("crown_area_m2")[alive], 4 * std::numbers::pi, 0.8);
   EXPECT_NEAR(table.numbers("height_m")[alive], 11, 0.2);
   EXPECT_TRUE(std::isnan(table.numbers("crown_base_m")[1 - alive]));
+}
+
+// Three trees with the crown of a ball each: their points with labels, as measure_crowns takes them.
+struct Crowns {
+  std::vector<Stem> stems;
+  PointCloud points;
+  PointLabels labels;
+};
+
+Crowns three_crowns() {
+  Crowns c;
+  std::vector<Eigen::Vector3f> all;
+  for (int id = 1; id <= 3; ++id) {
+    Stem s;
+    s.id = id, s.radius = 0.15, s.breast_height = {10.0 * id, 0, 1.3};
+    c.stems.push_back(s);
+    for (const auto& p : crown(2.0, 6, 11, static_cast<unsigned>(id)))
+      all.push_back(p + s.breast_height.cast<float>() - Eigen::Vector3f(0, 0, 1.3F));
+    c.labels.tree_id.resize(all.size(), id);
+  }
+  c.labels.stem.assign(all.size(), 0);
+  c.points = PointCloud(all, Eigen::Vector3d::Zero());
+  return c;
+}
+
+TEST(TreeForm, ATreeWhoseCrownCannotBeMeasuredHarmsNoOther) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+  auto good = three_crowns();
+  Report none;
+  measure_crowns(good.stems, good.points, good.labels, {}, none);
+  EXPECT_TRUE(none.warnings.empty());
+  for (const auto& s : good.stems) EXPECT_NEAR(s.crown_area_m2, 4 * std::numbers::pi, 0.8);
+  for (const Eigen::Vector3f& astray : {Eigen::Vector3f(nan, 0, 8), {inf, 0, 8}, {5e5F, -5e5F, 8}, {20, 0, inf}}) {
+    auto bad = three_crowns();
+    auto positions = bad.points.positions();
+    positions[40000] = astray;  // of tree 2
+    bad.points.set_positions(positions);
+    Report report;
+    measure_crowns(bad.stems, bad.points, bad.labels, {}, report);
+    ASSERT_EQ(report.warnings.size(), 1U);
+    EXPECT_THAT(report.warnings[0], testing::StartsWith("tree 2: the crown is not measured: a point of the tree lies"));
+    EXPECT_TRUE(std::isnan(bad.stems[1].crown_base_m));
+    EXPECT_TRUE(std::isnan(bad.stems[1].crown_area_m2));
+    for (const std::size_t k : {0U, 2U}) {
+      EXPECT_EQ(bad.stems[k].crown_base_m, good.stems[k].crown_base_m);
+      EXPECT_EQ(bad.stems[k].crown_area_m2, good.stems[k].crown_area_m2);
+    }
+  }
+}
+
+TEST(TreeForm, ACrownWithoutExtentHasNoArea) {
+  auto c = three_crowns();
+  auto positions = c.points.positions();
+  for (std::size_t i = 30000; i < 60000; ++i) positions[i] = {20, 0, 8};  // one place
+  for (std::size_t i = 60000; i < 90000; ++i)                             // one line in the plan
+    positions[i].x() = 30, positions[i].y() = 2 * std::sin(static_cast<float>(i));
+  c.points.set_positions(positions);
+  Report report;
+  measure_crowns(c.stems, c.points, c.labels, {}, report);
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_NEAR(c.stems[0].crown_area_m2, 4 * std::numbers::pi, 0.8);
+  for (const std::size_t k : {1U, 2U}) EXPECT_FALSE(c.stems[k].crown_area_m2 > 0);
+}
+
+TEST(EachStem, WhatFailsIsToldInTheOrderOfTheStemsAndTakenBack) {
+  std::vector<Stem> stems(40);
+  for (std::size_t k = 0; k < stems.size(); ++k) stems[k].id = static_cast<int>(k) + 1;
+  Report report;
+  for_each_stem(
+      stems, "the bark", {}, report,
+      [&](std::size_t k) {
+        stems[k].volume_m3 = 1;
+        if (k == 30) throw failure("no bark");
+        if (k == 3) throw std::bad_alloc();
+      },
+      [](Stem& s) { s.volume_m3 = 0; });
+  ASSERT_EQ(report.warnings.size(), 2U);
+  EXPECT_THAT(report.warnings[0], testing::StartsWith("tree 4: the bark is not measured"));
+  EXPECT_EQ(report.warnings[1], "tree 31: the bark is not measured: no bark");
+  for (const auto& s : stems) EXPECT_EQ(s.volume_m3, s.id == 4 || s.id == 31 ? 0 : 1);
+}
+
+TEST(CoveredArea, OfPointsThatSpanNone) {
+  std::vector<Eigen::Vector2d> line, place(50, {1, 2});
+  for (int i = 0; i < 50; ++i) line.emplace_back(0.1 * i, 0.05 * i);
+  EXPECT_EQ(covered_area_m2(line, 0.3), 0);
+  EXPECT_EQ(covered_area_m2(place, 0.3), 0);
+  line[7].x() = std::nan("");
+  EXPECT_THROW(covered_area_m2(line, 0.3), Error);
 }
 
 TEST(CoveredArea, OfASquareWithAHole) {

@@ -1,0 +1,30 @@
+#include "cloud/breast_height.h"
+
+#include <charconv>
+
+#include "base/error.h"
+#include "base/option.h"
+
+namespace bole {
+namespace {
+
+constexpr char fact[] = "breast_height_m";
+constexpr double least_m = 0.1, most_m = 5;
+
+}  // namespace
+
+double breast_height_m(const Table& stems) {
+  const auto it = stems.facts.find(fact);
+  if (it == stems.facts.end()) return usual_breast_height_m;
+  const std::string& text = it->second;
+  double height = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
+  if (error != std::errc() || end != text.data() + text.size() || !(height >= least_m && height <= most_m))
+    throw bad_input("the stem table says \"" + text + "\" for its breast height", "metres from 0.1 to 5",
+                    "Measure the stems anew, or take the fact breast_height_m away");
+  return height;
+}
+
+void set_breast_height_m(Table& stems, double height_m) { stems.facts[fact] = number_text(height_m); }
+
+}  // namespace bole
