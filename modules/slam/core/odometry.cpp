@@ -7,6 +7,7 @@
 #include "slam/core/observability.h"
 #include "slam/core/relocalise.h"
 #include "slam/core/stopwatch.h"
+#include "slam/core/unbend.h"
 
 namespace bole {
 namespace {
@@ -21,7 +22,10 @@ constexpr std::size_t usual_frames = 20;
 constexpr double least_share_of_usual = 0.5;  // of the overlap of the frames before
 // See Relocalisation; once two places were alike, the next frames are asked for more, for chance has several of them.
 constexpr double most_doubt = 0.5, most_doubt_again = 0.25;
-constexpr double sure_overlap = 0.6;  // below it a rigid frame is looked for farther away as well
+// See is_suspect and unbent. Walking, the motion that de-skews a frame is off by up to 2 deg.
+constexpr double most_bend_rad = rad(3), most_apart_m = 0.2;
+constexpr double least_sure = 0.9, least_settled = 0.85;  // of the usual overlap
+constexpr double sure_overlap = 0.6;                      // below it a rigid frame is looked for farther away as well
 
 // A walking person changes speed by up to about 0.4 m/s and turn rate by about 0.2 rad/s from one tenth of a second to
 // the next.
@@ -140,6 +144,8 @@ Registration Odometry::registered(const FrameMotion& guess, double begin_s, doub
   Registration again = searched(begin_s, end_s, features, run);
   if (again.overlap <= r.overlap) return r;
   found_again_after_s_ = begin_s - last_good().end_s;
+  // A frame that was out of its place for its own bend, and no gap, is found in wrong places as well.
+  unsettled_ = options_.deskew == "once" && again.overlap < least_sure * usual_overlap();
   return again;
 }
 
@@ -184,20 +190,50 @@ Registration Odometry::followed(const FrameMotion& guess, double begin_s, double
     if (settings.priors) settings.priors->motion_covariance = r.covariance + last_good().covariance;
     r = register_frame(features.query, local_map_.maps(), with_speed_found(r.motion, begin_s, end_s), settings, run);
   }
-  r.motion = with_speed_found(r.motion, begin_s, end_s);
+  const FrameMotion found = with_speed_found(r.motion, begin_s, end_s);
+  if (options_.deskew == "once" && is_suspect(r, guess, found)) return unbent(r, found, guess, features, run);
+  r.motion = found;
   return r;
+}
+
+// `r` again with begin and end fitted where the frame is bent. Where that does not settle either, or elsewhere, nothing
+// tells where the frame was.
+Registration Odometry::unbent(Registration r, const FrameMotion& found, const FrameMotion& assumed,
+                              const Features& features, const Run& run) {
+  const double least = least_settled * usual_overlap();
+  auto fitted = register_bent(features.query, local_map_.maps(), assumed, base_settings(), run);
+  if (bend_rad(assumed, fitted.motion) > most_bend_rad && fitted.overlap > r.overlap) {
+    bent_ = true;
+    unsettled_ = !fitted.converged && fitted.overlap < least;
+    return fitted;
+  }
+  const double apart_m = (fitted.motion.at(0.5).translation() - r.motion.at(0.5).translation()).norm();
+  unsettled_ = !r.converged && r.overlap < least && (!fitted.converged || apart_m > most_apart_m);
+  r.motion = found;
+  return r;
+}
+
+// The median of the good frames before; 0 where there are too few.
+double Odometry::usual_overlap() const {
+  std::vector<double> before;
+  for (std::size_t k = frames_.size(); before.size() < usual_frames && k-- > 1;)
+    if (frames_[k].ok) before.push_back(frames_[k].overlap);
+  if (before.size() < 5) return 0;
+  const auto middle = before.begin() + static_cast<std::ptrdiff_t>(before.size() / 2);
+  std::ranges::nth_element(before, middle);
+  return *middle;
 }
 
 // A frame that agrees much less than those before it is in a wrong place, even where a quarter of its points, most of
 // them ground, happens to agree.
 double Odometry::least_overlap() const {
-  std::vector<double> before;
-  for (std::size_t k = frames_.size(); before.size() < usual_frames && k-- > 1;)
-    if (frames_[k].ok) before.push_back(frames_[k].overlap);
-  if (before.size() < 5) return options_.lost_overlap;
-  const auto middle = before.begin() + static_cast<std::ptrdiff_t>(before.size() / 2);
-  std::ranges::nth_element(before, middle);
-  return std::max(options_.lost_overlap, least_share_of_usual * *middle);
+  return std::max(options_.lost_overlap, least_share_of_usual * usual_overlap());
+}
+
+// Whether a frame may be bent by a motion that it was de-skewed with and did not have. It does not show in the motion
+// that is found, for a bent frame settles near the assumption; it shows in that it hardly settles, or agrees less.
+bool Odometry::is_suspect(const Registration& r, const FrameMotion& assumed, const FrameMotion& found) const {
+  return !r.converged || r.overlap < least_sure * usual_overlap() || bend_rad(assumed, found) > most_bend_rad;
 }
 
 // One sparse frame may look open by chance; surroundings that are open stay so. So the last frames speak together, by
@@ -254,6 +290,9 @@ std::string Odometry::objection(const Registration& r, const std::string& open, 
       (r.motion.T_map_end.translation() - r.motion.T_map_begin.translation()).norm() / std::max(0.02, end_s - begin_s);
   if (speed > options_.speed_max_m_s) return "the motion would be " + number_text(std::round(speed * 10) / 10) + " m/s";
   if (!open.empty()) return open;
+  if (unsettled_)
+    return "the frame does not settle: " + percent(r.overlap) + " of its points agree with the map after " +
+           std::to_string(r.rounds) + " rounds, " + percent(usual_overlap()) + " did before";
   const double elapsed_s = end_s - last_good().end_s;
   const double leap_m = (r.motion.T_map_end.translation() - prediction.T_map_end.translation()).norm();
   if (leap_m > 0.3 + options_.speed_max_m_s * elapsed_s)
@@ -281,6 +320,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   bool never_held = false;
   motion_covariance_.setZero();
   found_again_after_s_ = doubt_ = 0;
+  bent_ = unsettled_ = false;
   const FrameMotion prediction = predicted(begin_s, end_s);
   frame.motion = prediction;
   if (features.query.size() < least_features) {
@@ -293,6 +333,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
     times_.register_s += watch.lap_s();
     frame.sigma0 = r.sigma0, frame.covariance = r.covariance;
     frame.overlap = r.overlap, frame.rms_m = r.rms_m, frame.rounds = r.rounds, frame.conditioning = r.conditioning;
+    frame.converged = r.converged, frame.bent = bent_;
     const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
     frame.observability = seen.weakest;
     const auto open = open_motion(r, seen);

@@ -22,6 +22,8 @@ struct TrackedFrame {
   double sigma0 = 0;                       // of the last adjustment, see Registration
   Matrix6d covariance = Matrix6d::Zero();  // of the pose; zero for the first frame, which is exact
   int rounds = 0;
+  bool converged = true;  // see Registration; the first frame is not registered
+  bool bent = false;      // not moved as it was assumed for de-skewing: begin and end were fitted, see register_bent
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
 
@@ -72,9 +74,13 @@ class Odometry {
                           const Run& run);
   Registration followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                         const Run& run);
+  Registration unbent(Registration r, const FrameMotion& found, const FrameMotion& assumed, const Features& features,
+                      const Run& run);
   Registration searched(double begin_s, double end_s, const Features& features, const Run& run);
   const TrackedFrame& last_good() const { return frames_[last_good_]; }
+  double usual_overlap() const;
   double least_overlap() const;
+  bool is_suspect(const Registration& r, const FrameMotion& assumed, const FrameMotion& found) const;
   double recent_observability(double of_this_frame) const;
   void withdraw_start();
   // Empty when the frame is credible, else why not.
@@ -98,6 +104,7 @@ class Odometry {
   std::size_t left_start_ = 0;                  // the frame that first was out of the first place; 0 when none was
   bool held_ = false;                           // once at least, no motion was open
   std::string open_at_start_;                   // what was open in frames that were let pass, see open_motion
+  bool bent_ = false, unsettled_ = false;       // the frame in work, see unbent()
   double found_again_after_s_ = 0, doubt_ = 0;  // of the frame in work, see Relocalisation
   std::string why_failed_;
   OdometryTimes times_;

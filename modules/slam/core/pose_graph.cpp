@@ -17,6 +17,7 @@ constexpr double kernel_sigmas = 3;
 constexpr double refused_m = 0.5, refused_rad = 0.1;
 // Of the loops; where more are refused it is the odometry that is in doubt.
 constexpr double most_refused = 0.25;
+constexpr int most_iterations = 50;
 
 // How far the odometry is believed from one key frame to the next, and the kernels of the loops, in standard
 // deviations, of the solutions that follow one another.
@@ -72,6 +73,13 @@ class CancelCallback : public ceres::IterationCallback {
   const Run& run_;
 };
 
+// Nothing of an adjustment that failed is used.
+PoseGraphResult unsolved(PoseGraphResult out, const std::vector<Pose>& start, const std::string& why) {
+  out.T_map_keyframe = start;
+  out.warnings = {"the loops could not be adjusted and none is used: " + why};
+  return out;
+}
+
 // One adjustment from `start` on with the loops that are not refused, a solution for each kernel in turn.
 PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                          const std::vector<std::uint8_t>& refused, const std::vector<Pose>& start, const Trust& trust,
@@ -108,7 +116,7 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
     problem.SetParameterBlockConstant(nodes.front().t.data());
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = 50;
+    options.max_num_iterations = most_iterations;
     options.num_threads = 1;  // the same sums in the same order
     CancelCallback cancel(run);
     options.callbacks.push_back(&cancel);
@@ -118,6 +126,9 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
       ceres::Solve(options, &problem, &summary);
       run.check_cancel();
       out.initial_cost = summary.initial_cost, out.final_cost = summary.final_cost;
+      out.solved = summary.IsSolutionUsable() && std::isfinite(summary.final_cost);
+      out.settled = summary.termination_type != ceres::NO_CONVERGENCE;
+      if (!out.solved) return unsolved(std::move(out), start, summary.message);
     }
   }
   for (const auto id : loop_blocks) {
@@ -154,16 +165,27 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
   for (const auto& k : keyframes) start.push_back(k.T_map_keyframe);
   Trust trust = drifts;
   auto out = adjusted(keyframes, loops, none, start, trust, run);
+  const auto given_up = [&](PoseGraphResult& failed) {
+    failed.T_map_keyframe.clear();
+    for (const auto& k : keyframes) failed.T_map_keyframe.push_back(k.T_map_keyframe);
+    failed.refused.assign(loops.size(), 1);
+    return std::move(failed);
+  };
+  if (!out.solved) return given_up(out);
   auto refused = contradicting(loops, out.T_map_keyframe);
   if (static_cast<double>(std::ranges::count(refused, 1)) > most_refused * static_cast<double>(loops.size())) {
     auto again = adjusted(keyframes, loops, none, start, slips, run);
     auto refused_again = contradicting(loops, again.T_map_keyframe);
-    if (std::ranges::count(refused_again, 1) < std::ranges::count(refused, 1)) {
+    if (again.solved && std::ranges::count(refused_again, 1) < std::ranges::count(refused, 1)) {
       trust = slips, trust.kernels = narrow_kernel;
       start = again.T_map_keyframe, out = std::move(again), refused = std::move(refused_again);
     }
   }
   if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, start, trust, run);
+  if (!out.solved) return given_up(out);
+  if (!out.settled)
+    out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loops stopped after " +
+                           std::to_string(most_iterations) + " iterations, before it settled");
   out.refused = std::move(refused);
   return out;
 }

@@ -80,7 +80,7 @@ struct RegistrationSettings {
 struct Registration {
   FrameMotion motion;
   int rounds = 0;
-  bool converged = false;
+  bool converged = false;  // the last step was below converged_m and converged_rad; else the rounds ran out
   std::size_t tried = 0, matched = 0, inliers = 0;
   double overlap = 0;                       // inliers / tried
   double rms_m = 0;                         // of the inliers, along their normals

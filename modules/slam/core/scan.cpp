@@ -25,6 +25,8 @@ void prepare_scan(const ScanFrame& frame, const ScanGate& gate, Scan& scan) {
     if (usable(i)) ++scan.line_begin[frame.ring[i] + 1u];
   for (std::size_t r = 0; r < lines; ++r) scan.line_begin[r + 1] += scan.line_begin[r];
   scan.points.resize(scan.line_begin[lines]);
+  scan.unknown_lines =
+      static_cast<std::size_t>(std::ranges::count_if(frame.ring, [&](std::uint16_t ring) { return ring >= lines; }));
   scan.dropped = frame.size() - scan.points.size();
   std::vector<std::uint32_t> next(scan.line_begin.begin(), scan.line_begin.end() - 1);
   for (std::size_t i = 0; i < frame.size(); ++i) {

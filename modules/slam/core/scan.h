@@ -20,7 +20,8 @@ struct Scan {
   double begin_time_s = 0, end_time_s = 0;
   std::vector<ScanPoint> points;
   std::vector<std::uint32_t> line_begin;  // line r has the points line_begin[r] .. line_begin[r + 1] - 1
-  std::size_t dropped = 0;  // returns left out: not finite, out of the gate, of an unknown line, later echoes
+  std::size_t dropped = 0;        // returns left out: not finite, out of the gate, of an unknown line, later echoes
+  std::size_t unknown_lines = 0;  // those of them whose ring is not below ScanGate::lines
 
   std::size_t lines() const { return line_begin.empty() ? 0 : line_begin.size() - 1; }
   std::span<const ScanPoint> line(std::size_t r) const {

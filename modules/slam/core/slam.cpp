@@ -22,12 +22,27 @@ void shift(std::vector<StampedPose>& poses, const Eigen::Vector3d& by) {
   for (auto& p : poses) p.T_target_sensor.translation() += by;
 }
 
+// False where the frame cannot be read: one bad frame ends no run.
+bool readable(const FrameSource& source, std::size_t index, ScanFrame& frame) {
+  try {
+    source.read(index, frame);
+    return true;
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::cancelled) throw;
+    return false;
+  }
+}
+
+// From the largest of three frames, and more of them only where these cannot be read.
 std::size_t expected_points(const FrameSource& source, const Track& track) {
   ScanFrame frame;
   std::size_t most = 0;
-  for (const double share : {0.1, 0.5, 0.9}) {
-    source.read(track.frames[static_cast<std::size_t>(share * static_cast<double>(track.frames.size()))].index, frame);
+  int seen = 0;
+  for (const double share : {0.1, 0.5, 0.9, 0.3, 0.7, 0.2, 0.4, 0.6, 0.8}) {
+    const auto k = static_cast<std::size_t>(share * static_cast<double>(track.frames.size()));
+    if (!readable(source, track.frames[k].index, frame)) continue;
     most = std::max(most, frame.size());
+    if (++seen == 3) break;
   }
   return (most + most / 4 + 1000) * track.frames.size();
 }
@@ -49,10 +64,7 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
     run.check_cancel();
     run.report(static_cast<double>(k) / static_cast<double>(track.frames.size()),
                "mapping frame " + std::to_string(k + 1) + " of " + std::to_string(track.frames.size()));
-    try {
-      source.read(track.frames[k].index, frame);
-    } catch (const Error& e) {
-      if (e.kind() == ErrorKind::cancelled) throw;
+    if (!readable(source, track.frames[k].index, frame)) {
       ++unread;
       continue;
     }
@@ -62,7 +74,9 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
                                             : PoseGrid([&](double s) { return track.path.at(begin_s + s * span_s); });
     builder.add(frame, poses, mark.pass, mark.keyframe);
   }
-  if (unread) report.warn(std::to_string(unread) + " frames could not be read for the map");
+  if (unread)
+    report.warn(std::to_string(unread) + " of " + std::to_string(track.frames.size()) +
+                " frames could not be read a second time and are missing in the map");
   if (builder.halvings() > 0)
     report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) +
                 "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");

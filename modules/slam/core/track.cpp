@@ -57,7 +57,7 @@ class FrameWarnings {
 // What following the frames has cost, and how often the sensor had to be found again.
 struct FollowCosts {
   double read_s = 0, features_s = 0;
-  std::size_t frames = 0, features = 0, found_again = 0;
+  std::size_t frames = 0, features = 0, found_again = 0, unknown_lines = 0;
 
   void write(const OdometryTimes& times, Report& report) const {
     const auto n = std::max<std::size_t>(frames, 1);
@@ -69,6 +69,8 @@ struct FollowCosts {
     part("observability_per_frame", times.judge_s), part("local_map_per_frame", times.map_s);
     report.counts["features_per_frame"] = static_cast<std::int64_t>(features / n);
     report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
+    if (unknown_lines > 0)
+      report.warn(std::to_string(unknown_lines) + " points left out: their ring is none of those of the sensor");
   }
 };
 
@@ -124,6 +126,7 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
     if (!read_frame(source, i, frame, warnings)) continue;
     costs.read_s += watch.lap_s();
     prepare_scan(frame, gate, scan);
+    costs.unknown_lines += scan.unknown_lines;
     extractor.extract(scan, features);
     costs.features_s += watch.lap_s();
 
@@ -203,12 +206,13 @@ Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyf
 
 // What the odometry found for each frame; standard deviations are those of the adjustment of that frame alone.
 Table table_of(const std::vector<TrackedFrame>& frames) {
-  std::vector<std::int64_t> index, ok, keyframe;
+  std::vector<std::int64_t> index, ok, keyframe, converged, bent;
   std::vector<double> time_s, overlap, rms_m, observability, sigma0;
   std::array<std::vector<double>, 6> sd;
   for (const auto& f : frames) {
     index.push_back(static_cast<std::int64_t>(f.index)), ok.push_back(f.ok);
     keyframe.push_back(static_cast<std::int64_t>(f.keyframe));
+    converged.push_back(f.converged), bent.push_back(f.bent);
     time_s.push_back(f.end_s), overlap.push_back(f.overlap), rms_m.push_back(f.rms_m);
     observability.push_back(f.observability), sigma0.push_back(f.sigma0);
     for (std::size_t k = 0; k < 6; ++k) {
@@ -219,6 +223,7 @@ Table table_of(const std::vector<TrackedFrame>& frames) {
   Table t;
   t.set("frame", index), t.set("time_s", time_s), t.set("ok", ok), t.set("keyframe", keyframe);
   t.set("overlap", overlap), t.set("rms_m", rms_m), t.set("observability", observability), t.set("sigma0", sigma0);
+  t.set("converged", converged), t.set("bent", bent);
   t.set("sd_x_m", sd[3]), t.set("sd_y_m", sd[4]), t.set("sd_z_m", sd[5]);
   t.set("sd_turn_x_deg", sd[0]), t.set("sd_turn_y_deg", sd[1]), t.set("sd_turn_z_deg", sd[2]);
   return t;
@@ -232,6 +237,7 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
   std::vector<Loop> kept = search.loops;
   if (!search.loops.empty()) {
     const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    for (const auto& w : graph.warnings) report.warn(w);
     kept = kept_loops(search.loops, graph);
     report.counts["refused_loops"] = static_cast<std::int64_t>(search.loops.size() - kept.size());
     report.counts["doubted_loops"] = static_cast<std::int64_t>(graph.doubted_loops);
@@ -333,6 +339,8 @@ void report_frames(const FirstPass& pass, Report& report) {
   const auto n = static_cast<double>(good);
   report.counts["frames"] = static_cast<std::int64_t>(good);
   report.counts["frames_failed"] = static_cast<std::int64_t>(pass.frames.size() - good);
+  report.counts["frames_not_converged"] = std::ranges::count(pass.frames, false, &TrackedFrame::converged);
+  report.counts["frames_bent"] = std::ranges::count(pass.frames, true, &TrackedFrame::bent);
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
   report.metrics["sigma0"] = {sigma0 / n, Unit::none};

@@ -48,6 +48,7 @@ TEST(Scan, KeepsUsableReturnsInLinesAndOrder) {
   prepare_scan(frame, {0.5, 60, 2}, scan);
   ASSERT_EQ(scan.points.size(), 3u);
   EXPECT_EQ(scan.dropped, 5u);
+  EXPECT_EQ(scan.unknown_lines, 1u);
   EXPECT_EQ(scan.line(0).size(), 1u);
   EXPECT_FLOAT_EQ(scan.line(1)[1].range, 4);
   EXPECT_NEAR(scan.line(1)[1].s, 0.5, 1e-6);

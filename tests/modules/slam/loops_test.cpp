@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <numbers>
 #include <random>
 
@@ -91,6 +92,21 @@ TEST(PoseGraph, ALoopThatContradictsTheRestIsRefused) {
   loops.pop_back();
   const auto without = optimise_pose_graph(keyframes, loops, {});
   EXPECT_LT((without.T_map_keyframe[45].translation() - graph.T_map_keyframe[45].translation()).norm(), 1e-9);
+}
+
+TEST(PoseGraph, WithoutASolutionTheKeyFramesStayAndItIsTold) {
+  std::vector<Keyframe> keyframes;
+  for (int i = 0; i <= 10; ++i) keyframes.push_back(seen_from({}, pose_at(i, 0), pose_at(i, 0), i));
+  Loop l;
+  l.from = 0, l.to = 10, l.T_from_to = pose_at(std::numeric_limits<double>::quiet_NaN(), 0);
+  const auto graph = optimise_pose_graph(keyframes, {l}, {});
+  EXPECT_FALSE(graph.solved);
+  ASSERT_EQ(graph.warnings.size(), 1u);
+  EXPECT_NE(graph.warnings[0].find("the loops could not be adjusted and none is used"), std::string::npos);
+  EXPECT_TRUE(kept_loops({l}, graph).empty());
+  ASSERT_EQ(graph.T_map_keyframe.size(), keyframes.size());
+  for (std::size_t k = 0; k < keyframes.size(); ++k)
+    EXPECT_TRUE(graph.T_map_keyframe[k].isApprox(keyframes[k].T_map_keyframe));
 }
 
 TEST(PoseGraph, ManyLoopsThatAgreePrevailOverAnOdometryThatSlipped) {

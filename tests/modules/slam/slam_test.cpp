@@ -247,6 +247,31 @@ TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
   for (const auto& p : result.points.positions()) ASSERT_TRUE(p.allFinite());
 }
 
+TEST(Slam, AFrameThatCannotBeReadAgainIsMissingInTheMapAlone) {
+  auto source = small_walk(20);
+  auto reads = std::make_shared<std::vector<int>>(20);
+  source.spoil = [reads](std::size_t index, ScanFrame&) {
+    if (++(*reads)[index] > 1 && (index == 2 || index == 10 || index == 18))
+      throw failure("the disk is gone", "it", "");
+  };
+  const auto result = run_slam(source, preset("best"), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 20);
+  EXPECT_GT(result.points.size(), 1000u);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("3 of 20 frames could not be read a second time")));
+}
+
+TEST(Slam, PointsOfRingsThatTheSensorHasNotAreToldOnce) {
+  auto source = small_walk(10);
+  source.spoil = [](std::size_t, ScanFrame& frame) {
+    for (std::size_t i = 0; i < 7; ++i) frame.ring[i] = 40;  // of 32
+  };
+  auto options = preset("best");
+  options.dense_map = false;
+  const auto result = run_slam(source, options, {});
+  EXPECT_THAT(result.report.warnings,
+              testing::ElementsAre("70 points left out: their ring is none of those of the sensor"));
+}
+
 TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {
   const auto source = dense_walk(12);
   for (const char* name : {"forest", "lego_loam", "orchard"}) {
