@@ -15,7 +15,7 @@ void add_option_flags(CLI::App& app, OptionSet& options, const std::string& pref
     const auto value = option_text(spec.default_value);
     auto* option = app.add_option_function<std::string>(
         flag, set,
-        spec.help + (value.empty() ? "" : " [" + value + (unit.empty() ? "" : " ") + std::string(unit) + "]"));
+        spec.full_help() + (value.empty() ? "" : " [" + value + (unit.empty() ? "" : " ") + std::string(unit) + "]"));
     option->type_name(spec.text_kind == TextKind::choice ? "CHOICE" : std::string(spec.type_name()));
     option->group(std::string(tier_name(spec.tier)) + " options");
   }

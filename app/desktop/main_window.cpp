@@ -4,10 +4,12 @@
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <utility>
@@ -25,6 +27,7 @@
 #include "shell/recent_files.h"
 #include "shell/shortcut_sheet.h"
 #include "shell/theme.h"
+#include "shell/welcome.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -63,7 +66,7 @@ MainWindow::MainWindow()
       stems_(new TablePanel(selection_, this)),
       log_(new LogPanel(this)) {
   setWindowTitle(tr("Bole"));
-  resize(1600, 1000);
+  resize(QSize(1600, 1000).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   setAcceptDrops(true);
   setCentralWidget(scene_);
   make_docks();
@@ -71,6 +74,7 @@ MainWindow::MainWindow()
   connect_document();
   connect_views();
   install_features(*this);
+  show_welcome(*this);
   for (auto* menu : menus_) menu->menuAction()->setVisible(!menu->isEmpty());
 }
 
@@ -238,7 +242,11 @@ void MainWindow::save(const QString& path) {
   Q_EMIT document_saved();
 }
 
-void MainWindow::run() { start(true, results_folder()); }
+void MainWindow::run() {
+  if (!session_.has_document())
+    throw bad_input("no pipeline is open", "one to run", "Open a scan, a point cloud or a pipeline");
+  start(true, results_folder());
+}
 
 void MainWindow::export_to(const QString& folder) { start(true, folder); }
 

@@ -56,6 +56,18 @@ bool is_input_path(const OptionSpec& spec, const OptionValue& value) {
          (spec.text_kind == TextKind::input_path_or_name && text->ends_with(".json"));
 }
 
+bool Condition::holds(const OptionValue& value) const {
+  return (std::ranges::find(values, option_text(value)) != values.end()) == holds_with;
+}
+
+std::string Condition::text() const {
+  if (values == std::vector<std::string>{""}) return "only if " + option + (holds_with ? " is empty" : " is given");
+  std::string list;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < values.size() ? ", " : " or ") + values[i];
+  return "only if " + option + (holds_with ? " is " : " is not ") + list;
+}
+
 std::string_view OptionSpec::type_name() const {
   switch (default_value.index()) {
     case 0:
@@ -98,6 +110,12 @@ std::string OptionSpec::needed() const {
   std::string list = "one of";
   for (const auto& c : choices) list += " " + c;
   return list;
+}
+
+std::string OptionSpec::full_help() const {
+  std::string text = help;
+  for (const auto& c : conditions) text += " O" + c.text().substr(1) + ".";
+  return text;
 }
 
 OptionValue OptionSpec::checked(const OptionValue& value) const {
@@ -146,6 +164,22 @@ const OptionSpec& OptionTable::at(std::string_view name) const {
   for (const auto& s : specs) names.push_back(s.name);
   throw bad_input("there is no option '" + std::string(name) + "'",
                   specs.empty() ? "no option: there is none here" : "the name of an option", did_you_mean(name, names));
+}
+
+void OptionTable::add_condition(std::string_view name, const Condition& condition) {
+  for (const auto& value : condition.values) at(condition.option).parsed(value);
+  const auto index = &at(name) - specs.data();
+  specs[static_cast<std::size_t>(index)].conditions.push_back(condition);
+}
+
+const Condition* OptionTable::unmet(const OptionSpec& spec,
+                                    const std::function<OptionValue(const OptionSpec&)>& value_of) const {
+  for (const auto& condition : spec.conditions) {
+    const auto& other = at(condition.option);
+    if (!condition.holds(value_of(other))) return &condition;
+    if (const auto* deeper = unmet(other, value_of)) return deeper;
+  }
+  return nullptr;
 }
 
 void OptionSet::set(std::string_view name, const OptionValue& value) {

@@ -7,6 +7,7 @@
 //     static const OptionTable table = make_option_table<S>({
 //         Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height of the slice centre
 //         above ground."},
+//         OnlyIf{"shape", {"circle"}, {"radius"}},  // radius means nothing with another shape
 //     });
 //     return table;
 //   }
@@ -39,6 +40,28 @@ using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 template <class T>
 struct Range {
   T min{}, max{};
+};
+
+// What another option of the table must hold for an option to mean anything. Forms grey the option out and say why,
+// pages and help print it. A value is never refused for it.
+struct Condition {
+  std::string option;
+  std::vector<std::string> values;  // as texts: "true", "0", "" for a path that is not given
+  bool holds_with = true;           // one of the values; else any other
+
+  bool holds(const OptionValue& value) const;
+  std::string text() const;  // "only if shape is auto or rectangle", "only if trajectory is empty"
+};
+
+// Rows of a table below its options: those listed last mean something only if, or unless, another one holds one of the
+// values.
+struct OnlyIf {
+  std::string option;
+  std::vector<std::string> values, of;
+};
+struct Unless {
+  std::string option;
+  std::vector<std::string> values, of;
 };
 
 template <class S, class T>
@@ -92,6 +115,7 @@ struct OptionSpec {
   std::vector<std::string> choices;
   Tier tier = Tier::basic;
   std::string help;
+  std::vector<Condition> conditions;  // all of them
   OptionValue default_value;
   std::function<OptionValue(const void*)> get;
   std::function<void(void*, const OptionValue&)> assign;  // of the right type and in range already
@@ -102,7 +126,8 @@ struct OptionSpec {
   // names the option, the value and what was needed.
   OptionValue checked(const OptionValue& value) const;
   OptionValue parsed(std::string_view text) const;
-  std::string needed() const;  // "a number from 0.1 to 5 m"
+  std::string needed() const;     // "a number from 0.1 to 5 m"
+  std::string full_help() const;  // the help sentence and the conditions
 };
 
 class OptionTable {
@@ -115,6 +140,11 @@ class OptionTable {
   const OptionSpec* find(std::string_view name) const;
   // Throws Error{bad_input} with the nearest names as the hint.
   const OptionSpec& at(std::string_view name) const;
+  // Throws Error{bad_input} where one of the options or values is none of the table.
+  void add_condition(std::string_view name, const Condition& condition);
+  // The first condition of an option that does not hold with these values, looked for also behind the options that its
+  // conditions name: what means nothing itself makes nothing mean something. Null: the option counts.
+  const Condition* unmet(const OptionSpec& spec, const std::function<OptionValue(const OptionSpec&)>& value_of) const;
 };
 
 // A value of an options struct together with its table: what a stage object holds. Copies are deep.
@@ -174,7 +204,11 @@ class OptionEntry {
     spec.text_kind = o.kind, spec.choices = o.choices;
     bind<std::string, std::string>(o.member);
   }
+  OptionEntry(const OnlyIf& c) : condition{c.option, c.values, true}, of(c.of) {}   // NOLINT
+  OptionEntry(const Unless& c) : condition{c.option, c.values, false}, of(c.of) {}  // NOLINT
   OptionSpec spec;
+  Condition condition;  // in place of an option, of these
+  std::vector<std::string> of;
 
  private:
   static OptionSpec base(std::string_view name, Unit unit, Tier tier, std::string_view help) {
@@ -197,7 +231,10 @@ class OptionEntry {
 template <class S>
 OptionTable make_option_table(std::vector<OptionEntry<S>> entries, std::function<void(const S&)> check = {}) {
   OptionTable table;
-  for (auto& e : entries) table.specs.push_back(std::move(e.spec));
+  for (auto& e : entries)
+    if (e.of.empty()) table.specs.push_back(std::move(e.spec));
+  for (const auto& e : entries)
+    for (const auto& name : e.of) table.add_condition(name, e.condition);
   table.make = [] { return std::static_pointer_cast<void>(std::make_shared<S>()); };
   table.copy = [](const void* s) {
     return std::static_pointer_cast<void>(std::make_shared<S>(*static_cast<const S*>(s)));

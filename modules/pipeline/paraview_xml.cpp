@@ -70,7 +70,7 @@ std::string option_property(const OptionSpec& spec) {
     xml += "        <BooleanDomain name=\"bool\"/>\n";
   else
     xml += is_text ? text_domain(spec) : range_domain(spec, is_number ? "DoubleRangeDomain" : "IntRangeDomain");
-  return xml + documentation(spec.help) + "      </" + element + ">\n";
+  return xml + documentation(spec.full_help()) + "      </" + element + ">\n";
 }
 
 std::string_view data_type(DataKind kind) {

@@ -1,7 +1,9 @@
 #include "pipeline/printing.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -37,6 +39,23 @@ std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
   return text;
 }
 
+struct ConditionGroup {
+  std::string condition;
+  std::vector<std::string> options;
+};
+
+// The conditions of a table, each with the options that it is on.
+std::vector<ConditionGroup> condition_groups(const OptionTable& table) {
+  std::vector<ConditionGroup> groups;
+  for (const auto& o : table.specs)
+    for (const auto& c : o.conditions) {
+      auto it = std::ranges::find(groups, c.text(), &ConditionGroup::condition);
+      if (it == groups.end()) it = groups.insert(groups.end(), {c.text(), {}});
+      it->options.push_back(o.name);
+    }
+  return groups;
+}
+
 std::string options_markdown(const OptionTable& table) {
   std::string text = "| option | type | default | unit | range | tier | |\n|---|---|---|---|---|---|---|\n";
   for (const auto& o : table.specs) {
@@ -45,12 +64,15 @@ std::string options_markdown(const OptionTable& table) {
                         value.empty() ? "" : "`" + value + "`", unit_symbol(o.unit), range_text(o), tier_name(o.tier),
                         o.help);
   }
+  const auto groups = condition_groups(table);
+  if (!groups.empty()) text += "\nSome options count only with others:\n\n";
+  for (const auto& g : groups) text += fmt::format("- {}: `{}`\n", g.condition, fmt::join(g.options, "`, `"));
   return text;
 }
 
 ordered_json option_schema(const OptionSpec& o) {
   ordered_json s{
-      {"description", o.help + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))},
+      {"description", o.full_help() + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))},
       {"default", json_value(o.default_value)}};
   switch (o.default_value.index()) {
     case 0:
@@ -127,6 +149,8 @@ std::string stages_json(const StageRegistry& registry) {
       if (std::isfinite(o.min)) entry["min"] = o.min;
       if (std::isfinite(o.max)) entry["max"] = o.max;
       if (!o.choices.empty()) entry["choices"] = o.choices;
+      for (const auto& c : o.conditions)
+        entry["conditions"].push_back({{"option", c.option}, {c.holds_with ? "is" : "is_not", c.values}});
       options.push_back(entry);
     }
     list.push_back({{"type", type->name},
@@ -185,6 +209,8 @@ std::string options_text(const OptionTable& table) {
     if (const auto range = range_text(o); !range.empty()) facts += ", " + range;
     text += fmt::format("  {:<24} {} [{}; {}]\n", o.name, o.help, facts, tier_name(o.tier));
   }
+  for (const auto& g : condition_groups(table))
+    text += fmt::format("  {}: {}\n", g.condition, fmt::join(g.options, ", "));
   return text;
 }
 

@@ -49,6 +49,7 @@ const OptionTable& option_table(const ReportOptions*) {
       Option<S, bool>{"vector_figures", &S::vector_figures, Tier::advanced,
                       "Write charts and plans as SVG and PDF too."},
       Option<S, bool>{"page", &S::page, Tier::basic, "Write report.html."},
+      OnlyIf{"figures", {"true"}, {"figure_width", "dpi", "point_budget", "backend", "hero", "vector_figures"}},
   });
   return table;
 }

@@ -21,6 +21,7 @@ const OptionTable& option_table(const RowsReportOptions*) {
       Option<S, double>{
           "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the map."},
       Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG."},
+      OnlyIf{"figures", {"true"}, {"figure_width", "dpi"}},
   });
   return table;
 }

@@ -101,12 +101,14 @@ class FieldCheckTest : public QObject {
     const auto as_lines = errors();
     QCOMPARE(as_lines.trees, 12);
     QVERIFY2(std::abs(as_lines.bias_cm - 0.25) < 0.1, qPrintable(QString::number(as_lines.bias_cm)));
-    // Step 4: robust weights leave some of the bias.
+    // Step 4: robust weights leave some of the bias, and the beam means nothing to them.
     window.session().undo_stack().undo();
     window.session().undo_stack().undo();
     QCoreApplication::processEvents();
     window.properties().findChild<QComboBox*>("model")->setCurrentText("surface");
     QCoreApplication::processEvents();
+    auto* beam = window.properties().findChild<QDoubleSpinBox*>("beam_divergence");
+    QVERIFY(!beam->isEnabled() && beam->toolTip().startsWith("Counts only when 'Model' is auto or ray."));
     run();
     const auto surface = errors();
     QCOMPARE(surface.trees, 12);

@@ -9,6 +9,7 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
@@ -239,6 +240,27 @@ class ShellTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.json"), Error);
   }
 
+  void an_empty_window_says_where_to_begin() {
+    note_recent_file(plot());
+    MainWindow window;
+    window.show();
+    QVERIFY(window.findChild<QPushButton*>("welcome_sample")->isVisible());
+    window.findChild<QPushButton*>("welcome_recent")->click();
+    QVERIFY(window.session().has_document());
+    QTRY_VERIFY(!window.findChild<QWidget*>("welcome"));
+    window.refresh();
+    QVERIFY(wait_for_run(window));
+    auto& header = *window.stems().horizontalHeader();
+    const auto name = [&](int place) {
+      return window.stems().model()->headerData(header.logicalIndex(place), Qt::Horizontal).toString();
+    };
+    QCOMPARE(name(0), QString("tree_id"));
+    QCOMPARE(name(1), QString("dbh_cm"));
+    window.stems().show_table(window.scene().survey().stems);  // the same again
+    QCOMPARE(name(1), QString("dbh_cm"));
+    window.session().discard_recovery();
+  }
+
   void an_eye_hides_what_a_stage_made() {
     MainWindow window;
     window.show();
@@ -253,6 +275,44 @@ class ShellTest : public QObject {
     QVERIFY(window.stems().model()->rowCount() == 9);  // the table has no eye
     window.visibility().show("stems", ViewKind::scene, true);
     QCOMPARE(window.scene().actor_count(), all);
+  }
+
+  // What comes into sight behind a closed eye gets its levels of detail in the background, once.
+  void clouds_behind_closed_eyes_are_indexed_in_the_background() {
+    const auto cloud = [](float z) {
+      PointCloud::Positions positions(60'000);
+      for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] = {0.01F * static_cast<float>(i % 300), 0.01F * static_cast<float>(i / 300), z};
+      return std::make_shared<const PointCloud>(std::move(positions));
+    };
+    RunOutcome outcome;
+    Results results;
+    for (const auto& [id, type, z] :
+         {std::tuple{"low", "survey.frame", 0.0F}, {"same", "stems.edit", 1.0F}, {"high", "ground.model", 1.0F}}) {
+      StageOutcome stage;
+      stage.record.id = id, stage.record.type = type, stage.state = bole::StageState::done;
+      outcome.stages.push_back(stage);
+      results[id].set("points", cloud(z));
+    }
+    Visibility visibility;
+    visibility.take(outcome, results);
+    Survey all;
+    all.points = results["high"].get<PointCloud>("points");
+    all.index = std::make_shared<const PointIndex>(all.points);
+    visibility.show("high", ViewKind::scene, false);
+    const auto same = visibility.survey_for(ViewKind::scene, all);
+    QVERIFY(same.points == results["same"].get<PointCloud>("points"));
+    QTRY_VERIFY_WITH_TIMEOUT(same.index->complete(), 10000);
+    QCOMPARE(same.index->octree(), all.index->octree());  // its points lie as those of the other
+    visibility.show("same", ViewKind::scene, false);
+    const auto low = visibility.survey_for(ViewKind::scene, all);
+    QVERIFY(low.points == results["low"].get<PointCloud>("points"));
+    QVERIFY(low.index->octree()->size() > 0);  // something is drawn at once
+    QTRY_VERIFY_WITH_TIMEOUT(low.index->complete(), 10000);
+    QVERIFY(low.index->octree() != all.index->octree());
+    QCOMPARE(visibility.survey_for(ViewKind::scene, all).index, low.index);
+    visibility.show("high", ViewKind::scene, true);
+    QCOMPARE(visibility.survey_for(ViewKind::scene, all).index, all.index);
   }
 
   // The first run shows the map before its stems are measured; so the sample is seen within seconds.

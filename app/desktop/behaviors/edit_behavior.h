@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <string>
 #include <vector>
 
 #include "document/session.h"
@@ -25,8 +24,6 @@ class EditBehavior : public QObject {
   void applied();
 
  private:
-  std::string edit_stage() const;
-
   Session& session_;
 };
 

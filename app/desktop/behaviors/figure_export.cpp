@@ -1,13 +1,16 @@
 #include "behaviors/figure_export.h"
 
+#include <QMenu>
+
 #include "main_window.h"
 #include "panels/figure_dialog.h"
 
 namespace bole::desktop {
 
 void install_figure_export(MainWindow& window) {
-  window.add_action(
-      window.menu(Menu::file), "export_figure", MainWindow::tr("Export a figure…"),
+  auto* menu = window.menu(Menu::file);
+  auto* action = window.add_action(
+      menu, "export_figure", MainWindow::tr("Export a figure…"),
       [&window] {
         FigureSource source(window.session().has_document() ? &window.session().document() : nullptr,
                             window.runner().results(), window.runner().survey());
@@ -21,6 +24,7 @@ void install_figure_export(MainWindow& window) {
         dialog->open();
       },
       QKeySequence("Ctrl+Shift+E"));
+  menu->insertAction(window.findChild<QAction*>("open_report"), action);  // beside the other export
 }
 
 }  // namespace bole::desktop

@@ -1,33 +1,38 @@
 #include "behaviors/frame_reader.h"
 
 #include <algorithm>
-#include <array>
+
+#include "slam/core/motion.h"
 
 namespace bole::desktop {
 
+namespace {
+
+// The poses over the frame, when the path covers it.
+std::optional<PoseGrid> poses_over(const ScanFrame& frame, double span_s, const Trajectory* path) {
+  if (path == nullptr || path->poses.size() < 2) return {};
+  try {
+    return PoseGrid([&](double s) { return path->at(frame.start_time_s + s * span_s); });
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 PlacedFrame placed_frame(const ScanFrame& frame, std::size_t index, const Trajectory* path) {
-  constexpr std::size_t steps = 32;  // poses over the frame: 3 ms apart
   PlacedFrame out;
   out.index = index;
   out.time_s = frame.start_time_s;
   const double span_s = std::max(1e-6, frame.end_time_s - frame.start_time_s);
-  std::array<Pose, steps + 1> poses;
-  poses.fill(Pose::Identity());
-  try {
-    if (path && path->poses.size() > 1) {
-      for (std::size_t i = 0; i <= steps; ++i)
-        poses[i] = path->at(frame.start_time_s + static_cast<double>(i) / steps * span_s);
-      out.placed = true;
-    }
-  } catch (const Error&) {  // outside the path
-    poses.fill(Pose::Identity());
-  }
-  out.T_target_sensor = poses.back();
+  const auto poses = poses_over(frame, span_s, path);
+  out.placed = poses.has_value();
+  if (poses) out.T_target_sensor = path->at(frame.start_time_s + span_s);
   out.positions.reserve(frame.size());
   for (std::size_t i = 0; i < frame.size(); ++i) {
-    const double s = std::clamp(frame.time_offset_s[i] / span_s, 0.0, 1.0);
-    const auto& T = poses[static_cast<std::size_t>(std::lround(s * static_cast<double>(steps)))];
-    out.positions.push_back(T * frame.positions[i].cast<double>());
+    const auto s = static_cast<float>(std::clamp(frame.time_offset_s[i] / span_s, 0.0, 1.0));
+    out.positions.push_back(poses ? poses->in_map(frame.positions[i], s)
+                                  : Eigen::Vector3d(frame.positions[i].cast<double>()));
   }
   return out;
 }

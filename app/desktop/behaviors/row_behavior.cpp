@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <QDateTime>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QInputDialog>
@@ -14,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-#include "document/person.h"
+#include "behaviors/edit_list.h"
 #include "main_window.h"
 #include "panels/table_panel.h"
 #include "views/scene_view.h"
@@ -25,7 +24,7 @@ namespace {
 using rows::RowEdit;
 using Action = RowEdit::Action;
 
-const std::string layer = "rows";
+const std::string layer = "rows", stage_type = "rows.edit";
 constexpr double ground_reach_m = 1.0, tick_m = 0.15, above_ground_m = 0.05;
 constexpr std::size_t most_ground_samples = 40'000;
 constexpr double least_row_m = 0.1;
@@ -58,7 +57,7 @@ RowBehavior::RowBehavior(MainWindow& window) : QObject(&window), window_(window)
     if (taker != this) task_.reset(), clicked_.clear(), draw();
   });
   connect(&window_.session(), &Session::option_changed, this, [this](const QString& stage) {
-    if (window_.session().document().at(stage.toStdString()).type->name == "rows.edit" && survey_.rows)
+    if (window_.session().document().at(stage.toStdString()).type->name == stage_type && survey_.rows)
       window_.guarded([this] { window_.refresh(); });
   });
 }
@@ -105,26 +104,8 @@ void RowBehavior::make_actions() {
   });
 }
 
-std::string RowBehavior::edit_stage() const {
-  if (!window_.session().has_document()) throw bad_input("no pipeline is open", "a pipeline with a stage rows.edit");
-  const auto& stages = window_.session().document().stages();
-  const auto it = std::ranges::find_if(stages, [](const auto& node) { return node.type->name == "rows.edit"; });
-  if (it == stages.end())
-    throw bad_input("the pipeline has no stage rows.edit", "one after the rows",
-                    "Add it and join it to the stage that finds the rows");
-  return it->id;
-}
-
 void RowBehavior::apply(RowEdit edit) {
-  const auto stage = edit_stage();
-  auto& session = window_.session();
-  auto edits = rows::parse_row_edits(std::get<std::string>(session.document().at(stage).options.get("edits")));
-  if (edit.author.empty()) edit.author = person().toStdString();
-  if (edit.time.empty()) edit.time = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-  edits.push_back(std::move(edit));
-  const auto text = rows::to_json(edits);
-  rows::parse_row_edits(text);  // refuses what a file of edits would be refused for
-  session.set_option(stage, "edits", text);
+  add_edits(window_.session(), stage_type, rows::parse_row_edits, std::vector{std::move(edit)});
 }
 
 void RowBehavior::show_survey(const Survey& survey) {
@@ -262,7 +243,7 @@ void RowBehavior::drag(int which, int end, const Eigen::Vector3d& at, bool relea
 }
 
 void RowBehavior::start(Task task) {
-  edit_stage();  // refuses where there is none
+  edit_stage(window_.session(), stage_type);  // refuses where there is none
   if (task != Task::add) selected_or_refuse();
   window_.scene().set_place_taker(this);
   task_ = task;

@@ -48,7 +48,6 @@ class RowBehavior : public QObject {
   };
   void make_dock();
   void make_actions();
-  std::string edit_stage() const;
   void show_survey(const Survey& survey);
   void read_rows(const Survey& survey);
   double ground_z(const Eigen::Vector2d& at) const;

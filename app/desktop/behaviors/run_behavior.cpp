@@ -43,7 +43,11 @@ Survey survey_to_show(const RunOutcome& outcome, const Results& results, const S
   Run run;
   run.cancel = cancel;
   try {
-    return survey_of(outcome, results, seen, run);
+    return survey_of(outcome, results, seen, [&](const auto& points) {
+      return seen.points && seen.index && same_places(*points, *seen.points)
+                 ? seen.index
+                 : std::make_shared<const PointIndex>(points, run);
+    });
   } catch (const Error&) {
     return {};
   }

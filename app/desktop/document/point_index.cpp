@@ -3,27 +3,48 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstring>
 #include <exception>
 
 namespace bole::desktop {
 namespace {
 
 constexpr std::size_t built_at_once = 2'000'000, sample_points = 1'500'000;
+// In the thread of the window: some milliseconds.
+constexpr std::size_t built_unnoticed = 50'000, sample_unnoticed = 300'000;
 
 }  // namespace
 
 PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, const Run& run) {
   if (cloud->size() <= built_at_once) {
-    build(*cloud, run);
+    take(std::make_shared<const PointOctree>(*cloud, run));
     return;
   }
   octree_ = std::make_shared<const PointOctree>(PointOctree::sample(*cloud, sample_points));
-  builder_ = std::jthread([this, cloud = std::move(cloud)](const std::stop_token& cancel) {
+  build_in_thread(
+      [cloud](const Run& in_background) { return std::make_shared<const PointOctree>(*cloud, in_background); });
+}
+
+PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointCloud> other,
+                       std::shared_ptr<const PointIndex> index_of_other) {
+  if (cloud->size() <= built_unnoticed) {
+    take(std::make_shared<const PointOctree>(*cloud));
+    return;
+  }
+  octree_ = std::make_shared<const PointOctree>(PointOctree::sample(*cloud, sample_unnoticed));
+  build_in_thread([cloud, other, index_of_other](const Run& in_background) {
+    const bool same = other && index_of_other && index_of_other->complete() && same_places(*cloud, *other);
+    return same ? index_of_other->octree() : std::make_shared<const PointOctree>(*cloud, in_background);
+  });
+}
+
+void PointIndex::build_in_thread(std::function<std::shared_ptr<const PointOctree>(const Run&)> make) {
+  builder_ = std::jthread([this, make = std::move(make)](const std::stop_token& cancel) {
     Run in_background;
     in_background.cancel = cancel;
     tbb::task_arena arena(std::max(1, tbb::this_task_arena::max_concurrency() - 1));
     try {
-      arena.execute([&] { build(*cloud, in_background); });
+      arena.execute([&] { take(make(in_background)); });
       Q_EMIT built();
     } catch (const std::exception&) {
       // Cancelled, or no memory for it: the sample stays.
@@ -52,11 +73,16 @@ std::vector<std::uint32_t> PointIndex::in_box(const PointCloud& cloud, const Eig
   return found;
 }
 
-void PointIndex::build(const PointCloud& cloud, const Run& run) {
-  auto octree = std::make_shared<const PointOctree>(cloud, run);
+void PointIndex::take(std::shared_ptr<const PointOctree> octree) {
   const std::scoped_lock lock(mutex_);
   octree_ = std::move(octree);
   complete_ = true;
+}
+
+bool same_places(const PointCloud& a, const PointCloud& b) {
+  const auto &p = a.positions(), &q = b.positions();
+  return p.size() == q.size() && a.origin == b.origin &&
+         (p.data() == q.data() || std::memcmp(p.data(), q.data(), p.size() * sizeof(Eigen::Vector3f)) == 0);
 }
 
 }  // namespace bole::desktop

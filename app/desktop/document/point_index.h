@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -17,6 +18,10 @@ class PointIndex : public QObject {
  public:
   // Small clouds are indexed at once, within `run`; large ones in a thread that leaves one core to the window.
   explicit PointIndex(std::shared_ptr<const PointCloud> cloud, const Run& run = {});
+  // For the thread of the window, which never waits: all but tiny clouds are indexed in a thread. Where their points
+  // turn out to lie as those of `other` do, its octree is taken.
+  PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointCloud> other,
+             std::shared_ptr<const PointIndex> index_of_other);
   ~PointIndex() override;  // ends the building within a fraction of a second
 
   std::shared_ptr<const PointOctree> octree() const;  // a sample of the cloud until it is complete
@@ -30,12 +35,16 @@ class PointIndex : public QObject {
   void built();  // from the thread that built it
 
  private:
-  void build(const PointCloud& cloud, const Run& run);
+  void build_in_thread(std::function<std::shared_ptr<const PointOctree>(const Run&)> make);
+  void take(std::shared_ptr<const PointOctree> octree);
 
   mutable std::mutex mutex_;
   std::shared_ptr<const PointOctree> octree_;
   std::atomic<bool> complete_ = false;
   std::jthread builder_;
 };
+
+// Whether two clouds are of the same points, attributes aside.
+bool same_places(const PointCloud& a, const PointCloud& b);
 
 }  // namespace bole::desktop

@@ -1,7 +1,6 @@
 #include "document/survey.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "pipeline/stage.h"
 
@@ -27,12 +26,6 @@ std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& result
   return read ? nullptr : latest<T>(outcome, results, port, true);
 }
 
-bool same_places(const PointCloud& a, const PointCloud& b) {
-  const auto &p = a.positions(), &q = b.positions();
-  return p.size() == q.size() &&
-         (p.data() == q.data() || std::memcmp(p.data(), q.data(), p.size() * sizeof(Eigen::Vector3f)) == 0);
-}
-
 }  // namespace
 
 std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
@@ -43,7 +36,7 @@ std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
   return static_cast<std::size_t>(it - ids.begin());
 }
 
-Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const Run& run) {
+Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const MakeIndex& make_index) {
   Survey survey;
   survey.points = latest<PointCloud>(outcome, results, "points");
   survey.slice = latest<PointCloud>(outcome, results, "slice");
@@ -55,10 +48,10 @@ Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey
   survey.lines = latest<Table>(outcome, results, "lines");
   survey.strays = latest<Table>(outcome, results, "strays");
   survey.walk = latest<Trajectory>(outcome, results, "trajectory");
-  if (survey.points && before.points && before.index && same_places(*survey.points, *before.points))
+  if (survey.points && survey.points == before.points && before.index)
     survey.index = before.index;
   else if (survey.points)
-    survey.index = std::make_shared<const PointIndex>(survey.points, run);
+    survey.index = make_index(survey.points);
   return survey;
 }
 

@@ -1,6 +1,7 @@
 // What the views show of a run: the last output of each kind, and the index that large clouds are drawn from.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -26,7 +27,9 @@ struct Survey {
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`
 };
 
-// Takes over the index of `before` when the points lie where they lay.
-Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const Run& run);
+using MakeIndex = std::function<std::shared_ptr<const PointIndex>(const std::shared_ptr<const PointCloud>&)>;
+
+// Takes over the index of `before` when it has the same cloud.
+Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const MakeIndex& make_index);
 
 }  // namespace bole::desktop

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <array>
+#include <map>
 #include <set>
 
 #include "document/survey.h"
@@ -23,6 +24,7 @@ class Visibility : public QObject {
   void show_all();
 
   void take(const RunOutcome& outcome, const Results& results);  // of the last run
+  // For the thread of the window: what comes into sight gets its levels of detail in the background, once.
   Survey survey_for(ViewKind view, const Survey& all) const;
 
  Q_SIGNALS:
@@ -31,9 +33,12 @@ class Visibility : public QObject {
  private:
   const std::set<std::string>& hidden(ViewKind view) const { return hidden_[static_cast<std::size_t>(view)]; }
 
+  std::shared_ptr<const PointIndex> index_of(const std::shared_ptr<const PointCloud>& points, const Survey& all) const;
+
   std::array<std::set<std::string>, 2> hidden_;
   RunOutcome outcome_;
   Results results_;
+  mutable std::map<std::shared_ptr<const PointCloud>, std::shared_ptr<const PointIndex>> indices_;
 };
 
 }  // namespace bole::desktop

@@ -650,6 +650,22 @@
             <translation>模式</translation>
         </message>
         <message>
+            <source>From scans to a stem map</source>
+            <translation>从扫描到单木分布图</translation>
+        </message>
+        <message>
+            <source>Open the sample plot</source>
+            <translation>打开示例样地</translation>
+        </message>
+        <message>
+            <source>Open a scan, a point cloud or a pipeline…</source>
+            <translation>打开扫描数据、点云或处理流程…</translation>
+        </message>
+        <message>
+            <source>or drop a file on this window</source>
+            <translation>或将文件拖放到此窗口</translation>
+        </message>
+        <message>
             <source>Open recent</source>
             <translation>最近打开</translation>
         </message>
@@ -1190,6 +1206,34 @@
         <message>
             <source>Open file</source>
             <translation>打开文件</translation>
+        </message>
+        <message>
+            <source>on</source>
+            <translation>开</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source> or </source>
+            <translation> 或 </translation>
+        </message>
+        <message>
+            <source>Counts only while &apos;%1&apos; is empty.</source>
+            <translation>仅当“%1”为空时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is given.</source>
+            <translation>仅当给出“%1”时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is %2.</source>
+            <translation>仅当“%1”为 %2 时有效。</translation>
+        </message>
+        <message>
+            <source>Counts only when &apos;%1&apos; is not %2.</source>
+            <translation>仅当“%1”不为 %2 时有效。</translation>
         </message>
     </context>
     <context>

@@ -37,6 +37,25 @@ int decimals_for(const OptionSpec& spec) {
   return size > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6) : 3;
 }
 
+QString value_text(const std::string& value) {
+  if (value == "true") return PropertiesPanel::tr("on");
+  if (value == "false") return PropertiesPanel::tr("off");
+  return QString::fromStdString(value);
+}
+
+// Why an option means nothing now.
+QString reason_text(const Condition& condition, const OptionSpec& other) {
+  const QString name = label_text(other);
+  if (condition.values == std::vector<std::string>{""})
+    return condition.holds_with ? PropertiesPanel::tr("Counts only while '%1' is empty.").arg(name)
+                                : PropertiesPanel::tr("Counts only when '%1' is given.").arg(name);
+  QStringList values;
+  for (const auto& v : condition.values) values << value_text(v);
+  const QString list = values.join(PropertiesPanel::tr(" or "));
+  return condition.holds_with ? PropertiesPanel::tr("Counts only when '%1' is %2.").arg(name, list)
+                              : PropertiesPanel::tr("Counts only when '%1' is not %2.").arg(name, list);
+}
+
 }  // namespace
 
 PropertiesPanel::PropertiesPanel(Session& session, QWidget* parent)
@@ -132,6 +151,7 @@ bool PropertiesPanel::is_listed(const OptionSpec& spec) const {
 void PropertiesPanel::rebuild() {
   delete form_;
   form_ = nullptr;
+  rows_.clear();
   const auto* stage = node();
   if (!stage) return show_pending();
   title_->setText("<b>" + stage_title(*stage->type) + "</b><br>" +
@@ -150,14 +170,14 @@ void PropertiesPanel::rebuild() {
         tr("%1; default %2")
             .arg(QString::fromStdString(spec.needed()), QString::fromStdString(option_text(spec.default_value)));
     auto* editor = editor_for(value_of(*stage, spec), spec);
-    editor->setToolTip(help);
     editor->setMinimumWidth(80);  // not that of the widest number there is
     editor->setObjectName(QString::fromStdString(spec.name));
     const bool changed = value_of(*stage, spec) != spec.default_value;
     auto* name = new QLabel(changed ? "<b>" + label_text(spec) + "</b>" : label_text(spec));
-    name->setToolTip(help);
     form->addRow(name, editor);
+    rows_.push_back({&spec, name, editor, help});
   }
+  show_conditions();
   if (form->rowCount() == 0)
     form->addRow(new QLabel(stage->type->options->specs.empty() ? tr("This stage has no options.")
                                                                 : tr("No option here: see another tier or search.")));
@@ -175,6 +195,21 @@ void PropertiesPanel::show_notice(const StageNode& stage) {
   if (stage.skipped()) lines << tr("This stage runs when its file is given.");
   notice_->setText(lines.join("\n"));
   notice_->setVisible(!lines.isEmpty());
+}
+
+// What another choice makes meaningless is greyed, and says why.
+void PropertiesPanel::show_conditions() {
+  const auto* stage = node();
+  if (!stage) return;
+  const auto& table = *stage->type->options;
+  for (const auto& row : rows_) {
+    const auto* unmet = table.unmet(*row.spec, [&](const OptionSpec& spec) { return value_of(*stage, spec); });
+    row.name->setEnabled(unmet == nullptr);
+    row.editor->setEnabled(unmet == nullptr);
+    const QString text = unmet ? reason_text(*unmet, table.at(unmet->option)) + "\n\n" + row.help : row.help;
+    row.name->setToolTip(text);
+    row.editor->setToolTip(text);
+  }
 }
 
 void PropertiesPanel::show_pending() {
@@ -205,6 +240,7 @@ void PropertiesPanel::commit(const std::string& option, const OptionValue& value
       pending_.erase(option);
     else
       pending_[option] = checked;
+    show_conditions();
   } catch (const Error& e) {
     Q_EMIT refused(QString::fromUtf8(e.what()));
   }

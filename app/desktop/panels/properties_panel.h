@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "document/session.h"
 
@@ -39,6 +40,7 @@ class PropertiesPanel : public QWidget {
   void rebuild();
   void show_notice(const StageNode& stage);
   void show_pending();
+  void show_conditions();
   const StageNode* node() const;  // null when there is none
   bool is_listed(const OptionSpec& spec) const;
   OptionValue value_of(const StageNode& stage, const OptionSpec& spec) const;  // with what waits
@@ -56,6 +58,13 @@ class PropertiesPanel : public QWidget {
   QPushButton *apply_, *reset_, *defaults_;
   QVBoxLayout* layout_;
   QWidget* form_ = nullptr;
+  struct Row {
+    const OptionSpec* spec;
+    QLabel* name;
+    QWidget* editor;
+    QString help;
+  };
+  std::vector<Row> rows_;  // of the form
 };
 
 }  // namespace bole::desktop

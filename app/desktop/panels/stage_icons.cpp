@@ -9,7 +9,7 @@ namespace {
 constexpr int size = 64;  // drawn large: scaled down it is sharp on any screen
 
 template <class Draw>
-QIcon drawn(Draw draw) {
+QIcon drawn(const QPalette& palette, Draw draw) {
   QPixmap pixmap(size, size);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
@@ -17,7 +17,11 @@ QIcon drawn(Draw draw) {
   draw(painter);
   painter.end();
   QIcon icon(pixmap);
-  icon.addPixmap(pixmap, QIcon::Selected);  // as it is: a tint would hide it on the row that is chosen
+  painter.begin(&pixmap);  // in the colour of the text on the row that is chosen, where green is not seen
+  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+  painter.fillRect(pixmap.rect(), palette.color(QPalette::HighlightedText));
+  painter.end();
+  icon.addPixmap(pixmap, QIcon::Selected);
   return icon;
 }
 
@@ -30,7 +34,7 @@ void draw_line(QPainter& painter, const QColor& color, const QVector<QPointF>& p
 
 QIcon state_icon(StageState state, const QPalette& palette) {
   const QColor quiet = palette.color(QPalette::Disabled, QPalette::Text);
-  return drawn([&](QPainter& painter) {
+  return drawn(palette, [&](QPainter& painter) {
     switch (state) {
       case StageState::idle:
         painter.setPen(QPen(quiet, 6));
@@ -57,7 +61,7 @@ QIcon state_icon(StageState state, const QPalette& palette) {
 
 QIcon eye_icon(bool open, const QPalette& palette) {
   const QColor color = open ? palette.color(QPalette::Text) : palette.color(QPalette::Disabled, QPalette::Text);
-  return drawn([&](QPainter& painter) {
+  return drawn(palette, [&](QPainter& painter) {
     painter.setPen(QPen(color, 5, Qt::SolidLine, Qt::RoundCap));
     QPainterPath lid(QPointF(6, 32));
     lid.quadTo(QPointF(32, open ? 4 : 56), QPointF(58, 32));

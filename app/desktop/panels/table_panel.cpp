@@ -6,9 +6,17 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bole::desktop {
+namespace {
+
+// What is read first stands first, whatever the order in files.
+constexpr std::array first_columns{"tree_id", "dbh_cm", "quality", "height_m"};
+constexpr int most_column_px = 220, looked_at_rows = 50;
+
+}  // namespace
 
 void TableModel::show(std::shared_ptr<const Table> table) {
   beginResetModel();
@@ -51,6 +59,8 @@ TablePanel::TablePanel(Selection& selection, QWidget* parent)
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setAlternatingRowColors(true);
   verticalHeader()->hide();
+  horizontalHeader()->setMaximumSectionSize(most_column_px);
+  horizontalHeader()->setResizeContentsPrecision(looked_at_rows);
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   sortByColumn(0, Qt::AscendingOrder);
   setSelectionMode(QAbstractItemView::SingleSelection);
@@ -67,8 +77,19 @@ void TablePanel::show_table(std::shared_ptr<const Table> table) {
   following_ = true;
   rows_->set_table(table.get());
   model_.show(std::move(table));
+  arrange_columns();
   if (selection_.tree()) select_tree(*selection_.tree());
   following_ = false;
+}
+
+void TablePanel::arrange_columns() {
+  auto& header = *horizontalHeader();
+  int place = 0;
+  for (const char* name : first_columns)
+    for (int column = 0; column < header.count(); ++column)
+      if (model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() == QLatin1String(name))
+        header.moveSection(header.visualIndex(column), place++);
+  resizeColumnsToContents();
 }
 
 QString TablePanel::filter(const QString& text) {

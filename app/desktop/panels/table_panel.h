@@ -55,6 +55,7 @@ class TablePanel : public QTableView {
   // An edit of the stem that is selected, in this table or elsewhere, with its place and diameter.
   std::optional<StemEdit> edit_of_selection(StemEdit::Action action) const;
   void make_actions();
+  void arrange_columns();
   void request(StemEdit::Action action);
 
   Selection& selection_;

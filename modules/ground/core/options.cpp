@@ -4,7 +4,7 @@ namespace bole::ground {
 namespace {
 
 void check(const GroundOptions& o) {
-  if (o.seed_m < 2 * o.cell_m)
+  if (o.method == "tin" && o.seed_m < 2 * o.cell_m)
     throw bad_input("seed_m is " + number_text(o.seed_m) + " m and cell_m is " + number_text(o.cell_m) + " m",
                     "seed_m of at least twice cell_m", "Raise seed_m or lower cell_m");
 }
@@ -87,6 +87,10 @@ const OptionTable& option_table(const GroundOptions*) {
           Option<S, bool>{
               "keep_classes", &S::keep_classes, Tier::advanced,
               "Keep classes of the input other than unassigned, ground and low noise (water, building, vegetation)."},
+          OnlyIf{"method",
+                 {"tin"},
+                 {"seed_m", "max_slope_deg", "max_angle_deg", "max_distance_m", "roughness_m", "band_m",
+                  "fill_distance_m"}},
       },
       check);
   return table;

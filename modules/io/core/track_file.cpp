@@ -177,6 +177,7 @@ const OptionTable& option_table(const TrackOptions*) {
                      "Positions of a lower quality (as in GGA sentences) are left out."},
       Option<S, double>{
           "gap", &S::gap, Unit::second, {0.01, 1e6}, Tier::advanced, "Longer steps in time are counted as gaps."},
+      OnlyIf{"format", {"auto", "columns"}, {"columns"}},
   });
   return table;
 }

@@ -112,19 +112,19 @@ const OptionTable& option_table(const TrunkOptions*) {
                              Tier::basic,
                              "mean: of the trunk points, as in the paper; face: the axis behind the face that the "
                              "sensor sees, from the points of the input dense."},
-      metres("range_sigma", &S::range_sigma, 0.0005, 0.5, "Scatter (1 sigma) of a single range; for face.",
+      metres("range_sigma", &S::range_sigma, 0.0005, 0.5, "Scatter (1 sigma) of a single range.", Tier::advanced),
+      metres("reach", &S::reach, 0.01, 10, "A trunk is looked for so far about the middle of its cluster.",
              Tier::advanced),
-      metres("reach", &S::reach, 0.01, 10, "A trunk is looked for so far about the middle of its cluster; for face.",
+      metres("narrowest", &S::narrowest, 0, 10, "Thinner trunks are none: what the edge of the view cut.",
              Tier::advanced),
-      metres("narrowest", &S::narrowest, 0, 10, "Thinner trunks are none: what the edge of the view cut; for face.",
-             Tier::advanced),
-      metres("height_min", &S::height_min, 0, 20, "Lower trunks are weeds; for face.", Tier::advanced),
+      metres("height_min", &S::height_min, 0, 20, "Lower trunks are weeds.", Tier::advanced),
       Option<S, double>{"filled_min",
                         &S::filled_min,
                         Unit::none,
                         {0, 1},
                         Tier::advanced,
-                        "Share of the layers from the foot to the top of a trunk that must have points; for face."},
+                        "Share of the layers from the foot to the top of a trunk that must have points."},
+      OnlyIf{"centre", {"face"}, {"range_sigma", "reach", "narrowest", "height_min", "filled_min"}},
   });
   return table;
 }

@@ -177,7 +177,7 @@ const OptionTable& option_table(const HedgeOptions*) {
              Unit::degree,
              {-180, 180},
              Tier::basic,
-             "Direction of the rows from east to north, where direction is given."},
+             "Direction of the rows from east to north."},
       Number{"row_spacing_min",
              &S::row_spacing_min,
              Unit::metre,
@@ -204,6 +204,7 @@ const OptionTable& option_table(const HedgeOptions*) {
              {0, 1},
              Tier::advanced,
              "A row has at least this share of the points of the densest one."},
+      OnlyIf{"direction", {"given"}, {"direction_deg"}},
   });
   return table;
 }

@@ -35,8 +35,8 @@ const OptionTable& option_table(const RowOptions*) {
                         Unit::degree,
                         {-180, 180},
                         Tier::basic,
-                        "Direction of the rows from east to north, where direction is given; needed only for "
-                        "plantings as wide along the row as across."},
+                        "Direction of the rows from east to north; needed only for plantings as wide along the row "
+                        "as across."},
       Option<S, int>{"gap_max",
                      &S::gap_max,
                      Unit::none,
@@ -62,6 +62,7 @@ const OptionTable& option_table(const RowOptions*) {
                              {"auto", "straight"},
                              Tier::advanced,
                              "auto: rows that are clearly curved get a curve; straight: every row is a line."},
+      OnlyIf{"direction", {"given"}, {"direction_deg"}},
   });
   return table;
 }

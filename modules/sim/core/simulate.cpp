@@ -220,6 +220,7 @@ const OptionTable& option_table(const SimulationOptions*) {
                             Tier::expert,
                             "Poses per second in trajectory.tum."},
           Option<S, double>{"dem_cell", &S::dem_cell, Unit::metre, {0.05, 5}, Tier::expert, "Cell size of dem.tif."},
+          Unless{"gap", {"0"}, {"gap_at"}},
       },
       check_relations);
   return table;

@@ -29,7 +29,7 @@ SlamOptionEntries registration_options() {
         Unit::degree,
         {0.001, 5},
         Tier::expert,
-        "Standard deviation of azimuth and elevation of a return (weights by priors)."},
+        "Standard deviation of azimuth and elevation of a return."},
       D{"kernel_sigmas",
         &S::kernel_sigmas,
         Unit::none,
@@ -41,13 +41,13 @@ SlamOptionEntries registration_options() {
         Unit::metre,
         {0.0001, 1},
         Tier::expert,
-        "How far a frame may begin from where the last one ended (elastic frames)."},
+        "How far a frame may begin from where the last one ended."},
       D{"continuity_sigma_angle",
         &S::continuity_sigma_deg,
         Unit::degree,
         {0.001, 10},
         Tier::expert,
-        "How much a frame may be turned at its begin against the end of the last one (elastic frames)."},
+        "How much a frame may be turned at its begin against the end of the last one."},
       D{"lost_overlap",
         &S::lost_overlap,
         Unit::none,
@@ -73,6 +73,8 @@ SlamOptionEntries registration_options() {
         {0.1, 60},
         Tier::advanced,
         "A frame that would be faster counts as failed."},
+      OnlyIf{"weights", {"preset", "priors"}, {"angle_sigma"}},
+      OnlyIf{"deskew", {"preset", "elastic"}, {"continuity_sigma", "continuity_sigma_angle"}},
   };
 }
 
@@ -111,6 +113,10 @@ SlamOptionEntries loop_options() {
         {1, 1000},
         Tier::expert,
         "Nearest ring keys whose contexts are compared."},
+      Unless{"loops", {"none"}, {"loop_radius", "loop_path"}},
+      OnlyIf{"loops",
+             {"preset", "context", "both"},
+             {"loop_drift", "context_rings", "context_sectors", "context_range", "context_tau", "context_candidates"}},
   };
 }
 
@@ -161,6 +167,9 @@ SlamOptionEntries map_options() {
         {1, 1000},
         Tier::advanced,
         "Poses per second of the trajectory that is put out."},
+      OnlyIf{"dense_map",
+             {"true"},
+             {"map_range_min", "map_range_max", "map_voxel", "map_points_per_voxel", "map_max_points", "pass_radius"}},
   };
 }
 

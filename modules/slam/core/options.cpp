@@ -1,5 +1,7 @@
 #include "slam/core/options.h"
 
+#include <set>
+
 #include "slam/core/option_groups.h"
 #include "slam/core/presets.h"
 
@@ -166,14 +168,27 @@ SlamOptionEntries options_of_presets() {
         {-1, 20},
         Tier::advanced,
         "Rounds of the final adjustment of the whole path to the whole map; -1: none, 0: as the preset says."},
+      Unless{"features", {"sampled"}, {"occlusion", "occlusion_step"}},
+      Unless{"loops", {"none"}, {"loop_registration", "loop_overlap"}},
+      OnlyIf{"loops", {"preset", "context", "both"}, {"context_search"}},
   };
 }
 
+// Poses that are given leave nothing to estimate; key frames are counted along them all the same.
+OnlyIf only_if_estimated(const SlamOptionEntries& entries) {
+  OnlyIf condition{"trajectory", {""}, {}};
+  for (const auto& entry : entries)
+    if (const auto& name = entry.spec.name;
+        !std::set<std::string>{"", "preset", "trajectory", "keyframe_distance"}.contains(name))
+      condition.of.push_back(name);
+  return condition;
+}
+
 void check(const SlamOptions& o) {
-  if (o.range_min_m >= o.range_max_m)
+  if (o.trajectory.empty() && o.range_min_m >= o.range_max_m)
     throw bad_input("range_min is " + number_text(o.range_min_m) + " m",
                     "less than range_max, " + number_text(o.range_max_m) + " m");
-  if (o.map_range_min_m >= o.map_range_max_m)
+  if (o.dense_map && o.map_range_min_m >= o.map_range_max_m)
     throw bad_input("map_range_min is " + number_text(o.map_range_min_m) + " m",
                     "less than map_range_max, " + number_text(o.map_range_max_m) + " m");
   if (o.deskew == "elastic" && o.solve == "two_step")
@@ -186,8 +201,10 @@ void check(const SlamOptions& o) {
 const OptionTable& option_table(const SlamOptions*) {
   static const OptionTable table = [] {
     SlamOptionEntries entries;
-    for (auto& group : {general_options(), options_of_presets(), registration_options(), loop_options(), map_options()})
-      entries.insert(entries.end(), group.begin(), group.end());
+    const auto add = [&](const SlamOptionEntries& group) { entries.insert(entries.end(), group.begin(), group.end()); };
+    add(general_options()), add(options_of_presets()), add(registration_options()), add(loop_options());
+    entries.push_back(only_if_estimated(entries));
+    add(map_options());
     return make_option_table<SlamOptions>(std::move(entries), check);
   }();
   return table;

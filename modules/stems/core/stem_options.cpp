@@ -115,14 +115,14 @@ const OptionTable& option_table(const MeasureOptions*) {
                             Unit::none,
                             {0, 20},
                             Tier::expert,
-                            "Horizontal full angle of the beam (1/e^2) in milliradians, for the ray model: a wide beam "
+                            "Horizontal full angle of the beam (1/e^2) in milliradians: a wide beam "
                             "measures the mean of the round bark that it lights."},
           Option<S, double>{"beam_aperture",
                             &S::beam_aperture_m,
                             Unit::metre,
                             {0, 0.1},
                             Tier::expert,
-                            "Horizontal width of the beam where it leaves the sensor, for the ray model."},
+                            "Horizontal width of the beam where it leaves the sensor."},
           Option<S, double>{
               "bark_relief",
               &S::bark_relief_m,
@@ -134,7 +134,7 @@ const OptionTable& option_table(const MeasureOptions*) {
           Option<S, bool>{
               "estimate_range_offset", &S::estimate_range_offset, Tier::expert,
               "Estimate over all stems what the rays measure too far on average, by lasers or by poses that "
-              "lean towards the stems, and take it out (ray model)."},
+              "lean towards the stems, and take it out."},
           Option<S, double>{"range_offset_sd",
                             &S::range_offset_sd_m,
                             Unit::metre,
@@ -181,6 +181,10 @@ const OptionTable& option_table(const MeasureOptions*) {
                             {0.005, 0.2},
                             Tier::advanced,
                             "Points nearer than this to the fitted surface are marked as bark."},
+          OnlyIf{"model",
+                 {"auto", "ray"},
+                 {"ray_gate", "beam_divergence", "beam_aperture", "bark_relief", "estimate_range_offset"}},
+          OnlyIf{"estimate_range_offset", {"true"}, {"range_offset_sd"}},
       },
       [](const S& s) {
         if (s.search_top_m < s.search_bottom_m + 0.5)

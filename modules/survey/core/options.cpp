@@ -64,6 +64,9 @@ const OptionTable& option_table(const FrameOptions*) {
                         "Greatest tilt of the map that is looked for."},
       Option<S, int>{
           "stems_min", &S::stems_min, Unit::none, {3, 1000}, Tier::expert, "Fewest stems that may tell the vertical."},
+      Unless{"target_distance", {"0"}, {"target_tolerance"}},
+      Unless{"level", {"none"}, {"most_tilt"}},
+      OnlyIf{"level", {"stems"}, {"stems_min"}},
   });
   return table;
 }

@@ -51,6 +51,9 @@ const OptionTable& option_table(const PlotOptions*) {
                         {0, 200},
                         Tier::basic,
                         "Trees from this diameter at breast height upwards count."},
+      OnlyIf{"shape", {"auto", "rectangle"}, {"width", "length", "bearing"}},
+      OnlyIf{"shape", {"circle"}, {"radius"}},
+      OnlyIf{"shape", {"auto", "rectangle", "circle"}, {"x", "y"}},
   });
   return table;
 }

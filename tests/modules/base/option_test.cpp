@@ -107,5 +107,66 @@ TEST(Option, CopiesAreDeep) {
   EXPECT_EQ(a.as<SliceOptions>().height, 1.30);
 }
 
+struct FitOptions {
+  std::string model = "ray";
+  bool offset = true;
+  double offset_sd = 1;
+  std::string path;
+};
+
+std::vector<OptionEntry<FitOptions>> fit_rows() {
+  using S = FitOptions;
+  return {
+      Option<S, std::string>{"model", &S::model, TextKind::choice, {"auto", "ray", "surface"}, Tier::basic, "Model."},
+      Option<S, bool>{"offset", &S::offset, Tier::basic, "Offset."},
+      Option<S, double>{"offset_sd", &S::offset_sd, Unit::none, {0, 9}, Tier::basic, "Spread."},
+      Option<S, std::string>{"path", &S::path, TextKind::input_path, {}, Tier::basic, "Path."},
+      Unless{"model", {"surface"}, {"offset"}},
+      OnlyIf{"offset", {"true"}, {"offset_sd"}},
+      OnlyIf{"path", {""}, {"offset_sd"}},
+  };
+}
+
+const OptionTable& fit_table() {
+  static const OptionTable t = make_option_table<FitOptions>(fit_rows());
+  return t;
+}
+
+TEST(Option, AConditionThatDoesNotHoldIsFoundAlsoBehindTheOptionThatItNames) {
+  OptionSet set(fit_table());
+  const auto unmet = [&](const char* name) {
+    const auto* c = fit_table().unmet(fit_table().at(name), [&](const OptionSpec& o) { return set.get(o.name); });
+    return c == nullptr ? std::string() : c->text();
+  };
+  EXPECT_EQ(unmet("model"), "");
+  EXPECT_EQ(unmet("offset_sd"), "");
+  set.set_text("path", "poses.tum");
+  EXPECT_EQ(unmet("offset_sd"), "only if path is empty");
+  set.set_text("model", "surface");
+  EXPECT_EQ(unmet("offset_sd"), "only if model is not surface");
+  set.set_text("model", "auto");
+  set.set_text("offset", "false");
+  EXPECT_EQ(unmet("offset"), "");
+  EXPECT_EQ(unmet("offset_sd"), "only if offset is true");
+}
+
+TEST(Option, HelpTellsItsConditions) {
+  EXPECT_EQ(fit_table().specs.size(), 4u);
+  EXPECT_EQ(fit_table().at("offset_sd").full_help(), "Spread. Only if offset is true. Only if path is empty.");
+  EXPECT_EQ((Condition{"shape", {"auto", "circle", "none"}}.text()), "only if shape is auto, circle or none");
+  EXPECT_EQ((Condition{"path", {""}, false}.text()), "only if path is given");
+}
+
+TEST(Option, AConditionOnWhatTheTableHasNotIsRefused) {
+  const auto with = [](OptionEntry<FitOptions> row) {
+    auto rows = fit_rows();
+    rows.push_back(std::move(row));
+    return make_option_table<FitOptions>(std::move(rows));
+  };
+  EXPECT_THROW(with(OnlyIf{"modle", {"ray"}, {"offset"}}), Error);
+  EXPECT_THROW(with(OnlyIf{"model", {"rays"}, {"offset"}}), Error);
+  EXPECT_THROW(with(OnlyIf{"model", {"ray"}, {"ofset"}}), Error);
+}
+
 }  // namespace
 }  // namespace bole

@@ -108,6 +108,7 @@ void FieldCheck::show_survey(const Survey& survey) {
   following_ = true;
   filter_->set_table(survey.matches.get());
   model_->show(survey.matches);
+  table_->resizeColumnsToContents();
   following_ = false;
   map_->show_matches(rows_);
   show_summary();
@@ -170,8 +171,9 @@ void FieldCheck::show_summary() {
   if (rows_.empty()) return summary_->setText(tr("No field measurements yet."));
   QString text = tr("%1 matched, %2 missed, %3 false").arg(counts[0]).arg(counts[1]).arg(counts[2]);
   if (n > 0)
-    text += QStringLiteral("; ") +
-            tr("diameters: bias %1 cm, RMSE %2 cm").arg(sum / n, 0, 'f', 2).arg(std::sqrt(squares / n), 0, 'f', 2);
+    text += QStringLiteral("; ") + tr("diameters: bias %1 cm, RMSE %2 cm")
+                                       .arg(0.01 * std::round(100 * sum / n) + 0.0, 0, 'f', 2)  // never -0.00
+                                       .arg(std::sqrt(squares / n), 0, 'f', 2);
   summary_->setText(text);
 }
 

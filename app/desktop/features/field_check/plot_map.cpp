@@ -168,7 +168,7 @@ void PlotMap::draw_scale_bar(QPainter& painter) const {
   painter.drawLine(QPointF(x, y), QPointF(x + length, y));
   for (const double end : {x, x + length}) painter.drawLine(QPointF(end, y - 4), QPointF(end, y));
   painter.drawText(QPointF(x + length + 6, y + 1), QString::number(metres) + " m");
-  painter.drawText(QRectF(width() - 30, 6, 24, 16), Qt::AlignCenter, QStringLiteral("↑ N"));
+  painter.drawText(QRectF(width() - 34, y - 10, 28, 16), Qt::AlignCenter, QStringLiteral("↑ N"));
 }
 
 void PlotMap::draw_legend(QPainter& painter) const {
