@@ -87,9 +87,10 @@ class WindowTest : public QObject {
     QSignalSpy finished(&window.runner(), &RunBehavior::finished);
     window.refresh();
     QVERIFY(finished.wait(60000));
-    window.findChild<QTreeWidget*>()->setCurrentItem(window.findChild<QTreeWidget*>()->topLevelItem(3));
+    window.findChild<QTreeWidget*>()->setCurrentItem(window.findChild<QTreeWidget*>()->topLevelItem(4));
     window.findChild<TablePanel*>()->select_tree(3);
     QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
+    QTest::qWait(100);  // the form is laid out by the event loop
     QVERIFY(window.grab().save(picture));
     window.session().discard_recovery();
   }

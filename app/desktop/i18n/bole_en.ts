@@ -21,4 +21,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>bole::desktop::WalkPanel</name>
+        <message numerus="yes">
+            <source>%n loop(s), %1 refused</source>
+            <translation>
+                <numerusform>%n loop, %1 refused</numerusform>
+                <numerusform>%n loops, %1 refused</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

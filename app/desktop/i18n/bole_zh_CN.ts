@@ -1590,9 +1590,11 @@
             <source>   %1 frames/s   %2 left</source>
             <translation>   %1 帧/秒   剩余 %2</translation>
         </message>
-        <message>
-            <source>   %1 loops, %2 refused</source>
-            <translation>   %1 个回环,拒绝 %2 个</translation>
+        <message numerus="yes">
+            <source>%n loop(s), %1 refused</source>
+            <translation>
+                <numerusform>%n 个回环,拒绝 %1 个</numerusform>
+            </translation>
         </message>
         <message>
             <source>   not placed</source>

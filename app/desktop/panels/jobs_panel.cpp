@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QTimer>
 #include <QTreeWidget>
@@ -79,7 +80,13 @@ JobsPanel::JobsPanel(RunBehavior& runs, QWidget* parent)
   cancel_->setToolTip(tr("Ends the run and throws its work away; a waiting run is taken off the list"));
   finish_->setToolTip(tr("Ends the stage in work with what it has; the stages after it run on that"));
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(details_, 1);
+  auto* said = new QScrollArea(this);  // warnings of many stages are more than the panel has room for
+  said->setWidget(details_);
+  said->setWidgetResizable(true);
+  said->setFrameShape(QFrame::NoFrame);
+  said->setFixedHeight(3 * fontMetrics().lineSpacing() + 4);
+  details_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  buttons->addWidget(said, 1);
   buttons->addWidget(finish_, 0, Qt::AlignTop);
   buttons->addWidget(cancel_, 0, Qt::AlignTop);
   auto* layout = new QVBoxLayout(this);

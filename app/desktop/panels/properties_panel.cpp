@@ -37,6 +37,11 @@ int decimals_for(const OptionSpec& spec) {
   return size > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6) : 3;
 }
 
+QString first_sentence(const QString& text) {
+  const auto end = text.indexOf(". ");
+  return end < 0 ? text : text.left(end + 1);
+}
+
 QString value_text(const std::string& value) {
   if (value == "true") return PropertiesPanel::tr("on");
   if (value == "false") return PropertiesPanel::tr("off");
@@ -154,8 +159,9 @@ void PropertiesPanel::rebuild() {
   rows_.clear();
   const auto* stage = node();
   if (!stage) return show_pending();
-  title_->setText("<b>" + stage_title(*stage->type) + "</b><br>" +
-                  QString::fromStdString(stage->type->help).toHtmlEscaped());
+  const auto about = QString::fromStdString(stage->type->help);
+  title_->setText("<b>" + stage_title(*stage->type) + "</b><br>" + first_sentence(about).toHtmlEscaped());
+  title_->setToolTip("<p>" + about.toHtmlEscaped() + "</p>");
   show_notice(*stage);
 
   auto* scroll = new QScrollArea(this);

@@ -120,7 +120,8 @@ QString WalkPanel::live_text() const {
                 .arg(duration_text(static_cast<double>(s.frames - 1 - s.frame) / pace));
   if (!live_.loops().empty()) {
     const auto good = std::ranges::count(live_.loops(), true, &LiveMap::Loop::accepted);
-    text += tr("   %1 loops, %2 refused").arg(good).arg(static_cast<long long>(live_.loops().size()) - good);
+    text += "   " + tr("%n loop(s), %1 refused", nullptr, static_cast<int>(good))
+                        .arg(static_cast<long long>(live_.loops().size()) - good);
   }
   if (!s.ok) text += tr("   not placed");
   return text;
