@@ -21,6 +21,7 @@ class BandedSystem {
   Vector6d& gradient(std::size_t node) { return g_[node]; }
   std::size_t nodes() const { return g_.size(); }
 
+  // Empty where the system has no solution.
   std::vector<Vector6d> solve() const {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(blocks_.size() * 36);
@@ -37,10 +38,9 @@ class BandedSystem {
     Eigen::SparseMatrix<double> H(g.size(), g.size());
     H.setFromTriplets(entries.begin(), entries.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(H);
-    if (solver.info() != Eigen::Success)
-      throw failure("the adjustment of the path has no solution", "a path that the map determines",
-                    "Set refine_rounds to -1");
+    if (solver.info() != Eigen::Success) return {};
     const Eigen::VectorXd x = solver.solve(-g);
+    if (!x.allFinite()) return {};
     std::vector<Vector6d> steps(n);
     for (std::size_t i = 0; i < n; ++i) steps[i] = x.segment<6>(6 * static_cast<Eigen::Index>(i));
     return steps;
@@ -158,11 +158,21 @@ Path with_nodes_every(const Path& path, double spacing_s) {
   return Path(std::move(nodes));
 }
 
+// Empty when the steps of a round can be believed. Odometry and loops are right to decimetres, or they were refused.
+std::string objection(const std::vector<Vector6d>& steps) {
+  constexpr double most_m = 1;
+  if (steps.empty()) return "it has no solution";
+  double largest_m = 0;
+  for (const auto& step : steps) largest_m = std::max(largest_m, step.tail<3>().norm());
+  if (largest_m <= most_m) return {};
+  return "it would move the path by " + number_text(std::round(largest_m * 10) / 10) + " m";
+}
+
 }  // namespace
 
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
                          const Run& run) {
-  RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}};
+  RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
   FeatureMaps maps(settings.cell_m);
   constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
   for (int round = 0; round < settings.rounds && !run.asked_to_finish(); ++round) {
@@ -194,6 +204,7 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
     system.block(0, 0).diagonal().array() += 1e10;
 
     const auto steps = system.solve();
+    if (out.stopped = objection(steps); !out.stopped.empty()) break;
     double squared_step = 0;
     for (std::size_t i = 0; i < steps.size(); ++i) {
       Pose T = out.path.nodes()[i].T_target_sensor;

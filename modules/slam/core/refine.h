@@ -3,6 +3,7 @@
 // system). Walls that were mapped twice come together, and motion faster than a frame is followed.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "slam/core/options.h"
@@ -31,6 +32,7 @@ struct RefineResult {
   Path path;
   std::vector<double> rms_m;   // of the inliers, at the start of each round
   std::vector<double> step_m;  // root mean square move of the nodes in each round
+  std::string stopped;         // why a round could not be believed: `path` is that before it; else empty
 };
 
 // Throws Error{cancelled}; stops after the round in work when asked to finish.

@@ -317,6 +317,9 @@ void adjust(Track& track, FirstPass& pass, const SlamOptions& options, Report& r
   track.path = std::move(refined.path);
   preview_path(run, track.path, pass.keyframes);
   report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap_s(), samples.size()), Unit::millisecond};
+  if (!refined.stopped.empty())
+    report.warn("the adjustment of the whole path ended after " + std::to_string(refined.rms_m.size()) + " of " +
+                std::to_string(settings.rounds) + " rounds: " + refined.stopped + "; the path before it was kept");
   if (refined.rms_m.empty()) return;
   report.metrics["adjustment_rms_first"] = {refined.rms_m.front(), Unit::metre};
   report.metrics["adjustment_rms_last"] = {refined.rms_m.back(), Unit::metre};

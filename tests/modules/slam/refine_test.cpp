@@ -61,5 +61,20 @@ TEST(Refine, DoesNotDrawThePathToTheTrunks) {
   EXPECT_LT(worst_m, 0.015);
 }
 
+// With nothing to hold the nodes that no frame touches, the system has no solution: the path stays, and this is told.
+TEST(Refine, KeepsThePathWhereTheFramesDoNotDetermineIt) {
+  const SyntheticScan source(
+      synthetic::trunks(10, 2.5), SpinningSensor::even(16, -25, 15, 300),
+      [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 4);
+  std::vector<StampedPose> nodes;
+  for (double t = 0; t < 2.01; t += 0.05) nodes.push_back({t, source.truth(t)});
+  RefineSettings settings;
+  settings.acceleration_sigma_m_s2 = settings.acceleration_sigma_rad_s2 = 1e200;
+  const auto refined = refine_path(Path(nodes), samples_of(source), settings, {});
+  EXPECT_EQ(refined.stopped, "it has no solution");
+  EXPECT_TRUE(refined.rms_m.empty());
+  EXPECT_EQ(refined.path.at(0.2).matrix(), Path(nodes).at(0.2).matrix());
+}
+
 }  // namespace
 }  // namespace bole
