@@ -11,8 +11,9 @@
 namespace bole {
 namespace {
 constexpr double to_deg = 180 / std::numbers::pi;
-constexpr int most_doubts = 4;         // a fit with as many is no stem
-constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
+constexpr int most_doubts = 4;          // a fit with as many is no stem
+constexpr double most_widening = 0.02;  // of the radius per metre: 4 cm of diameter
+constexpr double widest_gap_m = 0.45;   // between used sections, that breast height may lie in unmarked
 
 // Heights of the nearest used sections below and above.
 std::pair<double, double> sections_beside(const Stem& s, double height) {
@@ -65,8 +66,9 @@ void judge(Stem& s, double breast_height_m) {
     fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
   if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15)
     s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
-  const int faults = doubts + blurs;
-  s.doubts = certainly_stands(s) ? doubts : faults;
+  s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
+  // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
+  const int faults = doubts + blurs + (s.taper > most_widening ? 1 : 0);
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
   s.state = faults >= 2 ? "check" : "auto";
 }

@@ -288,15 +288,23 @@ TEST(StemCurve, FollowsTheStemAboveTheLayerItWasFoundIn) {
   for (const auto& c : curve) EXPECT_NEAR(200 * c.radius_m, 30 - 1.2 * (c.height_m - 1.3), 1.6) << c.height_m;
 }
 
-TEST(Quality, BlurLowersTheQualityOfAStemAndDoesNotRejectIt) {
+// Seen nearly all round in twelve sections, with nothing against it.
+Stem clear_stem() {
   Stem s;
-  s.radius = 0.15, s.radius_low = 0.13, s.radius_high = 0.17, s.arc_rad = s.unbroken_arc_rad = 6.2;
+  s.radius = 0.15, s.radius_low = 0.148, s.radius_high = 0.152, s.arc_rad = s.unbroken_arc_rad = 6.2;
   s.sections_used = 12, s.lowest = 0.6, s.highest = 2.0, s.rays_known = true, s.ray_through = 0.02;
   for (int i = 0; i < 12; ++i) {
     Section section;
     section.centre.setZero(), section.height = 0.7 + 0.1 * i, section.used = true;
     s.sections.push_back(section);
   }
+  s.contrast = 20;
+  return s;
+}
+
+TEST(Quality, BlurLowersTheQualityOfAStemAndDoesNotRejectIt) {
+  Stem s = clear_stem();
+  s.radius_low = 0.13, s.radius_high = 0.17;
   s.sigma_m = 0.04, s.inside_share = 0.3, s.contrast = 2, s.pass_spread_m = 0.08;
   judge(s, 1.3);
   EXPECT_EQ(s.quality, "poor");
@@ -306,6 +314,19 @@ TEST(Quality, BlurLowersTheQualityOfAStemAndDoesNotRejectIt) {
   s.ray_through = 0.25;
   judge(s, 1.3);
   EXPECT_TRUE(objection(s, {}));
+}
+
+TEST(Quality, AStemThatWidensLikeAForkIsToBeChecked) {
+  Stem s = clear_stem();
+  s.taper = 0.015;  // 3 cm of diameter per metre
+  judge(s, 1.3);
+  EXPECT_EQ(s.quality, "fair");
+  EXPECT_EQ(s.state, "auto");
+  s.taper = 0.034;
+  judge(s, 1.3);
+  EXPECT_EQ(s.quality, "poor");
+  EXPECT_EQ(s.state, "check");
+  EXPECT_FALSE(objection(s, {}));
 }
 
 }  // namespace
