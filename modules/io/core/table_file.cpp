@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t most_columns = 4096;
 constexpr std::size_t records_between_polls = 1 << 14;
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // Splits CSV into records; quoted cells may hold delimiters and line ends.
 class CsvRecords {
@@ -163,7 +164,8 @@ std::pair<std::size_t, std::size_t> read_facts(Bytes file, Table& table) {
 }
 
 void append_cell(std::string& out, const std::string& cell) {
-  if (cell.find_first_of(",;\t\"\r\n") == std::string::npos && trimmed(cell) == cell && !cell.starts_with('#')) {
+  if (cell.find_first_of(",;\t\"\r\n") == std::string::npos && trimmed(cell) == cell && !cell.starts_with('#') &&
+      !cell.starts_with(byte_order_mark)) {
     out += cell;
     return;
   }
@@ -179,9 +181,8 @@ void append_cell(std::string& out, const std::string& cell) {
 
 Table read_table(Bytes file, const std::string& name, const Run& run) {
   Table table;
-  constexpr std::array<std::uint8_t, 3> byte_order_mark{0xEF, 0xBB, 0xBF};
-  if (file.size() >= 3 && std::equal(byte_order_mark.begin(), byte_order_mark.end(), file.begin()))
-    file = file.subspan(3);
+  if (std::string_view(reinterpret_cast<const char*>(file.data()), file.size()).starts_with(byte_order_mark))
+    file = file.subspan(byte_order_mark.size());
   const auto [offset, first_line] = read_facts(file, table);
   const std::string_view text(reinterpret_cast<const char*>(file.data()) + offset, file.size() - offset);
   if (text.find('\0') != std::string_view::npos) throw bad_input("'" + name + "' is not text", "a CSV table");

@@ -67,6 +67,9 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
   Table odd;
   odd.set("a;b;c", std::vector<std::string>{"\vx\t"});
   EXPECT_EQ(read(table_text(odd)).texts("a;b;c"), odd.texts("a;b;c"));
+  Table marked;  // what many programs put before UTF-8, here a name
+  marked.set("\xEF\xBB\xBF", std::vector<std::string>{"a"});
+  EXPECT_EQ(read(table_text(marked)).columns()[0].name, "\xEF\xBB\xBF");
   Table one;
   one.set("note", std::vector<std::string>{"a", "", "b"});
   EXPECT_EQ(read(table_text(one)).texts("note"), one.texts("note"));
