@@ -9,7 +9,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.title = "Simultaneous localization and mapping";
   type.help =
       "Finds the sensor's path from the frames alone and maps all returns with it. Features of each frame are "
-      "registered against a local map of the nearest key frames, with the motion inside the frame taken out; "
+      "registered against a local map of the nearest keyframes, with the motion inside the frame taken out; "
       "revisits close loops in a pose graph; a final adjustment fits the whole path to the whole map. Presets set the "
       "options that differ between published systems. With a given trajectory only the map is made.";
   type.source =
@@ -37,6 +37,12 @@ void register_stages(pipeline::StageRegistry& registry) {
       {.name = "loops", .kind = DataKind::table, .help = "Revisits that were accepted, by their times.", .arrays = {}}};
   type.version = 2;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
+  type.in_force = [](const OptionSet& options) {
+    const SlamOptions filled = filled_in(options.as<SlamOptions>());
+    OptionSet out = options;
+    for (const auto& spec : out.table().specs) out.set(spec.name, spec.get(&filled));
+    return out;
+  };
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
     pipeline::StageResult out;

@@ -3,9 +3,9 @@
 //   frame            cloud       the frame in work, de-skewed, map axes
 //   frame_state      table       one row: frame (index in the source), frames (in the source), ok, overlap, time_s
 //   trajectory       trajectory  poses so far, map axes
-//   keyframe_points  cloud       thinned points of key frames that no snapshot held before, in the axes of their key
+//   keyframe_points  cloud       thinned points of keyframes that no snapshot held before, in the axes of their key
 //                                frame; column keyframe
-//   keyframes        trajectory  poses of all key frames, map axes; a later snapshot may move them
+//   keyframes        trajectory  poses of all keyframes, map axes; a later snapshot may move them
 //   loops            table       from_keyframe, to_keyframe, accepted: all revisits tried so far
 #pragma once
 
@@ -36,7 +36,7 @@ class FollowPreview {
   std::size_t shown_keyframes_ = 0;
 };
 
-// Revisits as pairs of key frames; `last`: the search is over, show them whether a snapshot is wanted or not.
+// Revisits as pairs of keyframes; `last`: the search is over, show them whether a snapshot is wanted or not.
 void preview_loops(const Run& run, const std::vector<Loop>& accepted,
                    const std::vector<std::pair<std::size_t, std::size_t>>& refused, bool last);
 

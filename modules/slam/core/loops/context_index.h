@@ -1,4 +1,4 @@
-// Key frames that look alike: nearest keys in a KD-tree (FLANN), then the best of the matrices behind them.
+// Keyframes that look alike: nearest keys in a KD-tree (FLANN), then the best of the matrices behind them.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace bole::slam {
 struct ContextCandidate {
   std::size_t keyframe = 0;
   double distance = 1;
-  // Where the later key frame is, in the levelled axes of the earlier one: turn about z and shift.
+  // Where the later keyframe is, in the levelled axes of the earlier one: turn about z and shift.
   Pose T_from_to = Pose::Identity();
 };
 
@@ -25,7 +25,7 @@ struct ContextSearch {
   bool cart = false;  // look by cart context as well, in both directions
 };
 
-ScanContextShape context_shape(const SlamOptions& options);
+ScanContextShape context_shape(const SlamSettings& options);
 
 // Of a frame whose motion is known.
 ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape);
@@ -34,8 +34,8 @@ ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanCo
 Pose levelled(const Pose& T_map_sensor);
 
 // The best of `found`, the most alike first, no two of them within `apart_m` of way.
-std::vector<ContextCandidate> most_alike(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
-                                         std::size_t most, double apart_m);
+std::vector<ContextCandidate> most_similar(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+                                           std::size_t max_count, double min_spacing);
 
 class ContextIndex {
  public:
@@ -44,13 +44,13 @@ class ContextIndex {
   ContextIndex(const ContextIndex&) = delete;
   ContextIndex& operator=(const ContextIndex&) = delete;
 
-  // Key frames are added in their order; one without a context is passed over.
+  // Keyframes are added in their order; one without a context is passed over.
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
-  // See most_alike().
+  // See most_similar().
   std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
-                                       const ContextSearch& search, std::size_t most, double apart_m) const;
+                                       const ContextSearch& search, std::size_t max_count, double min_spacing) const;
 
  private:
   struct Trees;

@@ -1,4 +1,4 @@
-// Key-frame poses that agree best with odometry and loops.
+// Keyframe poses that agree best with odometry and loops.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +21,10 @@ struct PoseGraphResult {
   std::vector<std::string> warnings;
 };
 
-// The first key frame stands; loops that contradict the rest are refused. Odometry edges join neighbours, loops are
+// The first keyframe stands; loops that contradict the rest are refused. Odometry edges join neighbours, loops are
 // held by a Cauchy kernel. Where a quarter of the loops would be refused the odometry is believed to 5 % of
 // the way in place of 1 %, and the kernel begins wide, so that many loops that agree prevail over a path that slipped.
-// Where an adjustment has no solution the key frames stay where they were and all loops are refused, with a warning;
+// Where an adjustment has no solution the keyframes stay where they were and all loops are refused, with a warning;
 // one that did not settle within its iterations is used, with a warning. Throws Error{cancelled}.
 PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                                     const Run& run);

@@ -11,13 +11,13 @@ namespace bole::slam {
 
 struct ScanContextShape {
   int rings = 20, sectors = 60;
-  double range_m = 40;
-  // The cart context: bins ahead and astern by bins abeam, over the square of half side range_m.
+  double range = 40;
+  // The cart context: bins ahead and astern by bins abeam, over the square of half side range.
   int rows = 20, columns = 40;
 };
 
 struct ScanContext {
-  Eigen::MatrixXf polar;        // rings x sectors: greatest height over `lowest_m`, 0 where nothing is
+  Eigen::MatrixXf polar;        // rings x sectors: greatest height over `lowest`, 0 where nothing is
   Eigen::MatrixXf cart;         // rows (along the heading) x columns (across it)
   std::vector<float> ring_key;  // share of sectors that are taken, per ring: the same at any heading
   std::vector<float> cart_key;  // share of columns that are taken, per row: the same at any offset abeam
@@ -37,7 +37,7 @@ struct ContextMatch {
 ContextMatch match_polar(const ScanContext& a, const ScanContext& b);
 // Over turns of first_shift to last_shift sectors only, which may be negative: where the heading is known about.
 ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift);
-// Over offsets abeam of up to a quarter of the width; `b` lies 2 range_m / columns * shift to the left in the axes of
+// Over offsets abeam of up to a quarter of the width; `b` lies 2 range / columns * shift to the left in the axes of
 // `a`. With `reversed`, `b` is turned about by 180 deg first: the same lane walked the other way.
 ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed);
 

@@ -11,16 +11,16 @@
 namespace bole::slam {
 
 struct DenseMapSettings {
-  double range_min_m = 0.8, range_max_m = 25;
-  double voxel_m = 0.015;
+  double min_range = 0.8, max_range = 25;
+  double voxel = 0.015;
   int points_per_voxel = 1;  // of each pass
-  std::size_t most_points = 20'000'000;
+  std::size_t max_points = 20'000'000;
   std::size_t expected_points = 0;  // returns that will be offered, for the size of the filter; 0: unknown
 };
 
 // Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, the
 // lower one counts. Memory does not grow with the walk; a voxel that shares both counters with others loses points (1
-// in 100 when the filter is a tenth full). When most_points are reached, every second point is dropped, and of those to
+// in 100 when the filter is a tenth full). When max_points are reached, every second point is dropped, and of those to
 // come as well.
 class DenseMapBuilder {
  public:

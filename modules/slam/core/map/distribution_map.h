@@ -18,7 +18,7 @@ namespace bole::slam {
 // What the map looks like around a place.
 struct LocalSurface {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d deviations_m = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
+  Eigen::Vector3d deviations = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
   Eigen::Matrix3d axes =
       Eigen::Matrix3d::Identity();  // eigenvectors in columns: column 0 is the normal, column 2 the direction
   int points = 0;
@@ -26,28 +26,28 @@ struct LocalSurface {
   int level = 0;
 
   // 0 to 1: how plane and how line-like (Demantke et al. 2011, dimensionality features).
-  double planarity() const { return (deviations_m[1] - deviations_m[0]) / deviations_m[2]; }
-  double linearity() const { return (deviations_m[2] - deviations_m[1]) / deviations_m[2]; }
+  double planarity() const { return (deviations[1] - deviations[0]) / deviations[2]; }
+  double linearity() const { return (deviations[2] - deviations[1]) / deviations[2]; }
 };
 
 class DistributionMap {
  public:
   static constexpr int levels = 5;
-  static constexpr std::uint16_t most_per_cell = 200;  // then the cell is settled: early points hold against drift
+  static constexpr std::uint16_t max_per_cell = 200;  // then the cell is settled: early points hold against drift
 
-  explicit DistributionMap(double finest_cell_m);
+  explicit DistributionMap(double finest_cell_size);
 
   void clear();
   // `line_bit`: one bit for the scan line that the point comes from (see line_bit()), or 0.
   void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
   // Many at once, the levels side by side; `line_bits` has one per point or is empty.
   void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {});
-  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
-  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `min_points`.
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
   // The points of the one cell that holds `point`.
-  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
 
-  double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
+  double cell_size(int level) const { return levels_[static_cast<std::size_t>(level)].cell_size; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells.size(); }
   bool empty() const { return levels_[0].cells.empty(); }
 
@@ -68,7 +68,7 @@ class DistributionMap {
     std::uint32_t block = 0;
   };
   struct Level {
-    double cell_m = 0;
+    double cell_size = 0;
     std::vector<Slot> slots;  // open addressing, size a power of two
     std::vector<Block> blocks;
     std::vector<Cell> cells;

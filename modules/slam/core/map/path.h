@@ -41,7 +41,7 @@ class Path {
   void update_velocities();
 
   // Poses at an even rate from begin to end, both included.
-  Trajectory sampled(double rate_hz, Axes axes) const;
+  Trajectory sampled(double rate, Axes axes) const;
 
  private:
   struct Piece {

@@ -19,20 +19,20 @@ struct FrameSample {
 };
 
 struct RefineSettings {
-  int rounds = 3;
+  int iterations = 3;
   double node_spacing_s = 0.05;
-  double cell_m = 0.1;
-  double sigma_m = 0.02;
+  double cell_size = 0.1;
+  double sigma = 0.02;
   double kernel_sigmas = 3;
-  double acceleration_sigma_m_s2 = 10;  // change of velocity between pieces of the path, per second
-  double acceleration_sigma_rad_s2 = 5;
+  double acceleration_sigma = 10;  // change of velocity between pieces of the path, per second
+  double angular_acceleration_sigma = 5;
 };
 
 struct RefineResult {
   Path path;
-  std::vector<double> rms_m;   // of the inliers, at the start of each round
-  std::vector<double> step_m;  // root mean square move of the nodes in each round
-  std::string stopped;         // why a round could not be believed: `path` is that before it; else empty
+  std::vector<double> rms;        // of the inliers, at the start of each round
+  std::vector<double> step_size;  // root mean square move of the nodes in each round
+  std::string stopped;            // why a round could not be believed: `path` is that before it; else empty
 };
 
 // Throws Error{cancelled}; stops after the round in work when asked to finish.

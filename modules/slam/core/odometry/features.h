@@ -18,12 +18,15 @@ struct FeaturePoint {
 struct FeatureSet {
   std::vector<FeaturePoint> edges, planes;
   std::size_t size() const { return edges.size() + planes.size(); }
-  void clear() { edges.clear(), planes.clear(); }
+  void clear() {
+    edges.clear();
+    planes.clear();
+  }
 };
 
 struct Features {
   FeatureSet query;  // sparse: registered against the map
-  FeatureSet map;    // denser: what a key frame adds to the map
+  FeatureSet map;    // denser: what a keyframe adds to the map
 };
 
 // By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
@@ -33,7 +36,7 @@ struct Features {
 // or "sampled" (points thinned on a voxel grid, all of them plane candidates).
 class FeatureExtractor {
  public:
-  explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}
+  explicit FeatureExtractor(const SlamSettings& options) : settings_(options) {}
   void extract(const Scan& scan, Features& features);
 
  private:
@@ -43,7 +46,7 @@ class FeatureExtractor {
   void measure_connected_curvature(std::span<const ScanPoint> line);
   void mark_unreliable(std::span<const ScanPoint> line);
 
-  const SlamOptions options_;
+  const SlamSettings settings_;
   std::vector<float> curvature_;        // squared metres; of the line in work
   std::vector<std::uint8_t> unusable_;  // bits: no edge, no plane
   std::vector<std::uint32_t> order_;
@@ -51,6 +54,6 @@ class FeatureExtractor {
 };
 
 // One point per voxel: the first met. `points` is replaced by the kept ones, in their order.
-void thin_on_grid(std::vector<FeaturePoint>& points, double voxel_m);
+void thin_on_grid(std::vector<FeaturePoint>& points, double voxel);
 
 }  // namespace bole::slam

@@ -9,9 +9,9 @@
 namespace bole::slam {
 namespace {
 
-constexpr double most_ground_rise = 0.176;      // tan 10 deg
-constexpr double least_joint_angle_rad = 1.05;  // 60 deg: the surface between two returns is steep enough to be one
-constexpr double range_scatter_m = 0.12;        // three times that of a difference with a sensor of 3 cm
+constexpr double max_ground_slope = 0.176;    // tan 10 deg
+constexpr double min_joint_angle_rad = 1.05;  // 60 deg: the surface between two returns is steep enough to be one
+constexpr double range_scatter = 0.12;        // three times that of a difference with a sensor of 3 cm
 constexpr std::size_t sure_points = 30, few_points = 5, few_lines = 3;
 constexpr std::uint32_t none = ~0u;
 
@@ -25,19 +25,19 @@ struct RangeImage {
 
 RangeImage make_image(const Scan& scan) {
   std::vector<std::pair<double, std::size_t>> order;  // mean slope of a line, line
-  std::size_t most = 0;
+  std::size_t longest = 0;
   for (std::size_t r = 0; r < scan.lines(); ++r) {
     const auto line = scan.line(r);
     if (line.empty()) continue;
     double slope = 0;
     for (const auto& p : line) slope += p.position.z() / std::max(p.range, 1e-3f);
     order.emplace_back(slope / static_cast<double>(line.size()), r);
-    most = std::max(most, line.size());
+    longest = std::max(longest, line.size());
   }
   std::ranges::sort(order);
   RangeImage image;
   image.rows = order.size();
-  image.columns = std::clamp<std::size_t>(most / 2, 90, 4096);
+  image.columns = std::clamp<std::size_t>(longest / 2, 90, 4096);
   image.cells.assign(image.rows * image.columns, none);
   image.cell_of_point.resize(scan.points.size());
   for (std::size_t row = 0; row < image.rows; ++row)
@@ -62,7 +62,7 @@ void mark_ground(const Scan& scan, const RangeImage& image, std::vector<ScanLabe
       // What is level above the sensor is no ground.
       if (pa.z() > 0 || pb.z() > 0) continue;
       const Eigen::Vector3f d = pb - pa;
-      if (std::abs(d.z()) < most_ground_rise * d.head<2>().norm()) labels[a] = labels[b] = ScanLabel::ground;
+      if (std::abs(d.z()) < max_ground_slope * d.head<2>().norm()) labels[a] = labels[b] = ScanLabel::ground;
     }
 }
 
@@ -70,9 +70,9 @@ void mark_ground(const Scan& scan, const RangeImage& image, std::vector<ScanLabe
 // 2016). Near the sensor its neighbours are so close together that the scatter of ranges alone would part them.
 bool joined(const ScanPoint& a, const ScanPoint& b) {
   const double far = std::max(a.range, b.range), near = std::min(a.range, b.range);
-  if (far - near < range_scatter_m) return true;
+  if (far - near < range_scatter) return true;
   const double angle = std::acos(std::clamp(static_cast<double>(a.position.dot(b.position)) / (far * near), -1.0, 1.0));
-  return std::atan2(near * std::sin(angle), far - near * std::cos(angle)) > least_joint_angle_rad;
+  return std::atan2(near * std::sin(angle), far - near * std::cos(angle)) > min_joint_angle_rad;
 }
 
 void mark_things(const Scan& scan, const RangeImage& image, std::vector<ScanLabel>& labels) {

@@ -14,12 +14,13 @@ struct PointRegistration {
   bool converged = false;
 };
 
-// Normal distributions transform (Biber and Strasser 2003, Magnusson 2009): cells of `cell_m` with at least 5 points.
+// Normal distributions transform (Biber and Strasser 2003, Magnusson 2009): cells of `cell_size` with at least 5
+// points.
 PointRegistration register_by_ndt(const std::vector<Eigen::Vector3f>& source,
-                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double cell_m);
+                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double cell_size);
 // Iterated closest points (Besl and McKay 1992), each step by singular values; pairs farther apart than `reach_m` do
 // not count.
 PointRegistration register_by_icp(const std::vector<Eigen::Vector3f>& source,
-                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double reach_m);
+                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double reach);
 
 }  // namespace bole::slam

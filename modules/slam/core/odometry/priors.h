@@ -8,7 +8,7 @@ namespace bole::slam {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 struct SensorPrior {
-  double range_sigma_m = 0.02;
+  double range_sigma = 0.02;
   double angle_sigma_rad = 0.001;  // of azimuth and elevation
 };
 

@@ -30,8 +30,8 @@ struct Scan {
 };
 
 struct ScanGate {
-  double range_min_m = 0.5;  // nearer returns are the bearer
-  double range_max_m = 60;
+  double min_range = 0.5;  // nearer returns are the bearer
+  double max_range = 60;
   int lines = 32;
 };
 

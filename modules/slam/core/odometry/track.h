@@ -28,7 +28,7 @@ struct Track {
 };
 
 // Odometry, loops, pose graph and final adjustment as the options say; writes counts, metrics and warnings to `report`.
-Track estimate_track(const FrameSource& source, const SlamOptions& resolved_options, Report& report, const Run& run);
+Track estimate_track(const FrameSource& source, const SlamSettings& settings, Report& report, const Run& run);
 
 // The path through given poses with the frames that it covers.
 Track given_track(const FrameSource& source, const std::vector<StampedPose>& poses, Report& report, const Run& run);
