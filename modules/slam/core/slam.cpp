@@ -12,7 +12,7 @@
 namespace bole::slam {
 namespace {
 
-// Poses far from zero (projected coordinates) are worked on about a near origin, for float32 offsets hold no more.
+// Poses in projected coordinates are moved to a nearby origin, because float32 offsets are not precise enough.
 Eigen::Vector3d near_origin(const std::vector<StampedPose>& poses) {
   const Eigen::Vector3d first = poses.front().T_target_sensor.translation();
   return first.norm() < 5000 ? Eigen::Vector3d::Zero() : Eigen::Vector3d((first / 100).array().round() * 100);
@@ -22,7 +22,7 @@ void shift(std::vector<StampedPose>& poses, const Eigen::Vector3d& by) {
   for (auto& p : poses) p.T_target_sensor.translation() += by;
 }
 
-// False where the frame cannot be read: one bad frame ends no run.
+// False where the frame cannot be read: one bad frame does not end the run.
 bool readable(const FrameSource& source, std::size_t index, ScanFrame& frame) {
   try {
     source.read(index, frame);
@@ -33,7 +33,7 @@ bool readable(const FrameSource& source, std::size_t index, ScanFrame& frame) {
   }
 }
 
-// From the largest of three frames, and more of them only where these cannot be read.
+// An estimate from the largest of three frames. More are read only where these cannot be read.
 std::size_t expected_points(const FrameSource& source, const Track& track) {
   ScanFrame frame;
   std::size_t max_size = 0;
@@ -78,7 +78,7 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamS
   }
   if (unread)
     report.warn(std::to_string(unread) + " of " + std::to_string(track.frames.size()) +
-                " frames could not be read a second time and are missing in the map");
+                " frames could not be read a second time. They are missing in the map");
   if (builder.halvings() > 0)
     report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) +
                 "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
@@ -89,7 +89,7 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamS
   return builder.take();
 }
 
-// Poses in a gap of the recording are guesses and are not given out.
+// Poses in a gap of the recording are guesses and are left out.
 void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajectory& trajectory) {
   std::erase_if(trajectory.poses, [&](const StampedPose& p) {
     return std::ranges::any_of(gaps_s, [&](const auto& gap) { return p.time_s > gap.first && p.time_s < gap.second; });

@@ -24,7 +24,7 @@ Trajectory poses_of(const std::vector<Keyframe>& keyframes) {
   return t;
 }
 
-// Every nth, so that at most `most` are left.
+// Every nth, so that at most `max_points` are left.
 template <class Points, class Add>
 void thinned(const Points& points, std::size_t max_points, Add add) {
   const std::size_t step = points.size() / max_points + 1;
@@ -86,7 +86,7 @@ void FollowPreview::show(const Odometry& odometry, const Features* features) {
   snapshot.set("frame_state", state_of(last, frames_));
   snapshot.set("trajectory", poses_of(odometry.frames()));
   const auto& keyframes = odometry.keyframes();
-  // Failed frames at the end take their keyframes with them when the track is given up.
+  // Failed frames at the end are dropped with their keyframes when the track is lost.
   shown_keyframes_ = std::min(shown_keyframes_, keyframes.size());
   if (shown_keyframes_ < keyframes.size()) snapshot.set("keyframe_points", points_of(keyframes, shown_keyframes_));
   shown_keyframes_ = keyframes.size();
@@ -130,7 +130,7 @@ void preview_path(const Run& run, const Path& path, const std::vector<Keyframe>&
     if (path.covers(k.time_s, 0.5)) places.poses.push_back({k.time_s, path.at(k.time_s)});
   DataSet snapshot;
   snapshot.set("trajectory", std::move(walk));
-  // All or none: a pose belongs to its keyframe by its place in the list.
+  // All or none: poses are assigned to keyframes by their index.
   if (places.poses.size() == keyframes.size()) snapshot.set("keyframes", std::move(places));
   run.preview->show(std::move(snapshot));
 }

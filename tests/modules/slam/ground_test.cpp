@@ -31,13 +31,13 @@ TEST(Ground, GroundIsTheFloorThingsAreTrunksAndSpecksAreNot) {
     const double z = scan.points[i].position.z();
     if (std::abs(scan.points[i].range - 2) < 1e-3) {
       ++specks;
-      specks_right += labels[i] != ScanLabel::thing;
+      specks_right += labels[i] != ScanLabel::object;
     } else if (z < -1.45) {
       ++floor;
       floor_right += labels[i] == ScanLabel::ground;
     } else if (z > -1.2) {
       ++trunk;
-      trunk_right += labels[i] == ScanLabel::thing;
+      trunk_right += labels[i] == ScanLabel::object;
     }
   }
   EXPECT_GT(static_cast<double>(floor_right), 0.9 * static_cast<double>(floor));

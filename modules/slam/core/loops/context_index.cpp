@@ -10,7 +10,7 @@ namespace {
 
 using Tree = flann::Index<flann::L2_Simple<float>>;
 
-// One tree with the keyframes behind its entries. The keys are owned here: FLANN keeps pointers.
+// A tree with the keyframes of its entries. The keys are owned here because FLANN keeps pointers.
 struct KeyTree {
   std::vector<std::unique_ptr<std::vector<float>>> keys;
   std::vector<std::size_t> keyframes;
@@ -60,8 +60,8 @@ Pose levelled(const Pose& T_map_sensor) {
   return T;
 }
 
-ScanContextShape context_shape(const SlamSettings& options) {
-  return {.rings = options.context_rings, .sectors = options.context_sectors, .range = options.context_range};
+ScanContextShape context_shape(const SlamSettings& settings) {
+  return {.rings = settings.context_rings, .sectors = settings.context_sectors, .range = settings.context_range};
 }
 
 ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape) {

@@ -25,11 +25,11 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 }  // namespace
 
 LoopTarget::LoopTarget(const std::vector<Keyframe>& keyframes, std::size_t first, std::size_t last,
-                       const SlamSettings& options)
-    : settings_(options), maps_(options.cell_size), origin_(keyframes[first].T_map_keyframe.translation()) {
+                       const SlamSettings& settings)
+    : settings_(settings), maps_(settings.cell_size), origin_(keyframes[first].T_map_keyframe.translation()) {
   for (std::size_t k = first; k <= last; ++k) {
     insert_keyframe(keyframes[k], maps_);
-    if (options.loop_registration == LoopRegistrationKind::features) continue;
+    if (settings.loop_registration == LoopRegistrationKind::features) continue;
     for (const auto* part : {&keyframes[k].edges, &keyframes[k].planes})
       for (const auto& p : *part)
         points_.push_back((keyframes[k].T_map_keyframe * p.cast<double>() - origin_).cast<float>());
@@ -38,15 +38,15 @@ LoopTarget::LoopTarget(const std::vector<Keyframe>& keyframes, std::size_t first
 }
 
 Registration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const {
-  RegistrationSettings settings;
-  settings.sigma = settings_.range_sigma;
-  settings.kernel_sigmas = settings_.kernel_sigmas;
-  settings.iterations = 30;
-  settings.coarse_iterations = 6;
+  RegistrationSettings registration;
+  registration.sigma = settings_.range_sigma;
+  registration.kernel_sigmas = settings_.kernel_sigmas;
+  registration.iterations = 30;
+  registration.coarse_iterations = 6;
   const FeatureSet features{as_features(keyframe.edges, settings_.query_spacing),
                             as_features(keyframe.planes, settings_.query_spacing)};
   if (settings_.loop_registration == LoopRegistrationKind::features)
-    return register_frame(features, maps_, {guess, guess}, settings, run);
+    return register_frame(features, maps_, {guess, guess}, registration, run);
 
   auto source = keyframe.edges;
   source.insert(source.end(), keyframe.planes.begin(), keyframe.planes.end());
@@ -58,10 +58,10 @@ Registration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess,
   run.check_cancel();
   T = register_by_icp(source, points_, T, icp_reach).T_target_source;
   T.translation() += origin_;
-  // One round tells how well the features agree there; its step is not taken.
-  settings.iterations = 1;
-  settings.coarse_iterations = 0;
-  auto r = register_frame(features, maps_, {T, T}, settings, run);
+  // One iteration measures how well the features agree there; its step is not taken.
+  registration.iterations = 1;
+  registration.coarse_iterations = 0;
+  auto r = register_frame(features, maps_, {T, T}, registration, run);
   r.motion = {T, T};
   return r;
 }

@@ -1,5 +1,5 @@
-// Revisits: pairs of keyframes that see the same place after a long way, with the relative pose that registration
-// gives.
+// Loop closures: pairs of keyframes that see the same place after a long distance, with the relative pose from
+// registration.
 #pragma once
 
 #include <string>
@@ -16,19 +16,19 @@ struct Loop {
   Pose T_from_to = Pose::Identity();
   Matrix6d information = Matrix6d::Zero();  // (turn, shift) of `to`, map axes
   double overlap = 0;
-  double correction = 0;  // against the odometry
+  double correction = 0;  // of the odometry
   FoundBy found_by = FoundBy::odometry;
 };
 
 struct LoopSearch {
   std::vector<Loop> loops;
-  std::vector<std::pair<std::size_t, std::size_t>> refused;  // keyframes of candidates that did not hold
+  std::vector<std::pair<std::size_t, std::size_t>> refused;  // keyframes of rejected candidates
   std::size_t candidates = 0;
 };
 
-// Each candidate (loop_candidates.h) is verified by registering the keyframe against the map of the stretch about its
-// partner; enough overlap, no open direction and a place within loop_radius of the partner make it a loop. Throws
+// Verifies each candidate (loop_candidates.h) by registering the keyframe against the map of the stretch around its
+// partner. A loop closure needs enough overlap, no open direction and a place within loop_radius of the partner. Throws
 // Error{cancelled}.
-LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamSettings& options, const Run& run);
+LoopSearch find_loops(const std::vector<Keyframe>& keyframes, const SlamSettings& settings, const Run& run);
 
 }  // namespace bole::slam

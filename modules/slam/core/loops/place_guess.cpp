@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
+#include "base/angles.h"
 #include "slam/core/map/grid_key.h"
 
 namespace bole::slam {
@@ -13,10 +13,10 @@ namespace {
 
 constexpr double cell_size = 0.3, reach = 25, height = 5, point_spacing = 0.4;
 constexpr int steps_ahead = 10, steps_aside = 3, steps_up = 1, steps_turn = 3;  // to each side
-constexpr double step_turn_rad = 2 * std::numbers::pi / 180;
+constexpr double step_turn_rad = radians(2);
 
-// Which cells about a place are taken. Offsets are whole cells, so that a shift is an addition to an index: the margin
-// holds what a shift brings out of the grid. A cell answers for itself and for those below and above it at once.
+// Occupied cells around a place. Offsets are whole cells, so that a shift is an addition to an index; the margin holds
+// what a shift moves out of the grid. A cell also holds the bits of the cells below and above it.
 class Occupancy {
  public:
   explicit Occupancy(const Eigen::Vector3d& middle)
@@ -39,7 +39,7 @@ class Occupancy {
   }
   static int offset(const Eigen::Vector2i& shift) { return shift.y() * stride + shift.x(); }
 
-  // How many of the cells are taken when all are shifted by `offset` and up by -steps_up to steps_up.
+  // How many of the cells are occupied when all are shifted by `offset` and up by -steps_up to steps_up.
   std::array<int, 2 * steps_up + 1> hits(const std::vector<int>& indices, int offset) const {
     constexpr int bits = 21;
     static constexpr auto counts = [] {

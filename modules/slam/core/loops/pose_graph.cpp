@@ -10,17 +10,18 @@
 namespace bole::slam {
 namespace {
 
-// A loop is good to a centimetre whatever its Hessian claims, for the errors of neighbouring points go together.
+// A loop is accurate to a centimetre whatever its Hessian claims, because the errors of neighbouring points are
+// correlated.
 constexpr double loop_sigma = 0.01, loop_sigma_rad = 0.001;
 constexpr double kernel_sigmas = 3;
-// What is so far from where the rest puts it is no imprecise loop but another place.
+// A loop this far from where the rest puts it is another place, not an imprecise one.
 constexpr double max_error = 0.5, max_error_rad = 0.1;
-// Of the loops; where more are refused it is the odometry that is in doubt.
+// Share of the loops. Where more are refused, the odometry is in doubt.
 constexpr double max_refused_share = 0.25;
 constexpr int max_iterations = 50;
 
-// How far the odometry is believed from one keyframe to the next, and the kernels of the loops, in standard
-// deviations, of the solutions that follow one another.
+// How far the odometry is trusted from one keyframe to the next, and the kernels of the loops in standard deviations,
+// one for each solution in turn.
 struct Trust {
   double sigma_floor, sigma_per_m, sigma_rad;
   std::span<const double> kernels;
@@ -29,7 +30,7 @@ struct Trust {
 constexpr std::array<double, 1> narrow_kernel{kernel_sigmas};
 constexpr std::array<double, 6> narrowing_kernel{1000, 300, 100, 30, 10, kernel_sigmas};
 constexpr Trust drifts{0.002, 0.01, 0.0005, narrow_kernel};
-// A kernel of centimetres does not feel loops that put the path metres off, however many agree. So it begins wide and
+// A kernel of centimetres ignores loops that move the trajectory by metres, however many agree. So it starts wide and
 // is narrowed (graduated non-convexity: Yang, Antonante, Tzoumas and Carlone 2020).
 constexpr Trust slips{0.002, 0.05, 0.002, narrowing_kernel};
 
@@ -73,14 +74,14 @@ class CancelCallback : public ceres::IterationCallback {
   const Run& run_;
 };
 
-// Nothing of an adjustment that failed is used.
+// The result of an adjustment that failed: the poses of the start.
 PoseGraphResult unsolved(PoseGraphResult out, const std::vector<Pose>& start, const std::string& why) {
   out.T_map_keyframe = start;
-  out.warnings = {"the loops could not be adjusted and none is used: " + why};
+  out.warnings = {"the loop closures could not be adjusted and none is used: " + why};
   return out;
 }
 
-// One adjustment from `start` on with the loops that are not refused, a solution for each kernel in turn.
+// One adjustment from `start` on with the loops that are not refused; one solution for each kernel in turn.
 PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                          const std::vector<std::uint8_t>& refused, const std::vector<Pose>& start, const Trust& trust,
                          const Run& run) {
@@ -188,8 +189,8 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
   if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, start, trust, run);
   if (!out.solved) return given_up(out);
   if (!out.settled)
-    out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loops stopped after " +
-                           std::to_string(max_iterations) + " iterations, before it settled");
+    out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loop closures stopped after " +
+                           std::to_string(max_iterations) + " iterations without converging");
   out.refused = std::move(refused);
   return out;
 }

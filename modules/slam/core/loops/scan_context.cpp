@@ -8,18 +8,19 @@ namespace bole::slam {
 namespace {
 
 constexpr float lowest = -2;
-constexpr float min_height = 0.05f;  // so that a taken cell is never 0
+constexpr float min_height = 0.05f;  // so that an occupied cell is never 0
 constexpr double min_shared = 0.3;   // of the columns that either has
 
-// Mean cosine distance of the columns that both have, `b` moved by `shift`: round and round, or off the edge.
+// Mean cosine distance of the common columns with `b` moved by `shift`. The columns wrap around with `wrap`, and are
+// cut off without.
 double column_distance(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, const std::vector<float>& norm_a,
-                       const std::vector<float>& norm_b, int shift, bool round, bool reversed) {
+                       const std::vector<float>& norm_b, int shift, bool wrap, bool reversed) {
   const int n = static_cast<int>(a.cols());
   double sum = 0;
   int shared = 0, either = 0;
   for (int j = 0; j < n; ++j) {
     int k = j - shift;
-    if (round) k = ((k % n) + n) % n;
+    if (wrap) k = ((k % n) + n) % n;
     const bool inside = k >= 0 && k < n;
     const int from = reversed ? n - 1 - k : k;
     const float na = norm_a[static_cast<std::size_t>(j)], nb = inside ? norm_b[static_cast<std::size_t>(from)] : 0;

@@ -102,9 +102,9 @@ void DistributionMap::Level::insert(const Eigen::Vector3d& point, std::uint16_t 
   cell.second[5] += d.z() * d.z();
 }
 
-// The cells that meet in a corner, null where there is none; bit k of the index: the upper one along axis k.
+// The cells that meet in a corner, null where there is none. Bit k of the index: the upper one along axis k.
 std::array<const DistributionMap::Cell*, 8> DistributionMap::Level::cells_about(const Cell3& corner) const {
-  // Along an axis whose corner lies between two blocks, the lower and the upper cells are in different ones.
+  // Along an axis whose corner lies between two blocks, the lower and upper cells are in different blocks.
   const unsigned between = (corner.x() & 3 ? 0u : 1u) | (corner.y() & 3 ? 0u : 2u) | (corner.z() & 3 ? 0u : 4u);
   std::array<const Block*, 8> blocks_met{};
   std::array<const Cell*, 8> met{};
@@ -150,7 +150,7 @@ LocalSurface DistributionMap::Moments::surface(const Eigen::Vector3d& place, int
   return surface;
 }
 
-// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are
+// The 2 x 2 x 2 cells whose common corner is nearest to the point. Moments are moved to that corner before they are
 // added.
 std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index,
                                                      int min_points) const {

@@ -6,7 +6,7 @@
 namespace bole::slam {
 namespace {
 
-constexpr double scan_step_s = 0.05;  // the path is walked in steps of this much
+constexpr double scan_step_s = 0.05;  // step along the path
 
 bool comes_back(const std::vector<PathMark>& marks, std::size_t first_of_pass, double radius) {
   const auto& now = marks.back();

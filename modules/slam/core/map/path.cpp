@@ -23,7 +23,7 @@ Path::Path(std::vector<StampedPose> nodes) : nodes_(std::move(nodes)) {
   update_velocities();
 }
 
-// Of unevenly spaced neighbours the nearer counts more: the velocity of the parabola through three nodes.
+// Of unevenly spaced neighbours the nearer one counts more: the velocity of the parabola through three nodes.
 void Path::update_velocities() {
   const auto n = nodes_.size();
   std::vector<Vector6d> pieces(n - 1);

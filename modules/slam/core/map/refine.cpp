@@ -51,7 +51,8 @@ class BandedSystem {
   std::vector<Vector6d> g_;
 };
 
-// Sums over the points of one frame: per piece of the path that it touches, equations on the four nodes of that piece.
+// Sums over the points of one frame: for each piece of the path that it touches, equations on the four nodes of that
+// piece.
 struct PieceSums {
   std::ptrdiff_t first = 0;
   std::array<std::array<Matrix6d, 4>, 4> H;  // upper: [a][b], b >= a
@@ -125,8 +126,8 @@ void add_to_system(const FrameSums& sums, BandedSystem& system) {
     }
 }
 
-// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. Holds nodes where no
-// frame is.
+// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. This holds nodes where
+// there is no frame.
 void add_smoothness(const Path& path, const RefineSettings& settings, BandedSystem& system) {
   const auto& nodes = path.nodes();
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
@@ -164,7 +165,8 @@ Path with_nodes_every(const Path& path, double spacing_s) {
   return Path(std::move(nodes));
 }
 
-// Empty when the steps of a round can be believed. Odometry and loops are right to decimetres, or they were refused.
+// Why the steps of an iteration are not credible; empty when they are. Odometry and loops are right to decimetres, or
+// they were refused.
 std::string objection(const std::vector<Vector6d>& steps) {
   constexpr double max_step = 1;
   if (steps.empty()) return "it has no solution";
@@ -174,16 +176,30 @@ std::string objection(const std::vector<Vector6d>& steps) {
   return "it would move the path by " + number_text(std::round(largest * 10) / 10) + " m";
 }
 
+// Returns the root mean square displacement.
+double move_nodes(Path& path, const std::vector<Vector6d>& steps) {
+  double squared = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Pose T = path.nodes()[i].T_target_sensor;
+    T.linear() = so3_exp(steps[i].head<3>()).toRotationMatrix() * T.linear();
+    T.translation() += steps[i].tail<3>();
+    path.set_pose(i, T);
+    squared += steps[i].tail<3>().squaredNorm();
+  }
+  path.update_velocities();
+  return std::sqrt(squared / static_cast<double>(steps.size()));
+}
+
 }  // namespace
 
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
                          const Run& run) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
   FeatureMaps maps(settings.cell_size);
-  constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
-  for (int round = 0; round < settings.iterations && !run.asked_to_finish(); ++round) {
-    const Run part = run.part(static_cast<double>(round) / settings.iterations,
-                              static_cast<double>(round + 1) / settings.iterations);
+  constexpr std::size_t batch = 64;  // frames between checks of the cancel flag
+  for (int iteration = 0; iteration < settings.iterations && !run.asked_to_finish(); ++iteration) {
+    const Run part = run.part(static_cast<double>(iteration) / settings.iterations,
+                              static_cast<double>(iteration + 1) / settings.iterations);
     build_map(out.path, frames, maps, part);
     BandedSystem system(out.path.nodes().size());
     double squared_error = 0;
@@ -210,22 +226,13 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
       }
     }
     add_smoothness(out.path, settings, system);
-    // The map hangs on the first pose.
+    // The first pose fixes the map.
     system.block(0, 0).diagonal().array() += 1e10;
 
     const auto steps = system.solve();
     if (out.stopped = objection(steps); !out.stopped.empty()) break;
-    double squared_step = 0;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      Pose T = out.path.nodes()[i].T_target_sensor;
-      T.linear() = so3_exp(steps[i].head<3>()).toRotationMatrix() * T.linear();
-      T.translation() += steps[i].tail<3>();
-      out.path.set_pose(i, T);
-      squared_step += steps[i].tail<3>().squaredNorm();
-    }
-    out.path.update_velocities();
+    out.step_size.push_back(move_nodes(out.path, steps));
     out.rms.push_back(inliers ? std::sqrt(squared_error / static_cast<double>(inliers)) : 0);
-    out.step_size.push_back(std::sqrt(squared_step / static_cast<double>(steps.size())));
   }
   return out;
 }

@@ -10,7 +10,7 @@ namespace bole::slam {
 namespace {
 
 constexpr int half_window = 5;  // neighbours on each side (LOAM)
-constexpr int sectors = 6;      // the line is cut into sectors so that features lie all around
+constexpr int sectors = 6;      // sectors of a line, so that features lie all around
 constexpr int edges_query = 2, edges_map = 12, planes_query = 4;
 constexpr float edge_curvature = 0.1f, plane_curvature = 0.1f;
 constexpr std::size_t min_connected = 3;
@@ -53,9 +53,9 @@ void FeatureExtractor::extract_curvature(const Scan& scan, Features& features) {
   thin_on_grid(features.query.planes, settings_.query_spacing);
 }
 
-// LOAM, section V-A: beside a step in range the farther points are about to be hidden, so their edge is not an edge of
-// the thing; points on surfaces nearly along the ray are unsteady. SPEC A2: the nearer side of a step is the outline of
-// a round trunk, which moves with the viewer, and is left out as well.
+// LOAM, section V-A: beside a step in range the farther points are about to be hidden, so an edge there is not an edge
+// of the object, and points on surfaces nearly parallel to the ray are unstable. SPEC A2: the nearer side of a step is
+// the outline of a round trunk, which moves with the viewer, and is rejected as well.
 void FeatureExtractor::mark_unreliable(std::span<const ScanPoint> line) {
   const auto n = line.size();
   unusable_.assign(n, 0);
@@ -89,9 +89,10 @@ void FeatureExtractor::measure_curvature(std::span<const ScanPoint> line) {
   }
 }
 
-// A trunk is narrower than the window, so across the steps beside it all its points look like edges, and the line that
-// they make is the side of the trunk that faces the viewer: it comes round with him. Walking past trunks of radius r at
-// distance d so shortens the path by r / d. Among themselves the points of a trunk are a surface.
+// A trunk is narrower than the window. Measured across the steps beside it, all its points look like edges, and the
+// line that they make is the side of the trunk that faces the sensor: it turns with the observer. Walking past trunks
+// of radius r at distance d shortens the path by r / d in this way. Measured among themselves, the points of a trunk
+// are a surface.
 void FeatureExtractor::measure_connected_curvature(std::span<const ScanPoint> line) {
   const auto n = line.size();
   const auto step = static_cast<float>(settings_.occlusion_step);
@@ -137,7 +138,7 @@ void FeatureExtractor::extract_line(std::span<const ScanPoint> line, std::span<c
     for (std::size_t o = order_.size(); o-- > 0 && edges < edges_map;) {
       const auto i = order_[o];
       if (curvature_[i] < edge_curvature) break;
-      if ((unusable_[i] & no_edge) || !is(i, ScanLabel::thing)) continue;
+      if ((unusable_[i] & no_edge) || !is(i, ScanLabel::object)) continue;
       if (edges < edges_query) features.query.edges.push_back(as_feature(line[i]));
       features.map.edges.push_back(as_feature(line[i]));
       ++edges;

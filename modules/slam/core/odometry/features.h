@@ -1,4 +1,4 @@
-// The points of a frame that take part in registration.
+// The points of a frame that are used for registration.
 #pragma once
 
 #include <vector>
@@ -29,14 +29,14 @@ struct Features {
   FeatureSet map;    // denser: what a keyframe adds to the map
 };
 
-// By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
-// options.occlusion), "connected" (the same, but curvature is measured among neighbours without a step in range between
-// them, and planes are thinned on a grid in place of taking the smoothest), "ground" (the same, but the planes to be
-// registered lie on the ground, edges on things that stand on it, and what is loose is left out: Shan and Englot 2018)
-// or "sampled" (points thinned on a voxel grid, all of them plane candidates).
+// As settings.features says, see FeatureKind. `curvature`: Zhang and Singh 2014 (LOAM), section V-A, with the occlusion
+// rules of settings.occlusion. `connected`: the same, but curvature is measured only among neighbours without a step in
+// range between them, and planes are thinned on a grid instead of taking the flattest. `ground`: as `curvature`, but
+// the planes to be registered lie on the ground, the edges on objects that stand on it, and loose points are left out
+// (Shan and Englot 2018). `sampled`: points thinned on a voxel grid, all of them plane candidates.
 class FeatureExtractor {
  public:
-  explicit FeatureExtractor(const SlamSettings& options) : settings_(options) {}
+  explicit FeatureExtractor(const SlamSettings& settings) : settings_(settings) {}
   void extract(const Scan& scan, Features& features);
 
  private:
@@ -47,13 +47,13 @@ class FeatureExtractor {
   void mark_unreliable(std::span<const ScanPoint> line);
 
   const SlamSettings settings_;
-  std::vector<float> curvature_;        // squared metres; of the line in work
+  std::vector<float> curvature_;        // squared metres; of the current line
   std::vector<std::uint8_t> unusable_;  // bits: no edge, no plane
   std::vector<std::uint32_t> order_;
   std::vector<FeaturePoint> candidates_;
 };
 
-// One point per voxel: the first met. `points` is replaced by the kept ones, in their order.
+// Keeps the first point of each voxel, in the order of `points`.
 void thin_on_grid(std::vector<FeaturePoint>& points, double voxel);
 
 }  // namespace bole::slam

@@ -40,7 +40,7 @@ void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps) {
 void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved) {
   std::vector<std::size_t> nearest(keyframes.size());
   std::iota(nearest.begin(), nearest.end(), std::size_t{0});
-  if (nearest.size() > max_keyframes_ && of_last_) {
+  if (nearest.size() > max_keyframes_ && kind_ == LocalMapKind::last) {
     nearest.erase(nearest.begin(), nearest.end() - static_cast<std::ptrdiff_t>(max_keyframes_));
   } else if (nearest.size() > max_keyframes_) {
     std::ranges::stable_sort(
@@ -48,8 +48,8 @@ void LocalMap::update(const std::vector<Keyframe>& keyframes, const Eigen::Vecto
     nearest.resize(max_keyframes_);
     std::ranges::sort(nearest);
   }
-  // Adding is cheap; taking away means building anew. So members that are no longer near stay until there are half as
-  // many again.
+  // Adding is cheap, removing needs a rebuild. So members that are no longer near stay until there are half as many
+  // again.
   std::vector<std::size_t> wanted;
   std::ranges::set_union(nearest, members_, std::back_inserter(wanted));
   if (moved || wanted.size() > max_keyframes_ + max_keyframes_ / 2) {

@@ -1,4 +1,4 @@
-// Keyframes: de-skewed features of chosen frames, and the local map made of those nearest to a place.
+// Keyframes: de-skewed features of selected frames, and the local map made of those nearest to the sensor.
 #pragma once
 
 #include <vector>
@@ -13,23 +13,23 @@ namespace bole::slam {
 struct Keyframe {
   std::size_t frame = 0;                       // index among the frames of the track
   double time_s = 0;                           // of its pose
-  double travelled = 0;                        // way walked until here
+  double travelled = 0;                        // distance travelled so far
   Pose T_map_keyframe = Pose::Identity();      // at the end of its frame
   std::vector<Eigen::Vector3f> edges, planes;  // in keyframe axes, de-skewed
-  ScanContext context;                         // empty unless loops are looked for by appearance
+  ScanContext context;                         // empty unless loops are looked for by their surroundings
 };
 
-// `features` brought to the end pose of `motion`.
+// `features` moved to the end pose of `motion`.
 Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& features, const FrameMotion& motion);
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps);
 
-// The map about the place where the sensor is: the `most` keyframes nearest to it, or the last ones, and, so that it
-// is built anew only now and then, up to half as many that were so before.
+// The map around the sensor: the `max_keyframes` keyframes nearest to it, or the last ones. Up to half as many that
+// were members before stay in it, so that the map is seldom rebuilt.
 class LocalMap {
  public:
-  LocalMap(double cell_size, std::size_t max_keyframes, bool of_last = false)
-      : maps_(cell_size), max_keyframes_(max_keyframes), of_last_(of_last) {}
+  LocalMap(double cell_size, std::size_t max_keyframes, LocalMapKind kind = LocalMapKind::nearest)
+      : maps_(cell_size), max_keyframes_(max_keyframes), kind_(kind) {}
 
   // Call after a keyframe was added, or with `moved` after poses changed.
   void update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved = false);
@@ -38,8 +38,8 @@ class LocalMap {
  private:
   FeatureMaps maps_;
   std::size_t max_keyframes_;
-  bool of_last_;
-  std::vector<std::size_t> members_;  // rising
+  LocalMapKind kind_;
+  std::vector<std::size_t> members_;  // ascending
 };
 
 }  // namespace bole::slam

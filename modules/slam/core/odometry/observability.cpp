@@ -13,16 +13,16 @@
 namespace bole::slam {
 namespace {
 
-// Neighbouring points of a scan line share errors, and a cell is seldom filled evenly: of many points in a cell only so
-// many tell something of their own about its tilt.
+// Neighbouring points of a scan line share errors, and a cell is seldom filled evenly: at most this many points of a
+// cell count as independent observations of its tilt.
 constexpr double max_independent_points = 8;
-// Ghosts, planes that are none, are few but strong: groups vote.
+// Spurious planes are few but heavily weighted, so groups of points vote by their median.
 constexpr std::size_t max_groups = 15, group_points = 40;
-constexpr int min_lines = 4;              // one scan line that bends round a corner looks like a plane across it
+constexpr int min_lines = 4;              // one scan line that bends around a corner looks like a plane across it
 constexpr double min_scatter = 0.002;     // no surface is smoother
-constexpr double max_scatter_sigmas = 5;  // what is thicker is neither plane nor line
+constexpr double max_scatter_sigmas = 5;  // a thicker surface is neither plane nor line
 
-// Covariance of the unit vector that the surface hands on: of its normal, or of its direction.
+// Covariance of the unit vector that the surface gives: its normal, or its direction.
 Eigen::Matrix3d tilt_covariance(const LocalSurface& s, bool line) {
   const double n = std::min<double>(s.points, max_independent_points);
   const auto& d = s.deviations;
@@ -32,7 +32,7 @@ Eigen::Matrix3d tilt_covariance(const LocalSurface& s, bool line) {
   };
   const auto outer = [&](int k) -> Eigen::Matrix3d { return s.axes.col(k) * s.axes.col(k).transpose(); };
   if (!line) return variance(0, 1) * outer(1) + variance(0, 2) * outer(2);
-  // What is across the line counts; a tilt lets a share of what is along it pass for across.
+  // Only the part across the line counts. A tilt lets a share of the part along it pass for across.
   return (variance(0, 2) + variance(1, 2)) * outer(2);
 }
 

@@ -47,9 +47,9 @@ std::pair<double, double> shares(MotionModel model, double s) {
   return {1 - s, s};
 }
 
-// SPEC A7: the variance of a condition is A Q A^T, of the model (the thickness that the target came with), of the point
-// and, for de-skewing, of the points that make the surface. A surface through many points moves with the scatter of
-// each by its share, so that sum is their variance times the leverage.
+// SPEC A7: the variance of a condition is A Q A^T, made of the model (the thickness that the target came with), of the
+// point and, for de-skewing, of the points that make the surface. A surface through many points moves by a share of the
+// scatter of each, so their sum is their variance times the leverage.
 void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, const FeaturePoint& p,
                         const Eigen::Vector3d& lever, const Eigen::Vector3d& x, Target& target) {
   Eigen::Vector3d axis = target.axis;
@@ -67,7 +67,7 @@ void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, c
         target.leverage * of_point + pose_variance(axis, x - priors.reference_position, priors.reference_covariance);
 }
 
-// Planes: turn about x and y, shift along z; lines: the others.
+// Planes keep the turn about x and y and the shift along z, lines the others.
 void keep_own_unknowns(bool line, PoseEquations& e) {
   Vector6d own;
   own << 1;
@@ -81,13 +81,13 @@ void keep_own_unknowns(bool line, PoseEquations& e) {
   e.g = e.g.cwiseProduct(own);
 }
 
-// Matching costs more than summing, so targets are kept for a round.
+// Matching costs more than summing, so targets are kept for one iteration.
 class FrameEquations {
  public:
   FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings)
       : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
 
-  // At `motion`; matches anew from `first_level` up, or keeps the targets when that is negative.
+  // At `motion`. Matches again from `first_level` up, or keeps the targets when that is negative.
   Sums sums(const FrameMotion& motion, int first_level, double kernel, const Run& run) {
     const PoseGrid poses(motion);
     const std::size_t n = targets_.size();
@@ -167,7 +167,8 @@ Vector6d inverse_variances(double sigma_rad, double sigma) {
   return w;
 }
 
-// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin stands.
+// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin is
+// fixed.
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
                 Sums& sums) {
   if (settings.model == MotionModel::rigid) return;
@@ -186,7 +187,7 @@ void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const R
   sums.g.tail<6>() += wm.cwiseProduct(em);
 }
 
-// The step that lessens the sum of squares; applies it to `motion` and returns it for begin and end.
+// The step that reduces the sum of squares. Applies it to `motion` and returns it for begin and end.
 Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motion) {
   Vector12d step = Vector12d::Zero();
   if (model == MotionModel::elastic) {
@@ -206,7 +207,7 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   if (!d.allFinite()) return Vector12d::Constant(std::nan(""));
   step.tail<6>() = d;
   if (model == MotionModel::rigid) {
-    // The begin is carried along about the end.
+    // The begin moves rigidly with the end.
     const Pose T_end_begin = motion.T_map_end.inverse() * motion.T_map_begin;
     motion.T_map_end = moved(motion.T_map_end, d);
     motion.T_map_begin = motion.T_map_end * T_end_begin;
@@ -216,8 +217,8 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   return step;
 }
 
-// Least over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
-// free.
+// Smallest over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
+// open.
 double shift_conditioning(const Matrix6d& H) {
   const Eigen::Matrix3d turn = H.topLeftCorner<3, 3>() + 1e-9 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d shift =
@@ -241,7 +242,7 @@ std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen
 }
 
 Target as_target(const LocalSurface& surface, bool line, double sigma) {
-  // Points are spread evenly about the place, more or less: one share for the mean and one for each tilt.
+  // Points are spread roughly evenly around the place: one share for the mean and one for each tilt.
   const double leverage = (line ? 2.0 : 3.0) / std::max(surface.points, 3);
   const double thickness = surface.deviations[line ? 1 : 0];
   Target target;
@@ -294,13 +295,13 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.tried = features.size();
   FrameEquations equations(features, maps, settings);
   Sums sums;
-  for (int round = 0; round < settings.iterations; ++round) {
-    // Coarse levels and a wide kernel first: they reach farther and still know the surfaces.
-    const int coarse = std::max(0, settings.coarse_iterations - round);
-    const bool match = coarse > 0 || (round - settings.coarse_iterations) % 2 == 0 || round == 0;
+  for (int i = 0; i < settings.iterations; ++i) {
+    // Coarse levels and a wide kernel come first: they reach farther.
+    const int coarse = std::max(0, settings.coarse_iterations - i);
+    const bool match = coarse > 0 || (i - settings.coarse_iterations) % 2 == 0 || i == 0;
     sums = equations.sums(out.motion, match ? std::min(coarse, 3) : -1,
                           settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
-    out.iterations = round + 1;
+    out.iterations = i + 1;
     if (sums.matched < 12) break;
     add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);

@@ -8,20 +8,20 @@
 #include <numbers>
 #include <optional>
 
+#include "base/angles.h"
+
 namespace bole::slam {
 namespace {
 
-constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
-
-// What a walking person may have done against the prediction.
+// How far a walking person may be from the prediction.
 constexpr double initial_reach = 0.5, reach_per_s = 1.0, max_reach = 5;
-constexpr double initial_turn_rad = rad(10), turn_rad_per_s = rad(120);
+constexpr double initial_turn_rad = radians(10), turn_rad_per_s = radians(120);
 constexpr double expected_sigma = 0.3, expected_sigma_per_s = 0.5;
-constexpr double step_size = 0.6, step_rad = rad(10);
+constexpr double step_size = 0.6, step_rad = radians(10);
 constexpr int scored_level = 2;
 constexpr std::size_t scored_points = 400, tried_points = 1500;
 constexpr std::size_t max_tried = 16, max_registered = 4;
-constexpr double min_apart = 0.5, min_apart_rad = rad(8);
+constexpr double min_apart = 0.5, min_apart_rad = radians(8);
 constexpr double max_prediction_s = 2;
 
 struct Place {
@@ -51,7 +51,7 @@ Pose ahead(const LastSeen& last) {
   return last.T_map_sensor * se3_exp(last.velocity * std::min(last.since_s, max_prediction_s));
 }
 
-// How much likelier the walk is to have led to one place than to the other.
+// How much more likely the walk is to have led to one place than to the other.
 double preference(const LastSeen& last, const Pose& to, const Pose& other) {
   const Eigen::Vector3d expected = ahead(last).translation();
   const double sigma = expected_sigma + expected_sigma_per_s * last.since_s,
@@ -80,7 +80,7 @@ std::vector<Place> reachable(const LastSeen& last) {
   return places;
 }
 
-// How likely a point is where the map has it, 0 to 1.
+// Likelihood of a point under the map, 0 to 1.
 double likeness(const DistributionMap& map, const Eigen::Vector3d& x) {
   const auto surface = map.surface(x, scored_level);
   if (!surface) return 0;
@@ -90,7 +90,7 @@ double likeness(const DistributionMap& map, const Eigen::Vector3d& x) {
   return std::exp(-0.5 * off.squaredNorm());
 }
 
-// Sets the scores and brings the best, all apart from each other, to the front.
+// Sets the scores and returns the best places, all separate from each other.
 std::vector<Place> best_of(std::vector<Place> places, const FeatureSet& features, const FeatureMaps& maps,
                            const Vector6d& velocity, double span_s, const Run& run) {
   const FeatureSet few = thinned(features, scored_points);
@@ -146,8 +146,8 @@ Relocalisation relocalise(const FeatureSet& features, const FeatureMaps& maps, c
   settings.model = MotionModel::rigid;
   settings.coarse_iterations = 6;
   settings.iterations = 14;
-  // Somebody who turns on the spot does not turn the same way for ever: the frame is de-skewed with the last motion, or
-  // not at all, whichever fits.
+  // A person who turns on the spot does not go on turning: the frame is de-skewed with the last motion, or not at all,
+  // whichever fits.
   const FeatureSet some = thinned(features, tried_points);
   std::vector<std::pair<Registration, Vector6d>> tried;
   for (const Vector6d& velocity : {last.velocity, Vector6d(Vector6d::Zero())})

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
 #include "slam/core/loops/pose_graph.h"
@@ -29,10 +29,10 @@ std::string percent_text(double share) { return number_text(std::round(share * 1
 struct FirstPass {
   std::vector<TrackedFrame> frames;
   std::vector<Keyframe> keyframes;
-  std::vector<FrameSample> samples;  // of `frames`, in step; empty when no adjustment follows
+  std::vector<FrameSample> samples;  // one per frame; empty when no adjustment follows
 };
 
-// Warns about single failed frames, up to a number.
+// Warns about single failed frames, up to a maximum number.
 class FrameWarnings {
  public:
   FrameWarnings(const FrameSource& source, Report& report) : source_(source), report_(report) {}
@@ -54,7 +54,7 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
-// What following the frames has cost, and how often the sensor had to be found again.
+// Time and counts of the odometry, and how often the sensor had to be found again.
 struct FollowCosts {
   double read_s = 0, features_s = 0;
   std::size_t frames = 0, features = 0, found_again = 0, unknown_lines = 0;
@@ -73,7 +73,7 @@ struct FollowCosts {
     report.counts["features_per_frame"] = static_cast<std::int64_t>(features / n);
     report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
     if (unknown_lines > 0)
-      report.warn(std::to_string(unknown_lines) + " points left out: their ring is none of those of the sensor");
+      report.warn(std::to_string(unknown_lines) + " points were left out: their ring is not one of the sensor's");
   }
 };
 
@@ -94,7 +94,7 @@ std::string found_again_text(const Odometry& odometry) {
          " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100);
 }
 
-void tell_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
+void report_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
   const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
   report.status = Status::finished_early;
   report.warnings.push_back("the track was lost at frame " + std::to_string(first.index) + ", " +
@@ -135,7 +135,7 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, Report&
 
     const auto frames_before = odometry.frames().size(), keyframes_before = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
-    if (odometry.frames().size() == frames_before) continue;  // nothing to begin with yet
+    if (odometry.frames().size() == frames_before) continue;  // no map to start with yet
     if (by_context && odometry.keyframes().size() > keyframes_before)
       odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
     ++costs.frames;
@@ -151,7 +151,7 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, Report&
     if (odometry.lost()) break;
   }
   odometry.finish();
-  if (odometry.lost()) tell_lost(odometry, warnings, report);
+  if (odometry.lost()) report_lost(odometry, warnings, report);
   odometry.drop_failed_tail();
   preview.all(odometry);
   costs.write(odometry.times(), report);
@@ -161,7 +161,8 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, Report&
   return out;
 }
 
-// Frames move with the keyframes about them: the correction is interpolated in time, so that the path stays whole.
+// Frames move with the keyframes around them: the correction is interpolated in time, so that the path stays
+// continuous.
 void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old,
                   const std::vector<Pose>& T_map_keyframe) {
   std::vector<StampedPose> corrections;
@@ -180,7 +181,7 @@ void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>
   }
 }
 
-// Of the two quaternions of a rotation the one with a positive scalar part.
+// The one of the two quaternions of a rotation that has a positive scalar part.
 Eigen::Quaterniond upright(Eigen::Quaterniond q) {
   if (q.w() < 0) q.coeffs() *= -1;
   return q;
@@ -220,7 +221,7 @@ Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyf
   return t;
 }
 
-// What the odometry found for each frame; standard deviations are those of the adjustment of that frame alone.
+// Results of the odometry for each frame. Standard deviations are those of the adjustment of that frame alone.
 Table table_of(const std::vector<TrackedFrame>& frames) {
   std::vector<std::int64_t> index, ok, keyframe, converged, bent;
   std::vector<double> time_s, overlap, rms, observability, sigma0;
@@ -238,7 +239,7 @@ Table table_of(const std::vector<TrackedFrame>& frames) {
     sigma0.push_back(f.sigma0);
     for (std::size_t k = 0; k < 6; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      sd[k].push_back(std::sqrt(std::max(0.0, f.covariance(i, i))) * (k < 3 ? 180 / std::numbers::pi : 1));
+      sd[k].push_back(std::sqrt(std::max(0.0, f.covariance(i, i))) * (k < 3 ? deg_per_rad : 1));
     }
   }
   Table t;
@@ -292,7 +293,7 @@ Table close_loops(FirstPass& pass, const SlamSettings& options, Report& report, 
   return table_of(kept, pass.keyframes);
 }
 
-// Elastic frames know their begin and end. Of the others the middle is what the registration has found.
+// Elastic frames have their own begin and end. Of the others, registration determines the middle.
 Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
   if (elastic) {
     std::vector<FrameMotion> motions;
@@ -323,7 +324,7 @@ Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
 }
 
 std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& frames) {
-  constexpr double min_gap_s = 0.5;  // a shorter one is bridged well
+  constexpr double min_gap_s = 0.5;  // shorter ones are bridged well
   std::vector<std::pair<double, double>> gaps_s;
   const TrackedFrame* last = nullptr;
   for (const auto& f : frames) {
@@ -334,7 +335,7 @@ std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& 
   return gaps_s;
 }
 
-// Takes the samples out of `pass`: of a long walk they are most of what is held.
+// Takes the samples out of `pass`: on a long walk they use most of the memory.
 void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& report, const Run& run) {
   std::vector<FrameSample> samples;
   for (std::size_t k = 0; k < pass.samples.size(); ++k)
@@ -359,7 +360,7 @@ void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& 
   report.metrics["adjustment_last_step"] = {refined.step_size.back(), Unit::metre};
 }
 
-// Means over the good frames and the weakest of all.
+// Means over the good frames and minima over all.
 void report_frames(const FirstPass& pass, Report& report) {
   double squared = 0, sigma0 = 0, variance = 0, overlap = 0, iterations = 0, weakest = 1,
          min_seen = std::numeric_limits<double>::infinity();
