@@ -65,7 +65,6 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
   const auto n = static_cast<double>(E.size());
   out.ate_m = std::sqrt(out.ate_m / n);
   out.turn_deg = std::sqrt(out.turn_deg / n);
-
   out.step_size = std::sqrt(out.step_size / n);
   out.end_m = drift.translation().norm();
   return out;
@@ -159,7 +158,6 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
     squared += error_cm * error_cm;
     sum += error_cm;
     wall += 100 * scale;
-
     dx2 += (circle.head<2>() - Eigen::Vector2d(x[t], y[t])).squaredNorm();
   }
   std::printf(
@@ -229,7 +227,7 @@ void print_walls(const PointCloud& map, const synthetic::World& world, const Pos
 void print_loops(const Table& loops, const Trajectory& truth) {
   evaluation::EvaluationOptions options;
   for (const double radius : {3.0, 5.0}) {
-    options.loop_radius = radius;
+    options.loop_radius_m = radius;
     const auto e = evaluation::evaluate_loops(loops, truth, options);
     const auto values = e.summary.numbers("value");
     std::printf("loops within %.0f m: %zu right, %zu wrong, recall %.0f %%\n", radius, e.right, e.wrong, values.back());

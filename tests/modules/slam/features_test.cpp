@@ -35,7 +35,6 @@ TEST(Scan, KeepsUsableReturnsInLinesAndOrder) {
     frame.positions.push_back(p);
     frame.ring.push_back(ring);
     frame.time_offset_s.push_back(t);
-
     frame.intensity.push_back(1);
     frame.return_number.push_back(echo);
   };

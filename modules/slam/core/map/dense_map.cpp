@@ -40,7 +40,6 @@ DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
   sensor_y_.reserve(room);
   sensor_z_.reserve(room);
   pass_.reserve(room);
-
   keyframe_.reserve(room);
 }
 
