@@ -6,6 +6,7 @@ namespace bole::slam {
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "slam.run";
+  type.vtk_class = "vtkBoleSlam";
   type.title = "Simultaneous localization and mapping";
   type.help =
       "Estimates the trajectory of the sensor from the frames alone and maps all returns with it. Each frame is "
