@@ -436,7 +436,9 @@ class RunningTest : public QObject {
   RunBehavior& runner() { return window_->runner(); }
   int neighbours() {
     const auto& options = window_->session().document().at("slam").options;
-    return static_cast<int>(std::get<std::int64_t>(options.get("neighbour_keyframes")));
+    const auto value = options.get("neighbour_keyframes");
+    const auto* count = std::get_if<std::int64_t>(&value);
+    return count != nullptr ? static_cast<int>(*count) : 0;  // 0: left to the preset
   }
   QTabWidget& tabs() { return *window_->findChild<QTabWidget*>("centre"); }
   QPushButton& button(const char* name) { return *window_->findChild<QPushButton*>(name); }
