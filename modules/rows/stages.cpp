@@ -49,7 +49,10 @@ constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 
 template <class Options, class Step>
 pipeline::StageType point_step(const char* name, const char* title, const char* help, Step step) {
   pipeline::StageType type;
-  type.name = name, type.title = title, type.help = help, type.source = paper;
+  type.name = name;
+  type.title = title;
+  type.help = help;
+  type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points of a frame: y ahead, z up, origin in the sensor.", false, {}}};
   type.outputs = {{"points", DataKind::cloud, "The points after this step.", false, {}}};
   type.options = &option_table(static_cast<const Options*>(nullptr));
@@ -193,7 +196,9 @@ pipeline::StageType edit_stage() {
   t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
     const auto& options = set.as<RowEditOptions>();
     FoundRows found;
-    found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
+    found.rows = in.table("rows");
+    found.plants = in.table("plants");
+    found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
     auto edited = apply_row_edits(found, edits_of(options), options, run);
     pipeline::StageResult result;

@@ -84,7 +84,8 @@ double mean_longitude_deg(const std::vector<double>& longitudes_deg) {
   for (const double l : longitudes_deg) {
     if (!std::isfinite(l)) continue;
     if (n == 0) first = l;
-    sum += longitude_difference_deg(l, first), ++n;
+    sum += longitude_difference_deg(l, first);
+    ++n;
   }
   return n == 0 ? first : longitude_difference_deg(first + sum / n, 0);
 }
@@ -130,10 +131,12 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
     try {
       if (forward) {
         const auto p = projection.forward({a[i], b[i], 0});
-        first[i] = p.easting_m, second[i] = p.northing_m;
+        first[i] = p.easting_m;
+        second[i] = p.northing_m;
       } else {
         const auto p = projection.inverse(a[i], b[i]);
-        first[i] = p.latitude_deg, second[i] = p.longitude_deg;
+        first[i] = p.latitude_deg;
+        second[i] = p.longitude_deg;
       }
     } catch (const Error& e) {
       throw e.at(fmt::format("row {}", i + 1));
@@ -143,7 +146,10 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
   Projected result{table, {}};
   result.table.set(forward ? "x_m" : "latitude_deg", std::move(first));
   result.table.set(forward ? "y_m" : "longitude_deg", std::move(second));
-  if (forward) result.table.facts["axes"] = "global", result.table.facts["crs"] = projection.wkt();
+  if (forward) {
+    result.table.facts["axes"] = "global";
+    result.table.facts["crs"] = projection.wkt();
+  }
   auto& r = result.report;
   r.counts["points"] = static_cast<std::int64_t>(a.size()) - missing;
   r.counts["missing"] = missing;

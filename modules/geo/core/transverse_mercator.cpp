@@ -109,7 +109,8 @@ PlanePoint TransverseMercator::forward(const GeodeticPoint& point) const {
   const double difference = checked_difference_deg(point, plane_);
   PlanePoint p;
   exact_->projection.Forward(0, point.latitude_deg, difference, p.easting_m, p.northing_m, p.convergence_deg, p.scale);
-  p.easting_m += plane_.false_easting_m, p.northing_m += northing_of_equator_m_;
+  p.easting_m += plane_.false_easting_m;
+  p.northing_m += northing_of_equator_m_;
   return p;
 }
 

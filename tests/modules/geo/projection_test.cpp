@@ -145,11 +145,17 @@ TEST(TransverseMercator, TheBritishGridHasAnOriginOfItsOwn) {
   EXPECT_THAT(grid.wkt(), HasSubstr("\"false_northing\",-100000"));
   // By the options of the stage.
   Table table;
-  table.set("latitude_deg", std::vector<double>{latitude_deg}),
-      table.set("longitude_deg", std::vector<double>{longitude_deg});
+  table.set("latitude_deg", std::vector<double>{latitude_deg});
+
+  table.set("longitude_deg", std::vector<double>{longitude_deg});
   ProjectOptions o;
-  o.plane = "transverse_mercator", o.ellipsoid = "Airy1830", o.central_meridian_deg = -2, o.scale = 0.9996012717;
-  o.false_easting_m = 400'000, o.false_northing_m = -100'000, o.latitude_of_origin_deg = 49;
+  o.plane = "transverse_mercator";
+  o.ellipsoid = "Airy1830";
+  o.central_meridian_deg = -2;
+  o.scale = 0.9996012717;
+  o.false_easting_m = 400'000;
+  o.false_northing_m = -100'000;
+  o.latitude_of_origin_deg = 49;
   EXPECT_NEAR(project_table(table, o).table.numbers("y_m").at(0), 313177.270, 0.002);
 }
 
@@ -201,7 +207,8 @@ TEST(ProjectTable, GoesThereAndBackAndCarriesThePlane) {
   EXPECT_THAT(plane.table.facts.at("crs"), HasSubstr("PARAMETER[\"central_meridian\",114]"));
   EXPECT_TRUE(std::isnan(plane.table.numbers("x_m")[2]));
   Table metres;
-  metres.set("x_m", plane.table.numbers("x_m")), metres.set("y_m", plane.table.numbers("y_m"));
+  metres.set("x_m", plane.table.numbers("x_m"));
+  metres.set("y_m", plane.table.numbers("y_m"));
   o.direction = "to_geodetic";
   EXPECT_THROW(project_table(metres, o), Error);  // which zone?
   o.zone = 38;

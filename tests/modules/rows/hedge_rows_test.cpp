@@ -64,7 +64,7 @@ TEST(HedgeRows, OneRowAloneIsFound) {
 TEST(HedgeRows, GapsHaveNoPointsAndBentRowsAreFollowed) {
   Report report;
   HedgeOptions o;
-  o.direction = "given", o.direction_deg = 0;
+  o.direction_deg = 0;
   const auto stems = hedge_rows(hedges(0, 3, 2.0), o, bole::Run{}, report);
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
   ASSERT_EQ(report.counts.at("rows"), 3);
@@ -95,7 +95,8 @@ TEST(HedgeRows, FarFromTheOriginNothingChanges) {
 TEST(HedgeRows, TheReferenceSystemOfTheCloudGoesWithTheRows) {
   Report report;
   auto canopy = hedges(0, 2);
-  canopy.axes = Axes::global, canopy.crs_wkt = "PROJCS[...]";
+  canopy.axes = Axes::global;
+  canopy.crs_wkt = "PROJCS[...]";
   const auto found = find_rows(hedge_rows(canopy, {}, bole::Run{}, report), {}, bole::Run{});
   for (const Table* t : {&found.rows, &found.lines, &found.plants}) {
     EXPECT_EQ(t->facts.at("crs"), "PROJCS[...]");

@@ -119,7 +119,9 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
     const Eigen::Vector3d ray = (p.in_plot - p.sensor) / p.range_m;
     const double error =
         -above / std::abs(ray.dot(terrain.normal(p.in_plot.x(), p.in_plot.y()))) * terrain.normal(0, 0).z();
-    n += 1, sum += error, squares += error * error;
+    n += 1;
+    sum += error;
+    squares += error * error;
   }
   ASSERT_GT(n, 20000);
   EXPECT_NEAR(sum / n, 0, 0.001);
@@ -256,9 +258,21 @@ TEST_F(Simulation, wrong_options_are_explained) {
   };
   EXPECT_THAT(error([](auto& o) { o.plot = "plot9"; }),
               testing::AllOf(HasSubstr("plot9"), HasSubstr("demo"), HasSubstr("plot1")));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.sensor = "vlp99"; }), HasSubstr("vlp99"));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.walk = "/nowhere.csv"; }), HasSubstr("/nowhere.csv"));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.most_time = 0.01; }), HasSubstr("most_time"));
+  EXPECT_THAT(error([](auto& o) {
+                o.plot = "demo";
+                o.sensor = "vlp99";
+              }),
+              HasSubstr("vlp99"));
+  EXPECT_THAT(error([](auto& o) {
+                o.plot = "demo";
+                o.walk = "/nowhere.csv";
+              }),
+              HasSubstr("/nowhere.csv"));
+  EXPECT_THAT(error([](auto& o) {
+                o.plot = "demo";
+                o.most_time = 0.01;
+              }),
+              HasSubstr("most_time"));
   EXPECT_THROW(OptionSet(option_table(static_cast<const SimulationOptions*>(nullptr))).set_text("speed", "50"), Error);
 }
 

@@ -18,19 +18,25 @@ constexpr double deg = std::numbers::pi / 180;
 
 TEST(Receiver, HasTheNoiseAndTheCorrelationItIsGiven) {
   ReceiverOptions o;
-  o.white_noise = 0, o.drift = 0.02, o.drift_time = 5;
+  o.white_noise = 0;
+  o.drift = 0.02;
+  o.drift_time = 5;
   Receiver receiver(o, 3);
   std::vector<double> x;
   for (int i = 0; i < 200'000; ++i) x.push_back(receiver.fix({100, 0})->x() - 100);
   double variance = 0, covariance = 0;
-  for (std::size_t i = 50; i < x.size(); ++i) variance += x[i] * x[i], covariance += x[i] * x[i - 50];
+  for (std::size_t i = 50; i < x.size(); ++i) {
+    variance += x[i] * x[i];
+    covariance += x[i] * x[i - 50];
+  }
   EXPECT_NEAR(std::sqrt(variance / static_cast<double>(x.size())), 0.02, 0.002);
   EXPECT_NEAR(covariance / variance, std::exp(-1), 0.05);  // 50 fixes are one correlation time
 }
 
 TEST(Receiver, LosesFixesForTheShareOfTimeItIsTold) {
   ReceiverOptions o;
-  o.outages_per_hour = 60, o.outage_length = 4;
+  o.outages_per_hour = 60;
+  o.outage_length = 4;
   Receiver receiver(o, 1);
   int lost = 0;
   for (int i = 0; i < 300'000; ++i) lost += receiver.fix({0, 0}) ? 0 : 1;
@@ -90,7 +96,7 @@ TEST(PreviewPid, HasThePublishedTableAndStraightLinesBetween) {
 
 TEST(PreviewPid, SteersByTheEquationOfThePaper) {
   ControlOptions o;
-  o.command_max_deg = 40;
+  o.max_command_deg = 40;
   const Gains g{2, 100, 0, 30};
   PreviewPid pid(o, g);
   const double alpha = 3 * deg, expected = -(100 * (0.05 + 2 * std::sin(alpha)) + 30 * 1.5 * std::tan(alpha));
@@ -115,7 +121,9 @@ TEST(Tractor, DrivesTheCircleOfItsWheelAngle) {
 
 TEST(Tractor, SlipsDownhill) {
   TractorOptions o;
-  o.steering_offset_deg = o.wheel_disturbance_deg = 0, o.side_slope_deg = 10, o.slip_per_slope = 0.1;
+  o.steering_offset_deg = o.wheel_disturbance_deg = 0;
+  o.side_slope_deg = 10;
+  o.slip_per_slope = 0.1;
   Tractor tractor(o, 0, 1);
   tractor.place({0, 0}, 0, 1);
   for (int i = 0; i < 100; ++i) tractor.advance(0.1, 0, 1);

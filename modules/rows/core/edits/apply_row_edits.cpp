@@ -19,10 +19,16 @@ struct Log {
 
   void add(const RowEdit& e, const EditOutcome& what, bool applied) {
     const Eigen::Vector2d at = e.action == Action::add ? *e.from : e.at;
-    edit.push_back(std::ssize(edit) + 1), action.emplace_back(action_name(e.action)), row_id.push_back(what.row_id);
-    x.push_back(at.x()), y.push_back(at.y());
-    outcome.emplace_back(applied ? "applied" : "conflict"), message.push_back(what.said);
-    author.push_back(e.author), time.push_back(e.time), reason.push_back(e.reason);
+    edit.push_back(std::ssize(edit) + 1);
+    action.emplace_back(action_name(e.action));
+    row_id.push_back(what.row_id);
+    x.push_back(at.x());
+    y.push_back(at.y());
+    outcome.emplace_back(applied ? "applied" : "conflict");
+    message.push_back(what.said);
+    author.push_back(e.author);
+    time.push_back(e.time);
+    reason.push_back(e.reason);
   }
 
   Table table() && {
@@ -65,7 +71,8 @@ EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& e
     try {
       const auto outcome = apply_row_edit(field, edits[i], options);
       changed |= edits[i].action != Action::note;
-      log.add(edits[i], outcome, true), ++applied;
+      log.add(edits[i], outcome, true);
+      ++applied;
       if (!outcome.said.empty()) tell(": " + outcome.said);
     } catch (const EditConflict& conflict) {
       log.add(edits[i], {"", conflict.why}, false);
@@ -79,7 +86,8 @@ EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& e
   auto& r = out.found.report;
   r.warnings.insert(r.warnings.begin(), told.warnings.begin(), told.warnings.end());
   if (!r.warnings.empty()) r.status = Status::warning;
-  r.counts["edits"] = std::ssize(edits), r.counts["applied"] = applied;
+  r.counts["edits"] = std::ssize(edits);
+  r.counts["applied"] = applied;
   r.counts["conflicts"] = std::ssize(edits) - applied;
   r.counts["rows"] = static_cast<std::int64_t>(out.found.rows.rows());
   r.message = edits.empty() ? "no edits" : fmt::format("{} of {} edits applied", applied, edits.size());

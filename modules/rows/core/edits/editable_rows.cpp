@@ -35,7 +35,10 @@ Vector2d chord_of(const EditableRow& row) { return row.course.back() - row.cours
 
 void give_ends(EditableRow& row, const Vector2d& from, const Vector2d& to) {
   const Vector2d d = to - from;
-  row.ends = RowEnds{from, to}, row.course = {from, to}, row.angle_rad = std::atan2(d.y(), d.x()), row.edited = true;
+  row.ends = RowEnds{from, to};
+  row.course = {from, to};
+  row.angle_rad = std::atan2(d.y(), d.x());
+  row.edited = true;
 }
 
 class Change {
@@ -66,7 +69,8 @@ class Change {
         break;
       case Action::renumber:
         if (rows_[k].id != e_.row_id) refuse_taken(e_.row_id);
-        rows_[k].id = e_.row_id, rows_[k].edited = true;
+        rows_[k].id = e_.row_id;
+        rows_[k].edited = true;
         break;
       default:  // a note changes nothing
         break;
@@ -101,7 +105,9 @@ class Change {
   }
 
   void check_unchanged(const EditableRow& row) {
-    if (!e_.was_angle_deg || row_angle_difference(row.angle_rad, *e_.was_angle_deg * deg) <= o_.doubt_deg * deg) return;
+    if (!e_.was_angle_deg ||
+        row_angle_difference(row.angle_rad, *e_.was_angle_deg * deg) <= o_.angle_tolerance_deg * deg)
+      return;
     outcome_.said = fmt::format("the row ran at {:.2f} deg and now runs at {:.2f} deg", *e_.was_angle_deg,
                                 row_angle(row.angle_rad) / deg);
   }
@@ -117,7 +123,8 @@ class Change {
     for (std::size_t p = 0; p < plants_.size(); ++p)
       if (!taken[p] && from_segment(plants_[p], *e_.from, *e_.to) <= o_.reach)
         row.plants.push_back(static_cast<int>(p));
-    give_ends(row, *e_.from, *e_.to), row.replanted = true;
+    give_ends(row, *e_.from, *e_.to);
+    row.replanted = true;
     outcome_.row_id = row.id;
     rows_.push_back(std::move(row));
   }
@@ -133,13 +140,16 @@ class Change {
     for (const auto& v : row.course) ((v - e_.at).dot(d) < 0 ? before : after).course.push_back(v);
     if (before.course.empty() || after.course.empty())
       throw EditConflict{"the cut lies beyond the ends of row " + row.id};
-    before.course.push_back(e_.at), after.course.insert(after.course.begin(), e_.at);
+    before.course.push_back(e_.at);
+    after.course.insert(after.course.begin(), e_.at);
     before.angle_rad = after.angle_rad = row.angle_rad;
     if (row.ends) {  // both parts keep to the line that was given
       const Vector2d foot = row.course.front() + (e_.at - row.course.front()).dot(d) * d;
-      give_ends(before, row.course.front(), foot), give_ends(after, foot, row.course.back());
+      give_ends(before, row.course.front(), foot);
+      give_ends(after, foot, row.course.back());
     }
-    before.id = row.id, after.id = free_id();
+    before.id = row.id;
+    after.id = free_id();
     before.edited = after.edited = before.replanted = after.replanted = true;
     row = std::move(before);
     rows_.push_back(std::move(after));
@@ -160,7 +170,8 @@ class Change {
     }
     const Vector2d d = chord_of(row);
     std::ranges::stable_sort(row.course, [&](const auto& a, const auto& b) { return a.dot(d) < b.dot(d); });
-    row.ends.reset(), row.edited = row.replanted = true;
+    row.ends.reset();
+    row.edited = row.replanted = true;
     // Drawn rows without plants have nothing to be measured by.
     if (row.plants.size() < 2) give_ends(row, Vector2d(row.course.front()), Vector2d(row.course.back()));
     std::ranges::sort(others, std::greater<>());

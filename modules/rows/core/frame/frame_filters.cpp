@@ -112,7 +112,7 @@ PointCloud cut_region(const PointCloud& frame, const RegionOptions& o) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < frame.size(); ++i) {
     const Eigen::Vector3d p = frame.position(i);
-    if (p.x() > o.x_min && p.x() < o.x_max && p.y() > o.y_min && p.y() < o.y_max && p.z() > o.z_min && p.z() < o.z_max)
+    if (p.x() > o.min_x && p.x() < o.max_x && p.y() > o.min_y && p.y() < o.max_y && p.z() > o.min_z && p.z() < o.max_z)
       kept.push_back(i);
   }
   return frame.subset(kept);
@@ -126,7 +126,8 @@ PointCloud voxel_centroids(const PointCloud& frame, const VoxelOptions& o) {
     centroids.push_back((sum / static_cast<double>(points.size())).cast<float>());
   }
   PointCloud out(std::move(centroids), frame.origin);
-  out.axes = frame.axes, out.crs_wkt = frame.crs_wkt;
+  out.axes = frame.axes;
+  out.crs_wkt = frame.crs_wkt;
   return out;
 }
 
@@ -142,7 +143,7 @@ PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& o, con
       sectors[static_cast<std::int64_t>(std::floor(std::atan2(p.y(), p.x()) / (o.sector_deg * deg)))].push_back(
           {p.head<2>().norm(), p.z() + o.sensor_height, i});
   }
-  const double local = std::tan(o.local_max_slope_deg * deg), general = std::tan(o.general_max_slope_deg * deg);
+  const double local = std::tan(o.max_local_slope_deg * deg), general = std::tan(o.max_general_slope_deg * deg);
   std::vector<std::uint32_t> kept;
   for (auto& [sector, rays] : sectors) {
     run.check_cancel();
@@ -154,10 +155,12 @@ PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& o, con
       const bool near_general = std::abs(ray.height_m) <= std::max(o.height_threshold, general * ray.range_m);
       // After a jump the last ground point says little; the general slope still holds.
       const bool ground = near_last ? near_general : near_general && step > o.reset_distance;
-      if (ground)
-        range = ray.range_m, height = ray.height_m;
-      else
+      if (ground) {
+        range = ray.range_m;
+        height = ray.height_m;
+      } else {
         kept.push_back(ray.index);
+      }
     }
   }
   std::sort(kept.begin(), kept.end());
@@ -179,9 +182,9 @@ PointCloud radius_filter(const PointCloud& frame, const RadiusOptions& o, const 
       int neighbours = -1;  // itself
       for (const auto j : around) {
         neighbours += (frame.position(i) - frame.position(j)).norm() <= o.radius;
-        if (neighbours >= o.neighbours_min) break;
+        if (neighbours >= o.min_neighbours) break;
       }
-      if (neighbours >= o.neighbours_min) kept.push_back(i);
+      if (neighbours >= o.min_neighbours) kept.push_back(i);
     }
   }
   std::sort(kept.begin(), kept.end());

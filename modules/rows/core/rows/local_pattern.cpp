@@ -61,7 +61,10 @@ std::pair<double, double> peak_of(const std::vector<Vote>& votes) {
     double sum = 0, weight = 0;
     for (const auto& v : votes) {
       const double d = std::remainder(v.angle_rad - angle, pi);
-      if (std::abs(d) <= refine_deg * deg) sum += v.weight * d, weight += v.weight;
+      if (std::abs(d) <= refine_deg * deg) {
+        sum += v.weight * d;
+        weight += v.weight;
+      }
     }
     if (weight > 0) angle = row_angle(angle + sum / weight);
     share = all > 0 ? weight / all : 0;
@@ -85,8 +88,9 @@ class PatternFinder {
   }
 
   void find_direction(int i, LocalPattern& pattern) const {
-    if (options_.direction == "given") {
-      pattern.angle_rad = row_angle(options_.direction_deg * deg), pattern.confidence = 1;
+    if (options_.direction_deg) {
+      pattern.angle_rad = row_angle(*options_.direction_deg * deg);
+      pattern.confidence = 1;
       return;
     }
     const auto around = window(i);
@@ -122,10 +126,9 @@ class PatternFinder {
         if (std::isfinite(s)) steps.push_back(s);
     }
     const double nearest = distance(i, near_[static_cast<std::size_t>(i)].front());
-    pattern.plant_spacing_m =
-        std::max(options_.plant_spacing > 0 ? options_.plant_spacing : median(steps, nearest), 1e-9);
-    if (options_.row_spacing > 0) {
-      pattern.row_spacing_m = options_.row_spacing;
+    pattern.plant_spacing_m = std::max(options_.plant_spacing ? *options_.plant_spacing : median(steps, nearest), 1e-9);
+    if (options_.row_spacing) {
+      pattern.row_spacing_m = *options_.row_spacing;
       return;
     }
     std::vector<double> gaps;

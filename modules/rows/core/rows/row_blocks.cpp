@@ -14,7 +14,7 @@ namespace {
 constexpr double same_direction = 15 * std::numbers::pi / 180;
 constexpr double neighbour_spacings = 1.7;  // a single row may have been lost between two, a headland not
 constexpr int samples = 9;
-constexpr int least_beside = 3;  // samples of the shorter row that lie beside the longer
+constexpr int min_beside = 3;  // samples of the shorter row that lie beside the longer
 
 // How far apart two rows run; nothing where they do not run side by side.
 std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b) {
@@ -29,7 +29,7 @@ std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b
     if (std::abs(u.x() * v.y() - u.y() * v.x()) > std::sin(same_direction)) continue;
     across.push_back(std::abs(foot.across_m));
   }
-  if (std::ssize(across) < least_beside) return {};
+  if (std::ssize(across) < min_beside) return {};
   std::sort(across.begin(), across.end());
   return across[across.size() / 2];
 }
@@ -104,8 +104,10 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     double count = 0;
     for (const int i : list)
-      for (const int p : rows[static_cast<std::size_t>(i)].plants)
-        centre += plants[static_cast<std::size_t>(p)], count += 1;
+      for (const int p : rows[static_cast<std::size_t>(i)].plants) {
+        centre += plants[static_cast<std::size_t>(p)];
+        count += 1;
+      }
     blocks.emplace_back(centre / std::max(count, 1.0), std::move(block));
   }
   std::stable_sort(blocks.begin(), blocks.end(), [](const auto& a, const auto& b) {

@@ -82,12 +82,18 @@ FieldPlants plants_in(const Json& json) {
       for (const auto& at : row) positions.push_back(position_in(at));
       if (positions.empty()) throw bad_input("field recipe plants.at has an empty row", "positions [x, y]");
     }
-  s.integer("rows", p.rows, 1, 200), s.integer("plants_per_row", p.plants_per_row, 1, 500);
-  s.number("plant_spacing_m", p.plant_spacing_m, 0.05, 50), s.number("row_spacing_m", p.row_spacing_m, 0.05, 50);
-  s.number("angle_deg", p.angle_deg, -180, 180), s.number("position_sd_m", p.position_sd_m, 0, 1);
-  s.number("missing_share", p.missing_share, 0, 0.9), s.number("height_m", p.height_m, 0.2, 40);
-  s.number("diameter_min_mm", p.diameter_min_mm, 5, 2000), s.number("diameter_max_mm", p.diameter_max_mm, 5, 2000);
-  s.number("lean_sd_deg", p.lean_sd_deg, 0, 15), s.integer("leaves", p.leaves, 0, 500);
+  s.integer("rows", p.rows, 1, 200);
+  s.integer("plants_per_row", p.plants_per_row, 1, 500);
+  s.number("plant_spacing_m", p.plant_spacing_m, 0.05, 50);
+  s.number("row_spacing_m", p.row_spacing_m, 0.05, 50);
+  s.number("angle_deg", p.angle_deg, -180, 180);
+  s.number("position_sd_m", p.position_sd_m, 0, 1);
+  s.number("missing_share", p.missing_share, 0, 0.9);
+  s.number("height_m", p.height_m, 0.2, 40);
+  s.number("diameter_min_mm", p.diameter_min_mm, 5, 2000);
+  s.number("diameter_max_mm", p.diameter_max_mm, 5, 2000);
+  s.number("lean_sd_deg", p.lean_sd_deg, 0, 15);
+  s.integer("leaves", p.leaves, 0, 500);
   s.refuse_unknown();
   if (p.diameter_min_mm > p.diameter_max_mm)
     throw bad_input("field recipe plants.diameter_min_mm is above diameter_max_mm", "the smaller one first");
@@ -100,8 +106,11 @@ FieldRecipe parse_field(const Json& json) {
   if (!json.is_object()) throw bad_input("the field recipe is " + json.dump(), "a JSON object");
   FieldRecipe r;
   Section top(json, "");
-  top.text("name", r.name), top.text("title", r.title);
-  top.take("plants"), top.take("ground"), top.take("sensor");
+  top.text("name", r.name);
+  top.text("title", r.title);
+  top.take("plants");
+  top.take("ground");
+  top.take("sensor");
   top.refuse_unknown();
   r.plants = plants_in(json);
   Section ground(json, "ground");
@@ -110,7 +119,8 @@ FieldRecipe parse_field(const Json& json) {
   ground.number("weeds_per_m2", r.ground.weeds_per_m2, 0, 20);
   ground.refuse_unknown();
   Section sensor(json, "sensor");
-  sensor.number("x_m", r.sensor.x_m, -1000, 1000), sensor.number("y_m", r.sensor.y_m, -1000, 1000);
+  sensor.number("x_m", r.sensor.x_m, -1000, 1000);
+  sensor.number("y_m", r.sensor.y_m, -1000, 1000);
   sensor.number("heading_deg", r.sensor.heading_deg, -360, 360);
   sensor.number("height_m", r.sensor.height_m, 0.1, 5);
   sensor.refuse_unknown();

@@ -19,15 +19,20 @@ constexpr double margin_m = 14;
 
 TerrainRecipe terrain_of(const FieldRecipe& r, std::uint64_t seed) {
   TerrainRecipe t;
-  t.slope_deg = r.ground.slope_deg, t.undulation_m = r.ground.undulation_m, t.undulation_scale_m = 5;
-  t.aspect_deg = Random(seed, Stream::terrain, 7).uniform(0, 360), t.micro_relief_m = 0.015;
+  t.slope_deg = r.ground.slope_deg;
+  t.undulation_m = r.ground.undulation_m;
+  t.undulation_scale_m = 5;
+  t.aspect_deg = Random(seed, Stream::terrain, 7).uniform(0, 360);
+  t.micro_relief_m = 0.015;
   return t;
 }
 
 FieldPlant plant_at(const FieldRecipe& r, const Eigen::Vector2d& at, int row, int number, std::uint64_t seed) {
   Random random(seed, Stream::stem, static_cast<std::uint64_t>(row) * 1000 + static_cast<std::uint64_t>(number));
   FieldPlant p;
-  p.row = row, p.number = number, p.at = at;
+  p.row = row;
+  p.number = number;
+  p.at = at;
   p.diameter_m = random.uniform(r.plants.diameter_min_mm, r.plants.diameter_max_mm) / 1000;
   p.height_m = r.plants.height_m;
   const double lean = r.plants.lean_sd_deg * deg;
@@ -57,8 +62,12 @@ class SceneBuilder {
 
   void bounds() {
     lo_ = hi_ = {r_.sensor.x_m, r_.sensor.y_m};
-    for (const auto& p : field_.plants) lo_ = lo_.cwiseMin(p.at), hi_ = hi_.cwiseMax(p.at);
-    lo_.array() -= margin_m, hi_.array() += margin_m;
+    for (const auto& p : field_.plants) {
+      lo_ = lo_.cwiseMin(p.at);
+      hi_ = hi_.cwiseMax(p.at);
+    }
+    lo_.array() -= margin_m;
+    hi_.array() += margin_m;
   }
 
   void ground() {
@@ -124,7 +133,8 @@ class SceneBuilder {
         const Eigen::Vector3d along =
             length / parts * Eigen::Vector3d(std::cos(rise) * out + std::sin(rise) * Eigen::Vector3d::UnitZ());
         add_leaf(leaves.mesh, at + along / 2, 0.55 * along, random.uniform(0.008, 0.014) * side);
-        at += along, rise -= 0.45;
+        at += along;
+        rise -= 0.45;
       }
     }
     model_.pieces.push_back(std::move(leaves));
@@ -254,13 +264,22 @@ Table field_plant_table(const Field& field) {
   std::vector<double> x, y, diameter;
   std::vector<std::string> state;
   for (const auto& p : field.plants) {
-    row.push_back(p.row), number.push_back(p.number), id.push_back(std::ssize(id) + 1);
-    x.push_back(p.at.x()), y.push_back(p.at.y()), diameter.push_back(1000 * p.diameter_m);
+    row.push_back(p.row);
+    number.push_back(p.number);
+    id.push_back(std::ssize(id) + 1);
+    x.push_back(p.at.x());
+    y.push_back(p.at.y());
+    diameter.push_back(1000 * p.diameter_m);
     state.emplace_back(p.missing ? "missing" : "present");
   }
   Table t;
-  t.set("row_id", row), t.set("number", number), t.set("x_m", x), t.set("y_m", y), t.set("state", state);
-  t.set("diameter_mm", diameter), t.set("tree_id", id);
+  t.set("row_id", row);
+  t.set("number", number);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("state", state);
+  t.set("diameter_mm", diameter);
+  t.set("tree_id", id);
   t.facts["axes"] = "global";
   return t;
 }
@@ -277,21 +296,35 @@ Table field_row_table(const Field& field) {
     double xx = 0, xy = 0, yy = 0;
     for (const auto& p : at) {
       const Eigen::Vector2d d = p - mean;
-      xx += d.x() * d.x(), xy += d.x() * d.y(), yy += d.y() * d.y();
+      xx += d.x() * d.x();
+      xy += d.x() * d.y();
+      yy += d.y() * d.y();
     }
     const bool east = xx >= yy;
     const double a = east ? std::atan2(xy, xx) : std::atan2(yy, xy);
     const double folded = std::remainder(a, std::numbers::pi);
     const Eigen::Vector2d u(std::cos(folded), std::sin(folded));
     double lo = 0, hi = 0;
-    for (const auto& p : at) lo = std::min(lo, (p - mean).dot(u)), hi = std::max(hi, (p - mean).dot(u));
-    id.push_back(row), plants.push_back(std::ssize(at)), angle.push_back(folded / deg);
-    x0.push_back(mean.x() + lo * u.x()), y0.push_back(mean.y() + lo * u.y());
-    x1.push_back(mean.x() + hi * u.x()), y1.push_back(mean.y() + hi * u.y());
+    for (const auto& p : at) {
+      lo = std::min(lo, (p - mean).dot(u));
+      hi = std::max(hi, (p - mean).dot(u));
+    }
+    id.push_back(row);
+    plants.push_back(std::ssize(at));
+    angle.push_back(folded / deg);
+    x0.push_back(mean.x() + lo * u.x());
+    y0.push_back(mean.y() + lo * u.y());
+    x1.push_back(mean.x() + hi * u.x());
+    y1.push_back(mean.y() + hi * u.y());
   }
   Table t;
-  t.set("row_id", id), t.set("angle_deg", angle), t.set("x0_m", x0), t.set("y0_m", y0), t.set("x1_m", x1);
-  t.set("y1_m", y1), t.set("plants", plants);
+  t.set("row_id", id);
+  t.set("angle_deg", angle);
+  t.set("x0_m", x0);
+  t.set("y0_m", y0);
+  t.set("x1_m", x1);
+  t.set("y1_m", y1);
+  t.set("plants", plants);
   t.facts["axes"] = "global";
   return t;
 }

@@ -40,10 +40,16 @@ Echo strongest(std::array<RayHit, rays>& hits) {
          ++next) {
       const double e = hits[next].range_m > 0 ? energy(hits[next]) : 0;
       sum += e, moment += e * static_cast<double>(hits[next].range_m);
-      if (e > most) most = e, tree = hits[next].tree_id;
+      if (e > most) {
+        most = e;
+        tree = hits[next].tree_id;
+      }
     }
     const double range = sum > 0 ? moment / sum : 0, light = sum > 0 ? sum / (range * range) : 0;
-    if (light > best_light) best_light = light, best = {range, sum / rays, tree};
+    if (light > best_light) {
+      best_light = light;
+      best = {range, sum / rays, tree};
+    }
     first = next;
   }
   return best;

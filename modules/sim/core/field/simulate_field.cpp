@@ -24,7 +24,8 @@ class RobotMotion {
  public:
   RobotMotion(const Field& field, const FieldSimulationOptions& o, std::uint64_t seed) : field_(field), o_(o) {
     Random random(seed, Stream::walk, 31);
-    roll_deg_ = o.tilt * random.bounded_normal(), pitch_deg_ = o.tilt * random.bounded_normal();
+    roll_deg_ = o.tilt * random.bounded_normal();
+    pitch_deg_ = o.tilt * random.bounded_normal();
     for (auto& wave : waves_)
       wave = {o.sway * random.uniform(0.2, 0.6), random.uniform(0.4, 3.5), random.angle(), random.chance(0.5)};
     const auto& s = field.recipe.sensor;
@@ -80,9 +81,13 @@ class FieldSimulator {
       returns += static_cast<std::int64_t>(scan.frames.back().size());
       run_.report((f + 1.0) / o_.frames, "scanning the field");
     }
-    scan.attitude = attitude(), scan.poses = poses(), scan.marks = marks();
-    scan.plants = field_plant_table(field_), scan.rows = field_row_table(field_);
-    scan.report.counts["frames"] = o_.frames, scan.report.counts["returns"] = returns;
+    scan.attitude = attitude();
+    scan.poses = poses();
+    scan.marks = marks();
+    scan.plants = field_plant_table(field_);
+    scan.rows = field_row_table(field_);
+    scan.report.counts["frames"] = o_.frames;
+    scan.report.counts["returns"] = returns;
     scan.report.counts["plants"] = static_cast<std::int64_t>(scan.plants.rows());
     scan.report.message = fmt::format("{}: {} frames of {:g} s, {} returns, {} plants in {} rows", field_.recipe.title,
                                       o_.frames, o_.integration, returns, scan.plants.rows(), scan.rows.rows());
@@ -109,8 +114,10 @@ class FieldSimulator {
       const auto& r = returns[static_cast<std::size_t>(i)];
       if (!(r.range_m > 0)) continue;
       points.push_back((static_cast<double>(r.range_m) * r.direction).cast<float>());
-      intensity.push_back(r.intensity), time.push_back(static_cast<double>(first + i) / rate),
-          tree.push_back(r.tree_id);
+      intensity.push_back(r.intensity);
+      time.push_back(static_cast<double>(first + i) / rate);
+
+      tree.push_back(r.tree_id);
     }
     PointCloud cloud(std::move(points));
     cloud.axes = Axes::sensor;
@@ -132,12 +139,15 @@ class FieldSimulator {
     std::vector<double> time, roll, pitch;
     for (double t = -1 / hz; t < o_.frames * o_.integration + 2 / hz; t += 1 / hz) {
       const auto tilt = robot_.tilt_deg(t);
-      time.push_back(t), roll.push_back(tilt[0] + bias[0] + o_.imu_noise * random.normal());
+      time.push_back(t);
+      roll.push_back(tilt[0] + bias[0] + o_.imu_noise * random.normal());
       pitch.push_back(tilt[1] + bias[1] + o_.imu_noise * random.normal());
     }
     Table t;
     t.set("yaw_deg", std::vector<double>(time.size(), 0.0));
-    t.set("time_s", std::move(time)), t.set("roll_deg", std::move(roll)), t.set("pitch_deg", std::move(pitch));
+    t.set("time_s", std::move(time));
+    t.set("roll_deg", std::move(roll));
+    t.set("pitch_deg", std::move(pitch));
     return t;
   }
 
@@ -148,13 +158,26 @@ class FieldSimulator {
       const double t = (f + 0.5) * o_.integration;
       const Eigen::Vector3d at = robot_.pose(t).translation();
       const auto tilt = robot_.tilt_deg(t);
-      frame.push_back(f), time.push_back(t), x.push_back(at.x()), y.push_back(at.y()), z.push_back(at.z());
-      heading.push_back(robot_.heading_rad() / deg), yaw.push_back(robot_.heading_rad() / deg - 90);
-      roll.push_back(tilt[0]), pitch.push_back(tilt[1]);
+      frame.push_back(f);
+      time.push_back(t);
+      x.push_back(at.x());
+      y.push_back(at.y());
+      z.push_back(at.z());
+      heading.push_back(robot_.heading_rad() / deg);
+      yaw.push_back(robot_.heading_rad() / deg - 90);
+      roll.push_back(tilt[0]);
+      pitch.push_back(tilt[1]);
     }
     Table t;
-    t.set("frame", frame), t.set("time_s", time), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z);
-    t.set("heading_deg", heading), t.set("roll_deg", roll), t.set("pitch_deg", pitch), t.set("yaw_deg", yaw);
+    t.set("frame", frame);
+    t.set("time_s", time);
+    t.set("x_m", x);
+    t.set("y_m", y);
+    t.set("z_m", z);
+    t.set("heading_deg", heading);
+    t.set("roll_deg", roll);
+    t.set("pitch_deg", pitch);
+    t.set("yaw_deg", yaw);
     return t;
   }
 
@@ -177,16 +200,27 @@ class FieldSimulator {
       const double most = scanner_.model().range_sigma_m * o_.noise / 4;
       const Eigen::Vector3d off(0.03 * deg * random.normal(), 0.03 * deg * random.normal(),
                                 0.03 * deg * random.normal());
-      seen += seen.cross(off), seen *= 1 + most * random.normal() / seen.norm();
+      seen += seen.cross(off);
+      seen *= 1 + most * random.normal() / seen.norm();
       const Eigen::Vector3d levelled = level * seen;
       name.emplace_back(1, static_cast<char>('E' + i));
-      x.push_back(nav.x() + o_.mark_noise * random.normal()), y.push_back(nav.y() + o_.mark_noise * random.normal());
+      x.push_back(nav.x() + o_.mark_noise * random.normal());
+      y.push_back(nav.y() + o_.mark_noise * random.normal());
       z.push_back(nav.z() + 2 * o_.mark_noise * random.normal());
-      range.push_back(seen.norm()), sx.push_back(levelled.x()), sy.push_back(levelled.y()), sz.push_back(levelled.z());
+      range.push_back(seen.norm());
+      sx.push_back(levelled.x());
+      sy.push_back(levelled.y());
+      sz.push_back(levelled.z());
     }
     Table t;
-    t.set("name", name), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z), t.set("range_m", range);
-    t.set("seen_x_m", sx), t.set("seen_y_m", sy), t.set("seen_z_m", sz);
+    t.set("name", name);
+    t.set("x_m", x);
+    t.set("y_m", y);
+    t.set("z_m", z);
+    t.set("range_m", range);
+    t.set("seen_x_m", sx);
+    t.set("seen_y_m", sy);
+    t.set("seen_z_m", sz);
     return t;
   }
 

@@ -68,7 +68,10 @@ Beam::Return Beam::strongest(const RayHit hits[rays]) const {
       if (hit.range_m - previous > parameters_.pulse_length_m) break;
       previous = hit.range_m;
       const double e = energy(hit);
-      sum += e, moment += e * hit.range_m, bark += e * hit.bark_depth_m, cosine += e * hit.cos_incidence;
+      sum += e;
+      moment += e * hit.range_m;
+      bark += e * hit.bark_depth_m;
+      cosine += e * hit.cos_incidence;
       if (hit.material == Material::retro)
         retro += 1;
       else
