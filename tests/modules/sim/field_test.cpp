@@ -48,11 +48,11 @@ TEST(Field, WrongRecipesAreNamed) {
     }
     return std::string();
   };
-  EXPECT_THAT(error("[]"), HasSubstr("JSON object"));
-  EXPECT_THAT(error(R"({"plants": {"kind": "oak"}})"), HasSubstr("tube, tree, vine or apple"));
+  EXPECT_THAT(error("[]"), HasSubstr("a JSON object"));
+  EXPECT_THAT(error(R"({"plants": {"kind": "oak"}})"), HasSubstr("one of tube, tree, vine, apple"));
   EXPECT_THAT(error(R"({"plants": {"rows": 1e9}})"), HasSubstr("plants.rows"));
   EXPECT_THAT(error(R"({"plants": {"at": [[[1]]]}})"), HasSubstr("positions"));
-  EXPECT_THAT(error(R"({"plant": {}})"), HasSubstr("unknown entry"));
+  EXPECT_THAT(error(R"({"plant": {}})"), HasSubstr("unknown recipe field"));
   EXPECT_THAT(error(R"({"sensor": 3})"), HasSubstr("object"));
   EXPECT_THROW(read_field("tubes9"), Error);
 }

@@ -58,7 +58,7 @@ TEST(Forest, depends_on_the_seed_alone) {
 
 TEST(Forest, rows_run_along_their_azimuth) {
   PlotRecipe recipe = bare_plot(0);
-  recipe.layout.kind = "rows";
+  recipe.layout.kind = LayoutKind::rows;
   recipe.layout.row_azimuth_deg = 90;
   recipe.layout.row_spacing_m = 3;
   recipe.layout.position_sd_m = 0;

@@ -53,7 +53,7 @@ TEST(Vineyard, the_route_is_600_m_long_and_never_touches_a_row) {
   const auto route = plan_route(vineyard_pattern(r.vineyard), forest, scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;
   parameters.sensor_height_m = 1.1;
-  parameters.robot = true;
+  parameters.carrier = Carrier::robot;
   EXPECT_GE(Walk(route, forest.terrain, parameters, 1).trajectory(100, 0).length_m(), 600);
   for (const auto& p : route) {
     if (std::abs(p.x()) > 0.5 * r.vineyard.row_length_m) continue;
@@ -74,7 +74,7 @@ TEST(Vineyard, a_robot_stands_on_the_ground_under_its_tracks) {
   WalkParameters parameters;
   parameters.sensor_height_m = 1.1;
   parameters.gait = 0;
-  parameters.robot = true;
+  parameters.carrier = Carrier::robot;
   const Walk walk(route, terrain, parameters, 1);
   const Pose T = walk.pose(6);
   const Eigen::Vector3d up = terrain.normal(0, 0);
@@ -110,10 +110,10 @@ TEST(Vineyard, an_OS1_sees_the_rows_beside_it) {
   SimulationOptions options;
   options.plot = "vineyard_short";
   options.sensor = "os1_64";
-  options.carrier = "robot";
+  options.carrier = Carrier::robot;
   options.sensor_height = 1.1;
   options.stand_still = 0;
-  options.most_time = 0.2;
+  options.max_time = 0.2;
   options.noise = 0;
   simulate(options, dir, {});
   std::ifstream in(dir / "frames/000000.bin", std::ios::binary);

@@ -52,7 +52,7 @@ class SceneBuilder {
     ground();
     for (const auto& p : field_.plants)
       if (!p.missing) plant(p);
-    if (r_.plants.kind == "vine") posts();
+    if (r_.plants.kind == PlantKind::vine) posts();
     weeds();
     return std::move(model_);
   }
@@ -100,7 +100,7 @@ class SceneBuilder {
     Random random(seed_, Stream::leaves,
                   static_cast<std::uint64_t>(p.row) * 1000 + static_cast<std::uint64_t>(p.number));
     const int id = static_cast<int>(&p - field_.plants.data()) + 1;
-    const bool tube = r_.plants.kind == "tube";
+    const bool tube = r_.plants.kind == PlantKind::tube;
     Piece trunk{{}, Material::bark, tube ? tube_reflectivity : bark_reflectivity, 0, id};
     const double r = p.diameter_m / 2, taper = tube ? 1 : 0.6;
     // Facets lie inside their circle: the vertices go out by the mean of that.
@@ -116,7 +116,7 @@ class SceneBuilder {
     add_tube(trunk.mesh, path, radii, 32);
     model_.pieces.push_back(std::move(trunk));
     if (tube) return taped_leaves(p, id, random);
-    if (r_.plants.kind == "tree") return twigs(p, id, random);
+    if (r_.plants.kind == PlantKind::tree) return twigs(p, id, random);
     crown(p, id, random);
   }
 
@@ -167,7 +167,7 @@ class SceneBuilder {
 
   // Vines: a wall of leaves along the row above the trunk. Apple: branches to all sides, across the alley too.
   void crown(const FieldPlant& p, int id, Random& random) {
-    const bool vine = r_.plants.kind == "vine";
+    const bool vine = r_.plants.kind == PlantKind::vine;
     Piece wood{{}, Material::wood, wood_reflectivity, 0, id};
     const double along = r_.plants.angle_deg * deg;
     for (int i = 0; i < r_.plants.leaves; ++i) {

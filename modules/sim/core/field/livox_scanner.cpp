@@ -82,7 +82,7 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   // Full 1/e^2 widths are four standard deviations.
   const double kh = 0.25 * model_.divergence_horizontal_deg * deg, kv = 0.25 * model_.divergence_vertical_deg * deg;
   RayBundle bundle;
-  bundle.most_range_m = static_cast<float>(model_.most_range_m);
+  bundle.max_range_m = static_cast<float>(model_.max_range_m);
   for (std::size_t i = 0; i < rays; ++i) {
     const double u = kh * quantiles[static_cast<std::size_t>(shuffled[i])], v = kv * quantiles[i];
     const Eigen::Vector3d d = (axis + u * right + v * up).normalized();
@@ -93,7 +93,7 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   scene_.intersect(bundle, hits.data());
   const Echo echo = strongest(hits);
   const double z = random.bounded_normal(4);
-  if (echo.range_m < model_.least_range_m || random.chance(model_.dropouts)) return out;
+  if (echo.range_m < model_.min_range_m || random.chance(model_.dropouts)) return out;
   // Weak returns scatter more: a tenth of the light of a white wall at 20 m by half again.
   const double strength = echo.energy * 400 / (echo.range_m * echo.range_m) / 0.08;
   const double sigma = noise_ * model_.range_sigma_m * std::min(1.5, std::sqrt(1 + 0.125 / strength));

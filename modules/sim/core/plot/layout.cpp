@@ -125,7 +125,7 @@ std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
 
 std::vector<Site> make_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   if (recipe.is_vineyard()) return vineyard_surroundings(recipe, seed);
-  return recipe.layout.kind == "rows" ? row_layout(recipe, seed) : natural_layout(recipe, seed);
+  return recipe.layout.kind == LayoutKind::rows ? row_layout(recipe, seed) : natural_layout(recipe, seed);
 }
 
 }  // namespace bole::sim

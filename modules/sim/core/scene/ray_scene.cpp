@@ -120,7 +120,7 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
 
     packet.ray.dir_z[i] = rays.direction[2][i];
     packet.ray.tnear[i] = 0;
-    packet.ray.tfar[i] = rays.most_range_m;
+    packet.ray.tfar[i] = rays.max_range_m;
     packet.ray.time[i] = 0;
     packet.ray.mask[i] = ~0u;
     packet.ray.flags[i] = 0;

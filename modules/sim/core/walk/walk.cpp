@@ -89,7 +89,7 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
   // The fastest moment of an eased turn is half as fast again as its mean.
   turn_s_ = 1.5 * std::abs(parameters.turn_rad) / (90 * radians_per_degree);
   duration_s_ = parameters.stand_still_s + turn_s_ + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
-  if (parameters.most_s > 0) duration_s_ = std::min(duration_s_, parameters.most_s);
+  if (parameters.max_s) duration_s_ = std::min(duration_s_, *parameters.max_s);
 
   Random random(seed, Stream::walk);
   mount_yaw_rad_ = random.angle();
@@ -147,7 +147,7 @@ Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
 Pose Walk::pose(double t) const {
   const auto [distance, pace] = progress(t);
   const Eigen::Vector4d k = spline(knots_, distance / step_m);
-  if (parameters_.robot) return robot_pose(k, pace, t);
+  if (parameters_.carrier == Carrier::robot) return robot_pose(k, pace, t);
   // Even a standing person trembles a little.
   const double step = parameters_.gait * pace, hand = 0.04 + 0.96 * pace;
   const double beat = 2 * pi * step_hz_ * t;
