@@ -5,15 +5,14 @@
 #include <GeographicLib/Ellipsoid.hpp>
 #include <GeographicLib/TransverseMercatorExact.hpp>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::geo {
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double max_difference_deg = 80;  // GeographicLib's own domain ends at 90 (1 - e) degrees, about 82.6
 
 void check_plane(const TransverseMercatorPlane& p) {
@@ -146,7 +145,7 @@ std::string TransverseMercator::wkt() const {
 
 PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMercatorPlane& plane) {
   check_plane(plane);
-  const double l = checked_difference_deg(point, plane) * deg, latitude = point.latitude_deg * deg;
+  const double l = checked_difference_deg(point, plane) * rad_per_deg, latitude = point.latitude_deg * rad_per_deg;
   const auto& e = plane.ellipsoid;
   const double arc = GeographicLib::Ellipsoid(e.semi_major_m, e.flattening()).MeridianDistance(point.latitude_deg);
   const double s = std::sin(latitude), c = std::cos(latitude), t2 = s * s / (c * c);
@@ -160,7 +159,7 @@ PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMerc
   PlanePoint p;
   p.easting_m = plane.false_easting_m + plane.scale * y;
   p.northing_m = plane.false_northing_m + plane.scale * (x - origin_arc_m(plane));
-  p.convergence_deg = l * s / deg;  // first terms only: the paper gives neither
+  p.convergence_deg = l * s / rad_per_deg;  // first terms only: the paper gives neither
   p.scale = plane.scale * (1 + l2 / 2 * c2 * (1 + eta2));
   return p;
 }

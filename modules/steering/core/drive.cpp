@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::steering {
 namespace {
 
 constexpr std::uint64_t attitude_stream = 3;
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr double turning_speed_m_s = 4 / 3.6;
 
 }  // namespace

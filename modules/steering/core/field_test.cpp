@@ -6,13 +6,13 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
 #include "steering/core/drive.h"
 #include "steering/core/headland_turn.h"
 
 namespace bole::steering {
 namespace {
 
-constexpr double deg_per_rad = 180 / std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Grows a row per fix.

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::steering {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180;
 
 struct Row {
   double speed_km_h;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
@@ -184,7 +184,7 @@ void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimit
 TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table* reference,
                                const ErrorOptions& options, const Run& run) {
   PassLimits limits{options.row_width.value_or(0), options.run_in, options.run_out, options.min_length,
-                    options.max_angle_deg * std::numbers::pi / 180};
+                    radians(options.max_angle_deg)};
   if (const auto it = log.facts.find("row_width_m"); !options.row_width && it != log.facts.end())
     limits.row_width_m = number_from_text(it->second).value_or(0);
   const auto drives = drives_of(log, reference);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace bole::steering {
 namespace {
 
 constexpr std::uint64_t stream = 2;
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr double sub_step_s = 0.01;
 constexpr double roughness_length_m = 1.5;
 constexpr double acceleration_m_s2 = 0.7;

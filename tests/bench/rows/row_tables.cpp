@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string>
 
+#include "base/angles.h"
 #include "frame_chain.h"
 #include "geo/core/resection.h"
 #include "rows/core/rows/hedge_rows.h"
@@ -19,7 +19,6 @@ namespace {
 
 using namespace bole;
 using namespace bole::rows;
-constexpr double deg = std::numbers::pi / 180;
 
 struct Errors {
   std::vector<double> angle_deg, centre_m;
@@ -42,7 +41,7 @@ struct Errors {
 std::vector<bool> plants_in_view(const sim::FieldScan& scan, const RegionOptions& region) {
   constexpr double margin_m = 0.3;
   const double x0 = scan.poses.numbers("x_m")[0], y0 = scan.poses.numbers("y_m")[0];
-  const double a = scan.poses.numbers("heading_deg")[0] * deg;
+  const double a = scan.poses.numbers("heading_deg")[0] * rad_per_deg;
   const auto x = scan.plants.numbers("x_m"), y = scan.plants.numbers("y_m");
   std::vector<bool> in;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -117,7 +116,7 @@ void compare(const sim::FieldScan& scan, const Table& stems, const ChainSettings
     }
     for (std::size_t k = 0; k < listed.size(); ++k)
       if (listed[k] == most->first)
-        errors.angle_deg.push_back(row_angle_difference(angle[k] * deg, true_angle[r]) / deg);
+        errors.angle_deg.push_back(row_angle_difference(angle[k] * rad_per_deg, true_angle[r]) / rad_per_deg);
   }
 }
 
@@ -138,7 +137,7 @@ PlaceOptions resected_place(const sim::FieldScan& scan) {
     directions.push_back({{sx[i] - sx[j], sy[i] - sy[j]}, {x[i] - x[j], y[i] - y[j]}});
   const double yaw = geo::heading_from_directions(directions).yaw_rad, c = std::cos(yaw), s = std::sin(yaw);
   PlaceOptions place;
-  place.yaw_deg = yaw / deg;
+  place.yaw_deg = yaw / rad_per_deg;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double n = static_cast<double>(x.size());
     place.x += (x[i] - c * sx[i] + s * sy[i]) / n;
@@ -267,8 +266,8 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
         if (!in_view[i] || scan.plants.integers("row_id")[i] != static_cast<std::int64_t>(r) + 1) continue;
         ++plants;
         for (std::size_t k = 0; k < angle.size(); ++k)
-          beside[k] = std::min(beside[k], std::abs(std::cos(angle[k] * deg) * (py[i] - y0[k]) -
-                                                   std::sin(angle[k] * deg) * (px[i] - x0[k])));
+          beside[k] = std::min(beside[k], std::abs(std::cos(angle[k] * rad_per_deg) * (py[i] - y0[k]) -
+                                                   std::sin(angle[k] * rad_per_deg) * (px[i] - x0[k])));
       }
       if (plants < 5) continue;
       ++errors.rows;
@@ -278,7 +277,7 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
         continue;
       }
       const auto k = static_cast<std::size_t>(best - beside.begin());
-      errors.angle_deg.push_back(row_angle_difference(angle[k] * deg, truth[r]) / deg);
+      errors.angle_deg.push_back(row_angle_difference(angle[k] * rad_per_deg, truth[r]) / rad_per_deg);
       if (std::getenv("ROW_TABLES_VERBOSE"))
         fmt::print("    {} seed {} row {}: {:.2f} deg, {} pieces, rms {:.2f}, se {:.2f}\n", field, seed, r + 1,
                    errors.angle_deg.back(), found.rows.integers("plants")[k], found.rows.numbers("rms_m")[k],

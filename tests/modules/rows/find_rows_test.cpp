@@ -11,6 +11,7 @@
 #include <numeric>
 #include <random>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "rows/core/rows/line_fit.h"
 #include "synthetic/plant_field.h"
@@ -23,8 +24,6 @@ using synthetic::FieldMaker;
 using synthetic::mixed_field;
 using synthetic::PlantField;
 using ::testing::HasSubstr;
-
-constexpr double deg = std::numbers::pi / 180;
 
 Table table_of(const std::vector<Eigen::Vector2d>& points) {
   std::vector<double> x, y;
@@ -178,11 +177,11 @@ TEST(FindRows, FiftyMixedFields) {
 // The same field turned, moved to projected coordinates and in another order has the same rows.
 TEST(FindRows, TurnShiftAndOrderOfTheFileChangeNothingElse) {
   FieldMaker maker(5);
-  maker.add_block({{0, 0}, 20 * deg, 6, 20, 2, 4, 0});
+  maker.add_block({{0, 0}, 20 * rad_per_deg, 6, 20, 2, 4, 0});
   const auto field = maker.take();
   const auto first = find(field.table());
   ASSERT_EQ(first.rows.rows(), 6U);
-  const Eigen::Rotation2Dd turn(33 * deg);
+  const Eigen::Rotation2Dd turn(33 * rad_per_deg);
   const Eigen::Vector2d shift(38'433'100.25, 2'562'040.5);
   std::vector<Eigen::Vector2d> moved;
   for (const auto& p : field.plants) moved.push_back(turn * p.at + shift);
@@ -204,7 +203,7 @@ TEST(FindRows, TurnShiftAndOrderOfTheFileChangeNothingElse) {
 
 TEST(FindRows, RowsAreNumberedFromLeftToRightAndPlantsFromTheWest) {
   FieldMaker maker(9);
-  BlockRecipe b{{0, 0}, 10 * deg, 5, 12, 1.5, 3, 0};
+  BlockRecipe b{{0, 0}, 10 * rad_per_deg, 5, 12, 1.5, 3, 0};
   b.missing_share = 0;
   b.gap_share = 0;
   maker.add_block(b);

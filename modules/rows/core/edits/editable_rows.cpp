@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "rows/core/rows/joined_tables.h"
 #include "rows/core/rows/line_fit.h"
 
@@ -16,7 +16,6 @@ namespace {
 
 using Action = RowEdit::Action;
 using Eigen::Vector2d;
-constexpr double deg = std::numbers::pi / 180;
 
 // Distance from a segment.
 double from_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
@@ -106,10 +105,10 @@ class Change {
 
   void check_unchanged(const EditableRow& row) {
     if (!e_.was_angle_deg ||
-        row_angle_difference(row.angle_rad, *e_.was_angle_deg * deg) <= o_.angle_tolerance_deg * deg)
+        row_angle_difference(row.angle_rad, *e_.was_angle_deg * rad_per_deg) <= o_.angle_tolerance_deg * rad_per_deg)
       return;
-    outcome_.said = fmt::format("the row ran at {:.2f} deg and now runs at {:.2f} deg", *e_.was_angle_deg,
-                                row_angle(row.angle_rad) / deg);
+    outcome_.note = fmt::format("the row ran at {:.2f} deg and now runs at {:.2f} deg", *e_.was_angle_deg,
+                                row_angle(row.angle_rad) / rad_per_deg);
   }
 
   // A drawn row takes the plants in no row that stand near it.
@@ -201,7 +200,7 @@ EditableRows editable_rows(const FoundRows& found) {
   for (std::size_t i = 0; i < t.rows(); ++i) {
     by_id[t.text("row_id", i)] = i;
     out.rows.push_back(
-        {t.text("row_id", i), {{x0[i], y0[i]}, {x1[i], y1[i]}}, angle[i] * deg, {}, {}, t.text("row_id", i)});
+        {t.text("row_id", i), {{x0[i], y0[i]}, {x1[i], y1[i]}}, angle[i] * rad_per_deg, {}, {}, t.text("row_id", i)});
   }
   std::map<std::string, Points2> courses;
   const auto lx = found.lines.numbers("x_m"), ly = found.lines.numbers("y_m");

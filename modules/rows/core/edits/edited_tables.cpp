@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
+#include "base/angles.h"
 #include "base/option_text.h"
 #include "rows/core/rows/joined_tables.h"
 #include "rows/core/rows/line_fit.h"
@@ -15,7 +15,7 @@ namespace bole::rows {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double deg = std::numbers::pi / 180, nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The ids as one type for all tables: whole numbers where all of them are.
 Table::Values ids_as(std::vector<std::string> ids, bool numbers) {
@@ -102,7 +102,7 @@ class Composer {
     const Vector2d u(std::cos(angle), std::sin(angle));
     const bool turned = u.dot(d) < 0;
     const Vector2d a = turned ? row.ends->to : row.ends->from, b = turned ? row.ends->from : row.ends->to;
-    put(k, "angle_deg", angle / deg);
+    put(k, "angle_deg", angle / rad_per_deg);
     put(k, "x0_m", a.x());
     put(k, "y0_m", a.y());
     put(k, "x1_m", b.x());

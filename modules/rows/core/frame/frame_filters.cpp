@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
 #include "base/transform.h"
@@ -14,7 +14,6 @@
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_of(const Eigen::Vector3d& p, double size) {
@@ -85,7 +84,7 @@ std::vector<double> times_of(const PointCloud& frame) {
 PointCloud level(const PointCloud& frame, const LevelOptions& o, const Table* attitude) {
   PointCloud::Positions positions;
   positions.reserve(frame.size());
-  Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * deg, o.pitch_deg * deg, o.yaw_deg * deg);
+  Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * rad_per_deg, o.pitch_deg * rad_per_deg, o.yaw_deg * rad_per_deg);
   if (attitude == nullptr) {
     for (std::size_t i = 0; i < frame.size(); ++i) positions.push_back((R * frame.position(i)).cast<float>());
   } else {
@@ -96,7 +95,8 @@ PointCloud level(const PointCloud& frame, const LevelOptions& o, const Table* at
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!(std::abs(times[i] - done) <= step_s / 2)) {
         done = times[i];
-        const Eigen::Vector3d a = deg * (track.rpy_deg(done) + Eigen::Vector3d(o.roll_deg, o.pitch_deg, o.yaw_deg));
+        const Eigen::Vector3d a =
+            rad_per_deg * (track.rpy_deg(done) + Eigen::Vector3d(o.roll_deg, o.pitch_deg, o.yaw_deg));
         R = rotation_from_rpy(a[0], a[1], a[2]);
       }
       positions.push_back((R * frame.position(i)).cast<float>());
@@ -140,10 +140,11 @@ PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& o, con
   for (std::uint32_t i = 0; i < frame.size(); ++i) {
     const Eigen::Vector3d p = frame.position(i);
     if (p.allFinite())
-      sectors[static_cast<std::int64_t>(std::floor(std::atan2(p.y(), p.x()) / (o.sector_deg * deg)))].push_back(
+      sectors[static_cast<std::int64_t>(std::floor(std::atan2(p.y(), p.x()) / (o.sector_deg * rad_per_deg)))].push_back(
           {p.head<2>().norm(), p.z() + o.sensor_height, i});
   }
-  const double local = std::tan(o.max_local_slope_deg * deg), general = std::tan(o.max_general_slope_deg * deg);
+  const double local = std::tan(o.max_local_slope_deg * rad_per_deg),
+               general = std::tan(o.max_general_slope_deg * rad_per_deg);
   std::vector<std::uint32_t> kept;
   for (auto& [sector, rays] : sectors) {
     run.check_cancel();

@@ -9,14 +9,15 @@
 #include <numbers>
 #include <optional>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "base/statistics.h"
 #include "rows/core/frame/trunk_face.h"
 #include "rows/core/rows/plant_grid.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr int max_shifts = 200;
 constexpr double still = 1e-4;  // of the bandwidth
 
@@ -93,12 +94,6 @@ RoughTrunk rough_trunk(const Layers& by_height, const TrunkOptions& o) {
   return t;
 }
 
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
-
 struct FoundTrunk {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double diameter_cm = std::numeric_limits<double>::quiet_NaN();
@@ -118,7 +113,7 @@ class FaceFinder {
     if (strip.high_m - strip.low_m < o_.min_height || strip.filled < o_.min_filled) return {};
     const auto near = about(strip.at, widest_ / 2 + 4 * o_.range_sigma, strip.low_m, strip.high_m);
     const auto fit = fit_trunk_face(near, strip.at, widest_, o_.range_sigma);
-    // What a nearer trunk leaves to see may be too little for a fit.
+    // Too few points may remain visible behind a nearer trunk.
     if (!fit) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
     return FoundTrunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points};
   }
@@ -129,7 +124,7 @@ class FaceFinder {
     if (trunks.size() < 3) return;
     std::vector<double> radii;
     for (const auto& t : trunks) radii.push_back(t.diameter_cm / 200);
-    const double usual = median_of(radii);
+    const double usual = upper_median(radii);
     const auto seen = trunks;
     for (auto& t : trunks) {
       const double r = t.diameter_cm / 200, range = t.centre.norm(), bearing = std::atan2(t.centre.x(), t.centre.y());
@@ -213,14 +208,14 @@ std::vector<FoundTrunk> trunks_by_face(const Plants& plants, const PointCloud& d
         y.push_back(p.y());
       }
     clusters.push_back({plant,
-                        {median_of(x), median_of(y)},
+                        {upper_median(x), upper_median(y)},
                         static_cast<double>(by_height.begin()->first) * o.layer_height,
                         static_cast<double>(by_height.rbegin()->first + 1) * o.layer_height});
   }
   const FaceFinder finder(dense, o);
   std::vector<FoundTrunk> trunks;
   for (const auto& c : clusters) {
-    // Leaves may have parted the trunk among clusters: it stands between the lowest and the highest of those around.
+    // Leaves may split a trunk into several clusters, so it is searched between the lowest and highest of those nearby.
     double foot = c.foot, top = c.top;
     for (const auto& other : clusters)
       if ((other.middle - c.middle).norm() < 2 * o.reach) {
@@ -258,7 +253,7 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
   if (cut > 0) report.counts["too_near"] = static_cast<std::int64_t>(cut);
   if (without > 0)
     report.warn(face ? fmt::format("{} clusters hold no trunk of {:g} m or more", without, o.min_height)
-                     : fmt::format("{} clusters have fewer than {} trunk layers and are no plants: raise max_extent_x "
+                     : fmt::format("{} clusters have fewer than {} trunk layers and are not plants: raise max_extent_x "
                                    "and max_extent_y where "
                                    "trunks are thicker",
                                    without, o.min_layers));
@@ -287,7 +282,7 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
 }
 
 Table place_stems(const Table& stems, const PlaceOptions& o) {
-  const double c = std::cos(o.yaw_deg * deg), s = std::sin(o.yaw_deg * deg);
+  const double c = std::cos(o.yaw_deg * rad_per_deg), s = std::sin(o.yaw_deg * rad_per_deg);
   auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double px = x[i], py = y[i];

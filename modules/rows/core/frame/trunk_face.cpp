@@ -6,19 +6,15 @@
 #include <cstdint>
 #include <map>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
 constexpr int min_points = 12;
 constexpr double lean_sigma = 0.035;  // prior of the lean, metres per metre: 2 degrees
-constexpr int rounds = 8;
+constexpr int iterations = 8;
 constexpr double thick_sigmas = 3;  // radii that the curve of the face can tell
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 double tukey(double residual, double cut) {
   const double s = residual / cut;
@@ -30,7 +26,7 @@ double tukey(double residual, double cut) {
 double radius_of_strip(const std::vector<double>& off) {
   double square = 0;
   for (const double d : off) square += d * d / static_cast<double>(off.size());
-  const double by_median = 2 * median_of(off), by_square = std::sqrt(3 * square);
+  const double by_median = 2 * upper_median(std::vector<double>(off)), by_square = std::sqrt(3 * square);
   return std::abs(by_square - by_median) < 0.12 * by_median ? by_square : by_median;
 }
 
@@ -63,7 +59,7 @@ void refine_circle(const std::vector<double>& u, const std::vector<double>& v, c
   for (int round = 0; round < 15; ++round) {
     Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    // The strip's half width is worth something too; it is too small when a part is hidden.
+    // The half width of the strip is a weak prior, because it is too small where a part is hidden.
     const double prior = 1 / (0.1 * radius * 0.1 * radius) * sigma_m * sigma_m;
     N(2, 2) += prior;
     b[2] += prior * (radius - r);
@@ -109,10 +105,10 @@ std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& poin
     v[i] = d.dot(ahead);
     h[i] = points[i].z() - mean_height;
   }
-  HeightLine across{median_of(u), 0}, face{median_of(v), 0};
+  HeightLine across{upper_median(std::vector<double>(u)), 0}, face{upper_median(std::vector<double>(v)), 0};
   double radius = max_diameter / 2;
   std::vector<double> wu(n), wv(n), back(n);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < iterations; ++round) {
     const double reach = 1.2 * radius + 0.004, depth = 4.5 * range_sigma + (round < 3 ? radius : 0);
     std::vector<double> off;
     for (std::size_t i = 0; i < n; ++i) {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "rows/core/rows/median_or.h"
 #include "rows/core/rows/row_tables.h"
 
 namespace bole::rows {
@@ -15,13 +16,6 @@ namespace {
 
 constexpr double widest_m = 3e6;
 constexpr double ambiguous_ratio = 1.15;  // row spacing over plant spacing: below, across and along look alike
-
-double median_of(std::vector<double> v, double if_empty) {
-  if (v.empty()) return if_empty;
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 class Finder {
  public:
@@ -40,7 +34,7 @@ class Finder {
     order();
     run_.report(0.95, "tables");
     fill_tables(set_, found_);
-    tell();
+    report_counts();
     return std::move(found_);
   }
 
@@ -66,7 +60,7 @@ class Finder {
     if (set_.plants.empty())
       throw bad_input(fmt::format("the table has {} rows and no stem with coordinates", x.size()),
                       "columns x_m and y_m with numbers");
-    if (lost > 0) found_.report.warn(fmt::format("{} stems without coordinates are left out", lost));
+    if (lost > 0) found_.report.warn(fmt::format("{} stems without coordinates are ignored", lost));
   }
 
   // Plants by the text of their row_id; rows of numbers in order of the numbers, else of the texts.
@@ -130,7 +124,7 @@ class Finder {
         s.push_back((set_.plants[at(chain[i])] - set_.plants[at(chain[i - 1])]).norm());
     else
       for (const int p : chain) s.push_back(patterns_[at(p)].plant_spacing_m);
-    return o_.plant_spacing ? *o_.plant_spacing : std::max(median_of(std::move(s), 1), 1e-9);
+    return o_.plant_spacing ? *o_.plant_spacing : std::max(median_or(std::move(s), 1), 1e-9);
   }
 
   double row_spacing_about(const std::vector<int>& plants) const {
@@ -138,7 +132,7 @@ class Finder {
     std::vector<double> s;
     if (!patterns_.empty())
       for (const int p : plants) s.push_back(patterns_[at(p)].row_spacing_m);
-    return median_of(std::move(s), std::numeric_limits<double>::infinity());
+    return median_or(std::move(s), std::numeric_limits<double>::infinity());
   }
 
   // Blocks from the chains as they are, for the direction that plants are counted in; then the rows.
@@ -220,7 +214,7 @@ class Finder {
       for (int r = 0; r < static_cast<int>(set_.rows.size()); ++r) set_.order.push_back(r);
   }
 
-  void tell() {
+  void report_counts() {
     auto& r = found_.report;
     std::int64_t planted = 0, missing = 0, uneven = 0, curved = 0;
     std::vector<double> spacing, to_next, ratio;
@@ -234,7 +228,7 @@ class Finder {
     for (const auto& block : set_.blocks)
       for (const double d : block.to_next_m)
         if (std::isfinite(d)) to_next.push_back(d);
-    const double along = median_of(spacing, std::nan("")), across = median_of(to_next, std::nan(""));
+    const double along = median_or(spacing, std::nan("")), across = median_or(to_next, std::nan(""));
     r.counts["stems"] = std::ssize(set_.plants);
     r.counts["rows"] = std::ssize(set_.rows);
     r.counts["blocks"] = std::ssize(set_.blocks);
@@ -250,7 +244,7 @@ class Finder {
       r.warn(fmt::format("no row of {} or more plants among {} stems: lower min_plants or raise lateral_tolerance",
                          o_.min_plants, set_.plants.size()));
     if (uneven > 0)
-      r.warn(fmt::format("{} rows are planted too unevenly to tell missing plants: give plant_spacing when it is known",
+      r.warn(fmt::format("{} rows are planted too unevenly to find missing plants: set plant_spacing if it is known",
                          uneven));
     if (!labelled_ && !o_.direction_deg && across < ambiguous_ratio * along)
       r.warn(

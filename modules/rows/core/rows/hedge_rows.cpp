@@ -4,19 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "base/statistics.h"
 #include "rows/core/rows/line_fit.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double bin_m = 0.1;     // of the profile
 constexpr double widest_m = 1e4;  // a field
-constexpr int rounds = 4;         // of median and window
+constexpr int iterations = 4;     // of median and window
 constexpr double keep = 0.7;      // of the drift of a row from piece to piece
 
 struct Profile {
@@ -55,8 +55,8 @@ double sharpest_angle(const Points2& points, const Run& run) {
       }
     }
   };
-  scan(-90 * deg, 89 * deg, 1 * deg);
-  scan(best - 1 * deg, best + 1 * deg, 0.1 * deg);
+  scan(-90 * rad_per_deg, 89 * rad_per_deg, 1 * rad_per_deg);
+  scan(best - 1 * rad_per_deg, best + 1 * rad_per_deg, 0.1 * rad_per_deg);
   return row_angle(best);
 }
 
@@ -104,7 +104,7 @@ struct HedgePoint {
 // The middle of a row in a piece: median across within the window about `expected_m`, the window following it.
 std::optional<HedgePoint> middle_of(const Piece& piece, double expected_m, double half_width_m, int min_points) {
   HedgePoint found{0, expected_m, 0};
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < iterations; ++round) {
     std::vector<double> across;
     double along = 0;
     for (const auto& p : piece.points)
@@ -113,11 +113,9 @@ std::optional<HedgePoint> middle_of(const Piece& piece, double expected_m, doubl
         along += p.x();
       }
     if (std::ssize(across) < min_points) return {};
-    const auto middle = across.begin() + static_cast<std::ptrdiff_t>(across.size() / 2);
-    std::nth_element(across.begin(), middle, across.end());
-    found = {along / static_cast<double>(across.size()), *middle, std::ssize(across)};
+    found = {along / static_cast<double>(across.size()), upper_median(across), std::ssize(across)};
   }
-  if (std::abs(found.across_m - expected_m) > half_width_m) return {};  // it went over to something else
+  if (std::abs(found.across_m - expected_m) > half_width_m) return {};  // the window left the row
   return found;
 }
 
@@ -236,8 +234,9 @@ Table hedge_rows(const PointCloud& canopy, const HedgeOptions& o, const Run& run
       throw bad_input(fmt::format("point {} lies {:.0f} m from the first", i, points.back().norm()),
                       "a field of less than 10 km", "Cut a region first");
   }
-  if (points.empty()) throw bad_input("the cloud has no point", "the canopy of a row", "Did the region leave it out?");
-  const double angle = o.direction_deg ? row_angle(*o.direction_deg * deg) : sharpest_angle(points, run);
+  if (points.empty())
+    throw bad_input("the cloud has no point", "the canopy of a row", "Check the bounds of rows.region");
+  const double angle = o.direction_deg ? row_angle(*o.direction_deg * rad_per_deg) : sharpest_angle(points, run);
   const Eigen::Vector2d u(std::cos(angle), std::sin(angle)), left(-u.y(), u.x());
   const auto peaks = peaks_of(profile_of(points, angle), o);
   const Follower follower(points, angle, o);
@@ -258,8 +257,8 @@ Table hedge_rows(const PointCloud& canopy, const HedgeOptions& o, const Run& run
   }
   report.counts["rows"] = std::ssize(peaks);
   report.counts["pieces"] = std::ssize(x);
-  report.metrics["direction"] = {angle / deg, Unit::degree};
-  report.message = fmt::format("{} rows at {:.1f} deg in {} pieces", peaks.size(), angle / deg, x.size());
+  report.metrics["direction"] = {angle / rad_per_deg, Unit::degree};
+  report.message = fmt::format("{} rows at {:.1f} deg in {} pieces", peaks.size(), angle / rad_per_deg, x.size());
   Table t;
   t.set("row_id", row);
   t.set("x_m", x);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
@@ -14,12 +16,6 @@ constexpr double same_place = 0.6;                         // plant spacings: ne
 constexpr double off_place = 0.3, off_sigmas = 5;          // of the spacing; robust sigmas of the scatter
 constexpr double max_places_per_plant = 20;  // more places than that: the spacing is not one of a planting
 constexpr double even_limit = 0.16;          // scatter over spacing: beyond, places cannot be told
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 struct Placed {
   int plant;
@@ -101,11 +97,11 @@ class Assembler {
         for (const double step : d)
           if (step > 0.5 * spacing_m_) single.push_back(step / places(step, spacing_m_));
         if (single.empty()) break;
-        spacing_m_ = median_of(std::move(single));
+        spacing_m_ = upper_median(std::move(single));
       }
     std::vector<double> off;
     for (const double step : d) off.push_back(std::abs(step - spacing_m_ * places(step, spacing_m_)));
-    scatter_m_ = 1.4826 * median_of(std::move(off)) / std::sqrt(2.0);  // a step has the scatter of two plants
+    scatter_m_ = 1.4826 * upper_median(std::move(off)) / std::sqrt(2.0);  // a step has the scatter of two plants
   }
 
   // How badly plant i sits between its neighbours, in plant spacings.

@@ -4,14 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <numeric>
 #include <optional>
+
+#include "base/angles.h"
+#include "base/groups.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double same_direction = 15 * std::numbers::pi / 180;
+constexpr double same_direction = radians(15);
 constexpr double neighbour_spacings = 1.7;  // a single row may have been lost between two, a headland not
 constexpr int samples = 9;
 constexpr int min_beside = 3;  // samples of the shorter row that lie beside the longer
@@ -36,18 +37,6 @@ std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b
 
 Eigen::Vector2d middle_of(const PlantRow& row) { return row.curve.at(row.curve.length_m() / 2); }
 
-struct Groups {
-  std::vector<int> parent;
-  int find(int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
-    return i;
-  }
-  void join(int a, int b) {
-    const int ra = find(a), rb = find(b);
-    parent[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
-  }
-};
-
 double mean_angle(const std::vector<PlantRow>& rows, const std::vector<int>& members) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   for (const int i : members) {
@@ -64,9 +53,7 @@ double mean_angle(const std::vector<PlantRow>& rows, const std::vector<int>& mem
 std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Points2& plants,
                                   const std::vector<double>& row_spacing_m) {
   const int n = static_cast<int>(rows.size());
-  Groups groups;
-  groups.parent.resize(rows.size());
-  std::iota(groups.parent.begin(), groups.parent.end(), 0);
+  Groups groups(rows.size());
   std::map<std::pair<int, int>, double> distances;
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b) {
@@ -79,11 +66,11 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
       const auto d = distance_side_by_side(ra.curve, rb.curve);
       if (!d || *d > reach) continue;
       distances[{a, b}] = *d;
-      groups.join(a, b);
+      groups.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     }
 
-  std::map<int, std::vector<int>> members;
-  for (int i = 0; i < n; ++i) members[groups.find(i)].push_back(i);
+  std::map<std::size_t, std::vector<int>> members;
+  for (int i = 0; i < n; ++i) members[groups.root(static_cast<std::size_t>(i))].push_back(i);
   std::vector<std::pair<Eigen::Vector2d, RowBlock>> blocks;
   for (auto& [root, list] : members) {
     RowBlock block;

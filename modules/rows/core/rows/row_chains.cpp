@@ -7,22 +7,22 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "rows/core/rows/line_fit.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr std::size_t look_back = 5;       // plants of the chain that tell where it leads
 constexpr std::size_t look_back_bent = 8;  // and of one long enough to tell how it bends
 constexpr std::size_t bend_from = 7;
-constexpr double bend_weight = 3;        // of the direction at the end of a bent chain
-constexpr double prior_weight = 2;       // of the local direction, in squared plant spacings
-constexpr double across_share = 0.35;    // of the row spacing: never further towards the next row
-constexpr double gap_widening = 0.06;    // of the lateral tolerance, in plant spacings per spacing ahead
-constexpr double turn_limit = 30 * deg;  // between a chain and the pattern beyond a gap
-constexpr double gap_from = 1.6;         // plant spacings: further plants lie beyond a gap
-constexpr double min_step = 0.45;        // plant spacings
+constexpr double bend_weight = 3;                // of the direction at the end of a bent chain
+constexpr double prior_weight = 2;               // of the local direction, in squared plant spacings
+constexpr double across_share = 0.35;            // of the row spacing: never further towards the next row
+constexpr double gap_widening = 0.06;            // of the lateral tolerance, in plant spacings per spacing ahead
+constexpr double turn_limit = 30 * rad_per_deg;  // between a chain and the pattern beyond a gap
+constexpr double gap_from = 1.6;                 // plant spacings: further plants lie beyond a gap
+constexpr double min_step = 0.45;                // plant spacings
 constexpr double short_chain_fill =
     0.55;  // plants over places of a short chain: fewer are strays that line up by chance
 constexpr std::size_t short_chain = 6;

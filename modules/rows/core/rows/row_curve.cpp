@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
@@ -12,12 +14,6 @@ constexpr int plants_per_coefficient = 4;  // fewer would let a curve follow the
 constexpr Eigen::Index least_for_weights = 5;
 constexpr double tukey = 4.7;   // sigmas beyond which a plant has no weight
 constexpr int refinements = 2;  // of the lengths along the row by the fitted curve
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -81,7 +77,7 @@ RowCurve RowCurve::fit_degree(const Points2& in_order, int degree, std::vector<d
       t[i] = foot.t_m;
       across.push_back(std::abs(foot.across_m));
     }
-    curve.sigma_m_ = 1.4826 * median_of(across);
+    curve.sigma_m_ = 1.4826 * upper_median(across);
     if (n < least_for_weights) continue;
     for (Eigen::Index i = 0; i < n; ++i) {
       const double r = across[static_cast<std::size_t>(i)] / (tukey * std::max(curve.sigma_m_, 1e-9));

@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double guidance_step_m = 1;
 
@@ -67,10 +66,10 @@ Table rows_table(const RowSet& set) {
     const auto& row = set.rows[static_cast<std::size_t>(r)];
     const auto [a, b] = ends_of(set, row);
     const double half = student_975(static_cast<double>(row.plants.size()) - 2) * row.line.angle_se_rad;
-    angle.push_back(row.line.angle_rad / deg);
-    se.push_back(row.line.angle_se_rad / deg);
-    lo.push_back((row.line.angle_rad - half) / deg);
-    hi.push_back((row.line.angle_rad + half) / deg);
+    angle.push_back(row.line.angle_rad / rad_per_deg);
+    se.push_back(row.line.angle_se_rad / rad_per_deg);
+    lo.push_back((row.line.angle_rad - half) / rad_per_deg);
+    hi.push_back((row.line.angle_rad + half) / rad_per_deg);
     x0.push_back(a.x());
     y0.push_back(a.y());
     x1.push_back(b.x());

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/angles.h"
 #include "sim/core/plot/plants.h"
 #include "sim/core/scene/random.h"
 #include "sim/core/scene/shapes.h"
@@ -12,7 +13,6 @@
 namespace bole::sim {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr float tube_reflectivity = 0.5f, leaf_reflectivity = 0.45f, bark_reflectivity = 0.35f, soil = 0.22f;
 constexpr double trunk_middle_m = 0.5;
 constexpr double margin_m = 14;
@@ -35,7 +35,7 @@ FieldPlant plant_at(const FieldRecipe& r, const Eigen::Vector2d& at, int row, in
   p.at = at;
   p.diameter_m = random.uniform(r.plants.diameter_min_mm, r.plants.diameter_max_mm) / 1000;
   p.height_m = r.plants.height_m;
-  const double lean = r.plants.lean_sd_deg * deg;
+  const double lean = r.plants.lean_sd_deg * rad_per_deg;
   p.lean = lean * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal());
   return p;
 }
@@ -169,7 +169,7 @@ class SceneBuilder {
   void crown(const FieldPlant& p, int id, Random& random) {
     const bool vine = r_.plants.kind == PlantKind::vine;
     Piece wood{{}, Material::wood, wood_reflectivity, 0, id};
-    const double along = r_.plants.angle_deg * deg;
+    const double along = r_.plants.angle_deg * rad_per_deg;
     for (int i = 0; i < r_.plants.leaves; ++i) {
       if (vine) {
         const double s = random.uniform(-0.55, 0.55), up = random.uniform(0.75, 1.7);
@@ -198,7 +198,7 @@ class SceneBuilder {
     Piece wood{{}, Material::wood, wood_reflectivity, 0, 0};
     for (const auto& p : field_.plants)
       if (p.number % 4 == 2) {
-        const double a = r_.plants.angle_deg * deg;
+        const double a = r_.plants.angle_deg * rad_per_deg;
         const Eigen::Vector2d at = p.at + 0.5 * r_.plants.plant_spacing_m * Eigen::Vector2d(std::cos(a), std::sin(a));
         add_cylinder(wood.mesh, {at.x(), at.y(), ground_at(at) - 0.1}, 0.04, 2.0, 12);
       }
@@ -239,7 +239,7 @@ Field plant_field(const FieldRecipe& r, std::uint64_t seed) {
   }
   if (!r.plants.at.empty()) return field;
   Random random(seed, Stream::layout, 77);
-  const double c = std::cos(r.plants.angle_deg * deg), s = std::sin(r.plants.angle_deg * deg);
+  const double c = std::cos(r.plants.angle_deg * rad_per_deg), s = std::sin(r.plants.angle_deg * rad_per_deg);
   for (row = 1; row <= r.plants.rows; ++row) {
     // Rows from left to right, seen along their direction.
     const double across = ((r.plants.rows + 1) / 2.0 - row) * r.plants.row_spacing_m, phase = random.uniform(-0.5, 0.5);
@@ -311,7 +311,7 @@ Table field_row_table(const Field& field) {
     }
     id.push_back(row);
     plants.push_back(std::ssize(at));
-    angle.push_back(folded / deg);
+    angle.push_back(folded / rad_per_deg);
     x0.push_back(mean.x() + lo * u.x());
     y0.push_back(mean.y() + lo * u.y());
     x1.push_back(mean.x() + hi * u.x());

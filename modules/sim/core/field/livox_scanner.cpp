@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "sim/core/scene/random.h"
 
 namespace bole::sim {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, two_pi = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 constexpr int beams = 6, rays = RayBundle::size;
 constexpr double wedge_1_hz = 97.31, wedge_2_hz = -wedge_1_hz * 0.6180339887498949;
 constexpr double blend_m = 0.2;  // surfaces closer together in range give one return between them
@@ -67,8 +68,8 @@ LivoxScanner::LivoxScanner(const LivoxModel& model, double noise, const RayScene
 Eigen::Vector3d LivoxScanner::direction(std::int64_t n) const {
   const double t = static_cast<double>(n) / model_.rate_hz, turn = two_pi * static_cast<double>(n % beams) / beams;
   const double a = two_pi * wedge_1_hz * t + turn, b = two_pi * wedge_2_hz * t - 0.37 * turn;
-  const double azimuth = 0.5 * model_.field_horizontal_deg * deg * 0.5 * (std::cos(a) + std::cos(b));
-  const double elevation = 0.5 * model_.field_vertical_deg * deg * 0.5 * (std::sin(a) + std::sin(b));
+  const double azimuth = 0.5 * model_.field_horizontal_deg * rad_per_deg * 0.5 * (std::cos(a) + std::cos(b));
+  const double elevation = 0.5 * model_.field_vertical_deg * rad_per_deg * 0.5 * (std::sin(a) + std::sin(b));
   return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
 }
 
@@ -80,7 +81,8 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   const Eigen::Vector3d right = (T.linear() * out.direction.cross(Eigen::Vector3d::UnitZ())).normalized(),
                         up = right.cross(axis);
   // Full 1/e^2 widths are four standard deviations.
-  const double kh = 0.25 * model_.divergence_horizontal_deg * deg, kv = 0.25 * model_.divergence_vertical_deg * deg;
+  const double kh = 0.25 * model_.divergence_horizontal_deg * rad_per_deg,
+               kv = 0.25 * model_.divergence_vertical_deg * rad_per_deg;
   RayBundle bundle;
   bundle.max_range_m = static_cast<float>(model_.max_range_m);
   for (std::size_t i = 0; i < rays; ++i) {

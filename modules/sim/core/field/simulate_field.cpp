@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/arrays.h"
 #include "sim/core/field/field_scene.h"
 #include "sim/core/field/livox_scanner.h"
@@ -17,7 +18,7 @@ namespace bole::sim {
 namespace {
 
 using namespace sim;
-constexpr double deg = std::numbers::pi / 180, two_pi = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 
 // A robot on a straight line over uneven ground: a constant tilt where it stands, and a sway.
 class RobotMotion {
@@ -30,7 +31,7 @@ class RobotMotion {
       wave = {o.sway * random.uniform(0.2, 0.6), random.uniform(0.4, 3.5), random.angle(), random.chance(0.5)};
     const auto& s = field.recipe.sensor;
     start_ = {s.x_m + random.uniform(-0.15, 0.15), s.y_m + random.uniform(-0.1, 0.1)};
-    heading_ = (s.heading_deg + random.uniform(-3, 3)) * deg;
+    heading_ = (s.heading_deg + random.uniform(-3, 3)) * rad_per_deg;
   }
 
   double heading_rad() const { return heading_; }
@@ -42,7 +43,7 @@ class RobotMotion {
   }
   Pose pose(double t) const {
     const Eigen::Vector2d at = start_ + o_.speed * t * Eigen::Vector2d(std::cos(heading_), std::sin(heading_));
-    const Eigen::Vector2d tilt = deg * tilt_deg(t);
+    const Eigen::Vector2d tilt = rad_per_deg * tilt_deg(t);
     Pose T = Pose::Identity();
     T.linear() = rotation_from_rpy(tilt[0], tilt[1], heading_ - std::numbers::pi / 2);
     T.translation() =
@@ -163,8 +164,8 @@ class FieldSimulator {
       x.push_back(at.x());
       y.push_back(at.y());
       z.push_back(at.z());
-      heading.push_back(robot_.heading_rad() / deg);
-      yaw.push_back(robot_.heading_rad() / deg - 90);
+      heading.push_back(robot_.heading_rad() / rad_per_deg);
+      yaw.push_back(robot_.heading_rad() / rad_per_deg - 90);
       roll.push_back(tilt[0]);
       pitch.push_back(tilt[1]);
     }
@@ -187,7 +188,7 @@ class FieldSimulator {
     Random random(seed_, Stream::targets, 71);
     const Pose T = robot_.pose(0.5 * o_.integration);
     const auto tilt = robot_.tilt_deg(0.5 * o_.integration);
-    const Eigen::Vector2d seen_tilt = deg * (tilt + imu_bias_deg());
+    const Eigen::Vector2d seen_tilt = rad_per_deg * (tilt + imu_bias_deg());
     const Eigen::Matrix3d level = rotation_from_rpy(seen_tilt[0], seen_tilt[1], 0);
     std::vector<std::string> name;
     std::vector<double> x, y, z, range, sx, sy, sz;
@@ -198,8 +199,8 @@ class FieldSimulator {
           T.translation() + rotation_from_rpy(0, 0, robot_.heading_rad() - std::numbers::pi / 2) * places[i];
       Eigen::Vector3d seen = T.linear().transpose() * (nav - T.translation());
       const double most = scanner_.model().range_sigma_m * o_.noise / 4;
-      const Eigen::Vector3d off(0.03 * deg * random.normal(), 0.03 * deg * random.normal(),
-                                0.03 * deg * random.normal());
+      const Eigen::Vector3d off(0.03 * rad_per_deg * random.normal(), 0.03 * rad_per_deg * random.normal(),
+                                0.03 * rad_per_deg * random.normal());
       seen += seen.cross(off);
       seen *= 1 + most * random.normal() / seen.norm();
       const Eigen::Vector3d levelled = level * seen;

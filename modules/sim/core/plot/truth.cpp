@@ -6,12 +6,11 @@
 #include <fstream>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::sim {
 namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 class TextFile {
  public:
@@ -42,8 +41,8 @@ Table tree_table(const Forest& forest) {
     z.push_back(t.taped.ground_z_m);
     dbh.push_back(100 * t.taped.diameter_m);
     height.push_back(t.stem.axis(t.stem.end_m).z() - t.taped.ground_z_m);
-    lean.push_back(degrees_per_radian * std::acos(std::min(1.0, t.taped.axis.z())));
-    const double a = degrees_per_radian * std::atan2(t.taped.axis.x(), t.taped.axis.y());
+    lean.push_back(deg_per_rad * std::acos(std::min(1.0, t.taped.axis.z())));
+    const double a = deg_per_rad * std::atan2(t.taped.axis.x(), t.taped.axis.y());
     azimuth.push_back(a < 0 ? a + 360 : a);
     state.emplace_back(t.alive ? "alive" : "dead");
     species.emplace_back(species_name(t.species));
