@@ -182,7 +182,7 @@ pipeline::StageType edit_stage() {
     found.plants = in.table("plants");
     found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
-    auto edited = apply_row_edits(found, edits_of(options), options, run);
+    auto edited = apply_row_edits(found, edits_of(options.file, options.edits, parse_row_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("rows", std::move(edited.found.rows));
     result.outputs.set("plants", std::move(edited.found.plants));

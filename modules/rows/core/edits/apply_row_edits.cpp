@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
-#include "base/error.h"
 #include "rows/core/edits/editable_rows.h"
 #include "rows/core/edits/edited_tables.h"
 
@@ -58,24 +55,6 @@ void set_states(const EditableRows& field, Table& rows) {
 }
 
 }  // namespace
-
-std::vector<RowEdit> edits_of(const RowEditOptions& options) {
-  std::vector<RowEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::ostringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_row_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_row_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
 
 EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& edits, const RowEditOptions& options,
                            const Run& run) {

@@ -18,9 +18,6 @@ struct RowEditOptions {
 
 const OptionTable& option_table(const RowEditOptions*);
 
-// The edits of the file of the options, then those given in place. Throws Error{bad_input}.
-std::vector<RowEdit> edits_of(const RowEditOptions& options);
-
 struct EditedRows {
   FoundRows found;  // as find_rows gives them, with the column state (auto, edited) in `rows`
   Table log;        // edit, action, row_id, x_m, y_m, outcome (applied, conflict), message, author, time, reason
