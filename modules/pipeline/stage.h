@@ -36,6 +36,8 @@ struct StageType {
   std::vector<Port> outputs;
   const OptionTable* options = nullptr;
   bool writes_files = false;  // a sink: writes into Run::output_dir
+  // Keys of the report by which a run is judged, the most telling first: for headlines and comparisons.
+  std::vector<std::string> main_numbers{};
   std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;
 
   const Port* input(std::string_view port) const;

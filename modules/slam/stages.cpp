@@ -37,6 +37,8 @@ void register_slam_stages(StageRegistry& registry) {
       {.name = "loops", .kind = DataKind::table, .help = "Revisits that were accepted, by their times.", .arrays = {}}};
   type.version = 2;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
+  type.main_numbers = {"frames",      "frames_failed",    "keyframes", "loops",  "refused_loops",
+                       "path_length", "registration_rms", "overlap",   "points", "seconds"};
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
     StageResult out;
