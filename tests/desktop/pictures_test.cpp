@@ -24,7 +24,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int blur = 8;                // pixels that are averaged: glyphs and single points may differ
+constexpr int blur = 8;               // pixels that are averaged: glyphs and single points may differ
 constexpr double max_mean = 0.02;     // mean difference of the blurred pictures, of 1
 constexpr double max_changed = 0.03;  // share of blurred pixels that differ by more than `clear`
 constexpr double clear = 0.12;

@@ -28,7 +28,7 @@
 #include "views/scene_view.h"
 #include "views_test.h"
 
-Q_DECLARE_METATYPE(bole::RunOutcome)
+Q_DECLARE_METATYPE(bole::vtkbridge::RunOutcome)
 Q_DECLARE_METATYPE(bole::desktop::Results)
 
 namespace bole::desktop {
@@ -37,9 +37,9 @@ class WindowTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    register_all_stages(StageRegistry::global());
-    register_report_stages(StageRegistry::global());
-    qRegisterMetaType<RunOutcome>("RunOutcome");
+    pipeline::register_all_stages(pipeline::StageRegistry::global());
+    report::register_report_stages(pipeline::StageRegistry::global());
+    qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
     QVERIFY(folder_.isValid());
     write_cloud(folder_.filePath("cloud.xyz").toStdString());
@@ -133,18 +133,18 @@ class WindowTest : public QObject {
     window.session().undo_stack().redo();
     QVERIFY(wait());
 
-    StemEdit add;
-    add.action = StemEdit::Action::add;
+    stems::StemEdit add;
+    add.action = stems::StemEdit::Action::add;
     add.at = {4.52, 4.49};  // about where the deleted one stood: fitted to the slice
     add_edits(window.session(), {add});
     QVERIFY(wait());
     QCOMPARE(table->model()->rowCount(), 9);
     const auto edits =
-        parse_stem_edits(std::get<std::string>(window.session().document().at("edit").options.get("edits")));
+        stems::parse_stem_edits(std::get<std::string>(window.session().document().at("edit").options.get("edits")));
     QCOMPARE(edits.size(), std::size_t{2});
     QVERIFY(!edits[1].time.empty());
-    StemEdit nothing;
-    nothing.action = StemEdit::Action::resize;
+    stems::StemEdit nothing;
+    nothing.action = stems::StemEdit::Action::resize;
     QVERIFY_EXCEPTION_THROWN(add_edits(window.session(), {nothing}), Error);
     window.session().discard_recovery();
   }
@@ -174,7 +174,8 @@ class WindowTest : public QObject {
   void a_sample_that_was_saved_is_opened_as_it_was() {
     const QTemporaryDir place;
     const QString path = place.filePath("sample_plot.json");
-    const auto sample = std::make_shared<const PipelineDocument>(document_for_file(place.filePath("walk.pcap")));
+    const auto sample =
+        std::make_shared<const pipeline::PipelineDocument>(document_for_file(place.filePath("walk.pcap")));
     {
       Session session;
       session.start(*sample, path);
@@ -420,7 +421,7 @@ class WindowTest : public QObject {
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
   if (argc == 3 && std::string(argv[1]) == "--edit-and-die") {
-    bole::register_all_stages(bole::StageRegistry::global());
+    bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
     bole::desktop::Session session;
     session.open(argv[2]);
     session.set_option("slice", "height", 1.6);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char *stems_port = "stems", *rows_port = "rows", *edits_option = "edits";
 
-const StageNode& editor_or_refuse(const Session& session, const std::string& port) {
+const pipeline::StageNode& editor_or_refuse(const Session& session, const std::string& port) {
   const std::string needed = "a pipeline with a stage that edits " + port;
   if (!session.has_document()) throw bad_input("no pipeline is open", needed);
   if (const auto* editor = editor_of(session.document(), port)) return *editor;
@@ -36,8 +36,8 @@ void add_to_list(Session& session, const char* port, Parse parse, const std::vec
 
 }  // namespace
 
-void add_edits(Session& session, const std::vector<StemEdit>& edits) {
-  add_to_list(session, stems_port, parse_stem_edits, edits);
+void add_edits(Session& session, const std::vector<stems::StemEdit>& edits) {
+  add_to_list(session, stems_port, stems::parse_stem_edits, edits);
 }
 
 void add_edits(Session& session, const std::vector<rows::RowEdit>& edits) {

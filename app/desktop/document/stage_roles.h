@@ -9,22 +9,22 @@
 
 namespace bole::desktop {
 
-bool takes_edits(const StageType& type);  // has the list of edits that a person makes
+bool takes_edits(const pipeline::StageType& type);  // has the list of edits that a person makes
 
 // The first stage of the document with such a port; null when there is none.
-const StageNode* stage_with_input(const PipelineDocument& document, std::string_view port);
-const StageNode* stage_with_output(const PipelineDocument& document, std::string_view port);
+const pipeline::StageNode* stage_with_input(const pipeline::PipelineDocument& document, std::string_view port);
+const pipeline::StageNode* stage_with_output(const pipeline::PipelineDocument& document, std::string_view port);
 // The stage that edits this output.
-const StageNode* editor_of(const PipelineDocument& document, std::string_view port);
+const pipeline::StageNode* editor_of(const pipeline::PipelineDocument& document, std::string_view port);
 
 // Registered stages. Throw Error{failed} when there is none.
-const StageType& type_with_input(std::string_view port);
-const StageType& table_reader();
+const pipeline::StageType& type_with_input(std::string_view port);
+const pipeline::StageType& table_reader();
 
 // The height of the slice from which diameters come, when the document has one.
-std::optional<double> breast_height_m(const PipelineDocument& document);
+std::optional<double> breast_height_m(const pipeline::PipelineDocument& document);
 
 // The title in the language of the window; the declaration has the English one.
-QString stage_title(const StageType& type);
+QString stage_title(const pipeline::StageType& type);
 
 }  // namespace bole::desktop

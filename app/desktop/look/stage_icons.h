@@ -6,9 +6,9 @@
 
 namespace bole::desktop {
 
-enum class StageState { idle, running, done, warning, failed };
+enum class StageMark { idle, running, done, warning, failed };
 
-QIcon state_icon(StageState state, const QPalette& palette);
+QIcon state_icon(StageMark state, const QPalette& palette);
 QIcon eye_icon(bool open, const QPalette& palette);
 
 }  // namespace bole::desktop

@@ -22,7 +22,7 @@ class PipelinePanel : public QTreeWidget {
 
   PipelinePanel(Session& session, Visibility& visibility, Commands& commands, QWidget* parent);
 
-  void set_state(const QString& stage, StageState state, const QString& message = {});
+  void set_state(const QString& stage, StageMark state, const QString& message = {});
   void forget_states();  // of runs of another document
   QString current_stage() const;
   void select_stage(const QString& id);
@@ -42,7 +42,7 @@ class PipelinePanel : public QTreeWidget {
 
  private:
   struct State {
-    StageState state = StageState::idle;
+    StageMark state = StageMark::idle;
     QString message;
   };
   void fill();

@@ -13,7 +13,7 @@ struct Number {
   Unit unit = Unit::none;
 };
 
-std::map<std::string, Number> numbers_of(const StageOutcome* stage) {
+std::map<std::string, Number> numbers_of(const vtkbridge::StageOutcome* stage) {
   std::map<std::string, Number> out;
   if (!stage) return out;
   const auto& report = stage->record.report;
@@ -23,20 +23,20 @@ std::map<std::string, Number> numbers_of(const StageOutcome* stage) {
   return out;
 }
 
-const StageOutcome* stage_named(const RunOutcome& outcome, const std::string& id) {
+const vtkbridge::StageOutcome* stage_named(const vtkbridge::RunOutcome& outcome, const std::string& id) {
   const auto it = std::ranges::find_if(outcome.stages, [&](const auto& s) { return s.record.id == id; });
   return it == outcome.stages.end() ? nullptr : &*it;
 }
 
 // The keys of a report by which a run is judged, as the stage declares them.
-const std::vector<std::string>& main_numbers(const StageOutcome& stage) {
+const std::vector<std::string>& main_numbers(const vtkbridge::StageOutcome& stage) {
   static const std::vector<std::string> none;
-  const auto* type = StageRegistry::global().find(stage.record.type);
+  const auto* type = pipeline::StageRegistry::global().find(stage.record.type);
   return type != nullptr ? type->main_numbers : none;
 }
 
 // A main number of any stage.
-std::optional<double> main_number(const RunOutcome& outcome, const std::string& key) {
+std::optional<double> main_number(const vtkbridge::RunOutcome& outcome, const std::string& key) {
   for (const auto& stage : outcome.stages) {
     if (std::ranges::find(main_numbers(stage), key) == main_numbers(stage).end()) continue;
     const auto numbers = numbers_of(&stage);
@@ -45,8 +45,8 @@ std::optional<double> main_number(const RunOutcome& outcome, const std::string& 
   return {};
 }
 
-ComparedNumber compared(const StageOutcome& stage, const std::string& key, const std::map<std::string, Number>& first,
-                        const std::map<std::string, Number>& second) {
+ComparedNumber compared(const vtkbridge::StageOutcome& stage, const std::string& key,
+                        const std::map<std::string, Number>& first, const std::map<std::string, Number>& second) {
   const auto a = first.find(key), b = second.find(key);
   const auto unit = unit_symbol(a != first.end() ? a->second.unit : b->second.unit);
   ComparedNumber c;
@@ -61,7 +61,7 @@ ComparedNumber compared(const StageOutcome& stage, const std::string& key, const
 }  // namespace
 
 // Results come last in a pipeline: the main numbers of later stages stand first.
-std::vector<ComparedNumber> compared_numbers(const RunOutcome& first, const RunOutcome& second) {
+std::vector<ComparedNumber> compared_numbers(const vtkbridge::RunOutcome& first, const vtkbridge::RunOutcome& second) {
   std::vector<ComparedNumber> main, others;
   for (const auto& stage : first.stages) {
     const auto a = numbers_of(&stage), b = numbers_of(stage_named(second, stage.record.id));
@@ -80,7 +80,7 @@ std::vector<ComparedNumber> compared_numbers(const RunOutcome& first, const RunO
   return main;
 }
 
-QString headline(const RunOutcome& outcome) {
+QString headline(const vtkbridge::RunOutcome& outcome) {
   QStringList parts;
   if (const auto n = main_number(outcome, "stems")) parts << QObject::tr("%1 stems").arg(*n);
   if (const auto m = main_number(outcome, "ate_rmse")) parts << QObject::tr("ATE %1 cm").arg(100 * *m, 0, 'f', 1);
@@ -90,11 +90,11 @@ QString headline(const RunOutcome& outcome) {
   return parts.join(", ");
 }
 
-std::shared_ptr<const Trajectory> reference_path(const PipelineDocument& document, const Results& results) {
+std::shared_ptr<const Trajectory> reference_path(const pipeline::PipelineDocument& document, const Results& results) {
   for (const auto& node : document.stages()) {
     const auto joint = node.inputs.find("reference_trajectory");
     if (joint == node.inputs.end()) continue;
-    const auto source = parse_source(joint->second);
+    const auto source = pipeline::parse_source(joint->second);
     const auto found = results.find(source.id);
     if (found != results.end() && found->second.has(source.port)) return found->second.get<Trajectory>(source.port);
   }

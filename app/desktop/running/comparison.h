@@ -16,12 +16,12 @@ struct ComparedNumber {
 };
 
 // Every count and metric of the reports, in the order of the stages; the main ones first.
-std::vector<ComparedNumber> compared_numbers(const RunOutcome& first, const RunOutcome& second);
+std::vector<ComparedNumber> compared_numbers(const vtkbridge::RunOutcome& first, const vtkbridge::RunOutcome& second);
 
 // The result in one line: "78 stems, ATE 0.7 cm, DBH bias -0.19 cm"; what the run has of it.
-QString headline(const RunOutcome& outcome);
+QString headline(const vtkbridge::RunOutcome& outcome);
 
 // The path with which the evaluation of a run compares the estimate; null when there is none.
-std::shared_ptr<const Trajectory> reference_path(const PipelineDocument& document, const Results& results);
+std::shared_ptr<const Trajectory> reference_path(const pipeline::PipelineDocument& document, const Results& results);
 
 }  // namespace bole::desktop

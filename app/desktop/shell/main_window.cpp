@@ -96,7 +96,7 @@ void MainWindow::open(const QString& path) {
   if (QFileInfo::exists(session().path())) note_recent_file(session().path());
 }
 
-void MainWindow::open_made(const PipelineDocument& document, const QString& path) {
+void MainWindow::open_made(const pipeline::PipelineDocument& document, const QString& path) {
   if (!may_lose_changes()) return;
   take_up(path, [&] { return document; });
   document_is_open();
@@ -109,7 +109,7 @@ void MainWindow::save(const QString& path) {
   Q_EMIT document_saved();
 }
 
-void MainWindow::take_up(const QString& path, const std::function<PipelineDocument()>& make) {
+void MainWindow::take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make) {
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost &&
       QMessageBox::question(

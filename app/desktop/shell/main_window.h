@@ -14,7 +14,7 @@ class MainWindow : public Workbench {
   MainWindow();
 
   void open(const QString& path) override;
-  void open_made(const PipelineDocument& document, const QString& path) override;
+  void open_made(const pipeline::PipelineDocument& document, const QString& path) override;
   void save(const QString& path);
 
   QMenu* menu(Menu which) { return menus_[static_cast<std::size_t>(which)]; }
@@ -27,7 +27,7 @@ class MainWindow : public Workbench {
  private:
   bool may_lose_changes();  // asks what to do with unsaved changes; false: keep the document
   // Opens the pipeline at `path`, or what a crash left of it; without a file there, the one that `make` gives.
-  void take_up(const QString& path, const std::function<PipelineDocument()>& make);
+  void take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make);
   void make_docks();
   void make_menus();
 

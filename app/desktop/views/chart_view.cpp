@@ -16,7 +16,7 @@ constexpr double mm_per_px = 25.4 / 96, reach_mm = 2.5;
 QString to_qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
 // With the other words of charts, in the context "figures" of app/desktop/i18n.
-QString chart_title(const ChartType& chart) {
+QString chart_title(const render::ChartType& chart) {
   return QCoreApplication::translate("figures", to_qt(chart.title).toUtf8().constData());
 }
 
@@ -25,7 +25,7 @@ QString chart_title(const ChartType& chart) {
 ChartView::ChartView(Selection& selection, QWidget* parent)
     : QWidget(parent), selection_(selection), charts_(new QComboBox(this)) {
   setMinimumSize(220, 180);
-  for (const auto& chart : linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
+  for (const auto& chart : render::linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
   connect(charts_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
   connect(&selection_, &Selection::changed, this, &ChartView::rebuild);
 }
@@ -41,9 +41,9 @@ QRect ChartView::sheet() const { return rect().adjusted(0, charts_->sizeHint().h
 
 void ChartView::rebuild() {
   chart_ = {};
-  const ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
+  const render::ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
   const auto selected = selection_.tree();
-  const auto charts = linked_charts();
+  const auto charts = render::linked_charts();
   if (survey_.stems && survey_.stems->has("tree_id"))
     chart_ = charts[static_cast<std::size_t>(charts_->currentIndex())].draw(
         {survey_.stems.get(), survey_.matches.get()}, size, selected);

@@ -18,15 +18,15 @@ namespace {
 
 constexpr int message_ms = 10000;
 
-StageState panel_state(const StageOutcome& stage) {
+StageMark mark_of(const vtkbridge::StageOutcome& stage) {
   switch (stage.state) {
-    case bole::StageState::done:
-    case bole::StageState::from_cache:
-      return stage.record.report.warnings.empty() ? StageState::done : StageState::warning;
-    case bole::StageState::failed:
-      return StageState::failed;
+    case vtkbridge::StageState::done:
+    case vtkbridge::StageState::from_cache:
+      return stage.record.report.warnings.empty() ? StageMark::done : StageMark::warning;
+    case vtkbridge::StageState::failed:
+      return StageMark::failed;
     default:
-      return StageState::idle;
+      return StageMark::idle;
   }
 }
 
@@ -56,10 +56,10 @@ void Workbench::connect_document() {
   connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &Runner::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
     const int now = run_->current() ? run_->current()->id : 0;
-    if (job == now && last != stage) pipeline_->set_state(last, StageState::done);
+    if (job == now && last != stage) pipeline_->set_state(last, StageMark::done);
     job = now;
     last = stage;
-    pipeline_->set_state(stage, StageState::running);
+    pipeline_->set_state(stage, StageMark::running);
   });
   connect(run_, &Runner::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &Runner::finished, this, &Workbench::show_outcome);
@@ -164,7 +164,8 @@ void Workbench::refresh() {
 
 void Workbench::start(bool sinks, const QString& folder) {
   if (!session_.has_document()) return;
-  for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
+  for (const auto& problem : pipeline::validate(session_.document()))
+    throw bad_input(problem.stage + ": " + problem.message);
   if (sinks) last_export_ = folder;
   run_->start(folder, sinks);
   Q_EMIT run_started();
@@ -185,11 +186,11 @@ void Workbench::show_survey(const Survey& survey) {
   Q_EMIT survey_shown(survey);
 }
 
-void Workbench::show_outcome(const RunOutcome& outcome) {
+void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
   for (const auto& stage : outcome.stages) {
     const bool failed = !stage.error.empty();
     const auto& message = failed ? stage.error : stage.record.report.message;
-    pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage), QString::fromStdString(message));
+    pipeline_->set_state(QString::fromStdString(stage.record.id), mark_of(stage), QString::fromStdString(message));
     tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
     for (const auto& warning : stage.record.report.warnings)
       tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);

@@ -32,7 +32,7 @@ class Workbench : public QMainWindow {
   // A pipeline; or a cloud or a scan, for which a pipeline is made. Asks first what to do with unsaved changes.
   virtual void open(const QString& path) = 0;
   // A pipeline that the program made, unless `path` holds one already; runs it.
-  virtual void open_made(const PipelineDocument& document, const QString& path) = 0;
+  virtual void open_made(const pipeline::PipelineDocument& document, const QString& path) = 0;
 
   void run();                             // the whole pipeline; waits for runs that were asked for before
   void refresh();                         // all but the stages that write files; after the current run, if any
@@ -83,7 +83,7 @@ class Workbench : public QMainWindow {
   void connect_document();
   void connect_views();
   void keep_commands_up_to_date();
-  void show_outcome(const RunOutcome& outcome);
+  void show_outcome(const vtkbridge::RunOutcome& outcome);
   void show_survey(const Survey& survey);
 
   Session session_;

@@ -9,7 +9,7 @@
 #include "render/charts/dbh_charts.h"
 #include "render/draw/axes.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double class_cm = 4, dot_mm = 0.8;
@@ -209,4 +209,4 @@ std::span<const ChartType> linked_charts() {
   return charts;
 }
 
-}  // namespace bole
+}  // namespace bole::render

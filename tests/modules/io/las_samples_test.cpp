@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "io/core/las_reader.h"
+#include "io/core/las/las_reader.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 const std::filesystem::path data = BOLE_SHARED_DATA_DIR;
@@ -86,4 +86,4 @@ TEST(LasSamples, UserDefinedGeoTiffKeysBecomeWkt) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

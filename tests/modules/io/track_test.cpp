@@ -1,4 +1,4 @@
-#include "io/core/track_file.h"
+#include "io/core/tables/track_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "io/core/nmea_reader.h"
+#include "io/core/tables/nmea_reader.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using ::testing::HasSubstr;
@@ -108,7 +108,7 @@ TEST(Nmea, RealLogsHaveTheirCounts) {
   EXPECT_EQ(read_track(folder / "gpsd_nmea-rtk.log", fixed).table.rows(), 18U);
 }
 
-TEST(Track, TheOrchardTrackIsReadInUtm) {
+TEST(slam::Track, TheOrchardTrackIsReadInUtm) {
   const auto file = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "orchard_apple_mtls/gnss_track_first_pass.txt";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
   const auto track = read_track(file, {});
@@ -120,7 +120,7 @@ TEST(Track, TheOrchardTrackIsReadInUtm) {
   EXPECT_LT(track.report.metrics.at("longest_step").value, 5);  // no jumps of 40 at the minutes
 }
 
-TEST(Track, AnEmptyQualityIsUnknown) {
+TEST(slam::Track, AnEmptyQualityIsUnknown) {
   const auto track = read_track(bytes_of("time_s,x_m,y_m,quality\n0,1,2,4\n1,2,2,\n2,3,2,5\n3,4,2,4\n"), "t.csv", {});
   EXPECT_EQ(track.table.rows(), 4U);
   EXPECT_EQ(track.report.counts.at("quality_4"), 2);
@@ -135,7 +135,7 @@ TEST(Track, AnEmptyQualityIsUnknown) {
   }
 }
 
-TEST(Track, TablesAndErrors) {
+TEST(slam::Track, TablesAndErrors) {
   const std::string csv = "time_s,x_m,y_m\n0,1,2\n1,2,2\n0.5,9,9\n2,3,2\n";
   const auto track = read_track(bytes_of(csv), "t", {});
   EXPECT_EQ(track.table.rows(), 3U);
@@ -152,4 +152,4 @@ TEST(Track, TablesAndErrors) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <random>
 
-#include "rows/core/find_rows.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
+#include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
 namespace {
@@ -53,7 +53,7 @@ PointCloud tube_frame(unsigned seed, double pitch_deg) {
   return level(frame, tilt);
 }
 
-TEST(Frame, EveryStepKeepsWhatItShould) {
+TEST(render::Frame, EveryStepKeepsWhatItShould) {
   PointCloud cloud(PointCloud::Positions{{0, 1, 0}, {0.01F, 1.01F, 0.01F}, {5, 1, 0}, {0, 13, 0}, {0, 2, 2}});
   EXPECT_EQ(cut_region(cloud, {}).size(), 2U);
   VoxelOptions voxel;
@@ -67,7 +67,7 @@ TEST(Frame, EveryStepKeepsWhatItShould) {
 }
 
 // The whole chain on the tubes: eight centres, and rows within the paper's own error.
-TEST(Frame, TheTubesOfThePaperAreFound) {
+TEST(render::Frame, TheTubesOfThePaperAreFound) {
   double worst_m = 0, worst_deg = 0, mean_deg = 0;
   int rows_seen = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {

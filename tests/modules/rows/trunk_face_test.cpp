@@ -1,4 +1,4 @@
-#include "rows/core/trunk_face.h"
+#include "rows/core/frame/trunk_face.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "base/error.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
 
 namespace bole::rows {
 namespace {
@@ -70,7 +70,7 @@ TEST(TrunkFace, AnUprightStripIsFoundBesideACloudOfLeaves) {
   EXPECT_FALSE(fit_trunk_face({}, centre, 0.1, 0.02));
 }
 
-TEST(Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
+TEST(render::Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
   PointCloud frame(PointCloud::Positions{{0, 5, 0}, {0, 5, 0}, {0, 5, 0}});
   frame.set_column("time", std::vector<double>{0, 0.5, 1});
   Table attitude;
@@ -88,7 +88,7 @@ TEST(Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
   EXPECT_THROW(level(frame, {}, &attitude), Error);
 }
 
-TEST(Frame, TheFaceNeedsTheDenseFrame) {
+TEST(render::Frame, TheFaceNeedsTheDenseFrame) {
   PointCloud plants(PointCloud::Positions{{0, 5, 0}});
   plants.set_column(plant_column, std::vector<std::int32_t>{1});
   TrunkOptions o;

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "slam/core/context_index.h"
+#include "slam/core/loops/context_index.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST(PlaceRecognition, KittiTwoPlaces) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

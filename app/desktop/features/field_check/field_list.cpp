@@ -34,11 +34,11 @@ std::string unit_in(const QString& column, const FieldColumn& wanted) {
   return wanted.units.empty() ? std::string() : wanted.units.front();
 }
 
-StageNode& in(PipelineDocument& document, const std::string& id) {
-  return *std::ranges::find(document.stages(), id, &StageNode::id);
+pipeline::StageNode& in(pipeline::PipelineDocument& document, const std::string& id) {
+  return *std::ranges::find(document.stages(), id, &pipeline::StageNode::id);
 }
 
-void put(StageNode& node, const std::string& option, const OptionValue& value) {
+void put(pipeline::StageNode& node, const std::string& option, const OptionValue& value) {
   node.options.set(option, value);
   node.given.insert(option);
 }
@@ -87,9 +87,9 @@ FieldMapping guess_mapping(const Table& list) {
   return mapping;
 }
 
-PipelineDocument with_field_list(const PipelineDocument& document, const std::string& file, const FieldMapping& mapping,
-                                 const std::string& align) {
-  PipelineDocument after = document;
+pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& document, const std::string& file,
+                                           const FieldMapping& mapping, const std::string& align) {
+  pipeline::PipelineDocument after = document;
   if (stage_with_input(after, field_port) == nullptr) {
     if (stage_with_output(after, stems_port) == nullptr)
       throw bad_input("the pipeline measures no stems", "a stage that measures stems",
@@ -99,10 +99,11 @@ PipelineDocument with_field_list(const PipelineDocument& document, const std::st
   const auto evaluate = stage_with_input(after, field_port)->id;
   const auto joint = in(after, evaluate).inputs.find(field_port);
   // The reader of the list: the one that the evaluation takes from, else a new one in front of it.
-  std::string reader = joint == in(after, evaluate).inputs.end() ? std::string() : parse_source(joint->second).id;
+  std::string reader =
+      joint == in(after, evaluate).inputs.end() ? std::string() : pipeline::parse_source(joint->second).id;
   if (reader.empty() || after.at(reader).type != &table_reader()) {
     const auto& stages = after.stages();
-    const auto place = std::ranges::find(stages, evaluate, &StageNode::id) - stages.begin();
+    const auto place = std::ranges::find(stages, evaluate, &pipeline::StageNode::id) - stages.begin();
     auto added =
         with_stage(after, table_reader(), place > 0 ? stages[static_cast<std::size_t>(place) - 1].id : std::string());
     after = std::move(added.document);

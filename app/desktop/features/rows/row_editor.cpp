@@ -21,7 +21,7 @@ namespace bole::desktop {
 namespace {
 
 using rows::RowEdit;
-using Action = RowEdit::Action;
+using Action = rows::RowEdit::Action;
 
 const std::string layer = "rows";
 constexpr double ground_reach_m = 1.0, tick_m = 0.15, above_ground_m = 0.05;
@@ -110,7 +110,7 @@ void RowEditor::make_commands() {
   bench_.commands().give_context_menu(*view_, "row");
 }
 
-void RowEditor::apply(const RowEdit& edit) { add_edits(bench_.session(), {edit}); }
+void RowEditor::apply(const rows::RowEdit& edit) { add_edits(bench_.session(), {edit}); }
 
 void RowEditor::show_survey(const Survey& survey) {
   const bool same_cloud = survey.points == survey_.points;
@@ -223,8 +223,8 @@ const RowEditor::Row& RowEditor::selected_or_refuse() const {
   throw bad_input("no row is selected", "a row", "Click it in the view or in the table");
 }
 
-RowEdit RowEditor::edit_of(const Row& row, Action action) const {
-  RowEdit edit;
+rows::RowEdit RowEditor::edit_of(const Row& row, Action action) const {
+  rows::RowEdit edit;
   edit.action = action;
   edit.at = row.course.size() > 2 ? row.course[row.course.size() / 2] : Eigen::Vector2d((row.from + row.to) / 2);
   if (std::isfinite(row.angle_deg)) edit.was_angle_deg = row.angle_deg;
@@ -272,7 +272,7 @@ void RowEditor::take(const Eigen::Vector3d& place) {
     bench_.hint(tr("Click where the row ends."));
     return draw();
   }
-  RowEdit edit;
+  rows::RowEdit edit;
   if (*task_ == Task::add) {
     edit.action = Action::add;
     edit.from = clicked_[0];

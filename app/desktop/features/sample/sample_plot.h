@@ -26,7 +26,7 @@ class SamplePlot : public QObject {
 
  Q_SIGNALS:
   void progressed(double fraction, const QString& what);
-  void ready(const std::shared_ptr<const PipelineDocument>& document, const QString& path);
+  void ready(const std::shared_ptr<const pipeline::PipelineDocument>& document, const QString& path);
   void failed(const QString& sentence);
 
  private:

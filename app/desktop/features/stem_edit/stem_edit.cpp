@@ -10,18 +10,18 @@
 namespace bole::desktop {
 namespace {
 
-using Action = StemEdit::Action;
+using Action = stems::StemEdit::Action;
 
 constexpr double min_dbh_cm = 0.1, max_dbh_cm = 2000, min_height_m = 0.1, max_height_m = 200, usual_height_m = 20;
 constexpr int own_section = 1;  // of the menu Stem
 
 // An edit of the selected stem, with its place and diameter as they are.
-std::optional<StemEdit> edit_of_selection(Workbench& bench, Action action) {
+std::optional<stems::StemEdit> edit_of_selection(Workbench& bench, Action action) {
   const auto& survey = bench.runner().survey();
   const auto row = bench.selection().tree() ? survey.row_of(*bench.selection().tree()) : std::nullopt;
   const auto* stems = survey.stems.get();
   if (!row || !stems->has("x_m") || !stems->has("y_m") || !stems->has("dbh_cm")) return {};
-  StemEdit edit;
+  stems::StemEdit edit;
   edit.action = action;
   edit.at = {stems->numbers("x_m")[*row], stems->numbers("y_m")[*row]};
   edit.was_dbh_cm = stems->numbers("dbh_cm")[*row];
@@ -29,7 +29,7 @@ std::optional<StemEdit> edit_of_selection(Workbench& bench, Action action) {
 }
 
 // Asks for the value that the edit needs; false when the person thinks better of it.
-bool ask_for_value(Workbench& bench, StemEdit& edit) {
+bool ask_for_value(Workbench& bench, stems::StemEdit& edit) {
   bool given = true;
   if (edit.action == Action::resize)
     edit.dbh_cm =
@@ -75,8 +75,9 @@ void install_stem_edit(Workbench& bench) {
                         .turn = [b](bool on) { b->slice().set_adding(on); },
                         .checked_when = [b] { return b->slice().adding(); }});
   bench.commands().give_context_menu(bench.stems(), "stem");
-  QObject::connect(&bench.slice(), &SliceView::edits_requested, b,
-                   [b](const std::vector<StemEdit>& edits) { b->guarded([&] { add_edits(b->session(), edits); }); });
+  QObject::connect(&bench.slice(), &SliceView::edits_requested, b, [b](const std::vector<stems::StemEdit>& edits) {
+    b->guarded([&] { add_edits(b->session(), edits); });
+  });
 }
 
 }  // namespace bole::desktop
