@@ -80,7 +80,7 @@ QWidget* FieldCheck::header() {
   auto* layout = new QHBoxLayout(line);
   layout->setContentsMargins(2, 0, 2, 0);
   auto* load = new QPushButton(tr("Load field measurements…"), line);
-  connect(load, &QPushButton::clicked, this, [this] { bench_.commands().trigger("field.load"); });
+  connect(load, &QPushButton::clicked, bench_.commands().action("field.load"), &QAction::trigger);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   summary_->setWordWrap(true);
   layout->addWidget(load);
