@@ -13,7 +13,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr double mm_per_px = 25.4 / 96;
-constexpr double grip_px = 8, least_radius_m = 0.01, max_radius_m = 2.5;
+constexpr double grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
 constexpr double start_error_m = 0.05, max_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
 
 QString quality_text(const std::string& quality) {
@@ -175,7 +175,7 @@ void SliceView::drag_to(const Eigen::Vector2d& metres) {
     drawn.radius_m = (metres - pressed_).norm();
     drawn.tree_id = 0;
   }
-  drawn.radius_m = std::clamp(drawn.radius_m, least_radius_m, max_radius_m);
+  drawn.radius_m = std::clamp(drawn.radius_m, min_radius_m, max_radius_m);
   data_.drawn = drawn;
   std::vector<Eigen::Vector2d> near;
   for (const auto& p : data_.points)
