@@ -44,6 +44,8 @@ void register_stages(pipeline::StageRegistry& registry) {
     for (const auto& spec : out.table().specs) out.set(spec.name, spec.get(&filled));
     return out;
   };
+  type.main_numbers = {"frames",      "frames_failed",    "keyframes", "loops",  "refused_loops",
+                       "path_length", "registration_rms", "overlap",   "points", "seconds"};
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
     pipeline::StageResult out;
