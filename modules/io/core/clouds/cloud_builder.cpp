@@ -289,7 +289,7 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
   parts_->take_sensor();
   parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
-  parts_->axes = axes_from_name(options.axes);
+  parts_->axes = options.axes;
 }
 
 CloudBuilder::~CloudBuilder() = default;

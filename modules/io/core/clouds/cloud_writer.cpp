@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/clouds/sensor_arrays.h"
-#include "io/core/las/las_writer.h"
+#include "io/core/formats.h"
 
 namespace bole::io {
 namespace {
@@ -140,12 +140,7 @@ void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud,
 }
 
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) {
-  const auto extension = path.extension();
-  if (extension == ".ply") return write_ply(path, cloud, run);
-  if (extension == ".csv") return write_csv_cloud(path, cloud, 4, run);
-  if (extension == ".xyz" || extension == ".txt") return write_xyz_cloud(path, cloud, 4, run);
-  if (extension == ".las") return write_las(path, cloud, {}, run);
-  throw bad_input("a cloud cannot be written as '" + extension.string() + "'", ".las, .ply, .csv, .xyz or .txt");
+  std::get<CloudAccess>(written_format(FileContent::cloud, path).access).write(path, cloud, run);
 }
 
 }  // namespace bole::io

@@ -23,17 +23,17 @@ class PtxLines {
     return true;
   }
   // The numbers of the current line, after at_end() has said that there is one.
-  const std::vector<double>& numbers(std::size_t fewest, const char* what) {
+  const std::vector<double>& numbers(std::size_t min_count, const char* what) {
     split_blanks(line_, words_);
     values_.assign(words_.size(), 0);
-    bool good = words_.size() >= fewest;
+    bool good = words_.size() >= min_count;
     for (std::size_t i = 0; i < words_.size(); ++i) good = parse_number(words_[i], values_[i]) && good;
     if (!good)
       throw bad_input("PTX line " + std::to_string(lines_.number()) + " is '" + std::string(line_.substr(0, 60)) + "'",
                       what);
     return values_;
   }
-  const std::vector<double>& next(std::size_t fewest, const char* what) {
+  const std::vector<double>& next(std::size_t min_count, const char* what) {
     if (at_end()) throw bad_input("the PTX file ends after line " + std::to_string(lines_.number()), what);
     return numbers(fewest, what);
   }
@@ -71,8 +71,7 @@ Eigen::Affine3d read_pose(PtxLines& lines) {
 
 }  // namespace
 
-bool looks_like_ptx(Bytes file, const std::string& extension) {
-  if (extension != ".ptx") return false;
+bool looks_like_ptx(Bytes file) {
   LineReader lines(file);
   std::string_view line;
   std::size_t count = 0;

@@ -1,17 +1,18 @@
 #include "io/core/clouds/text_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/clouds/cloud_builder.h"
-#include "io/core/clouds/ptx_reader.h"
 
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_columns = 1024;
+constexpr std::size_t max_columns = 1024;
+constexpr std::size_t max_header_lines = 200;
 constexpr std::size_t lines_between_polls = 1 << 15;
 
 struct Dialect {
@@ -46,16 +47,24 @@ bool number(std::string_view word, const Dialect& dialect, double& value) {
   return parse_number(copy, value);
 }
 
-Dialect dialect_of(std::string_view line, const std::string& wanted) {
+char delimiter_of(std::string_view line, std::optional<Delimiter> wanted) {
+  if (wanted) {
+    constexpr std::array characters{' ', ',', ';', '\t'};
+    return characters[static_cast<std::size_t>(*wanted)];
+  }
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  Dialect dialect;
-  if (wanted == "comma") dialect.delimiter = ',';
-  if (wanted == "semicolon") dialect.delimiter = ';';
-  if (wanted == "tab") dialect.delimiter = '\t';
-  if (wanted == "auto") dialect.delimiter = has(';') ? ';' : has(',') && !has('\t') ? ',' : ' ';
-  // "1,5 2,25 3,0" and "1,5;2,25;3,0" are written with decimal commas; "1,5, 2,25" is not.
-  if (dialect.delimiter != ',') dialect.decimal_comma = has(',') && !has('.');
-  if (dialect.delimiter == ',' && wanted == "auto" && !has('.')) {
+  if (has(';')) return ';';
+  return has(',') && !has('\t') ? ',' : ' ';
+}
+
+// "1,5 2,25 3,0" and "1,5;2,25;3,0" are written with decimal commas. "1,5, 2,25" is not.
+Dialect dialect_of(std::string_view line, std::optional<Delimiter> wanted) {
+  const bool points = line.find('.') != std::string_view::npos;
+  Dialect dialect{delimiter_of(line, wanted), false};
+  if (points) return dialect;
+  if (dialect.delimiter != ',') {
+    dialect.decimal_comma = line.find(',') != std::string_view::npos;
+  } else if (!wanted) {
     const auto words = split_blanks(line);
     const bool inside = std::ranges::all_of(
         words, [](std::string_view w) { return std::ranges::count(w, ',') <= 1 && w.back() != ','; });
@@ -126,7 +135,6 @@ bool all_numbers(const std::vector<std::string_view>& words, const Dialect& dial
 }
 
 Layout find_layout(Bytes file, const CloudReadOptions& options) {
-  constexpr std::size_t most_header_lines = 200;
   Layout layout;
   LineReader lines(file);
   std::string_view line, header;
@@ -137,7 +145,7 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     before = lines.position();
     if (!lines.next(line)) break;
     if (lines.number() <= static_cast<std::size_t>(options.skip_lines) || trimmed(line).empty()) continue;
-    if (lines.number() > most_header_lines + static_cast<std::size_t>(options.skip_lines)) break;
+    if (lines.number() > max_header_lines + static_cast<std::size_t>(options.skip_lines)) break;
     if (is_comment(line)) {
       const auto text = without_comment_sign(line);
       split(text, dialect_of(text, options.delimiter), words);
@@ -146,9 +154,9 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     }
     const auto dialect = dialect_of(line, options.delimiter);
     split(line, dialect, words);
-    if (words.size() > most_columns)
+    if (words.size() > max_columns)
       throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns",
-                      "at most " + std::to_string(most_columns));
+                      "at most " + std::to_string(max_columns));
     if (!all_numbers(words, dialect, row)) {
       if (words.size() >= 3) header = line;
       continue;
@@ -184,9 +192,20 @@ void check_columns(const Layout& layout, const CloudReadOptions& options, std::s
 
 }  // namespace
 
-CloudReading read_text_cloud(Bytes file, const std::string& extension, const CloudReadOptions& options,
-                             const Run& run) {
-  if (looks_like_ptx(file, extension)) return read_ptx(file, options, run);
+bool holds_text_points(Bytes file) {
+  LineReader lines(file);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  std::vector<double> row;
+  while (lines.number() < max_header_lines && lines.next(line)) {
+    const auto dialect = dialect_of(line, {});
+    split(line, dialect, words);
+    if (words.size() <= max_columns && all_numbers(words, dialect, row)) return true;
+  }
+  return false;
+}
+
+CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const Run& run) {
   const Layout layout = find_layout(file, options);
   CloudBuilder builder(layout.fields, options);
   LineReader lines(file.subspan(layout.data_offset));

@@ -141,6 +141,14 @@ bool FrameFolderSource::holds_frames(const fs::path& folder) {
   return false;
 }
 
+std::optional<fs::path> FrameFolderSource::find_frames(const fs::path& folder) {
+  if (holds_frames(folder)) return folder;
+  // KITTI raw keeps its frames in velodyne_points/data, KITTI odometry in velodyne.
+  for (const char* inner : {"data", "velodyne", "velodyne_points/data"})
+    if (holds_frames(folder / inner)) return folder / inner;
+  return {};
+}
+
 FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOptions& options, const Run& run)
     : folder_(folder), options_(options) {
   find_files();

@@ -35,8 +35,10 @@ class FrameFolderSource : public FrameSource {
 
   const Report& report() const { return report_; }
 
-  // Frames of one of these kinds lie in the folder.
+  // Frames lie in the folder itself.
   static bool holds_frames(const std::filesystem::path& folder);
+  // The folder itself, or the one below it where KITTI keeps the frames of a recording. Nothing where neither has any.
+  static std::optional<std::filesystem::path> find_frames(const std::filesystem::path& folder);
 
  private:
   void find_files();

@@ -122,9 +122,9 @@ VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const Fr
 
 void VelodynePcapSource::index(const Run& run) {
   if (options_.sensor != "auto") decoder_.emplace(sensor::load_sensor_model(options_.sensor));
-  port_ = options_.port;
+  port_ = options_.port.value_or(0);
   const double bytes = file_bytes(path_);
-  Indexer indexer(*this, options_.cut_angle * 100);
+  Indexer indexer(*this, options_.cut_angle_deg * 100);
   auto& counts = report_.counts;
   std::int64_t datagrams = 0, data_packets = 0, position_packets = 0, other_port = 0, other = 0;
   Datagram datagram;
@@ -161,11 +161,11 @@ void VelodynePcapSource::index(const Run& run) {
     indexer.add(datagram, *packet);
   }
   if (data_packets == 0) {
-    const std::string port_text = options_.port != 0 ? " to UDP port " + std::to_string(options_.port) : "";
+    const std::string port_text = options_.port ? " to UDP port " + std::to_string(*options_.port) : "";
     throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" +
                         port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"),
                     "datagrams of 1206 bytes",
-                    other_port > 0 ? "Data packets were seen on another port: set the option port to 0"
+                    other_port > 0 ? "Data packets were seen on another port: set the option port to auto"
                                    : "Is this the recording of a Velodyne sensor?");
   }
   if (frames_.empty())

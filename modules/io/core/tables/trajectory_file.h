@@ -1,7 +1,11 @@
 // Trajectories as text: TUM (time and pose) and KITTI (pose matrices without times).
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cloud/trajectory.h"
@@ -20,8 +24,14 @@ Trajectory read_tum(Bytes file, const std::string& name);
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s = {});
 Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vector<double>& times_s = {});
 
-// Either of them; `format` is tum, kitti or auto (by the number of values on the first line). Throws Error{bad_input}.
-Trajectory read_trajectory(const std::filesystem::path& path, const std::string& format = "auto");
+enum class TrajectoryFormat { tum, kitti };
+constexpr std::array<std::string_view, 2> choice_names(TrajectoryFormat) { return {"tum", "kitti"}; }
+
+// Either of them, without a format by the number of values on the first line. Throws Error{bad_input}.
+Trajectory read_trajectory(const std::filesystem::path& path, std::optional<TrajectoryFormat> format = {});
+
+// Whether the first line that is no comment holds 12 values.
+bool looks_like_kitti_poses(Bytes file);
 
 // Times and positions with six digits after the point, rotations with nine.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
