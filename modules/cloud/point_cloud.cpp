@@ -6,7 +6,8 @@
 #include "cloud/axes_choice.h"
 #include "cloud/large_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 std::size_t column_size(const Column& column) {
   return std::visit([](const auto& v) { return v.size(); }, column);
@@ -98,4 +99,5 @@ Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i) {
   return out;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole
