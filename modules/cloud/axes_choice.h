@@ -6,8 +6,10 @@
 
 #include "cloud/point_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 constexpr std::array<std::string_view, 5> choice_names(Axes) { return {"unknown", "sensor", "map", "plot", "global"}; }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole
