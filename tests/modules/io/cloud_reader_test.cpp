@@ -47,7 +47,12 @@ std::string binary_ply(bool big_endian, double x, std::size_t declared) {
     if (big_endian) std::reverse(bytes.begin(), bytes.end());
     file += bytes;
   };
-  for (int i = 0; i < 3; ++i) append(x + i * 0.001), append(5400000.25), append(100.5), append(i);
+  for (int i = 0; i < 3; ++i) {
+    append(x + i * 0.001);
+    append(5400000.25);
+    append(100.5);
+    append(i);
+  }
   return file;
 }
 
@@ -146,7 +151,12 @@ TEST(ReadPcd, BinaryThatIsCutOffGivesWhatIsThere) {
   std::string file =
       "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 4\nWIDTH 1000000000\nHEIGHT "
       "1000000000\nPOINTS 1000000000000000000\nDATA binary\n";
-  for (int i = 0; i < 5; ++i) put(file, static_cast<float>(i)), put(file, 2.F), put(file, 3.F), put(file, 0U);
+  for (int i = 0; i < 5; ++i) {
+    put(file, static_cast<float>(i));
+    put(file, 2.F);
+    put(file, 3.F);
+    put(file, 0U);
+  }
   file += "xyz";
   const auto r = read(file, "a.pcd");
   EXPECT_EQ(r.cloud.size(), 5U);
@@ -378,9 +388,12 @@ TEST(ReadCloud, TheSameCloudFromFourFormatsAgrees) {
     Eigen::Vector3d sum_first = Eigen::Vector3d::Zero(), sum_other = Eigen::Vector3d::Zero(), low = sum_first,
                     high = sum_first, low_other = sum_first, high_other = sum_first;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      sum_first += first.position(i), sum_other += other.position(i);
-      low = low.cwiseMin(first.position(i)), high = high.cwiseMax(first.position(i));
-      low_other = low_other.cwiseMin(other.position(i)), high_other = high_other.cwiseMax(other.position(i));
+      sum_first += first.position(i);
+      sum_other += other.position(i);
+      low = low.cwiseMin(first.position(i));
+      high = high.cwiseMax(first.position(i));
+      low_other = low_other.cwiseMin(other.position(i));
+      high_other = high_other.cwiseMax(other.position(i));
     }
     EXPECT_LT((sum_first - sum_other).norm() / static_cast<double>(first.size()), 1e-3);
     EXPECT_LT((low - low_other).norm() + (high - high_other).norm(), 1e-2);

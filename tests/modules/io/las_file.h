@@ -25,7 +25,9 @@ struct LasFile {
   std::uint8_t* add(std::int32_t x, std::int32_t y, std::int32_t z) {
     records.resize(++points * stride());
     std::uint8_t* at = &records[(points - 1) * stride()];
-    las::store(at, x), las::store(at + 4, y), las::store(at + 8, z);
+    las::store(at, x);
+    las::store(at + 4, y);
+    las::store(at + 8, z);
     return at;
   }
 
@@ -42,7 +44,8 @@ struct LasFile {
     const std::size_t header = minor >= 4 ? 375 : minor == 3 ? 235 : 227;
     std::vector<std::uint8_t> out(header);
     std::memcpy(out.data(), "LASF", 4);
-    out[24] = 1, out[25] = static_cast<std::uint8_t>(minor);
+    out[24] = 1;
+    out[25] = static_cast<std::uint8_t>(minor);
     las::store_text(&out[58], 32, "the tests");
     las::store(&out[94], static_cast<std::uint16_t>(header));
     for (const auto& vlr : vlrs) out.insert(out.end(), vlr.begin(), vlr.end());
@@ -54,8 +57,8 @@ struct LasFile {
       las::store(&out[247], std::uint64_t{points});
     else
       las::store(&out[107], static_cast<std::uint32_t>(points));
-    for (std::size_t k = 0; k < 3; ++k)
-      las::store(&out[131 + 8 * k], scale), las::store(&out[155 + 8 * k], offset[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < 3; ++k) las::store(&out[131 + 8 * k], scale);
+    las::store(&out[155 + 8 * k], offset[static_cast<Eigen::Index>(k)]);
     out.insert(out.end(), records.begin(), records.end());
     return out;
   }

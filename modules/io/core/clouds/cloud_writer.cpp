@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t points_per_write = 1 << 14;
 
-// Every value is a byte times 257, as colours read from a byte are.
+// Every value is a byte times 257, as in colours that were read from bytes.
 bool fits_byte(const Column& column) {
   const auto* values = std::get_if<std::vector<std::uint16_t>>(&column);
   return values != nullptr && std::ranges::all_of(*values, [](std::uint16_t v) { return v % 257 == 0; });
@@ -36,7 +36,7 @@ struct PlyColumn {
   }
 };
 
-// What is added to the values of a column, so that the sensor's position is in the axes of the points.
+// Added to the values of a column, so that the sensor position is in the axes of the points.
 double origin_of(const std::string& column, const PointCloud& cloud) {
   const int axis = axis_of_sensor(column);
   return axis < 0 ? 0 : cloud.origin[axis];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t lines_between_polls = 1 << 15;
 
-// Reads lines of `count` numbers and says what is wrong otherwise.
+// Reads lines of numbers, and throws Error{bad_input} for other lines.
 class PtxLines {
  public:
   explicit PtxLines(Bytes file) : lines_(file) {}
@@ -22,7 +22,7 @@ class PtxLines {
       if (!trimmed(line_).empty()) return false;
     return true;
   }
-  // The numbers of the current line, after at_end() has said that there is one.
+  // The numbers of the current line. Call at_end() before.
   const std::vector<double>& numbers(std::size_t min_count, const char* what) {
     split_blanks(line_, words_);
     values_.assign(words_.size(), 0);
@@ -101,7 +101,7 @@ CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& ru
         run.check_cancel();
         run.report(static_cast<double>(lines.position()) / static_cast<double>(file.size()), "reading lines");
       }
-      auto row = lines.numbers(3, "x y z, perhaps intensity and red green blue");
+      auto row = lines.numbers(3, "x y z, with or without intensity and red green blue");
       if (!builder) {
         fields = row.size() >= 7 ? 7 : row.size() >= 4 ? 4 : 3;
         std::vector<SourceField> all{{"x"}, {"y"}, {"z"}, {"intensity"}, {"red"}, {"green"}, {"blue"}};
@@ -114,12 +114,14 @@ CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& ru
       }
       row.resize(fields, std::nan(""));
       const Eigen::Vector3d p = pose * Eigen::Vector3d(row[0], row[1], row[2]);
-      row[0] = p.x(), row[1] = p.y(), row[2] = p.z();
+      row[0] = p.x();
+      row[1] = p.y();
+      row[2] = p.z();
       builder->add(row);
     }
     missing += cells - cell;
   }
-  if (!builder) throw bad_input("the PTX file holds no points", "lines x y z intensity behind the header of a scan");
+  if (!builder) throw bad_input("the PTX file holds no points", "lines x y z intensity below the header of a scan");
   auto out = builder->finish();
   out.report.counts["empty_cells"] = empty_cells;
   out.report.counts["scans"] = static_cast<std::int64_t>(scans);

@@ -73,7 +73,7 @@ Dialect dialect_of(std::string_view line, std::optional<Delimiter> wanted) {
   return dialect;
 }
 
-// A line as people write them above columns; "//X Y Z" is CloudCompare's.
+// The text of a header line, as in CloudCompare's "//X Y Z".
 std::string_view without_comment_sign(std::string_view line) {
   line = trimmed(line);
   while (!line.empty() && (line.front() == '#' || line.front() == '/' || line.front() == '%')) line.remove_prefix(1);
@@ -88,7 +88,9 @@ bool names_xyz(const std::vector<std::string_view>& words) {
   bool x = false, y = false, z = false;
   for (const auto w : words) {
     const auto name = array_name(w);
-    x = x || name == "x", y = y || name == "y", z = z || name == "z";
+    x = x || name == "x";
+    y = y || name == "y";
+    z = z || name == "z";
   }
   return x && y && z;
 }
@@ -99,7 +101,7 @@ std::vector<SourceField> fields_of(const std::vector<std::string_view>& names) {
   return fields;
 }
 
-// What columns without names usually are.
+// The usual names of columns that have none in the file.
 std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
   const std::size_t columns = first_row.size();
   std::vector<std::string> names{"x", "y", "z"};
@@ -117,7 +119,7 @@ std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
   return fields;
 }
 
-// What the first lines say of the rest.
+// What the first lines tell about the rest.
 struct Layout {
   Dialect dialect;
   std::vector<SourceField> fields;
@@ -161,7 +163,9 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
       if (words.size() >= 3) header = line;
       continue;
     }
-    layout.dialect = dialect, layout.data_offset = before, layout.lines_before = lines.number() - 1;
+    layout.dialect = dialect;
+    layout.data_offset = before;
+    layout.lines_before = lines.number() - 1;
     if (!options.columns.empty()) {
       std::string list = options.columns;
       std::ranges::replace(list, ',', ' ');
@@ -170,8 +174,9 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
       split(header, dialect_of(header, options.delimiter), names);
       layout.fields = fields_of(names);
       if (!names_xyz(names))
-        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' names no x, y and z",
-                        "these names", "Say what the columns are with the option columns, for instance \"_ x y z\"");
+        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' does not name x, y and z",
+                        "a header line with x, y and z",
+                        "Name the columns with the option columns, for instance \"_ x y z\"");
       if (names.size() > row.size()) layout.fields.resize(row.size());
     } else {
       layout.fields = usual_fields(row);
@@ -180,7 +185,7 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
   }
   if (file.empty()) throw bad_input("the file is empty", "points as text");
   throw bad_input("none of the first " + std::to_string(lines.number()) + " lines holds three numbers",
-                  "lines with x, y and z", "If the points begin further down, say so with the option skip_lines");
+                  "lines with x, y and z", "If the points begin further down, set the option skip_lines");
 }
 
 void check_columns(const Layout& layout, const CloudReadOptions& options, std::size_t present) {
@@ -244,8 +249,8 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
   if (bad > 0)
-    out.report.warn(std::to_string(bad) + " lines left out that do not hold " + std::to_string(row.size()) +
-                    " numbers; the first is line " + std::to_string(first_bad));
+    out.report.warn(std::to_string(bad) + " lines without " + std::to_string(row.size()) +
+                    " numbers were skipped; the first is line " + std::to_string(first_bad));
   out.report.facts["format"] = "text";
   std::string columns;
   for (const auto& f : layout.fields)

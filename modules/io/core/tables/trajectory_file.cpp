@@ -18,8 +18,8 @@ namespace {
 constexpr double max_length_error = 0.01;
 constexpr double max_rotation_error = 1e-3;
 
-// Calls `use(numbers, place)` for each line that is no comment; `place` is "name line 12". Lines may use commas or
-// blanks.
+// Calls `use(numbers, place)` for each line that is not a comment. `place` is "name line 12". Commas or blanks stand
+// between the numbers.
 template <class F>
 void for_each_line(Bytes file, const std::string& name, std::size_t count, const char* needed, F&& use) {
   LineReader lines(file);

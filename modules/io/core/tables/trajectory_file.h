@@ -13,14 +13,15 @@
 
 namespace bole::io {
 
-// Lines "time tx ty tz qx qy qz qw", # begins a comment. Quaternions are normalised. Throws Error{bad_input} naming the
-// line: not eight numbers, not finite, a quaternion whose length is not within 1 % of one (files round it), a time that
-// does not increase.
+// Lines "time tx ty tz qx qy qz qw"; # begins a comment. Quaternions are normalised. Throws Error{bad_input} that names
+// the line where there are not eight finite numbers, the length of the quaternion differs from 1 by more than 1 %, or
+// the time does not increase.
 Trajectory read_tum(const std::filesystem::path& path);
 Trajectory read_tum(Bytes file, const std::string& name);
 
-// Lines of twelve numbers, the upper rows of T_map_sensor. `times_s`: one per pose; empty: 0, 1, 2, ... Rotations must
-// be orthonormal to 1e-3 and are made so exactly. KITTI's ground truth is in camera axes: it is read as it is.
+// Lines of twelve numbers, the upper rows of T_map_sensor. `times_s` has one time per pose; where it is empty, times
+// are 0, 1, 2, ... Rotations must be orthonormal to 1e-3 and are made exactly orthonormal. Poses in camera axes, such
+// as KITTI's ground truth, are not converted.
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s = {});
 Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vector<double>& times_s = {});
 
@@ -33,7 +34,7 @@ Trajectory read_trajectory(const std::filesystem::path& path, std::optional<Traj
 // Whether the first line that is no comment holds 12 values.
 bool looks_like_kitti_poses(Bytes file);
 
-// Times and positions with six digits after the point, rotations with nine.
+// Times and positions have six decimals, rotations nine.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
 void write_kitti_poses(const std::filesystem::path& path, const Trajectory& trajectory);
 
