@@ -112,9 +112,11 @@ class SideBySide {
 
   std::vector<std::uint8_t> make_header() const {
     std::vector<std::uint8_t> h(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(info_.data_offset));
-    if (info_.version_minor >= 4) store(&h[247], points());
-    store(&h[235], std::uint64_t{0});
-    store(&h[243], std::uint32_t{0});
+    if (info_.version_minor >= 4) {
+      store(&h[247], points());
+      store(&h[235], std::uint64_t{0});
+      store(&h[243], std::uint32_t{0});
+    }
     else store(&h[107], static_cast<std::uint32_t>(points()));
     for (int axis = 0; axis < 2; ++axis) {
       double most = 0;

@@ -60,7 +60,9 @@ TEST(Formats, EveryRowHasAFuzzTargetAndEveryTargetOfFilesARow) {
   named.insert("velodyne");  // packets, not a file
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const auto name = entry.path().stem().string();
-    if (name.ends_with("_fuzz")) EXPECT_THAT(named, Contains(name.substr(0, name.size() - 5)));
+    if (name.ends_with("_fuzz")) {
+      EXPECT_THAT(named, Contains(name.substr(0, name.size() - 5)));
+    }
   }
 }
 
@@ -121,7 +123,9 @@ TEST(Formats, AnUnknownFileIsToldWhichFormatsThereAre) {
   write_file(dir / "a.dat", std::string(10, '\1'));
   const auto text = error_of([&] { require_format(dir / "a.dat"); });
   for (const auto& format : formats())
-    if (format.content() <= FileContent::cloud) EXPECT_THAT(text, HasSubstr(std::string(format.name)));
+    if (format.content() <= FileContent::cloud) {
+      EXPECT_THAT(text, HasSubstr(std::string(format.name)));
+    }
   EXPECT_THAT(error_of([&] { require_format(dir / "b.dat"); }), HasSubstr("there is no file"));
 }
 

@@ -35,7 +35,7 @@ class PtxLines {
   }
   const std::vector<double>& next(std::size_t min_count, const char* what) {
     if (at_end()) throw bad_input("the PTX file ends after line " + std::to_string(lines_.number()), what);
-    return numbers(fewest, what);
+    return numbers(min_count, what);
   }
   std::size_t number() const { return lines_.number(); }
   std::size_t position() const { return lines_.position(); }

@@ -117,8 +117,10 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     std::int32_t v[3];
     std::memcpy(v, at, sizeof v);
     std::memcpy(positions_[first + i].data(), v, sizeof v);
-    for (std::size_t k = 0; k < 3; ++k) box.min[k] = std::min(box.min[k], v[k]);
-    box.max[k] = std::max(box.max[k], v[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.min[k] = std::min(box.min[k], v[k]);
+      box.max[k] = std::max(box.max[k], v[k]);
+    }
   }
   each(intensity_, [](const std::uint8_t* p) { return load<std::uint16_t>(p + field::intensity); });
   if (layout_.extended) {
