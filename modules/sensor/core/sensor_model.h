@@ -23,10 +23,10 @@ enum class PacketFormat { none, velodyne };
 
 // The rotor's azimuth is 0 forward (x) and grows clockwise seen from above. A firing sequence fires every channel once.
 struct SensorModel {
-  std::string id;      // "vlp32c": the name of its file
-  std::string name;    // "VLP-32C"
-  std::string maker;   // "Velodyne"
-  std::string source;  // where the figures are from
+  std::string id;              // "vlp32c": the name of its file
+  std::string name;            // "VLP-32C"
+  std::string maker;           // "Velodyne"
+  std::string source;          // where the figures are from
   std::filesystem::path file;  // that it was read from; empty for those of resources/sensors
   std::vector<LaserChannel> channels;
   double sequence_period_s = 0;  // from the start of a firing sequence to the next

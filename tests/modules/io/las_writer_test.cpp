@@ -165,7 +165,8 @@ TEST_F(LasWriter, FactsComeBackAndAForeignFileHasNone) {
   EXPECT_TRUE(read_las(path("plain.las"), {}, {}, &report).facts.empty());
   EXPECT_EQ(las::find_vlr(las_info(path("plain.las")), las::facts_user, las::facts_record), nullptr);
 
-  cloud.facts = {{"sensor", "Dôme \"64\""}, {"beam_divergence_mrad", "0.5"}, {"poses", "estimated"}, {"operator", "A. S."}};
+  cloud.facts = {
+      {"sensor", "Dôme \"64\""}, {"beam_divergence_mrad", "0.5"}, {"poses", "estimated"}, {"operator", "A. S."}};
   LasWriteOptions old;
   old.version = "1.2";
   for (const auto& options : {LasWriteOptions(), old}) {

@@ -131,8 +131,8 @@ class StemFitter {
     double z = candidate_.ground_z;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d base = axis.at_z(z);
-      const double found =
-          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == BreastHeightFrom::uphill);
+      const double found = ground_around(dem_, origin_, base.head<2>(), axis.radius,
+                                         options_.breast_height_from == BreastHeightFrom::uphill);
       if (!std::isfinite(found)) break;
       z = found;
     }
