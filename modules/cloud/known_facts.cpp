@@ -9,7 +9,8 @@
 #include "base/option.h"
 #include "base/option_text.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 Error damaged_fact(const FactInfo& info, const std::string& text, const std::string& needed) {
@@ -93,4 +94,5 @@ Facts facts_from_json(std::string_view text, std::vector<std::string>& warnings)
   return facts;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "ground/core/fill_holes.h"
 #include "ground/core/heights.h"
 #include "ground/core/low_points.h"
@@ -105,7 +105,7 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
 
   run.report(0.35, "Finding ground");
   const auto candidates =
-      lowest_groups(cloud, grid, {options.roughness, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);
+      lowest_groups(cloud, grid, {options.roughness, std::tan(radians(options.max_slope_deg))}, run);
   const auto surface = tin_ground(candidates, shape, options, run);
 
   run.report(0.60, "Fitting the terrain");

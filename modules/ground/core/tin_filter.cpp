@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "ground/core/local_plane.h"
 #include "ground/core/seeds.h"
 
 namespace bole::ground {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class TinFilter {
  public:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "cloud/known_facts.h"
 #include "survey/core/choose_targets.h"
 #include "survey/core/ground_plane.h"
@@ -15,8 +16,6 @@
 
 namespace bole::survey {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class FrameFinder {
  public:

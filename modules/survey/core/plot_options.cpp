@@ -1,6 +1,6 @@
 #include "survey/core/plot_options.h"
 
-#include <numbers>
+#include "base/angles.h"
 
 namespace bole::survey {
 
@@ -61,8 +61,7 @@ CountingRule counting_rule_for(const PlotOptions& options, Axes axes, const Tabl
   if (shape == PlotShape::automatic)
     shape = vertices != nullptr ? PlotShape::polygon : axes == Axes::plot ? PlotShape::rectangle : PlotShape::none;
   if (shape == PlotShape::rectangle)
-    rule.area = rectangle_area({options.x, options.y}, options.width, options.length,
-                               options.bearing_deg * std::numbers::pi / 180);
+    rule.area = rectangle_area({options.x, options.y}, options.width, options.length, radians(options.bearing_deg));
   if (shape == PlotShape::circle) rule.area = circle_area({options.x, options.y}, options.radius);
   if (shape == PlotShape::polygon) {
     if (vertices == nullptr)

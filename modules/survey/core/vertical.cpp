@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/transform.h"
 #include "survey/core/ground_plane.h"
 #include "survey/core/robust.h"
@@ -15,8 +15,6 @@
 
 namespace bole::survey {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 struct MeanDirection {
   Eigen::Vector3d direction;
