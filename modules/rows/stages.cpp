@@ -1,7 +1,4 @@
 // Registers the stages of the module rows.
-#include <fstream>
-#include <sstream>
-
 #include "base/error.h"
 #include "pipeline/stage.h"
 #include "rows/core/edits/apply_row_edits.h"
@@ -48,7 +45,8 @@ constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 
 
 // A step that takes points and gives points.
 template <class Options, class Step>
-pipeline::StageType point_step(const char* name, const char* vtk_class, const char* title, const char* help, Step step) {
+pipeline::StageType point_step(const char* name, const char* vtk_class, const char* title, const char* help,
+                               Step step) {
   pipeline::StageType type;
   type.name = name;
   type.vtk_class = vtk_class;
@@ -160,24 +158,6 @@ pipeline::StageType place() {
   return type;
 }
 
-std::vector<RowEdit> edits_of(const RowEditOptions& options) {
-  std::vector<RowEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::ostringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_row_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_row_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
-
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "rows.edit";
@@ -204,7 +184,7 @@ pipeline::StageType edit_stage() {
     FoundRows found;
     found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
-    auto edited = apply_row_edits(found, edits_of(options), options, run);
+    auto edited = apply_row_edits(found, edits_of(options.file, options.edits, parse_row_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("rows", std::move(edited.found.rows));
     result.outputs.set("plants", std::move(edited.found.plants));
@@ -232,7 +212,8 @@ void add_frame_steps(pipeline::StageRegistry& registry) {
       "local slope from the last ground point and stays within the general slope. Ground is dropped.",
       [](const PointCloud& c, const RayGroundOptions& o, const Run& run) { return remove_ground(c, o, run); }));
   registry.add(point_step<RadiusOptions>(
-      "rows.radius_filter", "vtkBoleRadiusFilter", "Drop lone points", "Drops points that have too few neighbours within a radius.",
+      "rows.radius_filter", "vtkBoleRadiusFilter", "Drop lone points",
+      "Drops points that have too few neighbours within a radius.",
       [](const PointCloud& c, const RadiusOptions& o, const Run& run) { return radius_filter(c, o, run); }));
   registry.add(point_step<MeanShiftOptions>(
       "rows.mean_shift", "vtkBoleMeanShift", "Cluster into plants",
