@@ -9,6 +9,7 @@
 #include <numbers>
 #include <thread>
 
+#include "cloud/known_facts.h"
 #include "modules/slam/walks.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
@@ -76,6 +77,9 @@ TEST(Slam, BestFollowsAWalkingGaitToCentimetres) {
   EXPECT_EQ(result.report.status, Status::ok);
   EXPECT_LT(worst_m(result.trajectory, source), 0.04);
   EXPECT_GE(result.trajectory.poses.size(), 30u * 5u);
+  EXPECT_EQ(pose_origin(result.points.facts), PoseOrigin::estimated);
+  EXPECT_EQ(result.points.facts.at("sensor"), "synthetic");
+  EXPECT_EQ(result.trajectory.facts, result.points.facts);
 }
 
 // LOAM takes planes only where neighbours on a line are close together: 900 columns.
@@ -103,6 +107,7 @@ TEST(Slam, WithTruePosesTheMapLiesOnTheSurfaces) {
     options.trajectory = file;
     const auto result = run_slam(source, options, {});
     ASSERT_GT(result.points.size(), 10000u);
+    EXPECT_EQ(pose_origin(result.points.facts), PoseOrigin::given);
     const auto& x = result.points.values<float>(arrays::sensor_x);
     const auto& time = result.points.values<double>(arrays::time);
     const auto& range = result.points.values<float>(arrays::range);
