@@ -1,11 +1,11 @@
-#include "report/core/plot_metrics.h"
+#include "inventory/core/plot_values.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace bole::report {
+namespace bole::inventory {
 namespace {
 
 // Four stems that count on a plot of 20 m x 25 m (500 m2), one outside, one too thin, one rejected.
@@ -21,8 +21,8 @@ Table stems() {
 
 const CountingRule rectangle{rectangle_area({0, 0}, 20, 25), 7};
 
-TEST(PlotMetrics, ByHand) {
-  const auto m = plot_metrics(stems(), rectangle, 10);
+TEST(PlotValues, ByHand) {
+  const auto m = plot_values(stems(), rectangle, {.class_width_cm = 10});
   EXPECT_EQ(m.stems, 4U);
   EXPECT_EQ(m.outside, 1U);
   EXPECT_EQ(m.too_thin, 1U);
@@ -44,7 +44,7 @@ TEST(PlotMetrics, ByHand) {
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 17.25);
 }
 
-std::string told(const PlotMetrics& m, double min_dbh_cm = 7) {
+std::string told(const PlotValues& m, double min_dbh_cm = 7) {
   std::string text;
   for (const auto& row : metric_rows(m, min_dbh_cm)) text += row.name + "|" + row.value + "|" + row.how + "\n";
   return text;
@@ -60,17 +60,17 @@ Table line_of_stems(int n, int seen) {
   return t;
 }
 
-TEST(PlotMetrics, HeightsComeFromSeenTopsAlone) {
-  const auto m = plot_metrics(line_of_stems(20, 6), rectangle);
+TEST(PlotValues, HeightsComeFromSeenTopsAlone) {
+  const auto m = plot_values(line_of_stems(20, 6), rectangle);
   EXPECT_EQ(m.tops_seen, 6U);
   EXPECT_DOUBLE_EQ(m.mean_height_m, 12.5);       // 10 to 15, none of the higher bounds
   EXPECT_TRUE(std::isnan(m.dominant_height_m));  // no top of the five thickest was seen
   EXPECT_THAT(told(m), testing::HasSubstr("tops seen on 6 of 20 stems"));
 }
 
-TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
+TEST(PlotValues, TooFewTopsAreWordsNotNumbers) {
   for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}, {74, 12}}) {
-    const auto m = plot_metrics(line_of_stems(n, seen), rectangle);
+    const auto m = plot_values(line_of_stems(n, seen), rectangle);
     EXPECT_FALSE(m.heights_known);
     EXPECT_TRUE(std::isnan(m.mean_height_m) && std::isnan(m.lorey_height_m) && std::isnan(m.dominant_height_m));
     EXPECT_THAT(told(m), testing::HasSubstr("tops seen on " + std::to_string(seen) + " of " + std::to_string(n) +
@@ -79,34 +79,34 @@ TEST(PlotMetrics, TooFewTopsAreWordsNotNumbers) {
       EXPECT_THAT(told(m), testing::Not(testing::HasSubstr(word))) << seen << " of " << n;
     EXPECT_THAT(told(m), testing::HasSubstr("Stem volume|not given|heights are lacking"));
   }
-  EXPECT_TRUE(plot_metrics(line_of_stems(40, 8), rectangle).heights_known);
-  EXPECT_TRUE(plot_metrics(line_of_stems(3, 3), rectangle).heights_known);
+  EXPECT_TRUE(plot_values(line_of_stems(40, 8), rectangle).heights_known);
+  EXPECT_TRUE(plot_values(line_of_stems(3, 3), rectangle).heights_known);
 }
 
-TEST(PlotMetrics, TheHeightCurveBeginsAtTheBreastHeightOfTheTable) {
+TEST(PlotValues, TheHeightCurveBeginsAtTheBreastHeightOfTheTable) {
   auto table = line_of_stems(40, 40);
-  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.3 + d²"));
+  EXPECT_THAT(told(plot_values(table, rectangle)), testing::HasSubstr("h = 1.3 + d²"));
   set_breast_height_m(table, 1.37);
-  EXPECT_THAT(told(plot_metrics(table, rectangle)), testing::HasSubstr("h = 1.37 + d²"));
+  EXPECT_THAT(told(plot_values(table, rectangle)), testing::HasSubstr("h = 1.37 + d²"));
 }
 
-TEST(PlotMetrics, HowUnsureTheFormIsTakenIsTold) {
-  EXPECT_THAT(told(plot_metrics(line_of_stems(40, 40), rectangle, 4, 7.5)),
+TEST(PlotValues, HowUnsureTheFormIsTakenIsTold) {
+  EXPECT_THAT(told(plot_values(line_of_stems(40, 40), rectangle, 4, 7.5)),
               testing::HasSubstr("their form unsure by 7.5 % (standard deviation)"));
 }
 
 // A tape gives no interval; it must not take that of the plot away.
-TEST(PlotMetrics, OneTapedStemLeavesThePlotItsIntervals) {
+TEST(PlotValues, OneTapedStemLeavesThePlotItsIntervals) {
   auto t = line_of_stems(20, 20);
   auto low = t.numbers("dbh_cm"), high = low;
   for (auto& v : low) v *= 0.98;
   for (auto& v : high) v *= 1.02;
   t.set("dbh_lo_cm", low), t.set("dbh_hi_cm", high);
-  const auto all = plot_metrics(t, rectangle);
+  const auto all = plot_values(t, rectangle);
   EXPECT_THAT(told(all), testing::Not(testing::HasSubstr("without an interval")));
   low[3] = high[3] = std::nan("");
   t.set("dbh_lo_cm", low), t.set("dbh_hi_cm", high);
-  const auto one = plot_metrics(t, rectangle);
+  const auto one = plot_values(t, rectangle);
   EXPECT_EQ(one.stand.no_interval, 1U);
   // All have the same relative standard deviation, so the taped one gets just that.
   EXPECT_NEAR(one.stand.basal_area_m2.measured, all.stand.basal_area_m2.measured, 1e-12);
@@ -115,28 +115,28 @@ TEST(PlotMetrics, OneTapedStemLeavesThePlotItsIntervals) {
   EXPECT_THAT(told(one), testing::HasSubstr("1 stem without an interval taken as unsure as the others"));
   EXPECT_THAT(told(one), testing::HasSubstr("as measured"));
   t.set("dbh_lo_cm", std::vector<double>(20, std::nan("")));
-  EXPECT_THAT(told(plot_metrics(t, rectangle)), testing::Not(testing::HasSubstr("as measured")));
+  EXPECT_THAT(told(plot_values(t, rectangle)), testing::Not(testing::HasSubstr("as measured")));
 }
 
-TEST(PlotMetrics, NoRuleCountsTheThin) {
-  const auto m = plot_metrics(stems(), {});
+TEST(PlotValues, NoRuleCountsTheThin) {
+  const auto m = plot_values(stems(), {});
   EXPECT_EQ(m.stems, 6U);  // all but the rejected one
   EXPECT_EQ(m.too_thin, 0U);
   EXPECT_THAT(told(m, 0), testing::HasSubstr("of every DBH"));
 }
 
-TEST(PlotMetrics, DominantHeightTakesTheThickest) {
+TEST(PlotValues, DominantHeightTakesTheThickest) {
   // 200 m2: two stems stand for 100 per hectare.
-  const auto m = plot_metrics(stems(), {rectangle_area({0, 0}, 20, 10), 7});
+  const auto m = plot_values(stems(), {rectangle_area({0, 0}, 20, 10), 7});
   EXPECT_EQ(m.stems, 3U);  // the one at y = 12.5 is outside now
   EXPECT_EQ(m.dominant_stems, 2U);
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 22);
 }
 
-TEST(PlotMetrics, Classes) {
+TEST(PlotValues, Classes) {
   auto table = stems();
   table.set("height_seen", std::vector<std::int64_t>{1, 0, 1, 1, 1, 1, 1});
-  const auto m = plot_metrics(table, rectangle, 10);
+  const auto m = plot_values(table, rectangle, {.class_width_cm = 10});
   ASSERT_EQ(m.classes.size(), 4U);
   EXPECT_DOUBLE_EQ(m.classes[1].lo_cm, 20);
   EXPECT_DOUBLE_EQ(m.classes[1].hi_cm, 30);
@@ -149,38 +149,38 @@ TEST(PlotMetrics, Classes) {
   EXPECT_NEAR(basal_area, m.basal_area_m2_per_ha, 1e-12);
 }
 
-TEST(PlotMetrics, CircleAndItsArea) {
+TEST(PlotValues, CircleAndItsArea) {
   const PlotArea circle = circle_area({0, 0}, 10);
   EXPECT_NEAR(circle.area_m2(), 314.159265, 1e-5);
   EXPECT_TRUE(circle.contains(10, 0));
   EXPECT_FALSE(circle.contains(7.2, 7.2));
 }
 
-TEST(PlotMetrics, ShiftedPlotGivesTheSameNumbers) {
+TEST(PlotValues, ShiftedPlotGivesTheSameNumbers) {
   auto shifted = stems();
   auto x = shifted.numbers("x_m"), y = shifted.numbers("y_m");
   for (auto& v : x) v += 512345;
   for (auto& v : y) v += 5412345;
   shifted.set("x_m", x), shifted.set("y_m", y);
-  const auto a = plot_metrics(stems(), rectangle),
-             b = plot_metrics(shifted, {rectangle_area({512345, 5412345}, 20, 25), 7});
+  const auto a = plot_values(stems(), rectangle),
+             b = plot_values(shifted, {rectangle_area({512345, 5412345}, 20, 25), 7});
   EXPECT_EQ(a.stems, b.stems);
   EXPECT_DOUBLE_EQ(a.basal_area_m2_per_ha, b.basal_area_m2_per_ha);
   EXPECT_DOUBLE_EQ(a.lorey_height_m, b.lorey_height_m);
 }
 
-TEST(PlotMetrics, WithoutBoundaryNothingPerHectare) {
-  const auto m = plot_metrics(stems(), {{}, 7});
+TEST(PlotValues, WithoutBoundaryNothingPerHectare) {
+  const auto m = plot_values(stems(), {{}, 7});
   EXPECT_EQ(m.stems, 5U);
   EXPECT_TRUE(std::isnan(m.stems_per_ha));
   EXPECT_TRUE(std::isnan(m.dominant_height_m));
   EXPECT_FALSE(std::isnan(m.lorey_height_m));
 }
 
-TEST(PlotMetrics, EmptyTable) {
+TEST(PlotValues, EmptyTable) {
   Table t;
   for (const char* c : {"x_m", "y_m", "dbh_cm"}) t.set(c, std::vector<double>{});
-  const auto m = plot_metrics(t, rectangle);
+  const auto m = plot_values(t, rectangle);
   EXPECT_EQ(m.stems, 0U);
   EXPECT_DOUBLE_EQ(m.stems_per_ha, 0);
   EXPECT_TRUE(std::isnan(m.mean_dbh_cm));
@@ -188,4 +188,4 @@ TEST(PlotMetrics, EmptyTable) {
 }
 
 }  // namespace
-}  // namespace bole::report
+}  // namespace bole::inventory
