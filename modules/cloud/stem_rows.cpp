@@ -3,7 +3,8 @@
 #include <cmath>
 #include <string>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 std::vector<std::size_t> kept_rows(const Table& stems) {
   const auto* values = stems.find("state");
@@ -22,4 +23,5 @@ std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& ru
   return counted;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -7,7 +7,8 @@
 #include "cloud/plot_area.h"
 #include "cloud/table.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // Rows whose state is not "rejected"; all rows where the table has no states.
 std::vector<std::size_t> kept_rows(const Table& stems);
@@ -15,4 +16,5 @@ std::vector<std::size_t> kept_rows(const Table& stems);
 // Kept rows with a finite dbh_cm that count by the rule. Needs x_m, y_m and dbh_cm.
 std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& rule);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -2,7 +2,8 @@
 
 #include <limits>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 std::vector<double> numbers_or_nan(const Table& table, std::string_view name) {
   if (const auto* values = table.find(name);
@@ -17,4 +18,5 @@ std::vector<std::string> texts_or_empty(const Table& table, std::string_view nam
   return std::vector<std::string>(table.rows());
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole
