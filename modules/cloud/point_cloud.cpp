@@ -73,7 +73,7 @@ void PointCloud::remove_column(std::string_view name) {
 
 PointCloud PointCloud::subset(const std::vector<std::uint32_t>& indices) const {
   PointCloud out;
-  out.origin = origin, out.axes = axes, out.crs_wkt = crs_wkt, out.scale = scale;
+  out.origin = origin, out.axes = axes, out.crs_wkt = crs_wkt, out.scale = scale, out.facts = facts;
   Positions kept;
   kept.reserve(indices.size());
   for (const auto i : indices) kept.push_back((*positions_)[i]);

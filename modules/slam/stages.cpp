@@ -35,7 +35,7 @@ void register_stages(pipeline::StageRegistry& registry) {
                "pose (SPEC A7); empty with a given trajectory.",
        .arrays = {}},
       {.name = "loops", .kind = DataKind::table, .help = "Revisits that were accepted, by their times.", .arrays = {}}};
-  type.version = 2;
+  type.version = 3;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);

@@ -1,6 +1,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cloud/known_facts.h"
 #include "pipeline/stage.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/edits/apply_edits.h"
@@ -18,8 +19,8 @@ pipeline::StageType slice_stage() {
       "pictures of the sections.";
   t.source = "Bole";
   t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground.", false, {arrays::height_above_ground}}};
-  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {slice_height}}};
-  t.version = 2;
+  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {}}};
+  t.version = 3;
   t.options = &option_table(static_cast<const SliceOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
@@ -31,6 +32,12 @@ pipeline::StageType slice_stage() {
     return result;
   };
   return t;
+}
+
+// Of the slice where one is connected: of its facts, so that its points are not looked at.
+double breast_height_of(const DataSet& in) {
+  if (in.has("slice")) return slice_height(in.cloud("slice"));
+  return fact_number(in.cloud("points").facts, facts::breast_height).value_or(usual_breast_height_m);
 }
 
 pipeline::StageType measure_stage() {
@@ -46,14 +53,18 @@ pipeline::StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
-  t.version = 2;
+  t.version = 3;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,
                "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.",
                false,
                {arrays::height_above_ground}},
-              {"slice", DataKind::cloud, "The slice that sets breast height.", false, {arrays::height_above_ground}},
+              {"slice",
+               DataKind::cloud,
+               "The slice that sets breast height; without it 1.3 m, or as the points say.",
+               true,
+               {}},
               {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
               {"trajectory",
                DataKind::trajectory,
@@ -68,7 +79,7 @@ pipeline::StageType measure_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
-    auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory,
+    auto survey = measure_stems(in.cloud("points"), breast_height_of(in), in.raster("dem"), trajectory,
                                 options.as<MeasureOptions>(), run);
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));

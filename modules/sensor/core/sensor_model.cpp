@@ -140,7 +140,8 @@ std::vector<std::string> sensor_model_names() {
 SensorModel load_sensor_model(std::string_view name_or_path) {
   std::filesystem::path path(name_or_path);
   std::string id = path.stem().string();
-  if (path.extension() != ".json") {
+  const bool named_file = path.extension() == ".json";
+  if (!named_file) {
     const auto names = sensor_model_names();
     const auto it = std::ranges::find(names, plain(name_or_path), plain);
     if (it == names.end()) {
@@ -158,7 +159,9 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
   if (json.is_discarded())
     throw bad_input("'" + path.string() + "' is not JSON", "a sensor description like resources/sensors/vlp16.json");
   try {
-    return sensor_model_from_json(json, id);
+    auto model = sensor_model_from_json(json, id);
+    if (named_file) model.file = path;
+    return model;
   } catch (const Error& e) {
     throw e.at(path.string());
   }

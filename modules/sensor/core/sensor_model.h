@@ -27,6 +27,7 @@ struct SensorModel {
   std::string name;    // "VLP-32C"
   std::string maker;   // "Velodyne"
   std::string source;  // where the figures are from
+  std::filesystem::path file;  // that it was read from; empty for those of resources/sensors
   std::vector<LaserChannel> channels;
   double sequence_period_s = 0;  // from the start of a firing sequence to the next
   double rotation_hz = 10;       // usual rate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/known_facts.h"
 #include "slam/core/map/dense_map.h"
 #include "slam/core/map/passes.h"
 #include "slam/core/map/tum_poses.h"
@@ -119,6 +120,11 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
   out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
   leave_out_gaps(track.gaps_s, out.trajectory);
   shift(out.trajectory.poses, origin);
+
+  Facts facts = source.facts();
+  set_fact(facts, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
+  out.points.facts = facts;
+  out.trajectory.facts = std::move(facts);
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));

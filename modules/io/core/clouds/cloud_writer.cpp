@@ -8,7 +8,9 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_builder.h"
+#include "io/core/clouds/ply_reader.h"
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/las/las_writer.h"
 
@@ -105,7 +107,9 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
   const bool wide = !cloud.origin.isZero(0);
   const auto columns = ply_columns(cloud);
   auto& stream = file.stream();
-  stream << "ply\nformat binary_little_endian 1.0\ncomment written by Bole\nelement vertex " << cloud.size() << '\n';
+  stream << "ply\nformat binary_little_endian 1.0\ncomment written by Bole\n";
+  if (!cloud.facts.empty()) stream << ply_facts_comment << facts_to_json(cloud.facts) << '\n';
+  stream << "element vertex " << cloud.size() << '\n';
   for (const char* axis : {"x", "y", "z"}) stream << "property " << (wide ? "double " : "float ") << axis << '\n';
   for (const auto& c : columns) stream << "property " << c.type() << ' ' << c.name << '\n';
   stream << "end_header\n";

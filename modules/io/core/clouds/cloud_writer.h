@@ -10,7 +10,7 @@ namespace bole::io {
 
 // Binary little-endian PLY with every column; coordinates are double when the cloud has an origin away from zero, so
 // that they come back exactly, else float. Colours are written as uchar, as viewers expect, unless their low bytes are
-// in use. Throws Error{failed} when the file cannot be written.
+// in use. Facts go to a comment line (ply_reader.h). Throws Error{failed} when the file cannot be written.
 void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {});
 
 // One line per point with a header line: commas for CSV, blanks for XYZ. `decimals` of the coordinates; columns are

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "cloud/known_facts.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/clouds/cloud_builder.h"
 
@@ -28,6 +29,7 @@ struct Header {
   std::string format;
   std::vector<Element> elements;
   std::size_t data_offset = 0;
+  std::string facts;  // JSON
 };
 
 SourceType scalar_type(std::string_view name, std::size_t line) {
@@ -59,6 +61,7 @@ Header read_header(Bytes file) {
   };
   std::size_t properties = 0;
   while (lines.next(text)) {
+    if (text.starts_with(ply_facts_comment)) header.facts = text.substr(ply_facts_comment.size());
     const auto words = split_blanks(text);
     if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") {
@@ -264,6 +267,11 @@ CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& ru
       throw bad_input("the PLY format is '" + header.format.substr(0, 40) + "'",
                       "ascii, binary_little_endian or binary_big_endian");
     }
+  }
+  if (!header.facts.empty()) {
+    std::vector<std::string> warnings;
+    out.cloud.facts = facts_from_json(header.facts, warnings);
+    for (auto& text : warnings) out.report.warn(std::move(text));
   }
   out.report.facts["format"] = "PLY " + header.format;
   return out;

@@ -6,6 +6,10 @@
 
 namespace bole::io {
 
+// Facts of a cloud stand in the header, as a JSON object of texts behind these words:
+//   comment Bole facts {"sensor":"VLP-32C"}
+inline constexpr std::string_view ply_facts_comment = "comment Bole facts ";
+
 bool looks_like_ply(Bytes file);
 
 // All scalar types; list properties and other elements are skipped. Throws Error{bad_input} naming the header line that

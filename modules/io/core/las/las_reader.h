@@ -27,7 +27,7 @@ const OptionTable& option_table(const LasReadOptions*);
 
 // Columns: the vocabulary's names for the fields of a LAS point (intensity as the file has it; scan_angle in degrees;
 // time as GPS time), flags as `withheld`, `synthetic` and so on where set, extra bytes under their own names. A column
-// that is zero throughout is left out. Waveforms are skipped. Axes are `global` when the file names its CRS.
+// that is zero throughout is left out. The facts of a cloud that write_las() wrote come back (las_facts.h). Waveforms are skipped. Axes are `global` when the file names its CRS.
 //
 // A damaged file is read as far as it is sound, with a warning in `report` that says how many of how many points that
 // is. Throws Error{bad_input} when it is no LAS file or none of its points can be read, Error{cancelled}.

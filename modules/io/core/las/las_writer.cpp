@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "cloud/large_cloud.h"
 #include "io/core/las/crs_geokeys.h"
+#include "io/core/las/las_facts.h"
 #include "io/core/las/las_records.h"
 
 namespace bole::io {
@@ -101,6 +102,18 @@ struct Vlrs {
   }
 };
 
+void add_facts(const Facts& facts, Vlrs& vlrs, std::vector<std::string>& warnings) {
+  if (facts.empty()) return;
+  const std::string text = facts_to_json(facts);
+  if (text.size() > las::max_vlr_bytes) {
+    warnings.push_back(fmt::format("the facts of the cloud take {} bytes, a LAS record holds {}: they are left out",
+                                   text.size(), las::max_vlr_bytes));
+    return;
+  }
+  vlrs.add(las::facts_user, las::facts_record, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+           "facts of the cloud (JSON)");
+}
+
 Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool legacy,
                std::vector<std::string>& warnings) {
   Vlrs vlrs;
@@ -124,6 +137,7 @@ Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool 
       las::store_descriptor(encoder.dimensions()[i], &descriptors[i * las::extra_descriptor_size]);
     vlrs.add("LASF_Spec", 4, descriptors, "extra bytes");
   }
+  add_facts(cloud.facts, vlrs, warnings);
   return vlrs;
 }
 

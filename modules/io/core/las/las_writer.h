@@ -21,7 +21,7 @@ const OptionTable& option_table(const LasWriteOptions*);
 // LAS 1.4 in point format 6 (7 with colour, 8 with near infrared), or 1.2 in format 1 or 3 for older programs. Columns
 // go to the fields of their names; those without a field (tree_id, height_above_ground, range, ...) become extra bytes,
 // sensor positions as global coordinates to 0.1 mm. The CRS is written as WKT (1.4) or as the EPSG code in GeoTIFF keys
-// (1.2).
+// (1.2). Facts go to a record of Bole's own (las_facts.h).
 //
 // Coordinates lie on the cloud's own grid (PointCloud::scale) when it has one, so that a cloud read from LAS comes back
 // exactly; else they are rounded to `scale_m`. Values that a field cannot hold are held at its ends, with a warning.

@@ -12,6 +12,7 @@
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/pcd_reader.h"
 #include "io/core/scans/frame_estimates.h"
+#include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
 namespace {
@@ -184,9 +185,11 @@ void FrameFolderSource::find_times() {
   const bool own_times = fs::exists(fs::path(files_.front()).replace_extension(".time"), ignored);
   if (times.empty()) {
     for (std::size_t i = 0; i < files_.size(); ++i) start_times_s_.push_back(static_cast<double>(i) * period_s_);
+    set_fact(facts_, Clock::assumed);
     report_.facts["clock"] = "frames at " + number_text(period_s_) + " s";
     return;
   }
+  set_fact(facts_, Clock::file);
   report_.facts["clock"] = "times file";
   if (times.size() > 1) {
     std::vector<double> steps;
@@ -201,11 +204,18 @@ void FrameFolderSource::find_sensor() {
   std::string name = options_.sensor;
   if (std::ifstream file(folder_ / "sensor.json"); name == "auto" && file) {
     const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
-      throw bad_input("'" + (folder_ / "sensor.json").string() + "' cannot be used", R"({"sensor": "os1_64"})");
-    name = json["sensor"].get<std::string>();
+    const auto path = folder_ / "sensor.json";
+    if (json.is_object() && json.contains("elevation_deg")) {
+      model_ = sensor::sensor_model_from_json(json, json.value("name", "sensor"));
+    } else {
+      if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
+        throw bad_input("'" + path.string() + "' cannot be used",
+                        R"({"sensor": "os1_64"}, or a description of the sensor as in resources/sensors)");
+      name = json["sensor"].get<std::string>();
+    }
   }
   if (name != "auto") model_ = sensor::load_sensor_model(name);
+  if (model_) facts_.merge(sensor_facts(*model_));
 }
 
 // Frames spread over the walk, the first left out: one with open sky above shows fewer rings than there are.

@@ -15,7 +15,7 @@ namespace bole::io {
 //   times.txt       one line per frame, seconds; timestamps.txt: KITTI's dates. Neither: frames follow at frame_period.
 //   000000.time     float32 per point of 000000.bin: seconds after the frame's line in times.txt, which then is its
 //   start. 000000.ring     uint16 per point: ring, 0 lowest. sensor.json     {"sensor": "os1_64"}: a name of
-//   resources/sensors.
+//   resources/sensors; or the description of a sensor as in its files.
 // Without .time files the frame's time is when the sensor faced forward, in the middle of a clockwise turn that starts
 // behind, and every point's time follows from its azimuth. Without rings they follow from the order of the points
 // (KITTI) or from their elevations.
@@ -30,6 +30,7 @@ class FrameFolderSource : public FrameSource {
   int rings() const override { return static_cast<int>(elevations_rad_.size()); }
   std::vector<double> ring_elevations_rad() const override { return elevations_rad_; }
   std::string sensor_model() const override { return model_ ? model_->id : "unknown"; }
+  Facts facts() const override { return facts_; }
   std::string description() const override;
   std::string locator() const override { return frame_source_locator(folder_, options_); }
 
@@ -58,6 +59,7 @@ class FrameFolderSource : public FrameSource {
   bool ring_order_ = false;
   float intensity_factor_ = 1;
   std::vector<double> elevations_rad_;
+  Facts facts_;
   Report report_;
 };
 

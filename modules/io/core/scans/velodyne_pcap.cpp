@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
 namespace {
@@ -182,6 +183,8 @@ void VelodynePcapSource::index(const Run& run) {
   counts["incomplete_frames"] =
       std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
   report_.facts["sensor"] = decoder_->model().name;
+  facts_ = sensor_facts(decoder_->model());
+  set_fact(facts_, indexer.follows_utc() ? Clock::utc : Clock::recorder);
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
   if (!reader_.trouble().empty())
     report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +

@@ -27,6 +27,7 @@ class VelodynePcapSource : public FrameSource {
   int rings() const override { return decoder_->model().rings(); }
   std::vector<double> ring_elevations_rad() const override { return decoder_->model().ring_elevations_rad(); }
   std::string sensor_model() const override { return decoder_->model().id; }
+  Facts facts() const override { return facts_; }
   std::string description() const override;
   std::string locator() const override { return frame_source_locator(path_, options_); }
 
@@ -61,6 +62,7 @@ class VelodynePcapSource : public FrameSource {
   std::optional<sensor::VelodyneDecoder> decoder_;
   std::vector<Frame> frames_;
   int port_ = 0;
+  Facts facts_;
   Report report_;
 };
 

@@ -20,6 +20,13 @@ void write_bytes(const fs::path& file, const void* data, std::size_t size) {
   if (!out) throw failure("cannot write " + file.string(), "a writable folder with free space");
 }
 
+// A sensor of the user's own: the folder is read without naming it.
+void copy_file(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (error) throw failure("cannot copy " + from.string() + " to " + to.string() + ": " + error.message());
+}
+
 void write_text(const fs::path& file, const std::string& text) { write_bytes(file, text.data(), text.size()); }
 
 }  // namespace
@@ -81,7 +88,10 @@ void FrameFileWriter::close() {
   std::string text;
   for (const double t : frame_starts_s_) text += fmt::format("{:.6f}\n", epoch_s_ + t);
   write_text(folder_ / "times.txt", text);
-  write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
+  if (sensor_.file.empty())
+    write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
+  else
+    copy_file(sensor_.file, folder_ / "sensor.json");
 }
 
 }  // namespace bole::sim

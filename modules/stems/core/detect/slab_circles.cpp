@@ -295,11 +295,11 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
 }
 
 int slab_count(const MeasureOptions& options) {
-  return std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+  return std::max(1, static_cast<int>(std::round((options.search_top - options.search_bottom) / slab_thickness_m)));
 }
 
 float slab_edge(const MeasureOptions& options, int slab) {
-  return static_cast<float>(options.search_bottom_m + slab * slab_thickness_m);
+  return static_cast<float>(options.search_bottom + slab * slab_thickness_m);
 }
 
 }  // namespace

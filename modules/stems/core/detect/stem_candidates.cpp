@@ -56,7 +56,7 @@ class Linker {
       : circles_(circles),
         taken_(circles.size(), false),
         most_slope_(std::tan(options.max_lean_deg * std::numbers::pi / 180)),
-        grid_(circles, (options.search_top_m - options.search_bottom_m) * most_slope_ * 0.5 + 0.5) {}
+        grid_(circles, (options.search_top - options.search_bottom) * most_slope_ * 0.5 + 0.5) {}
 
   // The best axis through circle `i` and one of its neighbours.
   Consensus best_through(std::uint32_t i) const {

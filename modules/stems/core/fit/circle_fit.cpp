@@ -150,19 +150,19 @@ class Ring {
 }  // namespace
 
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
-                                          double start_error_m, double max_sigma_m) {
+                                          double start_error_m, double max_sigma) {
   if (points.size() < 5 || !(start.radius > 0)) return std::nullopt;
   RobustCircle fit{start, 0, 0, 0};
   Ring ring(points, start);
   constexpr double smallest_sigma = 0.001;
-  double scale = std::max(start_error_m, max_sigma_m) / 2;
+  double scale = std::max(start_error_m, max_sigma) / 2;
   for (int i = 0; i < 25; ++i) {
     const Circle before = fit.circle;
     const double scale_before = scale;
     if (!ring.improve(scale, fit.circle)) return std::nullopt;
     const double found = ring.robust_scale(fit.circle, 4.685 * scale);
     if (!std::isfinite(found)) return std::nullopt;
-    scale = std::clamp(std::max(found, 0.7 * scale), smallest_sigma, std::max(max_sigma_m, 0.7 * scale));
+    scale = std::clamp(std::max(found, 0.7 * scale), smallest_sigma, std::max(max_sigma, 0.7 * scale));
     constexpr double settled_m = 1e-6;
     if ((fit.circle.centre - before.centre).norm() + std::abs(fit.circle.radius - before.radius) < settled_m &&
         std::abs(scale - scale_before) < settled_m)

@@ -25,9 +25,9 @@ struct RobustCircle {
 };
 
 // Geometric least squares by Gauss-Newton with Tukey weights from a start that is right to `start_error_m`; the scale
-// (1.4826 MAD) is capped at `max_sigma_m`. Nothing when the points do not hold a circle.
+// (1.4826 MAD) is capped at `max_sigma`. Nothing when the points do not hold a circle.
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
-                                          double start_error_m, double max_sigma_m);
+                                          double start_error_m, double max_sigma);
 
 // The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the
 // centre.

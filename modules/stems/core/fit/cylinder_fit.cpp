@@ -94,7 +94,7 @@ class JointFit {
       const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
       const double shrunk =
-          std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
+          std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
       scale = shrunk;
       if (settled && (!moved || step_norm < 5e-6)) break;
@@ -403,7 +403,7 @@ std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& po
   JointFit joint(numbered, options, std::move(pass_of_view));
   CylinderFit fit;
   fit.cylinder = start, fit.along_rays = options.along_rays;
-  fit.sigma_m = std::max(start_error_m / 2, options.max_sigma_m);
+  fit.sigma_m = std::max(start_error_m / 2, options.max_sigma);
   if (!joint.solve(fit.cylinder, fit.sigma_m)) return std::nullopt;
   joint.describe(fit);
   if (fit.inliers < 12) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "stems/core/fit/contour.h"
 #include "stems/core/fit/stem_points.h"
 #include "stems/core/fit/stem_sections.h"
+#include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
 namespace {
@@ -114,7 +115,7 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) const {
     StemFitResult result;
-    const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
+    const double radius = before.radius - (before.along_rays ? options_.bark_relief : 0);
     const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
     if (!has_sections(attempt, result)) return result;
     const auto points = used_points(attempt, most_fit_points);
@@ -131,7 +132,7 @@ class StemFitter {
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d base = axis.at_z(z);
       const double found =
-          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == "uphill");
+          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == BreastHeightFrom::uphill);
       if (!std::isfinite(found)) break;
       z = found;
     }
@@ -145,13 +146,16 @@ class StemFitter {
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
-    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
-    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
-    gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
-    gather.highest = options_.search_top_m - breast_height_;
+    gather.radius = radius;
+    gather.taper = axis.taper;
+    gather.max_range = options_.max_range;
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad.value_or(assumed_beam_divergence_mrad);
+    gather.beam_aperture = options_.beam_aperture.value_or(assumed_beam_aperture);
+    gather.lowest = options_.search_bottom - breast_height_ - 0.1;
+    gather.highest = options_.search_top - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather, run_);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_), run_);
-    const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap, fits_along_rays(rays_, options_), run_);
+    const double step = section_step(a.points, options_.section_step, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
     a.line = join_sections(a.sections, options_);
@@ -181,7 +185,9 @@ class StemFitter {
 
   CylinderFitOptions fit_options() const {
     CylinderFitOptions o;
-    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate,
+    o.max_sigma = options_.max_sigma;
+    o.drift = priors_.drift;
+    o.ray_gate = options_.ray_gate;
     o.cancel = run_.cancel;
     return o;
   }
@@ -224,7 +230,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
-  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   s.pass_seen = seen_from(a);
@@ -245,7 +251,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     if (!e.usable) continue;
     density.add(e.value);
     unaligned.push_back(together.surface(p, false).value);
-    const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
+    const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma));
     const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
     contrary.add(bearing, -e.value, std::abs(e.value) < reach);
     if (std::abs(e.value) < reach) {
@@ -261,7 +267,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   }
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias, blur_sd(fit.cylinder.range_offset)),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
@@ -306,7 +312,7 @@ StemFitResult checked(StemFitResult result) {
 }  // namespace
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
-  return rays.has_sensor() && options.model != "surface";
+  return rays.has_sensor() && options.model != FitModel::surface;
 }
 
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,

@@ -45,7 +45,7 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
     MeasuredSection m;
     m.number = number, m.z = number * plan.step, m.section.height = plan.breast_height + m.z;
     const double expected = std::max(0.01, plan.radius + plan.taper * m.z);
-    if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m)) {
+    if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma)) {
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;
       if (m.good && contrast_of(ring, fit->circle) < least_contrast) m.good = false;
@@ -89,7 +89,7 @@ std::vector<MeasuredSection*> sections_near_breast_height(std::vector<MeasuredSe
     if (m.good) good.push_back(&m);
   std::ranges::stable_sort(good, [](const auto* a, const auto* b) { return std::abs(a->z) < std::abs(b->z); });
   std::size_t kept = 0;
-  while (kept < good.size() && (std::abs(good[kept]->z) <= options.window_m + 1e-9 || kept < enough)) ++kept;
+  while (kept < good.size() && (std::abs(good[kept]->z) <= options.window + 1e-9 || kept < enough)) ++kept;
   good.resize(kept);
   return good;
 }

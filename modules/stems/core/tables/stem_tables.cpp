@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 
 namespace bole::stems {
@@ -47,13 +48,20 @@ void texts(Table& table, const char* name, const std::vector<T>& items, F&& valu
   table.set(name, std::move(column));
 }
 
+// Those of the cloud, with what a cloud holds as members.
+Facts facts_of(const StemSurvey& survey) {
+  Facts facts = survey.points.facts;
+  set_fact(facts, facts::axes, axes_name(survey.points.axes));
+  if (!survey.points.crs_wkt.empty()) set_fact(facts, facts::crs, survey.points.crs_wkt);
+  set_fact(facts, facts::breast_height, survey.breast_height_m);
+  return facts;
+}
+
 }  // namespace
 
 Table stem_table(const StemSurvey& survey) {
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
-  if (!survey.points.crs_wkt.empty()) t.facts["crs"] = survey.points.crs_wkt;
-  set_breast_height_m(t, survey.breast_height_m);
+  t.facts = facts_of(survey);
   const auto& stems = survey.stems;
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", stems, [](const Stem& s) { return s.id; });
@@ -100,7 +108,7 @@ Table section_table(const StemSurvey& survey) {
   for (const auto& s : survey.stems)
     for (const auto& m : s.sections) rows.push_back({s.id, m});
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
+  t.facts = facts_of(survey);
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", rows, [](const Row& r) { return r.id; });
   numbers(t, "height_m", rows, [](const Row& r) { return r.section.height; });
@@ -118,7 +126,7 @@ Table section_table(const StemSurvey& survey) {
 
 Table rejected_table(const StemSurvey& survey) {
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
+  t.facts = facts_of(survey);
   const Eigen::Vector3d& o = survey.points.origin;
   const auto& rows = survey.rejected;
   numbers(t, "x_m", rows, [&](const RejectedStem& r) { return o.x() + r.position.x(); });

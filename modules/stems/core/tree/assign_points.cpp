@@ -95,7 +95,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
   std::vector<TreeAxis> axes;
   double widest = 0;
   for (const auto& s : stems) axes.emplace_back(s), widest = std::max(widest, s.radius);
-  const AxisGrid grid(axes, options.crown_radius_m + widest);
+  const AxisGrid grid(axes, options.crown_radius + widest);
   const auto& positions = points.positions();
   const auto& heights = points.values<float>(arrays::height_above_ground);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1 << 16), [&](const auto& block) {
@@ -104,8 +104,8 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
       if (!(heights[i] >= static_cast<float>(lowest_point_m)) || !positions[i].allFinite()) continue;
       const Eigen::Vector3d p = positions[i].template cast<double>();
       // Shrubs below are not the tree's: the reach opens from near the bark at the base to the crown radius.
-      const double opened = std::clamp(static_cast<double>(heights[i]) / options.search_top_m, 0.0, 1.0);
-      const double reach = 0.3 + (std::max(0.3, options.crown_radius_m) - 0.3) * opened;
+      const double opened = std::clamp(static_cast<double>(heights[i]) / options.search_top, 0.0, 1.0);
+      const double reach = 0.3 + (std::max(0.3, options.crown_radius) - 0.3) * opened;
       double best = std::numeric_limits<double>::infinity();
       const Stem* owner = nullptr;
       for (const auto k : grid.near(p.x(), p.y())) {
@@ -114,7 +114,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
       }
       if (!owner) continue;
       labels.tree_id[i] = owner->id;
-      if (is_bark(*owner, p, options.bark_tolerance_m)) labels.stem[i] = 1;
+      if (is_bark(*owner, p, options.bark_tolerance)) labels.stem[i] = 1;
     }
   });
   run.check_cancel();

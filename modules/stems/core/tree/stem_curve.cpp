@@ -30,7 +30,7 @@ std::optional<Section> section_at(const std::vector<Eigen::Vector3d>& near, cons
   for (const auto& p : near)
     if (std::abs(p.z() - z) <= half_thickness_m)
       if (const Eigen::Vector2d q = p.head<2>() - up.at(p.z()); q.norm() < expected + margin_m) ring.push_back(q);
-  const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m);
+  const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma);
   if (!fit || fit->inliers < std::max(12, options.min_section_points) ||
       fit->arc_rad < options.min_arc_deg * std::numbers::pi / 180)
     return std::nullopt;
