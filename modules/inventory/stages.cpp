@@ -31,6 +31,7 @@ pipeline::StageResult run_plot_values(const DataSet& inputs, const OptionSet& se
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "inventory.plot_values";
+  type.vtk_class = "vtkBolePlotValues";
   type.title = "Compute plot values";
   type.help =
       "Computes stem density, basal area, mean diameters, heights and stem volume of a plot, with 95 % intervals, by "

@@ -57,6 +57,7 @@ pipeline::StageType read_scan() {
       "frame.");
   pipeline::StageType type;
   type.name = "io.read_scan";
+  type.vtk_class = "vtkBoleReadScan";
   type.title = "Read a scan";
   type.help =
       "Opens the recording of a spinning LiDAR and offers it frame by frame; frames are decoded when they are asked "
@@ -84,6 +85,7 @@ pipeline::StageType read_cloud_stage() {
       "Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
   pipeline::StageType type;
   type.name = "io.read_cloud";
+  type.vtk_class = "vtkBoleReadCloud";
   type.title = "Read a point cloud";
   type.help =
       "Reads a point cloud of any common format, recognised by its content. Coordinates come out in metres with z up; "
@@ -118,6 +120,7 @@ pipeline::StageType read_table_stage() {
                                              "Table to read: CSV with a header line."}});
   pipeline::StageType type;
   type.name = "io.read_table";
+  type.vtk_class = "vtkBoleReadTable";
   type.title = "Read a table";
   type.help =
       "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty "
@@ -143,6 +146,7 @@ pipeline::StageType read_track_stage() {
       "Track to read: the NMEA log of a receiver, CSV with named columns, or columns of numbers.");
   pipeline::StageType type;
   type.name = "io.read_track";
+  type.vtk_class = "vtkBoleReadTrack";
   type.title = "Read a track";
   type.help =
       "Reads where a receiver was: NMEA 0183 (GGA, RMC, VTG, GST, HDT), also in between binary messages, CSV with "
@@ -188,6 +192,7 @@ pipeline::StageType read_trajectory_stage() {
   });
   pipeline::StageType type;
   type.name = "io.read_trajectory";
+  type.vtk_class = "vtkBoleReadTrajectory";
   type.title = "Read a trajectory";
   type.help =
       "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses "

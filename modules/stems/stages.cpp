@@ -13,6 +13,7 @@ namespace {
 pipeline::StageType slice_stage() {
   pipeline::StageType t;
   t.name = "stems.slice";
+  t.vtk_class = "vtkBoleBreastHeightSlice";
   t.title = "Breast-height slice";
   t.help =
       "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for "
@@ -43,6 +44,7 @@ double breast_height_of(const DataSet& in) {
 pipeline::StageType measure_stage() {
   pipeline::StageType t;
   t.name = "stems.measure";
+  t.vtk_class = "vtkBoleMeasureStems";
   t.title = "Measure stems";
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
@@ -112,6 +114,7 @@ std::vector<StemEdit> edits_of(const EditOptions& options) {
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "stems.edit";
+  t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
       "Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
