@@ -22,6 +22,8 @@ struct Port {
   bool optional = false;
   // Inputs: arrays the cloud must have. Outputs: arrays the stage adds to the cloud.
   std::vector<ArrayInfo> arrays;
+  // Outputs: a table of results, written into summary.json with all its rows.
+  bool in_summary = false;
 };
 
 struct StageResult {

@@ -48,7 +48,7 @@ pipeline::StageType errors_stage() {
               {"lines", DataKind::table, "a_x_m, a_y_m, b_x_m, b_y_m; else the longest straight stretch.", true, {}},
               {"reference", DataKind::table, "time_s, x_m, y_m of a better receiver.", true, {}}};
   t.outputs = {{"passes", DataKind::table, "A row per pass.", false, {}},
-               {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}},
+               {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}, true},
                {"errors", DataKind::table, "A row per fix on a pass.", false, {}}};
   t.options = &option_table(static_cast<const ErrorOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
@@ -75,7 +75,7 @@ pipeline::StageType tune_stage() {
       "one metre, raise P to a slight oscillation, raise D until it stops, raise I while nothing oscillates.";
   t.source = paper;
   t.outputs = {{"steps", DataKind::table, "Every try and its lasting swing.", false, {}},
-               {"parameters", DataKind::table, "What was found, the published table beside.", false, {}}};
+               {"parameters", DataKind::table, "What was found, the published table beside.", false, {}, true}};
   t.options = &option_table(static_cast<const TuneOptions*>(nullptr));
   t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     auto tuning = tune(options.as<TuneOptions>(), run);

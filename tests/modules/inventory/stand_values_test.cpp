@@ -1,4 +1,4 @@
-#include "report/core/stand_values.h"
+#include "inventory/core/stand_values.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <random>
 
 #include "cloud/plot_area.h"
+#include "inventory/core/plot_values.h"
 #include "io/core/tables/table_file.h"
-#include "report/core/plot_metrics.h"
 
-namespace bole::report {
+namespace bole::inventory {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -148,7 +148,7 @@ TEST(Rioja, PlotValuesOfTheFieldLists) {
     };
     const auto heights = numbers("h"), field_volume = numbers("v.user");
     t.set("height_m", heights);
-    const auto m = plot_metrics(t, rule, 5);
+    const auto m = plot_values(t, rule, {.class_width_cm = 5});
     double squares = 0, of_plot = 0;
     std::vector<SizedStem> both;  // those with a volume by species table
     const auto dbh = part.numbers("dbh");
@@ -171,4 +171,4 @@ TEST(Rioja, PlotValuesOfTheFieldLists) {
 }
 
 }  // namespace
-}  // namespace bole::report
+}  // namespace bole::inventory
