@@ -10,6 +10,7 @@
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "io/core/table_file.h"
+#include "real_data.h"
 
 namespace bole {
 namespace {
@@ -90,7 +91,7 @@ TEST(AlignTrees, AnotherOriginAndNorthAreFound) {
 // its origin up to 2.5 m.
 TEST(Rioja, TheTlsListsAreBroughtOntoTheFieldLists) {
   const auto folder = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "tables_rioja";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  BOLE_NEEDS_REAL(folder);
   const auto tls = read_table(folder / "rioja_tree.tls.csv"), field = read_table(folder / "rioja_tree.field.csv");
   struct Plot {
     const char* rows;

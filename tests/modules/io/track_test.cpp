@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "io/core/nmea_reader.h"
+#include "real_data.h"
 
 namespace bole {
 namespace {
@@ -84,7 +85,7 @@ struct RealLog {
 // Counts of ../shared/data/nmea/nmea_counts.csv.
 TEST(Nmea, RealLogsHaveTheirCounts) {
   const std::filesystem::path folder = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "nmea";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  BOLE_NEEDS_REAL(folder);
   for (const RealLog& real :
        {RealLog{"AMOD_AGL3080_20121104_134730.txt", 622, 614, 603, 2, 0},
         RealLog{"TrimbleR2SampleData.txt", 34, 34, 34, 0, 0}, RealLog{"gpsd_hemi.log", 215, 215, 0, 0, 194},
@@ -110,7 +111,7 @@ TEST(Nmea, RealLogsHaveTheirCounts) {
 
 TEST(Track, TheOrchardTrackIsReadInUtm) {
   const auto file = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "orchard_apple_mtls/gnss_track_first_pass.txt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
+  BOLE_NEEDS_REAL(file);
   const auto track = read_track(file, {});
   EXPECT_EQ(track.report.facts.at("format"), "columns");
   EXPECT_NEAR(track.table.numbers("x_m")[0], 288334.55, 1e-6);

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "real_data.h"
 #include "slam/core/context_index.h"
 
 namespace bole {
@@ -73,7 +74,7 @@ Counts judged(const std::vector<Place>& places, double most, double same_m) {
 
 TEST(PlaceRecognition, KaistStreet) {
   const fs::path folder = fs::path(BOLE_SHARED_DATA_DIR) / "SCALOAM_KAIST03";
-  if (!fs::exists(folder)) GTEST_SKIP() << "SCALOAM_KAIST03 is absent";
+  BOLE_NEEDS_REAL(folder);
   std::vector<Place> places;
   for (std::size_t k = 0; k < 21; ++k) {
     char name[16];
@@ -111,7 +112,8 @@ TEST(PlaceRecognition, KaistStreet) {
 TEST(PlaceRecognition, KittiTwoPlaces) {
   const fs::path folder = fs::path(BOLE_SHARED_DATA_DIR) / "SCANCONTEXT_samples/KITTI/00/velodyne",
                  poses = fs::path(BOLE_SHARED_DATA_DIR) / "KITTI_gt_poses/00.txt";
-  if (!fs::exists(folder) || !fs::exists(poses)) GTEST_SKIP() << "SCANCONTEXT_samples or KITTI_gt_poses is absent";
+  BOLE_NEEDS_REAL(folder);
+  BOLE_NEEDS_REAL(poses);
   std::vector<Place> places;
   for (const std::size_t k : {94, 95, 198, 199}) {
     char name[16];
