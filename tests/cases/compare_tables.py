@@ -10,6 +10,7 @@ A comparison is one line of clauses with commas between them:
   nearest COLUMN... within D rows belong together that are nearest to one another, at most D apart
   COLUMN TOLERANCE           largest difference allowed, absolute or in % of what is expected; 0 for words;
                              COLUMN=OTHER where the expected table has another name for it
+  where COLUMN=VALUE         only these rows of EXPECTED must be found and are compared; the others may be partners
   missing N, extra N         rows of EXPECTED, rows of FOUND that may be without a partner (default 0)
 """
 
@@ -39,6 +40,7 @@ class Comparison:
     pair: list
     within: float | None  # None: by key
     columns: list
+    where: tuple = ()
     missing: int = 0
     extra: int = 0
 
@@ -54,6 +56,8 @@ def parsed(line):
             comparison.pair = words[1:]
         elif words[:1] == ["nearest"] and words[-2:-1] == ["within"] and len(words) > 3:
             comparison.pair, comparison.within = words[1:-2], float(words[-1])
+        elif len(words) == 2 and words[0] == "where" and "=" in words[1]:
+            comparison.where = tuple(words[1].split("=", 1))
         elif len(words) == 2 and words[0] in ("missing", "extra"):
             setattr(comparison, words[0], int(words[1]))
         elif len(words) == 2 and re.fullmatch(r"\d+(\.\d+)?%?", words[1]):
@@ -134,21 +138,25 @@ def compare(line, found_folder=".", **names):
     comparison = parsed(line)
     found_columns, found = read_table(pathlib.Path(found_folder) / comparison.found)
     expected_columns, expected = read_table(comparison.expected.format(**names))
-    for wanted, there, which in (
+    for asked, there, which in (
         (comparison.pair + [c.found for c in comparison.columns], found_columns, comparison.found),
-        (comparison.pair + [c.expected for c in comparison.columns], expected_columns, comparison.expected),
+        (comparison.pair + [c.expected for c in comparison.columns] + [*comparison.where[:1]], expected_columns,
+         comparison.expected),
     ):
-        absent = [c for c in wanted if c not in there]
+        absent = [c for c in asked if c not in there]
         if absent:
             raise SpecError(f"{which} has no column {', '.join(absent)}; it has {', '.join(there)}")
-    if not expected:
-        raise SpecError(f"{comparison.expected} has no rows: nothing would be compared")
+    wanted = {j for j, row in enumerate(expected) if not comparison.where or row[comparison.where[0]] == comparison.where[1]}
+    if not wanted:
+        raise SpecError(f"{comparison.expected} has no such rows: nothing would be compared")
 
     pairs = (by_key(found, expected, comparison.pair) if comparison.within is None else
              by_distance(found, expected, comparison.pair, comparison.within))
+    extra = len(found) - len(pairs)
+    pairs = [(i, j) for i, j in pairs if j in wanted]
     complaints, told = [], []
-    for count, allowed, what in ((len(expected) - len(pairs), comparison.missing, "missing"),
-                                 (len(found) - len(pairs), comparison.extra, "extra")):
+    for count, allowed, what in ((len(wanted) - len(pairs), comparison.missing, "missing"),
+                                 (extra, comparison.extra, "extra")):
         told.append(f"{comparison.found}: {count} rows {what} ({allowed} allowed)")
         if count > allowed:
             complaints.append(told[-1])

@@ -73,10 +73,20 @@ class Tables(unittest.TestCase):
         complaints = self.complaints(far, TREES, NEAREST + "dbh_cm 1")
         self.assertEqual(len(complaints), 2)  # one missing, one extra
 
+    def test_rows_that_need_not_be_found(self):
+        wanted = KEY + "where state=auto, dbh_cm 1"
+        less = "\n".join(TREES.splitlines()[:-1])
+        self.agrees(less, wanted)
+        self.agrees(TREES.replace("0,5,,", "0,5,77,"), wanted)  # may be found, and is not compared
+        self.differs(less.replace("5,0,30", "5,0,32"), wanted, "dbh_cm is 32")
+        self.differs(TREES.replace("2,5", "7,5"), KEY + "where state=auto, dbh_cm 1, extra 1", "1 rows missing")
+        with self.assertRaisesRegex(SpecError, "no such rows"):
+            self.complaints(TREES, TREES, KEY + "where state=dead, dbh_cm 1")
+
     def test_nothing_compared_is_no_agreement(self):
         nothing = TREES.splitlines()[0] + "\n"
         self.differs(nothing, KEY + "dbh_cm 1, missing 3", "no row has a partner")
-        with self.assertRaisesRegex(SpecError, "has no rows"):
+        with self.assertRaisesRegex(SpecError, "no such rows"):
             self.complaints(TREES, nothing, KEY + "dbh_cm 1, extra 3")
 
     def test_a_column_may_have_another_name(self):
