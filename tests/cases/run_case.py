@@ -55,7 +55,7 @@ def check(summary, expectation):
 
 def check_table(line, out, scan):
     try:
-        complaints, told = compare(line, out, scan=scan, source=SOURCE)
+        complaints, told = compare(line, out, scan=scan, source=SOURCE, real=SOURCE.parent / "shared/data")
     except SpecError as e:
         sys.exit(f"{e}")
     print("\n".join(told + [f"FAIL {c}" for c in complaints]))
@@ -70,7 +70,7 @@ def main():
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
-    parser.add_argument("--table", action="append", default=[], help="{scan} is the folder of --simulate, {source} that of the repository")
+    parser.add_argument("--table", action="append", default=[], help="{scan} is the folder of --simulate, {source} that of the repository, {real} that of the real files")
     parser.add_argument("--needs", type=pathlib.Path, help="a real file; the case is skipped where it is absent")
     args = parser.parse_args()
 
