@@ -9,9 +9,9 @@
 namespace bole::cli {
 
 void register_stages() {
-  register_all_stages(StageRegistry::global());
+  pipeline::register_all_stages(pipeline::StageRegistry::global());
 #ifdef BOLE_WITH_VTK
-  register_report_stages(StageRegistry::global());
+  register_report_stages(pipeline::StageRegistry::global());
 #endif
 }
 

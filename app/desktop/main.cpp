@@ -51,8 +51,8 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Bole");
   QApplication::setOrganizationName("Bole");
   QApplication::setApplicationVersion(QString::fromStdString(std::string(bole::version())));
-  bole::register_all_stages(bole::StageRegistry::global());
-  bole::register_report_stages(bole::StageRegistry::global());
+  bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
+  bole::report::register_report_stages(bole::pipeline::StageRegistry::global());
   bole::desktop::apply_saved_theme();
   QString file = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString();
   const bool timed = file == "--time-startup";

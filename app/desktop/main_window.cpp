@@ -37,15 +37,15 @@
 namespace bole::desktop {
 namespace {
 
-StageState panel_state(const StageOutcome& stage) {
+vtkbridge::StageState panel_state(const vtkbridge::StageOutcome& stage) {
   switch (stage.state) {
-    case bole::StageState::done:
-    case bole::StageState::from_cache:
-      return stage.record.report.warnings.empty() ? StageState::done : StageState::warning;
-    case bole::StageState::failed:
-      return StageState::failed;
+    case bole::vtkbridge::StageState::done:
+    case bole::vtkbridge::StageState::from_cache:
+      return stage.record.report.warnings.empty() ? vtkbridge::StageState::done : vtkbridge::StageState::warning;
+    case bole::vtkbridge::StageState::failed:
+      return vtkbridge::StageState::failed;
     default:
-      return StageState::idle;
+      return vtkbridge::StageState::idle;
   }
 }
 
@@ -115,9 +115,9 @@ void MainWindow::connect_document() {
   });
   connect(run_, &RunBehavior::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
     const int now = run_->current() ? run_->current()->id : 0;
-    if (job == now && last != stage) pipeline_->set_state(last, StageState::done);
+    if (job == now && last != stage) pipeline_->set_state(last, vtkbridge::StageState::done);
     job = now, last = stage;
-    pipeline_->set_state(stage, StageState::running);
+    pipeline_->set_state(stage, vtkbridge::StageState::running);
   });
   connect(run_, &RunBehavior::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &RunBehavior::finished, this, &MainWindow::show_outcome);
@@ -135,9 +135,9 @@ void MainWindow::connect_document() {
 
 void MainWindow::connect_views() {
   connect(stems_, &TablePanel::edit_requested, this,
-          [this](const StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
+          [this](const stems::StemEdit& edit) { guarded([&] { edit_->apply(edit); }); });
   connect(slice_, &SliceView::edits_requested, this,
-          [this](const std::vector<StemEdit>& edits) { guarded([&] { edit_->apply(edits); }); });
+          [this](const std::vector<stems::StemEdit>& edits) { guarded([&] { edit_->apply(edits); }); });
   connect(slice_, &SliceView::said, this, &MainWindow::say);
   connect(slice_, &SliceView::height_changed, profile_, &ProfileView::set_height);
   connect(profile_, &ProfileView::height_dragged, slice_, &SliceView::set_height);
@@ -204,7 +204,7 @@ void MainWindow::open(const QString& path) {
   if (QFileInfo::exists(session_.path())) note_recent_file(session_.path());
 }
 
-void MainWindow::take_up(const QString& path, const std::function<PipelineDocument()>& make) {
+void MainWindow::take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make) {
   const bool lost = QFileInfo::exists(Session::recovery_path(path));
   if (lost && QMessageBox::question(this, tr("Changes were not saved"),
                                     tr("The program ended before changes to %1 were saved. Take them up again?")
@@ -257,7 +257,8 @@ void MainWindow::refresh() {
 
 void MainWindow::start(bool sinks, const QString& folder) {
   if (!session_.has_document()) return;
-  for (const auto& problem : validate(session_.document())) throw bad_input(problem.stage + ": " + problem.message);
+  for (const auto& problem : pipeline::validate(session_.document()))
+    throw bad_input(problem.stage + ": " + problem.message);
   if (sinks) last_export_ = folder;
   run_->start(folder, sinks);
   Q_EMIT run_started();
@@ -279,7 +280,7 @@ void MainWindow::show_survey(const Survey& survey) {
   Q_EMIT survey_shown(survey);
 }
 
-void MainWindow::show_outcome(const RunOutcome& outcome) {
+void MainWindow::show_outcome(const vtkbridge::RunOutcome& outcome) {
   for (const auto& stage : outcome.stages) {
     pipeline_->set_state(QString::fromStdString(stage.record.id), panel_state(stage),
                          QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error));

@@ -89,12 +89,12 @@ class MainWindow : public QMainWindow {
   bool may_lose_changes();  // asks what to do with changes that are not saved; false: stay
   void document_is_open();
   // The pipeline at `path`, or what a crash left of it; where it was never saved, the one that `make` gives.
-  void take_up(const QString& path, const std::function<PipelineDocument()>& make);
+  void take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make);
   void make_menus();
   void make_docks();
   void connect_document();
   void connect_views();
-  void show_outcome(const RunOutcome& outcome);
+  void show_outcome(const vtkbridge::RunOutcome& outcome);
   void show_survey(const Survey& survey);
 
   Session session_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace bole {
+namespace bole::inline base {
 
 std::span<const ArrayInfo> array_vocabulary() {
   using namespace arrays;
@@ -37,4 +37,4 @@ std::string_view array_type_name(ArrayType type) {
   return "";
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

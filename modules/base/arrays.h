@@ -7,7 +7,7 @@
 
 #include "base/units.h"
 
-namespace bole {
+namespace bole::inline base {
 
 enum class ArrayType { uint8, uint16, int32, float32, float64 };
 
@@ -74,4 +74,4 @@ const ArrayInfo* find_array(std::string_view name);
 
 std::string_view array_type_name(ArrayType type);
 
-}  // namespace bole
+}  // namespace bole::inline base

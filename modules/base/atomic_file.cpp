@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::inline base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ void write_text_file(const fs::path& path, std::string_view text) {
   file.commit();
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace bole {
+namespace bole::inline base {
 
 struct ContentHash::State {
   XXH3_state_t xxh;
@@ -38,4 +38,4 @@ std::string content_hash(std::span<const std::byte> bytes) {
   return hash.hex();
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace bole {
+namespace bole::inline base {
 
 class ContentHash {
  public:
@@ -34,4 +34,4 @@ class ContentHash {
 
 std::string content_hash(std::span<const std::byte> bytes);
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace bole {
+namespace bole::inline base {
 std::string Error::compose(const Parts& p) {
   std::string text = p.place.empty() ? p.found : p.place + ": " + p.found;
   if (!p.needed.empty()) text += "; needed: " + p.needed;
@@ -41,4 +41,4 @@ Error failure(std::string found, std::string needed, std::string hint) {
   return Error(ErrorKind::failed, std::move(found), std::move(needed), std::move(hint));
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace bole {
+namespace bole::inline base {
 
 enum class ErrorKind {
   failed,     // the work itself went wrong: exit code 1
@@ -44,4 +44,4 @@ class Error : public std::runtime_error {
 Error bad_input(std::string found, std::string needed = {}, std::string hint = {});
 Error failure(std::string found, std::string needed = {}, std::string hint = {});
 
-}  // namespace bole
+}  // namespace bole::inline base

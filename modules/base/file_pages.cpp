@@ -14,7 +14,7 @@
 #include <mutex>
 #include <utility>
 
-namespace bole {
+namespace bole::inline base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +168,4 @@ void leave_memory(const void* begin, std::size_t bytes) {
   }
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

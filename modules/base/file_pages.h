@@ -8,7 +8,7 @@
 
 #include "base/run.h"
 
-namespace bole {
+namespace bole::inline base {
 
 // A stretch of memory that is known to be pages of a file, for as long as this object lives. It must be gone before the
 // memory is: declare it behind the owner.
@@ -56,4 +56,4 @@ bool lies_on_file(const void* begin, std::size_t bytes);
 // other memory stays as it is, so that any range may be given.
 void leave_memory(const void* begin, std::size_t bytes);
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -1,6 +1,6 @@
 #include "base/markup.h"
 
-namespace bole {
+namespace bole::inline base {
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -27,4 +27,4 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace bole {
+namespace bole::inline base {
 
 // `text` with the five special characters as entities, for element text and quoted attributes; control characters that
 // no XML document may hold are left out.
 std::string escaped(std::string_view text);
 
-}  // namespace bole
+}  // namespace bole::inline base

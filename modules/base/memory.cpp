@@ -2,7 +2,7 @@
 
 #include <sys/resource.h>
 
-namespace bole {
+namespace bole::inline base {
 
 double peak_resident_mib() {
   rusage usage{};
@@ -10,4 +10,4 @@ double peak_resident_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

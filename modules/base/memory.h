@@ -1,8 +1,8 @@
 #pragma once
 
-namespace bole {
+namespace bole::inline base {
 
 // The most memory that this process has held so far, in MiB.
 double peak_resident_mib();
 
-}  // namespace bole
+}  // namespace bole::inline base

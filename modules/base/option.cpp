@@ -7,7 +7,7 @@
 
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::inline base {
 
 std::string_view tier_name(Tier tier) {
   switch (tier) {
@@ -44,8 +44,7 @@ std::string option_text(const OptionValue& value) {
 }
 
 std::string limit_text(const OptionSpec& spec, double limit) {
-  const bool whole =
-      std::holds_alternative<std::int64_t>(spec.default_value) && std::trunc(limit) == limit && std::abs(limit) < 1e15;
+  const bool whole = spec.kind == ValueKind::integer && std::trunc(limit) == limit && std::abs(limit) < 1e15;
   return whole ? std::to_string(static_cast<std::int64_t>(limit)) : number_text(limit);
 }
 
@@ -68,15 +67,20 @@ std::string Condition::text() const {
   return "only if " + option + (holds_with ? " is " : " is not ") + list;
 }
 
+bool OptionSpec::is_unset(const OptionValue& value) const {
+  const auto* text = std::get_if<std::string>(&value);
+  return !unset.empty() && text != nullptr && *text == unset;
+}
+
 std::string_view OptionSpec::type_name() const {
-  switch (default_value.index()) {
-    case 0:
+  switch (kind) {
+    case ValueKind::boolean:
       return "boolean";
-    case 1:
+    case ValueKind::integer:
       return "integer";
-    case 2:
+    case ValueKind::number:
       return "number";
-    default:
+    case ValueKind::text:
       break;
   }
   switch (text_kind) {
@@ -96,14 +100,15 @@ std::string_view OptionSpec::type_name() const {
 std::string OptionSpec::needed() const {
   const auto unit_text = unit_symbol(unit).empty() ? std::string{} : " " + std::string(unit_symbol(unit));
   const auto range_text = " from " + limit_text(*this, min) + " to " + limit_text(*this, max) + unit_text;
-  switch (default_value.index()) {
-    case 0:
-      return "true or false";
-    case 1:
-      return "a whole number" + range_text;
-    case 2:
-      return "a number" + range_text;
-    default:
+  const auto or_unset = unset.empty() ? std::string{} : ", or " + unset;
+  switch (kind) {
+    case ValueKind::boolean:
+      return "true or false" + or_unset;
+    case ValueKind::integer:
+      return "a whole number" + range_text + or_unset;
+    case ValueKind::number:
+      return "a number" + range_text + or_unset;
+    case ValueKind::text:
       break;
   }
   if (text_kind != TextKind::choice) return "text";
@@ -121,15 +126,15 @@ std::string OptionSpec::full_help() const {
 OptionValue OptionSpec::checked(const OptionValue& value) const {
   const auto wrong = [&] { return bad_input("option " + name + " is '" + option_text(value) + "'", needed()); };
   OptionValue v = value;
-  if (std::holds_alternative<std::string>(v) && !std::holds_alternative<std::string>(default_value))
-    return parsed(std::get<std::string>(v));
-  if (std::holds_alternative<double>(default_value) && std::holds_alternative<std::int64_t>(v))
+  if (is_unset(v)) return v;
+  if (std::holds_alternative<std::string>(v) && kind != ValueKind::text) return parsed(std::get<std::string>(v));
+  if (kind == ValueKind::number && std::holds_alternative<std::int64_t>(v))
     v = static_cast<double>(std::get<std::int64_t>(v));
   // A whole number written as 5.0 is a whole number.
   if (const auto* d = std::get_if<double>(&v);
-      d && std::holds_alternative<std::int64_t>(default_value) && std::nearbyint(*d) == *d && std::abs(*d) < 1e15)
+      d && kind == ValueKind::integer && std::nearbyint(*d) == *d && std::abs(*d) < 1e15)
     v = static_cast<std::int64_t>(*d);
-  if (v.index() != default_value.index()) throw wrong();
+  if (v.index() != static_cast<std::size_t>(kind)) throw wrong();
   if (const auto* i = std::get_if<std::int64_t>(&v);
       i && (static_cast<double>(*i) < min || static_cast<double>(*i) > max))
     throw wrong();
@@ -142,8 +147,8 @@ OptionValue OptionSpec::checked(const OptionValue& value) const {
 
 OptionValue OptionSpec::parsed(std::string_view text) const {
   const auto wrong = [&] { return bad_input("option " + name + " is '" + std::string(text) + "'", needed()); };
-  if (std::holds_alternative<std::string>(default_value)) return checked(std::string(text));
-  if (std::holds_alternative<bool>(default_value)) {
+  if (kind == ValueKind::text || (!unset.empty() && text == unset)) return checked(std::string(text));
+  if (kind == ValueKind::boolean) {
     if (text == "true" || text == "1" || text == "yes" || text == "on") return true;
     if (text == "false" || text == "0" || text == "no" || text == "off") return false;
     throw wrong();
@@ -227,4 +232,4 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return question.empty() ? question : question + "?";
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

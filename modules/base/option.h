@@ -1,22 +1,29 @@
 // Options are declared once, beside their struct, and everything else is derived from that table: validation, command
 // line, `--set`, schema, printed pages, forms, the appendix of the report.
 //
-//   struct SliceOptions { double height = 1.30; double thickness = 0.10; };
+//   enum class Shape { circle, ellipse };
+//   constexpr std::array<std::string_view, 2> choice_names(Shape) { return {"circle", "ellipse"}; }
+//   struct SliceOptions { double height = 1.30; Shape shape = Shape::circle; std::optional<double> radius; };
 //   const OptionTable& option_table(const SliceOptions*) {
 //     using S = SliceOptions;
 //     static const OptionTable table = make_option_table<S>({
 //         Option<S, double>{"height", &S::height, Unit::metre, {0.1, 5.0}, Tier::basic, "Height of the slice centre
 //         above ground."},
-//         OnlyIf{"shape", {"circle"}, {"radius"}},  // radius means nothing with another shape
+//         Option<S, Shape>{"shape", &S::shape, Tier::advanced, "Shape of the section."},
+//         Option<S, std::optional<double>>{"radius", &S::radius, Unit::metre, {0.01, 2}, "auto", Tier::expert, "..."},
+//         OnlyIf{"shape", {"circle"}, {"radius"}},  // radius has no effect with another shape
 //     });
 //     return table;
 //   }
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -26,7 +33,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace bole {
+namespace bole::inline base {
 
 enum class Tier { basic, advanced, expert };
 std::string_view tier_name(Tier tier);
@@ -35,7 +42,24 @@ std::string_view tier_name(Tier tier);
 // input_path_or_name: an input path when it ends in .json, else the name of something that comes with Bole.
 enum class TextKind { plain, choice, input_path, json, input_path_or_name };
 
+// The value of an option. One that is left open (std::optional without a value) is its word, as a text.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
+enum class ValueKind { boolean, integer, number, text };  // the alternatives of OptionValue, in its order
+
+// An enum whose values are words: `choice_names(E)` beside it gives them in the order of the values 0, 1, 2, ...
+template <class E>
+concept ChoiceEnum = std::is_enum_v<E> && requires(E e) {
+  choice_names(e);
+};
+
+template <ChoiceEnum E>
+constexpr std::string_view choice_name(E value) {
+  return choice_names(value)[static_cast<std::size_t>(value)];
+}
+
+// Throws Error{bad_input} that lists the words.
+template <ChoiceEnum E>
+E choice_from_name(std::string_view name);
 
 template <class T>
 struct Range {
@@ -105,9 +129,41 @@ struct Option<S, std::string> {
   std::string_view help;
 };
 
+template <class S, ChoiceEnum E>
+struct Option<S, E> {
+  std::string_view name;
+  E S::*member;
+  Tier tier;
+  std::string_view help;
+};
+
+// An option that may be left open: `unset` is the word for that in documents and forms ("preset", "auto").
+template <class S, class Number>
+requires std::is_arithmetic_v<Number>
+struct Option<S, std::optional<Number>> {
+  std::string_view name;
+  std::optional<Number> S::*member;
+  Unit unit;
+  Range<Number> range;  // of a bool: {}
+  std::string_view unset;
+  Tier tier;
+  std::string_view help;
+};
+
+template <class S, ChoiceEnum E>
+struct Option<S, std::optional<E>> {
+  std::string_view name;
+  std::optional<E> S::*member;
+  std::string_view unset;
+  Tier tier;
+  std::string_view help;
+};
+
 // One option, with its struct's type erased.
 struct OptionSpec {
   std::string name;
+  ValueKind kind = ValueKind::text;
+  std::string unset;  // the word for "left open"; empty: the option always has a value
   Unit unit = Unit::none;
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -120,6 +176,7 @@ struct OptionSpec {
   std::function<OptionValue(const void*)> get;
   std::function<void(void*, const OptionValue&)> assign;  // of the right type and in range already
 
+  bool is_unset(const OptionValue& value) const;
   std::string_view type_name() const;  // "boolean", "integer", "number", "text", "choice", "path", "json"
 
   // `value` brought to this option's type (an integer serves as a number; text is parsed). Throws Error{bad_input} that
@@ -143,7 +200,8 @@ class OptionTable {
   // Throws Error{bad_input} where one of the options or values is none of the table.
   void add_condition(std::string_view name, const Condition& condition);
   // The first condition of an option that does not hold with these values, looked for also behind the options that its
-  // conditions name: what means nothing itself makes nothing mean something. Null: the option counts.
+  // conditions name: an option that is itself inactive cannot activate another one. Null: the
+  // option is active.
   const Condition* unmet(const OptionSpec& spec, const std::function<OptionValue(const OptionSpec&)>& value_of) const;
 };
 
@@ -204,6 +262,61 @@ class OptionEntry {
     spec.text_kind = o.kind, spec.choices = o.choices;
     bind<std::string, std::string>(o.member);
   }
+  template <ChoiceEnum E>
+  OptionEntry(const Option<S, E>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {  // NOLINT
+    bind_choice<E>();
+    spec.get = [member = o.member](const void* s) -> OptionValue {
+      return std::string(choice_name(static_cast<const S*>(s)->*member));
+    };
+    spec.assign = [member = o.member](void* s, const OptionValue& v) {
+      static_cast<S*>(s)->*member = choice_from_name<E>(std::get<std::string>(v));
+    };
+    take_default();
+  }
+  template <class Number>
+  requires std::is_arithmetic_v<Number> OptionEntry(const Option<S, std::optional<Number>>& o)
+      : spec(base(o.name, o.unit, o.tier, o.help)) {  // NOLINT
+    using Value = std::conditional_t<std::is_same_v<Number, int>, std::int64_t, Number>;
+    spec.kind = kind_of<Value>;
+    spec.unset = o.unset;
+    if constexpr (!std::is_same_v<Number, bool>) {
+      spec.min = o.range.min;
+      spec.max = o.range.max;
+    }
+    spec.get = [member = o.member, unset = spec.unset](const void* s) -> OptionValue {
+      const auto& value = static_cast<const S*>(s)->*member;
+      return value ? OptionValue(static_cast<Value>(*value)) : OptionValue(unset);
+    };
+    spec.assign = [member = o.member](void* s, const OptionValue& v) {
+      auto& value = static_cast<S*>(s)->*member;
+      if (const auto* number = std::get_if<Value>(&v)) {
+        value = static_cast<Number>(*number);
+      } else {
+        value.reset();
+      }
+    };
+    take_default();
+  }
+  template <ChoiceEnum E>
+  OptionEntry(const Option<S, std::optional<E>>& o) : spec(base(o.name, Unit::none, o.tier, o.help)) {  // NOLINT
+    bind_choice<E>();
+    spec.unset = o.unset;
+    spec.choices.insert(spec.choices.begin(), spec.unset);
+    spec.get = [member = o.member, unset = spec.unset](const void* s) -> OptionValue {
+      const auto& value = static_cast<const S*>(s)->*member;
+      return value ? std::string(choice_name(*value)) : unset;
+    };
+    spec.assign = [member = o.member, unset = spec.unset](void* s, const OptionValue& v) {
+      auto& value = static_cast<S*>(s)->*member;
+      const auto& word = std::get<std::string>(v);
+      if (word == unset) {
+        value.reset();
+      } else {
+        value = choice_from_name<E>(word);
+      }
+    };
+    take_default();
+  }
   OptionEntry(const OnlyIf& c) : condition{c.option, c.values, true}, of(c.of) {}   // NOLINT
   OptionEntry(const Unless& c) : condition{c.option, c.values, false}, of(c.of) {}  // NOLINT
   OptionSpec spec;
@@ -216,16 +329,43 @@ class OptionEntry {
     s.name = name, s.unit = unit, s.tier = tier, s.help = help;
     return s;
   }
+  template <class Value>
+  static constexpr ValueKind kind_of = std::is_same_v<Value, bool>           ? ValueKind::boolean
+                                       : std::is_same_v<Value, std::int64_t> ? ValueKind::integer
+                                       : std::is_same_v<Value, double>       ? ValueKind::number
+                                                                             : ValueKind::text;
+
+  void take_default() {
+    const S defaults{};
+    spec.default_value = spec.get(&defaults);
+  }
+  template <ChoiceEnum E>
+  void bind_choice() {
+    spec.kind = ValueKind::text;
+    spec.text_kind = TextKind::choice;
+    for (const auto name : choice_names(E{})) spec.choices.emplace_back(name);
+  }
   template <class Member, class Value>
   void bind(Member S::*member) {
+    spec.kind = kind_of<Value>;
     spec.get = [member](const void* s) -> OptionValue { return static_cast<Value>(static_cast<const S*>(s)->*member); };
     spec.assign = [member](void* s, const OptionValue& v) {
       static_cast<S*>(s)->*member = static_cast<Member>(std::get<Value>(v));
     };
-    const S defaults{};
-    spec.default_value = spec.get(&defaults);
+    take_default();
   }
 };
+
+template <ChoiceEnum E>
+E choice_from_name(std::string_view name) {
+  const auto names = choice_names(E{});
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == name) return static_cast<E>(i);
+    list += " " + std::string(names[i]);
+  }
+  throw bad_input("'" + std::string(name) + "' is none of the choices", "one of" + list);
+}
 
 // `check` may test relations between options (throws Error{bad_input}).
 template <class S>
@@ -243,4 +383,4 @@ OptionTable make_option_table(std::vector<OptionEntry<S>> entries, std::function
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace bole {
+namespace bole::inline base {
 
 constexpr std::uint64_t mix64(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15ull;
@@ -46,4 +46,4 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace bole
+}  // namespace bole::inline base

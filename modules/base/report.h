@@ -8,7 +8,7 @@
 
 #include "base/units.h"
 
-namespace bole {
+namespace bole::inline base {
 
 enum class Status { ok, finished_early, warning };
 
@@ -33,4 +33,4 @@ struct Report {
   }
 };
 
-}  // namespace bole
+}  // namespace bole::inline base

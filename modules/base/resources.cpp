@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::inline base {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::filesystem::path resource_path(std::string_view relative) {
   return path;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

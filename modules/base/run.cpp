@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::inline base {
 
 void Run::check_cancel() const {
   if (cancelled()) throw Error(ErrorKind::cancelled, "cancelled on request", {}, "Nothing was changed");
@@ -17,4 +17,4 @@ Run Run::part(double begin, double end) const {
   return inner;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -11,9 +11,11 @@
 
 #include "base/report.h"
 
-namespace bole {
-
+namespace bole::inline cloud {
 class Preview;  // cloud/preview.h
+}
+
+namespace bole::inline base {
 
 // What ran before in the same pipeline, for the stages that tell about it (report, summary).
 struct OptionRecord {
@@ -57,4 +59,4 @@ struct Run {
   Run part(double begin, double end) const;
 };
 
-}  // namespace bole
+}  // namespace bole::inline base

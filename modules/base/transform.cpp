@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace bole {
+namespace bole::inline base {
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
@@ -69,4 +69,4 @@ Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vecto
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -1,6 +1,6 @@
 #include "base/units.h"
 
-namespace bole {
+namespace bole::inline base {
 
 std::string_view unit_symbol(Unit unit) {
   switch (unit) {
@@ -44,4 +44,4 @@ std::string_view unit_symbol(Unit unit) {
   return "";
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace bole {
+namespace bole::inline base {
 
 enum class Unit {
   none,
@@ -30,4 +30,4 @@ enum class Unit {
 // The symbol printed after a number ("m", "deg", ...); empty for Unit::none.
 std::string_view unit_symbol(Unit unit);
 
-}  // namespace bole
+}  // namespace bole::inline base

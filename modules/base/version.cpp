@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-namespace bole {
+namespace bole::inline base {
 
 std::string_view version() { return BOLE_VERSION; }
 
@@ -20,4 +20,4 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   return list;
 }
 
-}  // namespace bole
+}  // namespace bole::inline base

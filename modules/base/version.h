@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-namespace bole {
+namespace bole::inline base {
 
 std::string_view version();
 
 // Name and version of the libraries that the build used.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
-}  // namespace bole
+}  // namespace bole::inline base

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace bole {
+namespace bole::inline cloud {
 
 std::string_view data_kind_name(DataKind kind) {
   constexpr std::array<std::string_view, 6> names{"none", "cloud", "table", "raster", "trajectory", "frames"};
@@ -19,4 +19,4 @@ Error DataSet::missing(std::string_view port) {
                    "the output of an earlier stage");
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

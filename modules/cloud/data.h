@@ -13,7 +13,7 @@
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // In the order of the variant below.
 enum class DataKind { none, cloud, table, raster, trajectory, frames };
@@ -56,4 +56,4 @@ class DataSet {
   std::map<std::string, Data, std::less<>> data_;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

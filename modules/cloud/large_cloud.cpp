@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace bole {
+namespace bole::inline cloud {
 namespace {
 
 // The pages go first, then the memory that they describe.
@@ -77,7 +77,7 @@ std::string no_room_for_scratch(std::size_t bytes) {
 void leave_memory(const Column& column, std::size_t first, std::size_t count) {
   with_bytes(column, [&](const void* data, std::size_t each) {
     count = std::min(count, column_size(column) - std::min(first, column_size(column)));
-    leave_memory(static_cast<const std::byte*>(data) + each * first, each * count);
+    base::leave_memory(static_cast<const std::byte*>(data) + each * first, each * count);
   });
 }
 
@@ -85,4 +85,4 @@ void leave_memory(const PointCloud& cloud, std::size_t first, std::size_t count)
   for (const auto& [name, column] : cloud.columns()) leave_memory(*column, first, count);
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::inline cloud {
 namespace {
 
 using Eigen::Vector2d;
@@ -189,4 +189,4 @@ CountingRule counting_rule(const Table& table) {
   return rule;
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -7,7 +7,7 @@
 
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // In the axes of the stems; all metres are horizontal.
 struct PlotArea {
@@ -54,4 +54,4 @@ struct CountingRule {
 Table to_table(const CountingRule& rule);
 CountingRule counting_rule(const Table& table);
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -5,7 +5,7 @@
 
 #include "cloud/large_cloud.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 std::size_t column_size(const Column& column) {
   return std::visit([](const auto& v) { return v.size(); }, column);
@@ -100,4 +100,4 @@ Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i) {
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

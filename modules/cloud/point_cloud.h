@@ -12,8 +12,9 @@
 
 #include "base/arrays.h"
 #include "base/error.h"
+#include "cloud/facts.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // The types of ArrayType, in its order.
 using Column = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
@@ -46,6 +47,8 @@ class PointCloud {
   Axes axes = Axes::unknown;
   std::string crs_wkt;                              // of Axes::global; empty when not known
   Eigen::Vector3d scale = Eigen::Vector3d::Zero();  // LAS coordinate quantum of the source, metres; zero when none
+
+  Facts facts;  // what is known of the data as a whole
 
   std::size_t size() const { return positions_->size(); }
   bool empty() const { return positions_->empty(); }
@@ -94,4 +97,4 @@ class PointCloud {
 // apart.
 Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i);
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -3,7 +3,7 @@
 
 #include "cloud/data.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // A stage that has something to look at before it is done (Run::preview) asks wants() now and then, and makes and shows
 // a snapshot only when somebody takes it: an unwatched run pays one comparison with null. Nothing comes back from
@@ -20,4 +20,4 @@ class Preview {
   virtual void show(DataSet snapshot) = 0;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

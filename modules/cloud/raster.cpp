@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bole {
+namespace bole::inline cloud {
 
 double Raster::sample(double x, double y) const {
   const double u = (x - origin.x()) / cell_m, v = (y - origin.y()) / cell_m;
@@ -18,4 +18,4 @@ double Raster::sample(double x, double y) const {
          term(jx, jy, fx * fy);
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -9,7 +9,7 @@
 
 #include "cloud/point_cloud.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // Cell (ix, iy) has its centre at origin + ((ix + 0.5) cell, (iy + 0.5) cell); ix runs east, iy north. Missing: NaN.
 struct Raster {
@@ -34,4 +34,4 @@ struct Raster {
   double sample(double x, double y) const;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

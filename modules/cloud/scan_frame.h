@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "base/run.h"
+#include "cloud/facts.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 // Structure of arrays, all of one length. Points are in sensor axes at their own firing time (rolling shutter, not
 // de-skewed): x forward at azimuth 0, y left, z up. Range is positions[i].norm().
@@ -38,10 +39,11 @@ class FrameSource {
   // Elevation of each ring in radians, lowest first; empty when not known.
   virtual std::vector<double> ring_elevations_rad() const { return {}; }
   virtual std::string sensor_model() const = 0;  // "vlp32c", ...; "unknown" when not known
+  virtual Facts facts() const { return {}; }     // of the sensor and the recording
   virtual std::string description() const = 0;   // "walk.pcap: 812 frames, VLP-32C"
   // Where it came from, so that a stored result can name and reopen it: a JSON text that open_frame_source()
   // understands.
   virtual std::string locator() const = 0;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

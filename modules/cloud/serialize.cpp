@@ -6,7 +6,7 @@
 
 #include "cloud/large_cloud.h"
 
-namespace bole {
+namespace bole::inline cloud {
 namespace {
 
 using nlohmann::json;
@@ -159,7 +159,7 @@ json store_table(const Table& table, BlobStore& store) {
 
 std::shared_ptr<const Table> load_table(const json& j, const BlobStore& store) {
   auto table = std::make_shared<Table>();
-  table->facts = j.at("facts").get<std::map<std::string, std::string>>();
+  table->facts = j.at("facts").get<Facts>();
   const auto rows = j.at("rows").get<std::size_t>();
   for (const auto& c : j.at("columns")) {
     const auto name = c.at("name").get<std::string>();
@@ -302,4 +302,4 @@ std::vector<std::string> stored_blobs(std::string_view text) {
   return ids;
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

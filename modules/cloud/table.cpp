@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/option.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 const Table::Values* Table::find(std::string_view name) const {
   const auto it = std::ranges::find(columns_, name, &NamedColumn::name);
@@ -89,4 +89,4 @@ Table Table::subset(const std::vector<std::size_t>& indices) const {
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

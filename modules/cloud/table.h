@@ -2,13 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-namespace bole {
+#include "cloud/facts.h"
+
+namespace bole::inline cloud {
 
 class Table {
  public:
@@ -18,7 +19,7 @@ class Table {
     Values values;
   };
 
-  std::map<std::string, std::string> facts;  // "axes": "plot", "crs": ...
+  Facts facts;
 
   std::size_t rows() const { return rows_; }
   const std::vector<NamedColumn>& columns() const { return columns_; }
@@ -46,4 +47,4 @@ class Table {
   std::vector<NamedColumn> columns_;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -5,7 +5,7 @@
 
 #include "base/option.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 Pose Trajectory::at(double time_s, double most_extrapolation_s) const {
   if (poses.size() < 2) throw bad_input("the trajectory has " + std::to_string(poses.size()) + " poses", "at least 2");
@@ -28,4 +28,4 @@ double Trajectory::length_m() const {
   return sum;
 }
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "base/transform.h"
+#include "cloud/facts.h"
 #include "cloud/point_cloud.h"
 
-namespace bole {
+namespace bole::inline cloud {
 
 struct StampedPose {
   double time_s = 0;
@@ -17,6 +18,7 @@ struct StampedPose {
 struct Trajectory {
   std::vector<StampedPose> poses;  // times strictly increase
   Axes axes = Axes::map;
+  Facts facts;
 
   bool empty() const { return poses.empty(); }
   // The pose at a time, interpolated on the manifold; held constant in velocity for up to `most_extrapolation_s` beyond
@@ -25,4 +27,4 @@ struct Trajectory {
   double length_m() const;
 };
 
-}  // namespace bole
+}  // namespace bole::inline cloud

@@ -2,7 +2,7 @@
 #include "evaluation/core/evaluate_trajectory.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 // `a` with the rows of `b` below it.
@@ -30,10 +30,10 @@ void copy_metrics(const Table& summary, Report& report) {
   for (std::size_t i = 0; i < summary.rows(); ++i) report.metrics[measure[i]] = {value[i], unit_named(unit[i])};
 }
 
-StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
+pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
   const auto& options = set.as<EvaluationOptions>();
   const CountingRule rule = in.has("plot") ? counting_rule(in.table("plot")) : CountingRule{};
-  StageResult result;
+  pipeline::StageResult result;
   // The columns that options name are those of the tables that are connected, not of this empty one.
   const Table none = in.table("stems").subset({});
   Table matches = evaluate_stems(none, none, {}, rule).matches;
@@ -71,8 +71,8 @@ StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& ru
 
 }  // namespace
 
-void register_evaluation_stages(StageRegistry& registry) {
-  StageType t;
+void register_stages(pipeline::StageRegistry& registry) {
+  pipeline::StageType t;
   t.name = "evaluation.plot";
   t.title = "Evaluate a plot";
   t.help =
@@ -94,4 +94,4 @@ void register_evaluation_stages(StageRegistry& registry) {
   registry.add(std::move(t));
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -2,10 +2,10 @@
 #include "geo/core/project_table.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::geo {
 
-void register_geo_stages(StageRegistry& registry) {
-  StageType type;
+void register_stages(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
   type.name = "geo.project";
   type.title = "Project positions";
   type.help =
@@ -15,10 +15,10 @@ void register_geo_stages(StageRegistry& registry) {
   type.source = "SPEC E1; Lee (1976), Karney (2011) through GeographicLib";
   type.inputs = {{"table", DataKind::table, "Positions: latitude_deg and longitude_deg, or x_m and y_m.", false, {}}};
   type.outputs = {{"table", DataKind::table, "The same rows with the other kind of coordinates added.", false, {}}};
-  type.options = &option_table(static_cast<const geo::ProjectOptions*>(nullptr));
+  type.options = &option_table(static_cast<const ProjectOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
-    auto projected = geo::project_table(inputs.table("table"), options.as<geo::ProjectOptions>());
-    StageResult result;
+    auto projected = project_table(inputs.table("table"), options.as<ProjectOptions>());
+    pipeline::StageResult result;
     result.outputs.set("table", std::move(projected.table));
     result.report = std::move(projected.report);
     return result;
@@ -26,4 +26,4 @@ void register_geo_stages(StageRegistry& registry) {
   registry.add(std::move(type));
 }
 
-}  // namespace bole
+}  // namespace bole::geo

@@ -3,18 +3,18 @@
 #include "ground/core/rasters.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::ground {
 namespace {
 
-StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run& run) {
+pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run& run) {
   const PointCloud& cloud = inputs.cloud("points");
-  auto model = ground::model_ground(cloud, options.as<ground::GroundOptions>(), run);
+  auto model = model_ground(cloud, options.as<GroundOptions>(), run);
   PointCloud points = cloud;
   points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
   points.set_column(arrays::classification, std::move(model.classification));
-  StageResult result;
-  result.outputs.set("slope", ground::slope_deg(model.dem));
-  result.outputs.set("canopy", ground::canopy_height(points, model.dem, model.dem.cell_m, run));
+  pipeline::StageResult result;
+  result.outputs.set("slope", slope_deg(model.dem));
+  result.outputs.set("canopy", canopy_height(points, model.dem, model.dem.cell_m, run));
   result.outputs.set("points", std::move(points));
   result.outputs.set("dem", std::move(model.dem));
   result.outputs.set("dem_filled", std::move(model.filled));
@@ -24,8 +24,8 @@ StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run
 
 }  // namespace
 
-void register_ground_stages(StageRegistry& registry) {
-  StageType type;
+void register_stages(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
   type.name = "ground.model";
   type.title = "Model the ground";
   type.help =
@@ -49,9 +49,9 @@ void register_ground_stages(StageRegistry& registry) {
       {"dem_filled", DataKind::raster, "1 where the terrain model was filled, 0 where ground points were.", false, {}},
       {"slope", DataKind::raster, "Slope of the terrain in degrees.", false, {}},
       {"canopy", DataKind::raster, "Highest point above ground per cell.", false, {}}};
-  type.options = &option_table(static_cast<const ground::GroundOptions*>(nullptr));
+  type.options = &option_table(static_cast<const GroundOptions*>(nullptr));
   type.run = run_model;
   registry.add(std::move(type));
 }
 
-}  // namespace bole
+}  // namespace bole::ground

@@ -1,13 +1,13 @@
 // The stages of the module io: what brings files into a pipeline.
-#include "io/core/cloud_reader.h"
-#include "io/core/frame_source.h"
-#include "io/core/memory_advice.h"
-#include "io/core/table_file.h"
-#include "io/core/track_file.h"
-#include "io/core/trajectory_file.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/clouds/memory_advice.h"
+#include "io/core/scans/frame_source.h"
+#include "io/core/tables/table_file.h"
+#include "io/core/tables/track_file.h"
+#include "io/core/tables/trajectory_file.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 struct ReadScanOptions : FrameSourceOptions {
@@ -51,11 +51,11 @@ OptionTable with_file(std::string_view help) {
   return table;
 }
 
-StageType read_scan() {
+pipeline::StageType read_scan() {
   static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(
       "Scan to read: a pcap or pcapng file of a Velodyne sensor, or a folder with one .bin (KITTI) or .pcd file per "
       "frame.");
-  StageType type;
+  pipeline::StageType type;
   type.name = "io.read_scan";
   type.title = "Read a scan";
   type.help =
@@ -72,17 +72,17 @@ StageType read_scan() {
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadScanOptions>();
-    StageResult result;
+    pipeline::StageResult result;
     result.outputs.set("frames", Data(open_frame_source(o.file, o, run, result.report)));
     return result;
   };
   return type;
 }
 
-StageType read_cloud_stage() {
+pipeline::StageType read_cloud_stage() {
   static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(
       "Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
-  StageType type;
+  pipeline::StageType type;
   type.name = "io.read_cloud";
   type.title = "Read a point cloud";
   type.help =
@@ -97,7 +97,7 @@ StageType read_cloud_stage() {
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadCloudOptions>();
-    StageResult result;
+    pipeline::StageResult result;
     auto reading = read_cloud(o.file, o, run);
     if (auto advice = memory_advice(reading.cloud.size(), available_memory_bytes()); !advice.empty())
       reading.report.warn(std::move(advice));
@@ -108,7 +108,7 @@ StageType read_cloud_stage() {
   return type;
 }
 
-StageType read_table_stage() {
+pipeline::StageType read_table_stage() {
   static const OptionTable table = make_option_table<ReadTableOptions>(
       {Option<ReadTableOptions, std::string>{"file",
                                              &ReadTableOptions::file,
@@ -116,7 +116,7 @@ StageType read_table_stage() {
                                              {},
                                              Tier::basic,
                                              "Table to read: CSV with a header line."}});
-  StageType type;
+  pipeline::StageType type;
   type.name = "io.read_table";
   type.title = "Read a table";
   type.help =
@@ -126,7 +126,7 @@ StageType read_table_stage() {
   type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
-    StageResult result;
+    pipeline::StageResult result;
     auto read = read_table(options.as<ReadTableOptions>().file, run);
     result.report.counts["rows"] = static_cast<std::int64_t>(read.rows());
     result.report.counts["columns"] = static_cast<std::int64_t>(read.columns().size());
@@ -138,10 +138,10 @@ StageType read_table_stage() {
   return type;
 }
 
-StageType read_track_stage() {
+pipeline::StageType read_track_stage() {
   static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(
       "Track to read: the NMEA log of a receiver, CSV with named columns, or columns of numbers.");
-  StageType type;
+  pipeline::StageType type;
   type.name = "io.read_track";
   type.title = "Read a track";
   type.help =
@@ -155,7 +155,7 @@ StageType read_track_stage() {
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadTrackOptions>();
-    StageResult result;
+    pipeline::StageResult result;
     auto track = read_track(o.file, o, run);
     result.outputs.set("track", std::move(track.table));
     result.report = std::move(track.report);
@@ -164,7 +164,7 @@ StageType read_track_stage() {
   return type;
 }
 
-StageType read_trajectory_stage() {
+pipeline::StageType read_trajectory_stage() {
   using S = ReadTrajectoryOptions;
   static const OptionTable table = make_option_table<S>({
       Option<S, std::string>{"file",
@@ -186,7 +186,7 @@ StageType read_trajectory_stage() {
                              Tier::advanced,
                              "Axes that the poses are in."},
   });
-  StageType type;
+  pipeline::StageType type;
   type.name = "io.read_trajectory";
   type.title = "Read a trajectory";
   type.help =
@@ -197,7 +197,7 @@ StageType read_trajectory_stage() {
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run&) {
     const auto& o = options.as<S>();
-    StageResult result;
+    pipeline::StageResult result;
     auto trajectory = read_trajectory(o.file, o.format);
     trajectory.axes = axes_from_name(o.axes);
     result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
@@ -211,7 +211,7 @@ StageType read_trajectory_stage() {
 
 }  // namespace
 
-void register_io_stages(StageRegistry& registry) {
+void register_stages(pipeline::StageRegistry& registry) {
   registry.add(read_scan());
   registry.add(read_cloud_stage());
   registry.add(read_table_stage());
@@ -219,4 +219,4 @@ void register_io_stages(StageRegistry& registry) {
   registry.add(read_trajectory_stage());
 }
 
-}  // namespace bole
+}  // namespace bole::io

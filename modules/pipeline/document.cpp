@@ -8,7 +8,7 @@
 
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using nlohmann::ordered_json;
@@ -210,4 +210,4 @@ std::string PipelineDocument::to_json() const {
   return root.dump(2) + "\n";
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -14,7 +14,7 @@
 
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::pipeline {
 
 // One stage of a document. `inputs` joins a port of this stage to "id.port" of another.
 struct StageNode {
@@ -80,4 +80,4 @@ struct Problem {
 };
 std::vector<Problem> validate(const PipelineDocument& document);
 
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -8,7 +8,7 @@
 #include "base/markup.h"
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
@@ -51,9 +51,10 @@ std::string text_domain(const OptionSpec& spec) {
 }
 
 std::string option_property(const OptionSpec& spec) {
-  const bool is_bool = std::holds_alternative<bool>(spec.default_value);
-  const bool is_number = std::holds_alternative<double>(spec.default_value);
-  const bool is_text = std::holds_alternative<std::string>(spec.default_value);
+  // One that may be left open is a text there: the word for that, or the value.
+  const bool is_text = spec.kind == ValueKind::text || !spec.unset.empty();
+  const bool is_bool = !is_text && spec.kind == ValueKind::boolean;
+  const bool is_number = spec.kind == ValueKind::number;
   const std::string element = is_text     ? "StringVectorProperty"
                               : is_number ? "DoubleVectorProperty"
                                           : "IntVectorProperty";
@@ -130,4 +131,4 @@ std::string paraview_xml(const StageRegistry& registry) {
          "  </ProxyGroup>\n</ServerManagerConfiguration>\n";
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

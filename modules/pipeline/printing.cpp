@@ -9,7 +9,7 @@
 
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using nlohmann::ordered_json;
@@ -24,8 +24,9 @@ std::string range_text(const OptionSpec& spec) {
     for (const auto& c : spec.choices) list += (list.empty() ? "" : ", ") + c;
     return list;
   }
-  if (std::isinf(spec.min) && std::isinf(spec.max)) return "";
-  return limit_text(spec, spec.min) + " to " + limit_text(spec, spec.max);
+  const auto or_unset = spec.unset.empty() ? std::string{} : ", or " + spec.unset;
+  if (std::isinf(spec.min) && std::isinf(spec.max)) return or_unset.empty() ? "" : or_unset.substr(2);
+  return limit_text(spec, spec.min) + " to " + limit_text(spec, spec.max) + or_unset;
 }
 
 std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
@@ -74,24 +75,30 @@ ordered_json option_schema(const OptionSpec& o) {
   ordered_json s{
       {"description", o.full_help() + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))},
       {"default", json_value(o.default_value)}};
-  switch (o.default_value.index()) {
-    case 0:
-      s["type"] = "boolean";
+  ordered_json value = ordered_json::object();
+  switch (o.kind) {
+    case ValueKind::boolean:
+      value["type"] = "boolean";
       break;
-    case 1:
-      s["type"] = "integer";
+    case ValueKind::integer:
+      value["type"] = "integer";
       break;
-    case 2:
-      s["type"] = "number";
+    case ValueKind::number:
+      value["type"] = "number";
       break;
-    default:
+    case ValueKind::text:
       if (o.text_kind == TextKind::choice)
-        s["enum"] = o.choices;
+        value["enum"] = o.choices;
       else if (o.text_kind != TextKind::json)
-        s["type"] = "string";
+        value["type"] = "string";
   }
-  if (std::isfinite(o.min)) s["minimum"] = o.min;
-  if (std::isfinite(o.max)) s["maximum"] = o.max;
+  if (std::isfinite(o.min)) value["minimum"] = o.min;
+  if (std::isfinite(o.max)) value["maximum"] = o.max;
+  const bool open_number = !o.unset.empty() && o.kind != ValueKind::text;
+  if (open_number)
+    s["anyOf"] = {value, {{"const", o.unset}}};
+  else
+    s.update(value);
   return s;
 }
 
@@ -214,4 +221,4 @@ std::string options_text(const OptionTable& table) {
   return text;
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

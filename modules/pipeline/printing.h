@@ -5,7 +5,7 @@
 
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::pipeline {
 
 // The manual page of a stage (docs/stages/<type>.md).
 std::string stage_markdown(const StageType& type);
@@ -20,4 +20,4 @@ std::string document_schema(const StageRegistry& registry);
 // A table of options for the terminal.
 std::string options_text(const OptionTable& table);
 
-}  // namespace bole
+}  // namespace bole::pipeline

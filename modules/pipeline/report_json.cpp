@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using nlohmann::ordered_json;
@@ -61,4 +61,4 @@ Report report_from_json(const ordered_json& j) {
   return report;
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

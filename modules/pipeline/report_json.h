@@ -6,7 +6,7 @@
 #include "base/report.h"
 #include "base/run.h"
 
-namespace bole {
+namespace bole::pipeline {
 
 std::string_view status_name(Status status);  // "ok", "finished_early", "warning"
 
@@ -14,4 +14,4 @@ nlohmann::ordered_json report_to_json(const Report& report);
 // Throws nlohmann::json::exception or Error when the text is not one that report_to_json() made.
 Report report_from_json(const nlohmann::ordered_json& json);
 
-}  // namespace bole
+}  // namespace bole::pipeline

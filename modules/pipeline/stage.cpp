@@ -5,7 +5,7 @@
 #include "base/memory.h"
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 const Port* find_port(const std::vector<Port>& ports, std::string_view name) {
@@ -61,8 +61,11 @@ StageRegistry& StageRegistry::global() {
 
 void StageRegistry::add(StageType type) {
   const auto name = type.name;
-  types_.try_emplace(name, std::make_unique<StageType>(std::move(type)));
+  if (!types_.try_emplace(name, std::make_unique<StageType>(std::move(type))).second)
+    throw failure("there are two stage types '" + name + "'", "a name of its own for each");
 }
+
+bool StageRegistry::first_time(std::string_view module) { return modules_.emplace(module).second; }
 
 const StageType* StageRegistry::find(std::string_view name) const {
   const auto it = types_.find(name);
@@ -83,4 +86,4 @@ std::vector<const StageType*> StageRegistry::all() const {
   return list;
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

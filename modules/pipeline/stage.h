@@ -2,6 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,7 +13,7 @@
 #include "base/run.h"
 #include "cloud/data.h"
 
-namespace bole {
+namespace bole::pipeline {
 
 struct Port {
   std::string name;
@@ -36,6 +39,8 @@ struct StageType {
   std::vector<Port> outputs;
   const OptionTable* options = nullptr;
   bool writes_files = false;  // a sink: writes into Run::output_dir
+  // The options with everything filled in that a run fills in ("as the preset says"); null: they are complete as given.
+  std::function<OptionSet(const OptionSet& options)> in_force;
   std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;
 
   const Port* input(std::string_view port) const;
@@ -51,14 +56,17 @@ class StageRegistry {
   // The registry that documents, programs and VTK objects use.
   static StageRegistry& global();
 
-  // Adding a type again under the same name is ignored, so that modules may register from several doors.
+  // Throws Error{failed} when there is a type of that name already.
   void add(StageType type);
+  // True the first time it is asked with this word: a module may be registered from several doors, but once.
+  bool first_time(std::string_view module);
   const StageType* find(std::string_view name) const;
   const StageType& at(std::string_view name) const;  // throws Error{bad_input} with the nearest names
   std::vector<const StageType*> all() const;         // by name
 
  private:
   std::map<std::string, std::unique_ptr<StageType>, std::less<>> types_;
+  std::set<std::string, std::less<>> modules_;
 };
 
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -4,7 +4,7 @@
 
 #include "base/option_text.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 // Arrays that the cloud at a port is known to carry: what its stage adds, and what came in with the cloud it passes on.
@@ -137,4 +137,4 @@ std::vector<Problem> validate(const PipelineDocument& document) {
   return problems;
 }
 
-}  // namespace bole
+}  // namespace bole::pipeline

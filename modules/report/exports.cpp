@@ -1,15 +1,15 @@
 #include "report/exports.h"
 
 #include "base/atomic_file.h"
-#include "io/core/gdal_writer.h"
-#include "io/core/las_writer.h"
-#include "io/core/table_file.h"
-#include "io/core/trajectory_file.h"
+#include "io/core/gdal/gdal_writer.h"
+#include "io/core/las/las_writer.h"
+#include "io/core/tables/table_file.h"
+#include "io/core/tables/trajectory_file.h"
 #include "report/stem_mesh.h"
 #include "report/table_decimals.h"
 #include "report/workbook.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outline) {
@@ -18,36 +18,36 @@ std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outlin
   return points;
 }
 
-VectorLayer boundary_layer(const PlotArea& area, const std::string& crs_wkt) {
-  VectorLayer layer{"plot", GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt};
+io::VectorLayer boundary_layer(const PlotArea& area, const std::string& crs_wkt) {
+  io::VectorLayer layer{"plot", io::GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt};
   layer.attributes.set("area_m2", std::vector<double>{area.area_m2()});
   return layer;
 }
 
-VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt) {
+io::VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_wkt) {
   constexpr double step_m = 0.05;  // enough for a plan; trajectory.tum has all
   std::vector<Eigen::Vector3d> line;
   for (const auto& pose : trajectory.poses)
     if (const Eigen::Vector3d p = pose.T_target_sensor.translation();
         line.empty() || (p - line.back()).norm() >= step_m)
       line.push_back(p);
-  VectorLayer layer{"trajectory", GeometryKind::line, {std::move(line)}, {}, crs_wkt};
+  io::VectorLayer layer{"trajectory", io::GeometryKind::line, {std::move(line)}, {}, crs_wkt};
   layer.attributes.set("length_m", std::vector<double>{trajectory.length_m()});
   return layer;
 }
 
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   const std::string crs = d.crs_wkt();
-  std::vector<VectorLayer> layers{point_layer("stems", *d.stems, crs)};
+  std::vector<io::VectorLayer> layers{io::point_layer("stems", *d.stems, crs)};
   const auto add_points = [&](const char* name, const Table* table) {
-    if (table != nullptr && table->rows() > 0) layers.push_back(point_layer(name, *table, crs));
+    if (table != nullptr && table->rows() > 0) layers.push_back(io::point_layer(name, *table, crs));
   };
   add_points("targets", d.targets);
   add_points("rejected", d.rejected);
   add_points("sections", d.sections);
   if (!d.rule.area.outline().empty()) layers.push_back(boundary_layer(d.rule.area, crs));
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
-  write_geopackage(path, layers);
+  io::write_geopackage(path, layers);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   const auto add_table = [&](const char* file, const Table* table) {
     if (o.tables && table != nullptr)
       exports.push_back(
-          {file, [table](const auto& path, const Run&, Report&) { write_table(path, *table, table_decimals()); }});
+          {file, [table](const auto& path, const Run&, Report&) { io::write_table(path, *table, table_decimals()); }});
   };
   add_table("stems.csv", d.stems);
   add_table("sections.csv", d.sections);
@@ -69,10 +69,10 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
-        {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { write_tum(path, *d.trajectory); }});
+        {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.trajectory); }});
   const auto add_raster = [&](const char* file, const Raster* raster) {
     if (o.tables && raster != nullptr)
-      exports.push_back({file, [raster](const auto& path, const Run&, Report&) { write_geotiff(path, *raster); }});
+      exports.push_back({file, [raster](const auto& path, const Run&, Report&) { io::write_geotiff(path, *raster); }});
   };
   add_raster("dem.tif", d.dem);
   add_raster("slope.tif", d.slope);
@@ -84,11 +84,11 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
   if (o.tables && d.stems->rows() > 0) {
     exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
-                         write_geojson(path, point_layer("stems", *d.stems, d.crs_wkt()));
+                         io::write_geojson(path, io::point_layer("stems", *d.stems, d.crs_wkt()));
                        }});
-    const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<StemShape>&)) {
+    const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<render::StemShape>&)) {
       exports.push_back({file, [&d, text](const auto& path, const Run&, Report&) {
-                           write_text_file(path, text(stem_shapes(d.kept_stems(), d.sections)));
+                           write_text_file(path, text(render::stem_shapes(d.kept_stems(), d.sections)));
                          }});
     };
     add_shapes("stems.obj", stems_obj);
@@ -98,9 +98,9 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   }
   if (o.cloud && d.points != nullptr)
     exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) {
-                         write_las(path, *d.points, {}, run, &report);
+                         io::write_las(path, *d.points, {}, run, &report);
                        }});
   return exports;
 }
 
-}  // namespace bole
+}  // namespace bole::report

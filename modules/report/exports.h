@@ -10,7 +10,7 @@
 #include "report/report_options.h"
 #include "report/survey_data.h"
 
-namespace bole {
+namespace bole::report {
 
 struct Export {
   std::string file;  // name within the output folder
@@ -20,4 +20,4 @@ struct Export {
 // Those that the connected inputs and the options allow. `data` must outlive them.
 std::vector<Export> survey_exports(const SurveyData& data, const ReportOptions& options);
 
-}  // namespace bole
+}  // namespace bole::report

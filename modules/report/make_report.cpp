@@ -18,7 +18,7 @@
 #include "report/exports.h"
 #include "report/survey_figures.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a screen, small enough to mail
@@ -28,7 +28,7 @@ class Writer {
   Writer(const DataSet& inputs, const ReportOptions& options, const Run& run)
       : data_(survey_data(inputs)), o_(options), run_(run) {}
 
-  StageResult write() {
+  pipeline::StageResult write() {
     write_exports(run_.part(0, 0.3));
     if (o_.figures) write_figures(run_.part(0.3, 0.95));
     if (o_.page) attempt("report.html", [&] { write_page(); });
@@ -74,7 +74,7 @@ class Writer {
     bool can_render = true;
     if (data_.points != nullptr) {
       try {
-        use_backend(backend_from_name(o_.backend));
+        render::use_backend(render::backend_from_name(o_.backend));
       } catch (const Error& e) {
         can_render = false;
         result_.report.warn(std::string("no 3-D maps: ") + e.what());
@@ -93,24 +93,24 @@ class Writer {
     }
   }
 
-  void save(const Figure& figure, const FigurePlan& plan) {
+  void save(const render::Figure& figure, const FigurePlan& plan) {
     run_.check_cancel();
     const auto path = run_.output_dir / "figures" / figure.name;
     const auto put = [&](const char* ending, const std::string& bytes) {
       write_text_file(path.string() + ending, bytes);
       files_.push_back("figures/" + figure.name + ending);
     };
-    const std::string png = figure_png(figure, plan.dpi > 0 ? plan.dpi : o_.dpi);
+    const std::string png = render::figure_png(figure, plan.dpi > 0 ? plan.dpi : o_.dpi);
     put(".png", png);
     std::string svg;
-    if (figure.vector && (o_.vector_figures || (o_.page && !plan.picture))) svg = figure_svg(figure);
-    if (figure.vector && o_.vector_figures) put(".svg", svg), put(".pdf", figure_pdf(figure));
+    if (figure.vector && (o_.vector_figures || (o_.page && !plan.picture))) svg = render::figure_svg(figure);
+    if (figure.vector && o_.vector_figures) put(".svg", svg), put(".pdf", render::figure_pdf(figure));
     if (!o_.page || !plan.on_page) return;
     const bool as_vector = figure.vector && !plan.picture;
     pictures_.push_back({figure.title, figure.caption, as_vector ? "image/svg+xml" : "image/png",
                          as_vector            ? svg
                          : o_.dpi <= page_dpi ? png
-                                              : figure_png(figure, page_dpi),
+                                              : render::figure_png(figure, page_dpi),
                          plan.wide});
   }
 
@@ -162,17 +162,17 @@ class Writer {
   SurveyData data_;
   const ReportOptions& o_;
   const Run& run_;
-  StageResult result_;
+  pipeline::StageResult result_;
   std::vector<std::string> files_;
   std::vector<ReportPicture> pictures_;
 };
 
 }  // namespace
 
-StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run) {
+pipeline::StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
   return Writer(inputs, options, run).write();
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -4,13 +4,13 @@
 #include "pipeline/stage.h"
 #include "report/report_options.h"
 
-namespace bole {
+namespace bole::report {
 
 // Writes data files, figures and report.html into run.output_dir. What cannot be written or drawn is listed in the
 // warnings of the report and does not end the run. Throws Error{bad_input} without an output folder, Error{cancelled}.
-StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run);
+pipeline::StageResult make_report(const DataSet& inputs, const ReportOptions& options, const Run& run);
 
 // Adds the stages report.plot and report.rows.
-void register_report_stages(StageRegistry& registry);
+void register_stages(pipeline::StageRegistry& registry);
 
-}  // namespace bole
+}  // namespace bole::report

@@ -1,6 +1,6 @@
 #include "report/report_options.h"
 
-namespace bole {
+namespace bole::report {
 
 const OptionTable& option_table(const ReportOptions*) {
   using S = ReportOptions;
@@ -54,4 +54,4 @@ const OptionTable& option_table(const ReportOptions*) {
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -6,7 +6,7 @@
 #include "base/option.h"
 #include "report/core/stand_values.h"
 
-namespace bole {
+namespace bole::report {
 
 struct ReportOptions {
   std::string title = "Forest plot survey";
@@ -26,4 +26,4 @@ struct ReportOptions {
 
 const OptionTable& option_table(const ReportOptions*);
 
-}  // namespace bole
+}  // namespace bole::report

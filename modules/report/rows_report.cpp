@@ -6,13 +6,13 @@
 #include <map>
 
 #include "base/atomic_file.h"
-#include "io/core/gdal_writer.h"
-#include "io/core/table_file.h"
+#include "io/core/gdal/gdal_writer.h"
+#include "io/core/tables/table_file.h"
 #include "render/charts/row_map.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 
-namespace bole {
+namespace bole::report {
 
 const OptionTable& option_table(const RowsReportOptions*) {
   using S = RowsReportOptions;
@@ -29,12 +29,12 @@ const OptionTable& option_table(const RowsReportOptions*) {
 namespace {
 
 // Tenths of a millimetre and thousandths of a degree.
-const Decimals& decimals() {
-  static const Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
-                          {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
-                          {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
-                          {"to_next_m", 4},    {"length_m", 3},     {"rms_m", 4},     {"sagitta_m", 3},
-                          {"across_m", 4}};
+const io::Decimals& decimals() {
+  static const io::Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
+                              {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
+                              {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
+                              {"to_next_m", 4},    {"length_m", 3},     {"rms_m", 4},     {"sagitta_m", 3},
+                              {"across_m", 4}};
   return d;
 }
 
@@ -44,8 +44,8 @@ std::string fact(const Table& table, const std::string& name) {
 }
 
 // Guidance lines with the attributes of their rows, in the order of `lines`.
-VectorLayer guidance_layer(const Table& rows, const Table& lines, const std::string& crs) {
-  VectorLayer layer{"rows", GeometryKind::line, {}, {}, crs};
+io::VectorLayer guidance_layer(const Table& rows, const Table& lines, const std::string& crs) {
+  io::VectorLayer layer{"rows", io::GeometryKind::line, {}, {}, crs};
   const auto x = lines.numbers("x_m"), y = lines.numbers("y_m");
   std::map<std::string, std::size_t> row_of;
   for (std::size_t i = 0; i < rows.rows(); ++i) row_of[rows.text("row_id", i)] = i;
@@ -61,8 +61,8 @@ VectorLayer guidance_layer(const Table& rows, const Table& lines, const std::str
 }
 
 // A-B lines: from the first end of the row to the last.
-VectorLayer ab_layer(const Table& rows, const std::string& crs) {
-  VectorLayer layer{"ab_lines", GeometryKind::line, {}, {}, crs};
+io::VectorLayer ab_layer(const Table& rows, const std::string& crs) {
+  io::VectorLayer layer{"ab_lines", io::GeometryKind::line, {}, {}, crs};
   const auto x0 = rows.numbers("x0_m"), y0 = rows.numbers("y0_m"), x1 = rows.numbers("x1_m"), y1 = rows.numbers("y1_m");
   std::vector<std::size_t> picked;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
@@ -88,21 +88,22 @@ class Writer {
         o_(options),
         run_(run) {}
 
-  StageResult write() {
-    attempt("rows.csv", [&](const auto& path) { write_table(path, rows_, decimals()); });
-    attempt("plants.csv", [&](const auto& path) { write_table(path, plants_, decimals()); });
-    if (strays_ != nullptr) attempt("strays.csv", [&](const auto& path) { write_table(path, *strays_, decimals()); });
+  pipeline::StageResult write() {
+    attempt("rows.csv", [&](const auto& path) { io::write_table(path, rows_, decimals()); });
+    attempt("plants.csv", [&](const auto& path) { io::write_table(path, plants_, decimals()); });
+    if (strays_ != nullptr)
+      attempt("strays.csv", [&](const auto& path) { io::write_table(path, *strays_, decimals()); });
     if (edits_ != nullptr && edits_->rows() > 0)
-      attempt("edits.csv", [&](const auto& path) { write_table(path, *edits_, decimals()); });
+      attempt("edits.csv", [&](const auto& path) { io::write_table(path, *edits_, decimals()); });
     const std::string crs = fact(rows_, "crs");
     const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
     attempt("rows.gpkg", [&](const auto& path) {
-      std::vector<VectorLayer> layers{guidance, ab, point_layer("plants", plants_, crs)};
-      if (strays_ != nullptr && strays_->rows() > 0) layers.push_back(point_layer("strays", *strays_, crs));
-      write_geopackage(path, layers);
+      std::vector<io::VectorLayer> layers{guidance, ab, io::point_layer("plants", plants_, crs)};
+      if (strays_ != nullptr && strays_->rows() > 0) layers.push_back(io::point_layer("strays", *strays_, crs));
+      io::write_geopackage(path, layers);
     });
-    attempt("rows.geojson", [&](const auto& path) { write_geojson(path, guidance); });
-    attempt("ab_lines.geojson", [&](const auto& path) { write_geojson(path, ab); });
+    attempt("rows.geojson", [&](const auto& path) { io::write_geojson(path, guidance); });
+    attempt("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, ab); });
     if (o_.figures) draw();
     write_page();
     auto& r = result_.report;
@@ -126,11 +127,12 @@ class Writer {
   void draw() {
     const auto axes = fact(rows_, "axes");
     const bool north_known = axes.empty() || axes == "plot" || axes == "global";
-    const auto figure = row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width);
-    attempt("figures/row_map.png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
-    attempt("figures/row_map.svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
-    attempt("figures/row_map.pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
-    page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", figure_svg(figure), true});
+    const auto figure = render::row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width);
+    attempt("figures/row_map.png",
+            [&](const auto& path) { write_text_file(path, render::figure_png(figure, o_.dpi)); });
+    attempt("figures/row_map.svg", [&](const auto& path) { write_text_file(path, render::figure_svg(figure)); });
+    attempt("figures/row_map.pdf", [&](const auto& path) { write_text_file(path, render::figure_pdf(figure)); });
+    page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", render::figure_svg(figure), true});
   }
 
   void write_page() {
@@ -193,21 +195,21 @@ class Writer {
   const Table *strays_, *edits_;
   const RowsReportOptions& o_;
   const Run& run_;
-  StageResult result_;
+  pipeline::StageResult result_;
   SimplePage page_;
   std::int64_t files_ = 0;
 };
 
 }  // namespace
 
-StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run) {
+pipeline::StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder to write the rows into", "an output folder", "Give --out DIR");
   return Writer(inputs, options, run).write();
 }
 
-StageType rows_report_stage() {
-  StageType type;
+pipeline::StageType rows_report_stage() {
+  pipeline::StageType type;
   type.name = "report.rows";
   type.title = "Write the rows";
   type.help =
@@ -228,4 +230,4 @@ StageType rows_report_stage() {
   return type;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -3,7 +3,7 @@
 
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::report {
 
 struct RowsReportOptions {
   bool figures = true;
@@ -16,8 +16,8 @@ const OptionTable& option_table(const RowsReportOptions*);
 // Writes rows.csv, plants.csv, strays.csv, edits.csv, rows.gpkg, rows.geojson, ab_lines.geojson, the row map and
 // report.html into run.output_dir. What cannot be written becomes a warning. Throws Error{bad_input} without an output
 // folder, Error{cancelled}.
-StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run);
+pipeline::StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run);
 
-StageType rows_report_stage();
+pipeline::StageType rows_report_stage();
 
-}  // namespace bole
+}  // namespace bole::report

@@ -4,10 +4,11 @@
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 
-namespace bole {
+namespace bole::report {
 
-void register_report_stages(StageRegistry& registry) {
-  StageType type;
+void register_stages(pipeline::StageRegistry& registry) {
+  if (!registry.first_time("report")) return;
+  pipeline::StageType type;
   type.name = "report.plot";
   type.version = 2;
   type.title = "Write the report";
@@ -49,4 +50,4 @@ void register_report_stages(StageRegistry& registry) {
   registry.add(steering_report_stage());
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -8,12 +8,12 @@
 #include <memory>
 
 #include "base/atomic_file.h"
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 #include "render/charts/steering_charts.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 
-namespace bole {
+namespace bole::report {
 
 const OptionTable& option_table(const SteeringReportOptions*) {
   using S = SteeringReportOptions;
@@ -42,8 +42,8 @@ constexpr std::array<File, 6> files{{
 }};
 
 // Hundredths of a millimetre are more than any receiver knows.
-Decimals decimals_of(const Table& table) {
-  Decimals d;
+io::Decimals decimals_of(const Table& table) {
+  io::Decimals d;
   for (const auto& column : table.columns())
     if (column.name.ends_with("_m") || column.name == "time_s") d[column.name] = 5;
   return d;
@@ -89,12 +89,12 @@ class Writer {
   Writer(const DataSet& inputs, const SteeringReportOptions& options, const Run& run)
       : inputs_(inputs), o_(options), run_(run) {}
 
-  StageResult write() {
+  pipeline::StageResult write() {
     for (const auto& file : files)
       if (inputs_.has(file.port))
         attempt(file.name, [&](const auto& path) {
           const auto& table = inputs_.table(file.port);
-          write_table(path, table, decimals_of(table));
+          io::write_table(path, table, decimals_of(table));
         });
     if (o_.figures && inputs_.has("errors")) draw();
     if (written_ == 0 && result_.report.warnings.empty())
@@ -120,14 +120,14 @@ class Writer {
 
   void draw() {
     const auto& errors = inputs_.table("errors");
-    std::vector<Figure> figures{tracking_error_curves(errors, o_.figure_width)};
-    if (has_numbers(errors, "adjacent_m")) figures.push_back(adjacent_error_curves(errors, o_.figure_width));
+    std::vector<render::Figure> figures{render::tracking_error_curves(errors, o_.figure_width)};
+    if (has_numbers(errors, "adjacent_m")) figures.push_back(render::adjacent_error_curves(errors, o_.figure_width));
     for (const auto& figure : figures) {
       const auto stem = "figures/" + figure.name;
-      attempt(stem + ".png", [&](const auto& path) { write_text_file(path, figure_png(figure, o_.dpi)); });
-      attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, figure_svg(figure)); });
-      attempt(stem + ".pdf", [&](const auto& path) { write_text_file(path, figure_pdf(figure)); });
-      page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", figure_svg(figure), true});
+      attempt(stem + ".png", [&](const auto& path) { write_text_file(path, render::figure_png(figure, o_.dpi)); });
+      attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, render::figure_svg(figure)); });
+      attempt(stem + ".pdf", [&](const auto& path) { write_text_file(path, render::figure_pdf(figure)); });
+      page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", render::figure_svg(figure), true});
     }
   }
 
@@ -197,7 +197,7 @@ class Writer {
   const DataSet& inputs_;
   const SteeringReportOptions& o_;
   const Run& run_;
-  StageResult result_;
+  pipeline::StageResult result_;
   SimplePage page_;
   std::vector<std::unique_ptr<Table>> tables_;  // those of the page
   std::int64_t written_ = 0;
@@ -205,14 +205,15 @@ class Writer {
 
 }  // namespace
 
-StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options, const Run& run) {
+pipeline::StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options,
+                                            const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
   return Writer(inputs, options, run).write();
 }
 
-StageType steering_report_stage() {
-  StageType type;
+pipeline::StageType steering_report_stage() {
+  pipeline::StageType type;
   type.name = "report.steering";
   type.title = "Write the steering test";
   type.help =
@@ -229,4 +230,4 @@ StageType steering_report_stage() {
   return type;
 }
 
-}  // namespace bole
+}  // namespace bole::report

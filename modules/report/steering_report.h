@@ -3,7 +3,7 @@
 
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::report {
 
 struct SteeringReportOptions {
   bool figures = true;
@@ -16,8 +16,9 @@ const OptionTable& option_table(const SteeringReportOptions*);
 // Writes what is connected: steering_summary.csv, steering_passes.csv, steering_errors.csv, steering_log.csv,
 // steering_gains.csv, steering_tuning.csv, the error curves and report.html, into run.output_dir. What cannot be
 // written becomes a warning. Throws Error{bad_input} without an output folder or anything to write, Error{cancelled}.
-StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options, const Run& run);
+pipeline::StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options,
+                                            const Run& run);
 
-StageType steering_report_stage();
+pipeline::StageType steering_report_stage();
 
-}  // namespace bole
+}  // namespace bole::report

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr int sides = 24;
@@ -18,7 +18,7 @@ struct Tube {
   std::vector<std::vector<std::size_t>> faces;  // indices into points, seen from outside counter-clockwise
 };
 
-Tube tube_of(const StemShape& s) {
+Tube tube_of(const render::StemShape& s) {
   Tube t;
   t.tree_id = s.tree_id;
   const Eigen::Vector3d up = (s.axis.back() - s.axis.front()).normalized();
@@ -39,7 +39,7 @@ Tube tube_of(const StemShape& s) {
   return t;
 }
 
-std::vector<Tube> tubes_of(const std::vector<StemShape>& stems) {
+std::vector<Tube> tubes_of(const std::vector<render::StemShape>& stems) {
   std::vector<Tube> tubes;
   for (const auto& s : stems)
     if (s.axis.size() >= 2) tubes.push_back(tube_of(s));
@@ -77,7 +77,7 @@ std::string vtp(const Cells& c, bool lines, const std::string& point_data) {
 
 }  // namespace
 
-std::string stems_obj(const std::vector<StemShape>& stems) {
+std::string stems_obj(const std::vector<render::StemShape>& stems) {
   std::string text = "# stems as tapered tubes, metres\n";
   std::size_t first = 1;  // OBJ counts from one
   for (const auto& t : tubes_of(stems)) {
@@ -93,7 +93,7 @@ std::string stems_obj(const std::vector<StemShape>& stems) {
   return text;
 }
 
-std::string stems_ply(const std::vector<StemShape>& stems) {
+std::string stems_ply(const std::vector<render::StemShape>& stems) {
   std::string points, faces;
   std::size_t first = 0, count = 0;
   for (const auto& t : tubes_of(stems)) {
@@ -113,7 +113,7 @@ std::string stems_ply(const std::vector<StemShape>& stems) {
          points + faces;
 }
 
-std::string stems_vtp(const std::vector<StemShape>& stems) {
+std::string stems_vtp(const std::vector<render::StemShape>& stems) {
   Cells c;
   for (const auto& t : tubes_of(stems)) {
     for (const auto& p : t.points) add_point(c.points, p);
@@ -123,7 +123,7 @@ std::string stems_vtp(const std::vector<StemShape>& stems) {
   return vtp(c, false, "");
 }
 
-std::string stem_curves_vtp(const std::vector<StemShape>& stems) {
+std::string stem_curves_vtp(const std::vector<render::StemShape>& stems) {
   Cells c;
   std::string radii;
   for (const auto& s : stems) {
@@ -141,4 +141,4 @@ std::string stem_curves_vtp(const std::vector<StemShape>& stems) {
                  radii + "\n</DataArray>\n</PointData>\n");
 }
 
-}  // namespace bole
+}  // namespace bole::report

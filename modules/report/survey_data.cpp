@@ -4,7 +4,7 @@
 
 #include "report/core/plot_metrics.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 template <class T>
@@ -74,4 +74,4 @@ SurveyData survey_data(const DataSet& inputs) {
   return data;
 }
 
-}  // namespace bole
+}  // namespace bole::report

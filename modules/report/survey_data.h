@@ -6,7 +6,7 @@
 #include "cloud/data.h"
 #include "cloud/plot_area.h"
 
-namespace bole {
+namespace bole::report {
 
 // A null pointer where an input is not connected.
 struct SurveyData {
@@ -39,4 +39,4 @@ struct SurveyData {
 
 SurveyData survey_data(const DataSet& inputs);
 
-}  // namespace bole
+}  // namespace bole::report

@@ -11,7 +11,7 @@
 #include "render/scene/map_figure.h"
 #include "report/core/plot_metrics.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_per_inch = 25.4;
@@ -25,9 +25,9 @@ class MapSource {
         budget_(static_cast<std::size_t>(o.point_budget)),
         run_(run) {}
 
-  const MapData& data() {
+  const render::MapData& data() {
     if (data_.chosen == nullptr) {
-      chosen_ = choose_map_points(data_, budget_, run_);
+      chosen_ = render::choose_map_points(data_, budget_, run_);
       data_.chosen = &chosen_;
     }
     run_.check_cancel();
@@ -36,30 +36,34 @@ class MapSource {
 
  private:
   Table stems_;
-  MapData data_;
+  render::MapData data_;
   std::size_t budget_;
   const Run& run_;
-  MapPoints chosen_;
+  render::MapPoints chosen_;
 };
 
 void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::vector<FigurePlan>& plans) {
   const auto source = std::make_shared<MapSource>(d, o, run);
-  const auto add = [&](const char* name, PointColor color, MapView view) {
-    MapOptions map;
+  const auto add = [&](const char* name, render::PointColor color, render::MapView view) {
+    render::MapOptions map;
     map.color = color, map.view = view, map.dpi = o.dpi, map.point_budget = static_cast<std::size_t>(o.point_budget);
-    plans.push_back(
-        {name,
-         [source, map, width = o.figure_width] { return std::vector<Figure>{map_figure(source->data(), map, width)}; },
-         true, true, map_share});
+    plans.push_back({name,
+                     [source, map, width = o.figure_width] {
+                       return std::vector<render::Figure>{render::map_figure(source->data(), map, width)};
+                     },
+                     true, true, map_share});
   };
-  add("map by height", PointColor::height, MapView::oblique);
-  if (d.points->has(arrays::tree_id)) add("map by tree", PointColor::tree, MapView::oblique);
-  if (d.points->has(arrays::intensity)) add("map by intensity", PointColor::intensity, MapView::oblique);
-  add("map from above", PointColor::height, MapView::top);
+  add("map by height", render::PointColor::height, render::MapView::oblique);
+  if (d.points->has(arrays::tree_id)) add("map by tree", render::PointColor::tree, render::MapView::oblique);
+  if (d.points->has(arrays::intensity))
+    add("map by intensity", render::PointColor::intensity, render::MapView::oblique);
+  add("map from above", render::PointColor::height, render::MapView::top);
   if (!o.hero) return;
   constexpr double dpi = hero_width_px / hero_width_mm * mm_per_inch;
-  plans.push_back({"hero", [source] { return std::vector<Figure>{hero_figure(source->data(), hero_width_mm, dpi)}; },
-                   true, true, map_share, false, dpi});
+  plans.push_back(
+      {"hero",
+       [source] { return std::vector<render::Figure>{render::hero_figure(source->data(), hero_width_mm, dpi)}; }, true,
+       true, map_share, false, dpi});
 }
 
 bool has_matches(const SurveyData& d) {
@@ -87,37 +91,38 @@ Table stems_inside(const SurveyData& d) {
 std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions& o, const Run& run) {
   std::vector<FigurePlan> plans;
   const double wide = o.figure_width, half = 0.47 * o.figure_width;
-  const auto add = [&](const char* name, bool is_wide, std::function<Figure()> make) {
-    plans.push_back({name, [make = std::move(make)] { return std::vector<Figure>{make()}; }, is_wide, false, 1});
+  const auto add = [&](const char* name, bool is_wide, std::function<render::Figure()> make) {
+    plans.push_back(
+        {name, [make = std::move(make)] { return std::vector<render::Figure>{make()}; }, is_wide, false, 1});
   };
   const bool has_stems = d.kept_stems().rows() > 0;
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
     add("stem map", true, [&d, wide] {
       const Table stems = d.kept_stems();
-      return stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
+      return render::stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
     });
     add("diameter distribution", false, [&d, half, width = o.class_width] {
-      return dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
+      return render::dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
     });
   }
   if (has_matches(d)) {
-    add("estimated against reference diameter", false, [&d, half] { return dbh_scatter(*d.matches, half); });
+    add("estimated against reference diameter", false, [&d, half] { return render::dbh_scatter(*d.matches, half); });
     add("diameter errors", false,
-        [&d, half, width = o.class_width] { return dbh_error_boxes(*d.matches, half, width); });
-    add("position errors", false, [&d, half] { return position_errors(*d.matches, half); });
+        [&d, half, width = o.class_width] { return render::dbh_error_boxes(*d.matches, half, width); });
+    add("position errors", false, [&d, half] { return render::position_errors(*d.matches, half); });
   }
   if (d.trajectory != nullptr && d.trajectory->poses.size() > 1)
-    add("walk", true, [&d, wide] { return trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
+    add("walk", true, [&d, wide] { return render::trajectory_plan(*d.trajectory, d.reference_trajectory, wide); });
   if (compares_walks(d)) {
-    const TrajectoryComparison both{d.trajectory, d.reference_trajectory, d.loops};
-    add("walk and reference", true, [both, wide] { return trajectory_overlay(both, wide); });
-    add("errors of the walk", true, [both, wide] { return trajectory_error_chart(both, wide); });
+    const render::TrajectoryComparison both{d.trajectory, d.reference_trajectory, d.loops};
+    add("walk and reference", true, [both, wide] { return render::trajectory_overlay(both, wide); });
+    add("errors of the walk", true, [both, wide] { return render::trajectory_error_chart(both, wide); });
   }
   if (has_stems && d.slice != nullptr)
-    plans.push_back(
-        {"breast-height slices", [&d, wide] { return slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
+    plans.push_back({"breast-height slices",
+                     [&d, wide] { return render::slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
   return plans;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -3,14 +3,14 @@
 
 #include <string_view>
 
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 
-namespace bole {
+namespace bole::report {
 
 // Digits that mean something: a tenth of a millimetre in position, a tenth of a millimetre in diameter.
-const Decimals& table_decimals();
+const io::Decimals& table_decimals();
 
 // Of one column; -1 (as the number is) for a column that is not listed.
 int decimals_of(std::string_view column);
 
-}  // namespace bole
+}  // namespace bole::report

@@ -14,7 +14,7 @@
 #include "report/core/plot_metrics.h"
 #include "report/table_decimals.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 class Workbook {
@@ -178,4 +178,4 @@ void write_workbook(const std::filesystem::path& path, const SurveyData& data, c
   });
 }
 
-}  // namespace bole
+}  // namespace bole::report

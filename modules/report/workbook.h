@@ -7,7 +7,7 @@
 #include "report/report_options.h"
 #include "report/survey_data.h"
 
-namespace bole {
+namespace bole::report {
 
 // Sheets: Plot (values per hectare), Classes (of diameter), Trees (stem table), Sections, Rejected, Edits, Options (all
 // stages that ran before, by `run.record`); those without rows are left out, Plot and Trees are always there. Numbers
@@ -15,4 +15,4 @@ namespace bole {
 void write_workbook(const std::filesystem::path& path, const SurveyData& data, const ReportOptions& options,
                     const Run& run);
 
-}  // namespace bole
+}  // namespace bole::report

@@ -4,17 +4,17 @@
 
 #include "base/error.h"
 #include "pipeline/stage.h"
-#include "rows/core/apply_row_edits.h"
-#include "rows/core/find_rows.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
-#include "rows/core/hedge_rows.h"
+#include "rows/core/edits/apply_row_edits.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
+#include "rows/core/rows/find_rows.h"
+#include "rows/core/rows/hedge_rows.h"
 
-namespace bole {
+namespace bole::rows {
 namespace {
 
-StageType from_stems() {
-  StageType type;
+pipeline::StageType from_stems() {
+  pipeline::StageType type;
   type.name = "rows.from_stems";
   type.title = "Find plant rows";
   type.help =
@@ -29,10 +29,10 @@ StageType from_stems() {
       {"plants", DataKind::table, "Plants in their rows, numbered; missing ones too.", false, {}},
       {"lines", DataKind::table, "Vertices of the guidance lines.", false, {}},
       {"strays", DataKind::table, "Stems in no row.", false, {}}};
-  type.options = &option_table(static_cast<const rows::RowOptions*>(nullptr));
+  type.options = &option_table(static_cast<const RowOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
-    auto found = rows::find_rows(inputs.table("stems"), options.as<rows::RowOptions>(), run);
-    StageResult result;
+    auto found = find_rows(inputs.table("stems"), options.as<RowOptions>(), run);
+    pipeline::StageResult result;
     result.outputs.set("rows", std::move(found.rows));
     result.outputs.set("plants", std::move(found.plants));
     result.outputs.set("lines", std::move(found.lines));
@@ -47,8 +47,8 @@ constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 
 
 // A step that takes points and gives points.
 template <class Options, class Step>
-StageType point_step(const char* name, const char* title, const char* help, Step step) {
-  StageType type;
+pipeline::StageType point_step(const char* name, const char* title, const char* help, Step step) {
+  pipeline::StageType type;
   type.name = name, type.title = title, type.help = help, type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points of a frame: y ahead, z up, origin in the sensor.", false, {}}};
   type.outputs = {{"points", DataKind::cloud, "The points after this step.", false, {}}};
@@ -56,7 +56,7 @@ StageType point_step(const char* name, const char* title, const char* help, Step
   type.run = [step](const DataSet& inputs, const OptionSet& options, const Run& run) {
     const auto& before = inputs.cloud("points");
     PointCloud after = step(before, options.as<Options>(), run);
-    StageResult result;
+    pipeline::StageResult result;
     result.report.counts["points_in"] = static_cast<std::int64_t>(before.size());
     result.report.counts["points"] = static_cast<std::int64_t>(after.size());
     result.report.message = std::to_string(after.size()) + " of " + std::to_string(before.size()) + " points";
@@ -66,18 +66,18 @@ StageType point_step(const char* name, const char* title, const char* help, Step
   return type;
 }
 
-StageType level_stage() {
-  auto type = point_step<rows::LevelOptions>(
+pipeline::StageType level_stage() {
+  auto type = point_step<LevelOptions>(
       "rows.level", "Level a frame",
       "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every point "
       "is "
       "turned by that of its own time; else the frame takes one attitude.",
-      [](const PointCloud& c, const rows::LevelOptions& o, const Run&) { return rows::level(c, o); });
+      [](const PointCloud& c, const LevelOptions& o, const Run&) { return level(c, o); });
   type.inputs.push_back({"attitude", DataKind::table, "time_s, roll_deg, pitch_deg, yaw_deg of the IMU.", true, {}});
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
     const Table* attitude = inputs.has("attitude") ? &inputs.table("attitude") : nullptr;
-    StageResult result;
-    result.outputs.set("points", rows::level(inputs.cloud("points"), options.as<rows::LevelOptions>(), attitude));
+    pipeline::StageResult result;
+    result.outputs.set("points", level(inputs.cloud("points"), options.as<LevelOptions>(), attitude));
     result.report.counts["points"] = static_cast<std::int64_t>(inputs.cloud("points").size());
     result.report.message = attitude != nullptr ? "levelled point by point" : "levelled with one attitude";
     return result;
@@ -85,8 +85,8 @@ StageType level_stage() {
   return type;
 }
 
-StageType trunks() {
-  StageType type;
+pipeline::StageType trunks() {
+  pipeline::StageType type;
   type.name = "rows.trunks";
   type.title = "Find trunk centres";
   type.help =
@@ -98,19 +98,19 @@ StageType trunks() {
   type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}},
                  {"dense", DataKind::cloud, "The levelled frame before it was thinned; for centre = face.", true, {}}};
   type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points, diameter_cm.", false, {}}};
-  type.options = &option_table(static_cast<const rows::TrunkOptions*>(nullptr));
+  type.options = &option_table(static_cast<const TrunkOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
-    StageResult result;
+    pipeline::StageResult result;
     const PointCloud* dense = inputs.has("dense") ? &inputs.cloud("dense") : nullptr;
-    result.outputs.set(
-        "stems", rows::trunk_centres(inputs.cloud("points"), dense, options.as<rows::TrunkOptions>(), result.report));
+    result.outputs.set("stems",
+                       trunk_centres(inputs.cloud("points"), dense, options.as<TrunkOptions>(), result.report));
     return result;
   };
   return type;
 }
 
-StageType hedges() {
-  StageType type;
+pipeline::StageType hedges() {
+  pipeline::StageType type;
   type.name = "rows.hedges";
   type.title = "Find hedge rows";
   type.help =
@@ -122,18 +122,17 @@ StageType hedges() {
   type.source = "Bole";
   type.inputs = {{"points", DataKind::cloud, "Canopy without the ground, z up.", false, {}}};
   type.outputs = {{"stems", DataKind::table, "Points of the hedges' lines: row_id, x_m, y_m, points.", false, {}}};
-  type.options = &option_table(static_cast<const rows::HedgeOptions*>(nullptr));
+  type.options = &option_table(static_cast<const HedgeOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
-    StageResult result;
-    result.outputs.set("stems",
-                       rows::hedge_rows(inputs.cloud("points"), options.as<rows::HedgeOptions>(), run, result.report));
+    pipeline::StageResult result;
+    result.outputs.set("stems", hedge_rows(inputs.cloud("points"), options.as<HedgeOptions>(), run, result.report));
     return result;
   };
   return type;
 }
 
-StageType place() {
-  StageType type;
+pipeline::StageType place() {
+  pipeline::StageType type;
   type.name = "rows.place";
   type.title = "Place stems on the map";
   type.help =
@@ -143,36 +142,36 @@ StageType place() {
   type.source = paper;
   type.inputs = {{"stems", DataKind::table, "Centres in frame axes: x_m, y_m.", false, {}}};
   type.outputs = {{"stems", DataKind::table, "The same in navigation axes.", false, {}}};
-  type.options = &option_table(static_cast<const rows::PlaceOptions*>(nullptr));
+  type.options = &option_table(static_cast<const PlaceOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
-    StageResult result;
-    result.outputs.set("stems", rows::place_stems(inputs.table("stems"), options.as<rows::PlaceOptions>()));
+    pipeline::StageResult result;
+    result.outputs.set("stems", place_stems(inputs.table("stems"), options.as<PlaceOptions>()));
     result.report.message = std::to_string(inputs.table("stems").rows()) + " stems placed";
     return result;
   };
   return type;
 }
 
-std::vector<rows::RowEdit> edits_of(const rows::RowEditOptions& options) {
-  std::vector<rows::RowEdit> edits;
+std::vector<RowEdit> edits_of(const RowEditOptions& options) {
+  std::vector<RowEdit> edits;
   if (!options.file.empty()) {
     std::ifstream file(options.file);
     if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
     std::ostringstream text;
     text << file.rdbuf();
     try {
-      edits = rows::parse_row_edits(text.str());
+      edits = parse_row_edits(text.str());
     } catch (const Error& e) {
       throw e.at(options.file);
     }
   }
-  const auto more = rows::parse_row_edits(options.edits);
+  const auto more = parse_row_edits(options.edits);
   edits.insert(edits.end(), more.begin(), more.end());
   return edits;
 }
 
-StageType edit_stage() {
-  StageType t;
+pipeline::StageType edit_stage() {
+  pipeline::StageType t;
   t.name = "rows.edit";
   t.title = "Edit rows";
   t.help =
@@ -190,14 +189,14 @@ StageType edit_stage() {
                {"lines", DataKind::table, "Guidance lines after the edits.", false, {}},
                {"strays", DataKind::table, "Plants in no row after the edits.", false, {}},
                {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};
-  t.options = &option_table(static_cast<const rows::RowEditOptions*>(nullptr));
+  t.options = &option_table(static_cast<const RowEditOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
-    const auto& options = set.as<rows::RowEditOptions>();
-    rows::FoundRows found;
+    const auto& options = set.as<RowEditOptions>();
+    FoundRows found;
     found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
-    auto edited = rows::apply_row_edits(found, edits_of(options), options, run);
-    StageResult result;
+    auto edited = apply_row_edits(found, edits_of(options), options, run);
+    pipeline::StageResult result;
     result.outputs.set("rows", std::move(edited.found.rows));
     result.outputs.set("plants", std::move(edited.found.plants));
     result.outputs.set("lines", std::move(edited.found.lines));
@@ -209,7 +208,7 @@ StageType edit_stage() {
   return t;
 }
 
-void add_frame_steps(StageRegistry& registry) {
+void add_frame_steps(pipeline::StageRegistry& registry) {
   using namespace rows;
   registry.add(level_stage());
   registry.add(point_step<RegionOptions>(
@@ -236,11 +235,11 @@ void add_frame_steps(StageRegistry& registry) {
 
 }  // namespace
 
-void register_rows_stages(StageRegistry& registry) {
+void register_stages(pipeline::StageRegistry& registry) {
   registry.add(from_stems());
   registry.add(edit_stage());
   registry.add(hedges());
   add_frame_steps(registry);
 }
 
-}  // namespace bole
+}  // namespace bole::rows

@@ -1,10 +1,10 @@
 #include "pipeline/stage.h"
 #include "slam/core/slam.h"
 
-namespace bole {
+namespace bole::slam {
 
-void register_slam_stages(StageRegistry& registry) {
-  StageType type;
+void register_stages(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
   type.name = "slam.run";
   type.title = "Simultaneous localization and mapping";
   type.help =
@@ -39,7 +39,7 @@ void register_slam_stages(StageRegistry& registry) {
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
-    StageResult out;
+    pipeline::StageResult out;
     out.outputs.set("points", std::move(result.points));
     out.outputs.set("trajectory", std::move(result.trajectory));
     out.outputs.set("odometry", std::move(result.odometry));
@@ -50,4 +50,4 @@ void register_slam_stages(StageRegistry& registry) {
   registry.add(std::move(type));
 }
 
-}  // namespace bole
+}  // namespace bole::slam

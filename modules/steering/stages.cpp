@@ -4,13 +4,13 @@
 #include "steering/core/tracking_errors.h"
 #include "steering/core/tuning.h"
 
-namespace bole {
+namespace bole::steering {
 namespace {
 
 constexpr const char* paper = "SPEC E: satellite-based auto-steering";
 
-StageType simulate_stage() {
-  StageType t;
+pipeline::StageType simulate_stage() {
+  pipeline::StageType t;
   t.name = "steering.simulate";
   t.title = "Simulate a steering test";
   t.help =
@@ -20,10 +20,10 @@ StageType simulate_stage() {
   t.source = paper;
   t.outputs = {{"log", DataKind::table, "A row per fix.", false, {}},
                {"lines", DataKind::table, "A and B of the first line.", false, {}}};
-  t.options = &option_table(static_cast<const steering::FieldTestOptions*>(nullptr));
+  t.options = &option_table(static_cast<const FieldTestOptions*>(nullptr));
   t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
-    auto test = steering::simulate_field_test(options.as<steering::FieldTestOptions>(), run);
-    StageResult result;
+    auto test = simulate_field_test(options.as<FieldTestOptions>(), run);
+    pipeline::StageResult result;
     result.outputs.set("log", std::move(test.log));
     result.outputs.set("lines", std::move(test.lines));
     result.report = std::move(test.report);
@@ -32,8 +32,8 @@ StageType simulate_stage() {
   return t;
 }
 
-StageType errors_stage() {
-  StageType t;
+pipeline::StageType errors_stage() {
+  pipeline::StageType t;
   t.name = "steering.errors";
   t.title = "Measure steering errors";
   t.help =
@@ -48,12 +48,12 @@ StageType errors_stage() {
   t.outputs = {{"passes", DataKind::table, "A row per pass.", false, {}},
                {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}},
                {"errors", DataKind::table, "A row per fix on a pass.", false, {}}};
-  t.options = &option_table(static_cast<const steering::ErrorOptions*>(nullptr));
+  t.options = &option_table(static_cast<const ErrorOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
-    auto found = steering::tracking_errors(in.table("log"), in.has("lines") ? &in.table("lines") : nullptr,
-                                           in.has("reference") ? &in.table("reference") : nullptr,
-                                           options.as<steering::ErrorOptions>(), run);
-    StageResult result;
+    auto found =
+        tracking_errors(in.table("log"), in.has("lines") ? &in.table("lines") : nullptr,
+                        in.has("reference") ? &in.table("reference") : nullptr, options.as<ErrorOptions>(), run);
+    pipeline::StageResult result;
     result.outputs.set("passes", std::move(found.passes));
     result.outputs.set("summary", std::move(found.summary));
     result.outputs.set("errors", std::move(found.errors));
@@ -63,8 +63,8 @@ StageType errors_stage() {
   return t;
 }
 
-StageType tune_stage() {
-  StageType t;
+pipeline::StageType tune_stage() {
+  pipeline::StageType t;
   t.name = "steering.tune";
   t.title = "Tune the steering";
   t.help =
@@ -73,10 +73,10 @@ StageType tune_stage() {
   t.source = paper;
   t.outputs = {{"steps", DataKind::table, "Every try and its lasting swing.", false, {}},
                {"parameters", DataKind::table, "What was found, the published table beside.", false, {}}};
-  t.options = &option_table(static_cast<const steering::TuneOptions*>(nullptr));
+  t.options = &option_table(static_cast<const TuneOptions*>(nullptr));
   t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
-    auto tuning = steering::tune(options.as<steering::TuneOptions>(), run);
-    StageResult result;
+    auto tuning = tune(options.as<TuneOptions>(), run);
+    pipeline::StageResult result;
     result.outputs.set("steps", std::move(tuning.steps));
     result.outputs.set("parameters", std::move(tuning.parameters));
     result.report = std::move(tuning.report);
@@ -87,10 +87,10 @@ StageType tune_stage() {
 
 }  // namespace
 
-void register_steering_stages(StageRegistry& registry) {
+void register_stages(pipeline::StageRegistry& registry) {
   registry.add(simulate_stage());
   registry.add(errors_stage());
   registry.add(tune_stage());
 }
 
-}  // namespace bole
+}  // namespace bole::steering

@@ -2,15 +2,15 @@
 #include <sstream>
 
 #include "pipeline/stage.h"
-#include "stems/core/apply_edits.h"
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/edits/apply_edits.h"
 #include "stems/core/measure_stems.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
-StageType slice_stage() {
-  StageType t;
+pipeline::StageType slice_stage() {
+  pipeline::StageType t;
   t.name = "stems.slice";
   t.title = "Breast-height slice";
   t.help =
@@ -22,7 +22,7 @@ StageType slice_stage() {
   t.version = 2;
   t.options = &option_table(static_cast<const SliceOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
-    StageResult result;
+    pipeline::StageResult result;
     auto slice = breast_height_slice(in.cloud("points"), options.as<SliceOptions>(), run);
     result.report.counts["points"] = static_cast<std::int64_t>(slice.size());
     result.report.message = std::to_string(slice.size()) + " points at " +
@@ -33,8 +33,8 @@ StageType slice_stage() {
   return t;
 }
 
-StageType measure_stage() {
-  StageType t;
+pipeline::StageType measure_stage() {
+  pipeline::StageType t;
   t.name = "stems.measure";
   t.title = "Measure stems";
   t.help =
@@ -66,7 +66,7 @@ StageType measure_stage() {
                {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
-    StageResult result;
+    pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
     auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory,
                                 options.as<MeasureOptions>(), run);
@@ -98,8 +98,8 @@ std::vector<StemEdit> edits_of(const EditOptions& options) {
   return edits;
 }
 
-StageType edit_stage() {
-  StageType t;
+pipeline::StageType edit_stage() {
+  pipeline::StageType t;
   t.name = "stems.edit";
   t.title = "Edit stems";
   t.help =
@@ -124,7 +124,7 @@ StageType edit_stage() {
     if (in.has("points")) inputs.points = &in.cloud("points");
     if (in.has("slice")) inputs.slice = &in.cloud("slice");
     auto edited = apply_stem_edits(inputs, edits_of(options), options, run);
-    StageResult result;
+    pipeline::StageResult result;
     result.outputs.set("stems", std::move(edited.stems));
     result.outputs.set("sections", std::move(edited.sections));
     if (edited.points) result.outputs.set("points", std::move(*edited.points));
@@ -137,10 +137,10 @@ StageType edit_stage() {
 
 }  // namespace
 
-void register_stems_stages(StageRegistry& registry) {
+void register_stages(pipeline::StageRegistry& registry) {
   registry.add(slice_stage());
   registry.add(measure_stage());
   registry.add(edit_stage());
 }
 
-}  // namespace bole
+}  // namespace bole::stems

@@ -4,20 +4,19 @@
 #include "survey/core/plot_frame.h"
 #include "survey/core/plot_options.h"
 
-namespace bole {
+namespace bole::survey {
 namespace {
 
-StageResult run_frame(const DataSet& inputs, const OptionSet& options, const Run& run) {
+pipeline::StageResult run_frame(const DataSet& inputs, const OptionSet& options, const Run& run) {
   const PointCloud& cloud = inputs.cloud("points");
   const bool walked = inputs.has("trajectory");
-  auto frame = survey::find_plot_frame(cloud, walked ? &inputs.trajectory("trajectory") : nullptr,
-                                       options.as<survey::FrameOptions>(), run.part(0, 0.9));
+  auto frame = find_plot_frame(cloud, walked ? &inputs.trajectory("trajectory") : nullptr, options.as<FrameOptions>(),
+                               run.part(0, 0.9));
   run.report(0.9, "Moving the points");
-  StageResult result;
-  result.outputs.set("points", survey::move_cloud(cloud, frame.T_plot_map, frame.new_origin, frame.axes, run));
+  pipeline::StageResult result;
+  result.outputs.set("points", move_cloud(cloud, frame.T_plot_map, frame.new_origin, frame.axes, run));
   if (walked)
-    result.outputs.set("trajectory",
-                       survey::move_trajectory(inputs.trajectory("trajectory"), frame.T_plot_map, frame.axes));
+    result.outputs.set("trajectory", move_trajectory(inputs.trajectory("trajectory"), frame.T_plot_map, frame.axes));
   result.outputs.set("targets", std::move(frame.targets));
   result.report = std::move(frame.report);
   return result;
@@ -32,10 +31,10 @@ Axes axes_of(const DataSet& inputs) {
   return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
 }
 
-StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run&) {
+pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run&) {
   const Table* vertices = inputs.has("vertices") ? &inputs.table("vertices") : nullptr;
-  const auto rule = survey::counting_rule_for(options.as<survey::PlotOptions>(), axes_of(inputs), vertices);
-  StageResult result;
+  const auto rule = counting_rule_for(options.as<PlotOptions>(), axes_of(inputs), vertices);
+  pipeline::StageResult result;
   result.report.message = describe(rule.area) + ", trees from " + number_text(rule.min_dbh_cm) + " cm";
   if (rule.area.shape != PlotArea::Shape::none)
     result.report.metrics["area"] = {rule.area.area_m2(), Unit::square_metre};
@@ -43,8 +42,8 @@ StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run&
   return result;
 }
 
-void register_frame(StageRegistry& registry) {
-  StageType type;
+void register_frame(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
   type.name = "survey.frame";
   type.title = "Find the plot frame";
   type.help =
@@ -60,13 +59,13 @@ void register_frame(StageRegistry& registry) {
   type.outputs = {{"points", DataKind::cloud, "The map in plot axes, or levelled.", false, {}},
                   {"trajectory", DataKind::trajectory, "The path in the same axes.", true, {}},
                   {"targets", DataKind::table, "Targets found: name, x_m, y_m, z_m, points.", false, {}}};
-  type.options = &option_table(static_cast<const survey::FrameOptions*>(nullptr));
+  type.options = &option_table(static_cast<const FrameOptions*>(nullptr));
   type.run = run_frame;
   registry.add(std::move(type));
 }
 
-void register_plot(StageRegistry& registry) {
-  StageType type;
+void register_plot(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
   type.name = "survey.plot";
   type.title = "Say which trees count";
   type.help =
@@ -79,16 +78,16 @@ void register_plot(StageRegistry& registry) {
                  {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};
   type.outputs = {
       {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and least diameter are facts.", false, {}}};
-  type.options = &option_table(static_cast<const survey::PlotOptions*>(nullptr));
+  type.options = &option_table(static_cast<const PlotOptions*>(nullptr));
   type.run = run_plot;
   registry.add(std::move(type));
 }
 
 }  // namespace
 
-void register_survey_stages(StageRegistry& registry) {
+void register_stages(pipeline::StageRegistry& registry) {
   register_frame(registry);
   register_plot(registry);
 }
 
-}  // namespace bole
+}  // namespace bole::survey

@@ -17,7 +17,7 @@
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/shared_arrays.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "points are shared with VTK as three floats");
@@ -177,4 +177,4 @@ std::shared_ptr<const PointCloud> cloud_from_vtk(vtkPointSet* points) {
   return cloud;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -23,7 +23,7 @@ class vtkBoleCoreData : public vtkObjectBase {
     result->InitializeObjectBase();
     return result;
   }
-  std::shared_ptr<bole::LazyData> data;
+  std::shared_ptr<bole::vtkbridge::LazyData> data;
   vtkMTimeType time = 0;  // of the VTK object when it was attached
 };
 
@@ -48,7 +48,7 @@ T* require(vtkDataObject* object, const char* needed) {
 
 }  // namespace
 
-namespace bole {
+namespace bole::vtkbridge {
 
 const char* vtk_class_name(DataKind kind) {
   if (kind == DataKind::table) return "vtkTable";
@@ -120,4 +120,4 @@ std::shared_ptr<LazyData> attached(vtkDataObject* object) {
   return carrier->data;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

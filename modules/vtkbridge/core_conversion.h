@@ -22,7 +22,7 @@ class vtkPointSet;
 class vtkPolyData;
 class vtkTable;
 
-namespace bole {
+namespace bole::vtkbridge {
 
 class LazyData;
 
@@ -55,4 +55,4 @@ VTKBOLEBRIDGE_EXPORT const char* vtk_input_class_name(DataKind kind);
 VTKBOLEBRIDGE_EXPORT void attach(vtkDataObject* object, std::shared_ptr<LazyData> data);
 VTKBOLEBRIDGE_EXPORT std::shared_ptr<LazyData> attached(vtkDataObject* object);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

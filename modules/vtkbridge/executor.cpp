@@ -19,7 +19,7 @@
 #include "vtkbridge/stage_execution.h"
 #include "vtkbridge/summary.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace fs = std::filesystem;
 
 std::string_view stage_state_name(StageState state) {
@@ -56,8 +56,8 @@ std::vector<OptionRecord> option_records(const OptionSet& options) {
   return records;
 }
 
-void check(const PipelineDocument& document) {
-  const auto problems = validate(document);
+void check(const pipeline::PipelineDocument& document) {
+  const auto problems = pipeline::validate(document);
   if (problems.empty()) return;
   std::string text;
   for (const auto& p : problems)
@@ -87,7 +87,7 @@ fs::path cache_folder(const RunSettings& settings) {
 
 }  // namespace
 
-PipelineExecutor::PipelineExecutor(PipelineDocument document)
+PipelineExecutor::PipelineExecutor(pipeline::PipelineDocument document)
     : document_(std::move(document)), graph_(std::make_unique<Graph>()) {
   for (const auto& node : document_.stages()) {
     vtkNew<vtkBoleStage> stage;
@@ -110,7 +110,7 @@ vtkBoleStage* PipelineExecutor::stage(std::string_view id) const {
 
 void PipelineExecutor::set(std::string_view stage_and_option, std::string_view text) {
   document_.set(stage_and_option, text);
-  const auto id = parse_source(stage_and_option).id;
+  const auto id = pipeline::parse_source(stage_and_option).id;
   stage(id)->SetOptions(document_.at(id).options);
 }
 
@@ -119,7 +119,7 @@ void PipelineExecutor::finish_running_stage() {
   if (graph_->running) graph_->running->Finish();
 }
 
-StageControl PipelineExecutor::control_for(const StageNode& node, const RunSettings& settings,
+StageControl PipelineExecutor::control_for(const pipeline::StageNode& node, const RunSettings& settings,
                                            const RunOutcome& so_far) const {
   StageControl control;
   control.cancel = settings.cancel;
@@ -148,7 +148,8 @@ void PipelineExecutor::set_running(vtkBoleStage* running) {
 }
 
 // Runs one stage whose producers have run. Required inputs from a stage that failed: skipped; optional ones: left out.
-StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSettings& settings, RunOutcome& so_far) {
+StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, const RunSettings& settings,
+                                            RunOutcome& so_far) {
   auto* const vtk_stage = stage(node.id);
   StageOutcome outcome;
   outcome.record = {node.id, node.type->name, option_records(*vtk_stage->GetOptions()), {}, false};
@@ -163,7 +164,8 @@ StageOutcome PipelineExecutor::run_stage_of(const StageNode& node, const RunSett
   std::vector<std::string> left_out;
   for (const auto& port : node.type->inputs) {
     const auto joint = node.inputs.find(port.name);
-    const SourcePort source = joint == node.inputs.end() ? SourcePort{} : parse_source(joint->second);
+    const pipeline::SourcePort source =
+        joint == node.inputs.end() ? pipeline::SourcePort{} : pipeline::parse_source(joint->second);
     const auto* producer = find_outcome(so_far, source.id);
     const bool usable = producer && is_done(*producer);
     if (producer && !usable && !port.optional) {
@@ -209,7 +211,7 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
     graph_->cache = folder.empty() ? nullptr : std::make_shared<ResultCache>(folder);
     std::map<std::string, int> waiting;  // consumers that have not run
     for (const auto& node : document_.stages())
-      for (const auto& [port, source] : node.inputs) ++waiting[parse_source(source).id];
+      for (const auto& [port, source] : node.inputs) ++waiting[pipeline::parse_source(source).id];
     for (const auto* node : document_.in_order()) {
       if (settings.cancel.stop_requested()) {
         note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
@@ -222,7 +224,7 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
       outcome.stages.push_back(run_stage_of(*node, settings, outcome));
       // Results that no stage needs any more leave the memory; the cache has them.
       for (const auto& [port, source] : node->inputs)
-        if (const auto id = parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
+        if (const auto id = pipeline::parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
       if (waiting[node->id] == 0) stage(node->id)->ReleaseResults();
     }
     if (graph_->cache) graph_->cache->prune(settings.cache_bytes);
@@ -242,8 +244,8 @@ RunOutcome PipelineExecutor::run(const RunSettings& settings) {
   return outcome;
 }
 
-RunOutcome run_pipeline(const PipelineDocument& document, const RunSettings& settings) {
+RunOutcome run_pipeline(const pipeline::PipelineDocument& document, const RunSettings& settings) {
   return PipelineExecutor(document).run(settings);
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -18,7 +18,7 @@
 
 class vtkBoleStage;
 
-namespace bole {
+namespace bole::vtkbridge {
 
 struct StageControl;
 
@@ -31,7 +31,7 @@ struct RunSettings {
   std::filesystem::path scratch_dir;
   std::function<void(const std::string& stage, double fraction, std::string_view what)> progress;
   // Who watches a stage at work; may give null. Called as each stage begins.
-  std::function<std::shared_ptr<Preview>(const StageNode&)> preview;
+  std::function<std::shared_ptr<Preview>(const pipeline::StageNode&)> preview;
   std::stop_token cancel;
   std::stop_token finish;  // of the stage that runs when it is asked for; those after it run in full on its result
 };
@@ -55,12 +55,12 @@ struct RunOutcome {
 
 class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
  public:
-  explicit PipelineExecutor(PipelineDocument document);
+  explicit PipelineExecutor(pipeline::PipelineDocument document);
   ~PipelineExecutor();
   PipelineExecutor(const PipelineExecutor&) = delete;
   PipelineExecutor& operator=(const PipelineExecutor&) = delete;
 
-  const PipelineDocument& document() const { return document_; }
+  const pipeline::PipelineDocument& document() const { return document_; }
   // "stage.option" = text, in the document and in the stage object. Throws Error{bad_input}.
   void set(std::string_view stage_and_option, std::string_view text);
   vtkBoleStage* stage(std::string_view id) const;  // nullptr when there is none
@@ -74,13 +74,14 @@ class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
 
  private:
   struct Graph;
-  StageControl control_for(const StageNode& node, const RunSettings& settings, const RunOutcome& so_far) const;
+  StageControl control_for(const pipeline::StageNode& node, const RunSettings& settings,
+                           const RunOutcome& so_far) const;
   void set_running(vtkBoleStage* running);
-  StageOutcome run_stage_of(const StageNode& node, const RunSettings& settings, RunOutcome& so_far);
-  PipelineDocument document_;
+  StageOutcome run_stage_of(const pipeline::StageNode& node, const RunSettings& settings, RunOutcome& so_far);
+  pipeline::PipelineDocument document_;
   std::unique_ptr<Graph> graph_;
 };
 
-VTKBOLEBRIDGE_EXPORT RunOutcome run_pipeline(const PipelineDocument& document, const RunSettings& settings);
+VTKBOLEBRIDGE_EXPORT RunOutcome run_pipeline(const pipeline::PipelineDocument& document, const RunSettings& settings);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -6,7 +6,7 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
-namespace bole {
+namespace bole::vtkbridge {
 
 void set_text(vtkDataObject* object, std::string_view name, const std::string& text) {
   vtkNew<vtkStringArray> array;
@@ -46,4 +46,4 @@ Axes get_axes(vtkDataObject* object) {
   }
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

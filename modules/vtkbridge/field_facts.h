@@ -10,7 +10,7 @@
 
 class vtkDataObject;
 
-namespace bole {
+namespace bole::vtkbridge {
 
 void set_text(vtkDataObject* object, std::string_view name, const std::string& text);
 std::optional<std::string> get_text(vtkDataObject* object, std::string_view name);
@@ -19,4 +19,4 @@ std::optional<Eigen::Vector3d> get_vector3(vtkDataObject* object, std::string_vi
 // The text "axes"; unknown when it is absent or no axes that we know.
 Axes get_axes(vtkDataObject* object);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

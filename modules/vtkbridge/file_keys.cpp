@@ -12,7 +12,7 @@
 #include "base/content_hash.h"
 #include "base/error.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace fs = std::filesystem;
 namespace {
 constexpr std::uintmax_t large_file_bytes = std::uintmax_t{256} << 20;  // reading it takes long enough to tell about it
@@ -122,4 +122,4 @@ std::string FileKeys::key(const fs::path& path, const Run& run) {
   }
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -8,7 +8,7 @@
 
 #include "base/run.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 class FileKeys {
  public:
@@ -38,4 +38,4 @@ std::string change_stamp(const std::filesystem::path& path);
 
 std::int64_t change_time_ns(const std::filesystem::path& path);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

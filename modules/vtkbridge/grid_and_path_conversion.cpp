@@ -14,7 +14,7 @@
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/shared_arrays.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 void to_vtk(const std::shared_ptr<const Raster>& raster, vtkImageData* out) {
   out->Initialize();
@@ -110,4 +110,4 @@ std::shared_ptr<const Trajectory> trajectory_from_vtk(vtkPointSet* path) {
   return trajectory;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -9,7 +9,7 @@
 
 #include "cloud/data.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 class LazyData {
  public:
@@ -63,4 +63,4 @@ class LazyData {
   bool loaded_ = false;
 };
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

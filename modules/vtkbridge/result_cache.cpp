@@ -11,7 +11,7 @@
 #include "base/content_hash.h"
 #include "pipeline/report_json.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
@@ -27,7 +27,7 @@ ordered_json files_to_json(const std::vector<WrittenFile>& files) {
 
 CachedResult parse_entry(const ordered_json& j) {
   CachedResult result;
-  result.report = report_from_json(j.at("report"));
+  result.report = pipeline::report_from_json(j.at("report"));
   for (const auto& [port, stored] : j.at("outputs").items()) result.outputs[port] = stored.dump();
   for (const auto& f : j.at("files"))
     result.files.push_back(
@@ -173,10 +173,10 @@ std::optional<CachedResult> ResultCache::find(const std::string& key) {
 }
 
 std::map<std::string, std::string> ResultCache::store(const std::string& key, const std::string& stage_type,
-                                                      const StageResult& result, const std::vector<WrittenFile>& files,
-                                                      const Run& run) {
+                                                      const pipeline::StageResult& result,
+                                                      const std::vector<WrittenFile>& files, const Run& run) {
   ordered_json entry{{"stage", stage_type},
-                     {"report", report_to_json(result.report)},
+                     {"report", pipeline::report_to_json(result.report)},
                      {"outputs", ordered_json::object()},
                      {"files", files_to_json(files)}};
   std::map<std::string, std::string> stored;
@@ -246,4 +246,4 @@ std::uintmax_t ResultCache::prune(std::uintmax_t most_bytes) {
   return removed_bytes;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -20,7 +20,7 @@
 #include "pipeline/stage.h"
 #include "vtkbridge/file_keys.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 struct WrittenFile {
   std::string path;
@@ -55,7 +55,7 @@ class ResultCache : private BlobStore {
   std::optional<CachedResult> find(const std::string& key);
   // Returns what load() takes, per port. Throws Error{cancelled} among others.
   std::map<std::string, std::string> store(const std::string& key, const std::string& stage_type,
-                                           const StageResult& result, const std::vector<WrittenFile>& files,
+                                           const pipeline::StageResult& result, const std::vector<WrittenFile>& files,
                                            const Run& run = {});
   void remove(const std::string& key);
   // Throws Error{failed} when an array is damaged.
@@ -79,4 +79,4 @@ class ResultCache : private BlobStore {
   std::mutex mutex_;
 };
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -3,7 +3,7 @@
 #include <map>
 #include <mutex>
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 struct KeptMemory {
@@ -34,4 +34,4 @@ void release_memory(void* pointer) {
   }
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

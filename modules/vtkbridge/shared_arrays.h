@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace bole {
+namespace bole::vtkbridge {
 
 // Keeps `owner` alive until release_memory(pointer) is called once more for this pointer: VTK's buffers tell of their
 // end by the pointer alone.
@@ -32,4 +32,4 @@ vtkSmartPointer<Array> shared_array(const T* values, std::size_t count, int comp
   return array;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

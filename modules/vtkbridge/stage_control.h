@@ -9,7 +9,7 @@
 
 #include "base/run.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 class ResultCache;
 
@@ -27,4 +27,4 @@ struct StageControl {
   bool core_only = false;
 };
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

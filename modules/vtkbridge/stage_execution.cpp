@@ -6,7 +6,7 @@
 #include "base/option_text.h"
 #include "cloud/large_cloud.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 // Hashes what it is given and keeps nothing.
@@ -24,7 +24,7 @@ void leave_memory(const DataSet& data) {
 }
 
 // What a stage added to a large cloud goes to where the rest of it is.
-void lay_clouds_on_file(StageResult& result, const Run& run) {
+void lay_clouds_on_file(pipeline::StageResult& result, const Run& run) {
   std::size_t without_room = 0;
   const auto outputs = result.outputs.all();
   for (const auto& [port, value] : outputs) {
@@ -37,11 +37,12 @@ void lay_clouds_on_file(StageResult& result, const Run& run) {
   if (without_room > 0) result.report.warn(no_room_for_scratch(without_room));
 }
 
-StageResult run_now(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run) {
+pipeline::StageResult run_now(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs,
+                              const Run& run) {
   DataSet data;
   for (const auto& [port, lazy] : inputs)
     if (lazy) data.set(port, lazy->get());
-  StageResult result = run_stage(type, data, options, run);
+  pipeline::StageResult result = pipeline::run_stage(type, data, options, run);
   lay_clouds_on_file(result, run);
   leave_memory(data), leave_memory(result.outputs);
   return result;
@@ -77,7 +78,7 @@ class StoredResult {
   std::optional<DataSet> outputs_;
 };
 
-std::function<DataSet()> repeat(const StageType& type, const OptionSet& options, const PortData& inputs,
+std::function<DataSet()> repeat(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs,
                                 const Run& run) {
   Run silent = run;
   silent.progress = nullptr, silent.preview = nullptr;
@@ -94,7 +95,7 @@ std::string content_key(const Data& data) {
   return content_hash(std::as_bytes(std::span(text)));
 }
 
-std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+std::string stage_key(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
                       ResultCache& cache) {
   ContentHash hash;
   hash.add_text(BOLE_VERSION);
@@ -116,8 +117,8 @@ std::string stage_key(const StageType& type, const OptionSet& options, const Por
   return hash.hex();
 }
 
-StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
-                             const std::shared_ptr<ResultCache>& cache) {
+StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs,
+                             const Run& run, const std::shared_ptr<ResultCache>& cache) {
   StageExecution execution;
   const std::string key = cache ? stage_key(type, options, inputs, run, *cache) : std::string();
   const auto loader = [&] {
@@ -140,7 +141,7 @@ StageExecution execute_stage(const StageType& type, const OptionSet& options, co
   }
   const auto before = type.writes_files ? list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path())
                                         : std::vector<WrittenFile>();
-  StageResult result = run_now(type, options, inputs, run);
+  pipeline::StageResult result = run_now(type, options, inputs, run);
   if (type.writes_files)
     execution.files =
         changed_files(before, list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()));
@@ -161,4 +162,4 @@ StageExecution execute_stage(const StageType& type, const OptionSet& options, co
   return execution;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -9,7 +9,7 @@
 #include "vtkbridge/lazy_data.h"
 #include "vtkbridge/result_cache.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 using PortData = std::map<std::string, std::shared_ptr<LazyData>>;
 
@@ -23,15 +23,15 @@ struct StageExecution {
 // Runs a stage or takes its result from `cache` (may be null). Outputs of a stored result are loaded when asked for;
 // should an array prove damaged then, the stage is run after all. Results of a run that was asked to finish early are
 // not stored. Throws what run_stage() throws.
-StageExecution execute_stage(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
-                             const std::shared_ptr<ResultCache>& cache);
+StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs,
+                             const Run& run, const std::shared_ptr<ResultCache>& cache);
 
 // The key of a result: stage type and version, Bole's version, every option, the content of input files, the keys of
 // the inputs, and the folder a sink writes into.
-std::string stage_key(const StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
+std::string stage_key(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
                       ResultCache& cache);
 
 // The key of data that no stage made: its content.
 std::string content_key(const Data& data);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

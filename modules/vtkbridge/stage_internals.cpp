@@ -9,19 +9,19 @@
 
 #include <algorithm>
 
-namespace bole {
+namespace bole::vtkbridge {
 
-int port_index(const std::vector<Port>& ports, const char* name) {
-  const auto it = std::ranges::find(ports, std::string(name ? name : ""), &Port::name);
+int port_index(const std::vector<pipeline::Port>& ports, const char* name) {
+  const auto it = std::ranges::find(ports, std::string(name ? name : ""), &pipeline::Port::name);
   return it == ports.end() ? -1 : static_cast<int>(it - ports.begin());
 }
 
-std::string port_name(const std::vector<Port>& ports, int index) {
+std::string port_name(const std::vector<pipeline::Port>& ports, int index) {
   return index >= 0 && index < static_cast<int>(ports.size()) ? ports[static_cast<std::size_t>(index)].name
                                                               : std::string();
 }
 
-std::string port_list(const std::vector<Port>& ports) {
+std::string port_list(const std::vector<pipeline::Port>& ports) {
   std::string list;
   for (const auto& port : ports) list += (list.empty() ? "" : ", ") + port.name;
   return list.empty() ? "none" : list;
@@ -53,7 +53,7 @@ std::stop_token StopRequests::finish_token() {
   return finish_.get_token();
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge
 
 using bole::Error;
 
@@ -97,18 +97,18 @@ void vtkBoleStage::Internals::fail(vtkBoleStage* self, const Error& error) {
   vtkErrorWithObjectMacro(self, << error_text);
 }
 
-std::shared_ptr<bole::LazyData> vtkBoleStage::Internals::input(int port, vtkDataObject* object) {
+std::shared_ptr<bole::vtkbridge::LazyData> vtkBoleStage::Internals::input(int port, vtkDataObject* object) {
   const auto& declared = type->inputs[static_cast<std::size_t>(port)];
   try {
     if (!object) throw bole::bad_input("nothing is connected", declared.help);
-    if (auto data = bole::attached(object)) {
+    if (auto data = bole::vtkbridge::attached(object)) {
       if (data->kind() == declared.kind) return data;
       if (data->kind() == bole::DataKind::none) {  // a stage that had nothing to give
         if (declared.optional) return nullptr;
         throw bole::bad_input("the stage before gave nothing", declared.help);
       }
     }
-    return std::make_shared<bole::LazyData>(bole::core_from_vtk(object, declared.kind));
+    return std::make_shared<bole::vtkbridge::LazyData>(bole::vtkbridge::core_from_vtk(object, declared.kind));
   } catch (const Error& e) {
     throw e.at("input '" + declared.name + "'").at(type->name);
   }
@@ -131,11 +131,11 @@ bole::Run vtkBoleStage::Internals::make_run(vtkBoleStage* self) {
   return run;
 }
 
-bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::PortData& inputs) const {
+bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) const {
   return result && result_time_ >= const_cast<vtkBoleStage*>(self)->GetMTime() && inputs == result_inputs_;
 }
 
-bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::PortData& inputs) {
+bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) {
   if (is_current(self, inputs)) return true;
   result.reset();
   exit_code = 0;
@@ -145,7 +145,7 @@ bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::PortData& i
   const std::stop_callback forward_cancel(control.cancel, [this] { stop.cancel(); });
   const std::stop_callback forward_finish(control.finish, [this] { stop.finish(); });
   return guarded(self, [&] {
-    result = bole::execute_stage(*type, *options, inputs, make_run(self), control.cache);
+    result = bole::vtkbridge::execute_stage(*type, *options, inputs, make_run(self), control.cache);
     result_inputs_ = inputs;
     result_time_ = self->GetMTime();
     if (!result->from_cache) ++executions;
@@ -158,19 +158,19 @@ void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t 
   const auto it = result->outputs.find(declared.name);
   if (it == result->outputs.end()) {
     object->Initialize();
-    return bole::attach(object, std::make_shared<bole::LazyData>(bole::Data()));
+    return bole::vtkbridge::attach(object, std::make_shared<bole::vtkbridge::LazyData>(bole::Data()));
   }
   if (core_only) {
     object->Initialize();
   } else {
-    bole::to_vtk(it->second->get(), object, frame);
+    bole::vtkbridge::to_vtk(it->second->get(), object, frame);
     const bool drawn_as_points = declared.kind == bole::DataKind::cloud || declared.kind == bole::DataKind::frames;
-    if (vertices && drawn_as_points) bole::add_vertices(vtkPolyData::SafeDownCast(object));
+    if (vertices && drawn_as_points) bole::vtkbridge::add_vertices(vtkPolyData::SafeDownCast(object));
     if (declared.kind == bole::DataKind::frames)
       if (const auto source = frames(declared.name); frame < source->size())
         object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), source->frame_time_s(frame));
   }
-  bole::attach(object, it->second);
+  bole::vtkbridge::attach(object, it->second);
 }
 
 std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const std::string& port) {
@@ -180,7 +180,7 @@ std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const s
   throw bole::failure("output '" + port + "' holds no frames");
 }
 
-void vtkBoleStage::Internals::tell_times(const bole::Port& port, vtkInformation* info) {
+void vtkBoleStage::Internals::tell_times(const bole::pipeline::Port& port, vtkInformation* info) {
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only)

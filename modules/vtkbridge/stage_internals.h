@@ -17,11 +17,11 @@
 class vtkDataObject;
 class vtkInformation;
 
-namespace bole {
+namespace bole::vtkbridge {
 
-int port_index(const std::vector<Port>& ports, const char* name);
-std::string port_name(const std::vector<Port>& ports, int index);  // empty when there is none
-std::string port_list(const std::vector<Port>& ports);
+int port_index(const std::vector<pipeline::Port>& ports, const char* name);
+std::string port_name(const std::vector<pipeline::Port>& ports, int index);  // empty when there is none
+std::string port_list(const std::vector<pipeline::Port>& ports);
 
 // Asks of other threads to the stage that runs now.
 class StopRequests {
@@ -38,18 +38,18 @@ class StopRequests {
   std::stop_source cancel_, finish_;
 };
 
-}  // namespace bole
+}  // namespace bole::vtkbridge
 
 class vtkBoleStage::Internals {
  public:
   std::string wanted_type;
-  const bole::StageType* type = nullptr;
+  const bole::pipeline::StageType* type = nullptr;
   std::optional<bole::OptionSet> options;
-  bole::StageControl control;
-  bole::StopRequests stop;
+  bole::vtkbridge::StageControl control;
+  bole::vtkbridge::StopRequests stop;
   bool vertices = true;
 
-  std::optional<bole::StageExecution> result;  // of the options and inputs as they stood at `result_time`
+  std::optional<bole::vtkbridge::StageExecution> result;  // of the options and inputs as they stood at `result_time`
   int executions = 0;
   int exit_code = 0;
   std::string error_text;
@@ -64,23 +64,23 @@ class vtkBoleStage::Internals {
   void fail(vtkBoleStage* self, const bole::Error& error);
 
   // The core object behind an input; null when a stage before had nothing to give and the input is optional.
-  std::shared_ptr<bole::LazyData> input(int port, vtkDataObject* object);
+  std::shared_ptr<bole::vtkbridge::LazyData> input(int port, vtkDataObject* object);
   // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an
   // error.
-  bool update(vtkBoleStage* self, const bole::PortData& inputs);
+  bool update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs);
   // Puts an output into its VTK object.
   void fill(int port, vtkDataObject* object, std::size_t frame, bool core_only);
 
   // Frames as VTK time steps; other outputs have none.
-  void tell_times(const bole::Port& port, vtkInformation* info);
+  void tell_times(const bole::pipeline::Port& port, vtkInformation* info);
   void tell_extent(vtkDataObject* object, vtkInformation* info);
   std::size_t frame_wanted(int port, vtkInformation* info);
 
  private:
   bole::Run make_run(vtkBoleStage* self);
-  bool is_current(const vtkBoleStage* self, const bole::PortData& inputs) const;
+  bool is_current(const vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) const;
   std::shared_ptr<const bole::FrameSource> frames(const std::string& port);
 
   vtkMTimeType result_time_ = 0;
-  bole::PortData result_inputs_;
+  bole::vtkbridge::PortData result_inputs_;
 };

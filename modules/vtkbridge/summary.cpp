@@ -10,12 +10,12 @@
 #include "base/memory.h"
 #include "pipeline/report_json.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json document_json(const PipelineDocument& document) {
+ordered_json document_json(const pipeline::PipelineDocument& document) {
   ordered_json j{{"title", document.title()}, {"source", document.source()}};
   j["pipeline"] = ordered_json::parse(document.to_json());
   return j;
@@ -38,7 +38,7 @@ ordered_json stage_json(const StageOutcome& stage) {
   for (const auto& option : stage.record.options)
     if (!option.is_default) j["options"][option.name] = option.value;
   if (stage.state == StageState::done || stage.state == StageState::from_cache)
-    j.update(report_to_json(stage.record.report));
+    j.update(pipeline::report_to_json(stage.record.report));
   return j;
 }
 
@@ -52,7 +52,7 @@ std::string axes_of(const RunOutcome& outcome) {
 
 }  // namespace
 
-std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds,
+std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
                          const std::filesystem::path& output_dir) {
   ordered_json j{{"bole", BOLE_VERSION},
                  {"versions", {{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}}},
@@ -75,4 +75,4 @@ std::string summary_json(const PipelineDocument& document, const RunOutcome& out
   return j.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

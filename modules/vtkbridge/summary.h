@@ -6,10 +6,10 @@
 
 #include "vtkbridge/executor.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 
 // `axes` at the top is the last that a stage told of. File names are relative to `output_dir`.
-std::string summary_json(const PipelineDocument& document, const RunOutcome& outcome, double seconds,
+std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
                          const std::filesystem::path& output_dir);
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -10,7 +10,7 @@
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/shared_arrays.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 static_assert(sizeof(long long) == sizeof(std::int64_t));
@@ -79,4 +79,4 @@ std::shared_ptr<const Table> table_from_vtk(vtkTable* vtk_table) {
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::vtkbridge

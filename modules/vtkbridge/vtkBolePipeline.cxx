@@ -14,9 +14,9 @@ vtkStandardNewMacro(vtkBolePipeline)
 
 class vtkBolePipeline::Internals {
  public:
-  std::unique_ptr<bole::PipelineExecutor> executor;
-  bole::RunSettings settings;
-  bole::RunOutcome outcome;
+  std::unique_ptr<bole::vtkbridge::PipelineExecutor> executor;
+  bole::vtkbridge::RunSettings settings;
+  bole::vtkbridge::RunOutcome outcome;
   std::mutex mutex;  // guards `cancel`
   std::stop_source cancel;
   std::string stage, text;
@@ -35,29 +35,29 @@ class vtkBolePipeline::Internals {
     return false;
   }
 
-  bole::PipelineExecutor& loaded() const {
+  bole::vtkbridge::PipelineExecutor& loaded() const {
     if (!executor) throw bole::bad_input("no pipeline is loaded", "LoadDocument() or ParseDocument() first");
     return *executor;
   }
 };
 
 vtkBolePipeline::vtkBolePipeline() : Inner(std::make_unique<Internals>()) {
-  bole::register_all_stages(bole::StageRegistry::global());
+  bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
 }
 vtkBolePipeline::~vtkBolePipeline() = default;
 
 bool vtkBolePipeline::LoadDocument(const char* path) {
   return this->Inner->guarded(this, [&] {
-    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(
-        bole::PipelineDocument::load(path ? path : "", bole::StageRegistry::global()));
+    this->Inner->executor = std::make_unique<bole::vtkbridge::PipelineExecutor>(
+        bole::pipeline::PipelineDocument::load(path ? path : "", bole::pipeline::StageRegistry::global()));
     this->Modified();
   });
 }
 
 bool vtkBolePipeline::ParseDocument(const char* json) {
   return this->Inner->guarded(this, [&] {
-    this->Inner->executor = std::make_unique<bole::PipelineExecutor>(
-        bole::PipelineDocument::parse(json ? json : "", bole::StageRegistry::global()));
+    this->Inner->executor = std::make_unique<bole::vtkbridge::PipelineExecutor>(
+        bole::pipeline::PipelineDocument::parse(json ? json : "", bole::pipeline::StageRegistry::global()));
     this->Modified();
   });
 }
@@ -69,7 +69,7 @@ std::string vtkBolePipeline::GetDocumentJSON() const {
 std::string vtkBolePipeline::Validate() const {
   if (!this->Inner->executor) return "no pipeline is loaded";
   std::string text;
-  for (const auto& problem : bole::validate(this->Inner->executor->document()))
+  for (const auto& problem : bole::pipeline::validate(this->Inner->executor->document()))
     text +=
         (text.empty() ? "" : "\n") + (problem.stage.empty() ? std::string() : problem.stage + ": ") + problem.message;
   return text;
@@ -100,7 +100,7 @@ void vtkBolePipeline::SetUseCache(bool use) { this->Inner->settings.use_cache = 
 bool vtkBolePipeline::Run() {
   return this->Inner->guarded(this, [&] {
     auto& executor = this->Inner->loaded();
-    bole::RunSettings settings = this->Inner->settings;
+    bole::vtkbridge::RunSettings settings = this->Inner->settings;
     {
       const std::lock_guard lock(this->Inner->mutex);
       this->Inner->cancel = std::stop_source();

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkBoleStage)
 using bole::Error;
 
 vtkBoleStage::vtkBoleStage() : Inner(std::make_unique<Internals>()) {
-  bole::register_all_stages(bole::StageRegistry::global());
+  bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(0);
 }
@@ -31,7 +31,7 @@ bool vtkBoleStage::SetStageType(const char* name) {
   if (this->Inner->type && this->Inner->type->name == wanted) return true;
   this->Inner->wanted_type = wanted;
   this->Inner->result.reset();
-  this->Inner->type = bole::StageRegistry::global().find(wanted);
+  this->Inner->type = bole::pipeline::StageRegistry::global().find(wanted);
   if (this->Inner->type) {
     this->Inner->options.emplace(*this->Inner->type->options);
     this->SetNumberOfInputPorts(static_cast<int>(this->Inner->type->inputs.size()));
@@ -57,8 +57,7 @@ bool vtkBoleStage::SetOption(const char* name, double value) {
   return this->Inner->accepted(this, [&] {
     const auto& spec = this->Inner->spec(name);
     // A slider of a host program gives whole numbers as doubles.
-    const bool whole =
-        !std::holds_alternative<double>(spec.default_value) && value == static_cast<double>(static_cast<int>(value));
+    const bool whole = spec.kind != bole::ValueKind::number && value == static_cast<double>(static_cast<int>(value));
     if (whole)
       this->SetOption(name, static_cast<int>(value));
     else
@@ -69,7 +68,7 @@ bool vtkBoleStage::SetOption(const char* name, double value) {
 bool vtkBoleStage::SetOption(const char* name, int value) {
   return this->Inner->accepted(this, [&] {
     const auto& spec = this->Inner->spec(name);
-    if (std::holds_alternative<bool>(spec.default_value) && (value == 0 || value == 1))
+    if (spec.kind == bole::ValueKind::boolean && (value == 0 || value == 1))
       this->Inner->change_option(this, name, value == 1);
     else
       this->Inner->change_option(this, name, std::int64_t{value});
@@ -123,49 +122,51 @@ void vtkBoleStage::SetOptions(const bole::OptionSet& options) {
 const bole::OptionSet* vtkBoleStage::GetOptions() const {
   return this->Inner->options ? &*this->Inner->options : nullptr;
 }
-const bole::StageType* vtkBoleStage::GetType() const { return this->Inner->type; }
+const bole::pipeline::StageType* vtkBoleStage::GetType() const { return this->Inner->type; }
 
 // ---- ports
 
 int vtkBoleStage::FindInputPort(const char* name) const {
-  return this->Inner->type ? bole::port_index(this->Inner->type->inputs, name) : -1;
+  return this->Inner->type ? bole::vtkbridge::port_index(this->Inner->type->inputs, name) : -1;
 }
 int vtkBoleStage::FindOutputPort(const char* name) const {
-  return this->Inner->type ? bole::port_index(this->Inner->type->outputs, name) : -1;
+  return this->Inner->type ? bole::vtkbridge::port_index(this->Inner->type->outputs, name) : -1;
 }
 
 std::string vtkBoleStage::GetInputPortName(int port) const {
-  return this->Inner->type ? bole::port_name(this->Inner->type->inputs, port) : std::string();
+  return this->Inner->type ? bole::vtkbridge::port_name(this->Inner->type->inputs, port) : std::string();
 }
 std::string vtkBoleStage::GetOutputPortName(int port) const {
-  return this->Inner->type ? bole::port_name(this->Inner->type->outputs, port) : std::string();
+  return this->Inner->type ? bole::vtkbridge::port_name(this->Inner->type->outputs, port) : std::string();
 }
 
 bool vtkBoleStage::ConnectInput(const char* port, vtkBoleStage* producer, const char* producer_port) {
   return this->Inner->accepted(this, [&] {
     const int input = this->FindInputPort(port);
     if (input < 0)
-      throw bole::bad_input(std::string("there is no input '") + (port ? port : "") + "'",
-                            "one of: " + (this->Inner->type ? bole::port_list(this->Inner->type->inputs) : ""));
+      throw bole::bad_input(
+          std::string("there is no input '") + (port ? port : "") + "'",
+          "one of: " + (this->Inner->type ? bole::vtkbridge::port_list(this->Inner->type->inputs) : ""));
     if (!producer) return this->SetInputConnection(input, nullptr);
     const int output = producer->FindOutputPort(producer_port);
     if (output < 0)
-      throw bole::bad_input(producer->GetStageType() + " has no output '" + (producer_port ? producer_port : "") + "'",
-                            "one of: " + (producer->GetType() ? bole::port_list(producer->GetType()->outputs) : ""));
+      throw bole::bad_input(
+          producer->GetStageType() + " has no output '" + (producer_port ? producer_port : "") + "'",
+          "one of: " + (producer->GetType() ? bole::vtkbridge::port_list(producer->GetType()->outputs) : ""));
     this->SetInputConnection(input, producer->GetOutputPort(output));
   });
 }
 
 int vtkBoleStage::FillInputPortInformation(int port, vtkInformation* info) {
   const auto& declared = this->Inner->type->inputs[static_cast<std::size_t>(port)];
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), bole::vtk_input_class_name(declared.kind));
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), bole::vtkbridge::vtk_input_class_name(declared.kind));
   if (declared.optional) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
 int vtkBoleStage::FillOutputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-            bole::vtk_class_name(this->Inner->type->outputs[static_cast<std::size_t>(port)].kind));
+            bole::vtkbridge::vtk_class_name(this->Inner->type->outputs[static_cast<std::size_t>(port)].kind));
   return 1;
 }
 
@@ -179,7 +180,7 @@ void vtkBoleStage::SetOutputDirectory(const char* folder) {
 }
 
 void vtkBoleStage::SetCacheDirectory(const char* folder) {
-  this->Inner->control.cache = folder && *folder ? std::make_shared<bole::ResultCache>(folder) : nullptr;
+  this->Inner->control.cache = folder && *folder ? std::make_shared<bole::vtkbridge::ResultCache>(folder) : nullptr;
 }
 
 void vtkBoleStage::SetGenerateVertices(bool generate) {
@@ -189,7 +190,7 @@ void vtkBoleStage::SetGenerateVertices(bool generate) {
 }
 bool vtkBoleStage::GetGenerateVertices() const { return this->Inner->vertices; }
 
-void vtkBoleStage::SetControl(bole::StageControl control) {
+void vtkBoleStage::SetControl(bole::vtkbridge::StageControl control) {
   const bool moved =
       control.output_dir != this->Inner->control.output_dir && this->Inner->type && this->Inner->type->writes_files;
   this->Inner->control = std::move(control);
@@ -211,7 +212,8 @@ void vtkBoleStage::Finish() { this->Inner->stop.finish(); }
 
 std::string vtkBoleStage::GetReportJSON() const {
   // Texts of files may be in any encoding.
-  return bole::report_to_json(this->GetReport()).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+  return bole::pipeline::report_to_json(this->GetReport())
+      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 const bole::Report& vtkBoleStage::GetReport() const {
   static const bole::Report none;
@@ -229,7 +231,7 @@ std::vector<std::string> vtkBoleStage::GetOutputFiles() const {
 }
 
 bool vtkBoleStage::OutputFilesPresent() const {
-  return !this->Inner->result || bole::all_there(this->Inner->result->files);
+  return !this->Inner->result || bole::vtkbridge::all_there(this->Inner->result->files);
 }
 
 bool vtkBoleStage::FillOutputs() {
@@ -279,7 +281,7 @@ bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInfo
   // Times of frames are known once the scan is open. A source can be run now; after other stages they come with the
   // data.
   const bool has_frames =
-      std::ranges::any_of(ports, [](const bole::Port& p) { return p.kind == bole::DataKind::frames; });
+      std::ranges::any_of(ports, [](const bole::pipeline::Port& p) { return p.kind == bole::DataKind::frames; });
   if (has_frames && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
   for (std::size_t p = 0; p < ports.size(); ++p) {
     vtkInformation* info = outputs->GetInformationObject(static_cast<int>(p));
@@ -302,7 +304,7 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
   this->Inner->exit_code = 0;
   const bool done = this->Inner->guarded(this, [&] {
     if (!this->Inner->type) throw bole::bad_input("no stage type is set", "a stage that `bole stages` lists");
-    bole::PortData data;
+    bole::vtkbridge::PortData data;
     for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
       if (inputs[port]->GetNumberOfInformationObjects() > 0)
         if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0)))

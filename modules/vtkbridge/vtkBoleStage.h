@@ -15,12 +15,16 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoleBridgeModule.h"  // for export macro
 
-namespace bole {
+namespace bole::inline base {
 class OptionSet;
 struct Report;
-struct StageControl;
+}  // namespace bole::inline base
+namespace bole::pipeline {
 struct StageType;
-}  // namespace bole
+}
+namespace bole::vtkbridge {
+struct StageControl;
+}
 
 class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
  public:
@@ -76,10 +80,10 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
   // For the executor; not seen by the wrappers.
-  const bole::StageType* GetType() const;
+  const bole::pipeline::StageType* GetType() const;
   void SetOptions(const bole::OptionSet& options);
   const bole::OptionSet* GetOptions() const;
-  void SetControl(bole::StageControl control);
+  void SetControl(bole::vtkbridge::StageControl control);
   void DetachControl();  // forgets whom to report to and listen to; keeps cache and folders
   const bole::Report& GetReport() const;
   // Files that a sink wrote, and whether they are as it left them.

@@ -52,12 +52,14 @@ if(BOLE_FUZZ)
 endif()
 
 # bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [STAGES])
-#   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/*.cpp (stages.cpp apart). Headers are included
+#   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp apart). Headers are included
 #   as "NAME/..." or "NAME/core/...". PUBLIC are libraries seen in headers, PRIVATE those of .cpp files only.
-#   STAGES: modules/NAME/stages.cpp defines `void bole::register_NAME_stages(StageRegistry&)`; it goes into bole_stages.
+#   STAGES: modules/NAME/stages.cpp defines `void bole::NAME::register_stages(pipeline::StageRegistry&)`; it goes into bole_stages.
 function(bole_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE")
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp ${CMAKE_CURRENT_SOURCE_DIR}/core/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/*.cpp)
+  list(APPEND sources ${core_sources})
   list(FILTER sources EXCLUDE REGEX "/stages\\.cpp$")
   add_library(bole_${name} SHARED ${sources})
   add_library(bole::${name} ALIAS bole_${name})
@@ -80,8 +82,8 @@ function(bole_stages_library)
   set(sources "")
   set(modules "")
   foreach(name IN LISTS names)
-    string(APPEND declarations "void register_${name}_stages(StageRegistry&);\n")
-    string(APPEND calls "  register_${name}_stages(registry);\n")
+    string(APPEND declarations "namespace bole::${name} {\nvoid register_stages(pipeline::StageRegistry&);\n}\n")
+    string(APPEND calls "  if (registry.first_time(\"${name}\")) ${name}::register_stages(registry);\n")
     list(APPEND sources ${CMAKE_SOURCE_DIR}/modules/${name}/stages.cpp)
     list(APPEND modules bole::${name})
   endforeach()

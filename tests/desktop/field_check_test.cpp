@@ -25,7 +25,7 @@ class FieldCheckTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     collect_complaints();
-    write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
     // Of the nine stems eight were taped; one tree of the list was felled since.
     std::ofstream list(folder_.filePath("list.csv").toStdString());

@@ -80,7 +80,7 @@ class LanguageTest : public QObject {
 
   void every_stage_has_a_title() {
     install_language(*QCoreApplication::instance(), "zh_CN");
-    for (const auto* type : StageRegistry::global().all())
+    for (const auto* type : pipeline::StageRegistry::global().all())
       QVERIFY2(stage_title(*type) != QString::fromStdString(type->title),
                qPrintable("translate in app/desktop/i18n/stages_zh_CN.ts: " + QString::fromStdString(type->title)));
   }
@@ -110,22 +110,22 @@ class LanguageTest : public QObject {
       pose.time_s = i, pose.T_target_sensor.translation().x() = i;
       path.poses.push_back(pose);
     }
-    StemSliceData slice;
-    StemProfileData profile;
-    std::vector<Figure> figures{diameter_histogram(stems, {}, {}).figure,
-                                height_over_diameter(stems, {}, {}).figure,
-                                estimated_over_field(matches, {}, {}).figure,
-                                diameter_histogram(Table(stems.subset({})), {}, {}).figure,
-                                estimated_over_field(Table(), {}, {}).figure,
-                                stem_slice(slice, 80, 80),
-                                stem_profile(profile, 60, 90),
-                                trajectory_error_chart({&path, &path, nullptr}, 120)};
-    ViewFurniture furniture;
+    render::StemSliceData slice;
+    render::StemProfileData profile;
+    std::vector<render::Figure> figures{render::diameter_histogram(stems, {}, {}).figure,
+                                        render::height_over_diameter(stems, {}, {}).figure,
+                                        render::estimated_over_field(matches, {}, {}).figure,
+                                        render::diameter_histogram(Table(stems.subset({})), {}, {}).figure,
+                                        render::estimated_over_field(Table(), {}, {}).figure,
+                                        render::stem_slice(slice, 80, 80),
+                                        render::stem_profile(profile, 60, 90),
+                                        render::trajectory_error_chart({&path, &path, nullptr}, 120)};
+    render::ViewFurniture furniture;
     furniture.width_mm = 200, furniture.height_mm = 150, furniture.mm_per_metre = 5, furniture.grid_step_m = 2;
-    furniture.paint = PointPaint();
+    furniture.paint = render::PointPaint();
     furniture.paint->title = "tree id";
-    for (auto& patch : furniture_patches(furniture)) figures.push_back(patch.figure);
-    for (const auto& figure : figures) screen_overlay(figure, 96, listening);
+    for (auto& patch : render::furniture_patches(furniture)) figures.push_back(patch.figure);
+    for (const auto& figure : figures) render::screen_overlay(figure, 96, listening);
     QVERIFY2(english.isEmpty(), qPrintable("translate in app/desktop/i18n/figures_zh_CN.ts:\n" + english.join('\n')));
     QCOMPARE(QString::fromStdString(look.words("n 12   bias -0.20 cm   RMSE 0.41 cm")),
              QStringLiteral("n 12   偏差 -0.20 cm   RMSE 0.41 cm"));

@@ -70,8 +70,8 @@ class RunningTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    register_all_stages(StageRegistry::global());
-    register_report_stages(StageRegistry::global());
+    pipeline::register_all_stages(pipeline::StageRegistry::global());
+    report::register_report_stages(pipeline::StageRegistry::global());
     write_capture(folder_.filePath("walk").toStdString(), frames);
     write_true_path(folder_.filePath("truth.tum").toStdString(), frames);
     write_walk_pipeline(folder_.filePath("survey.json").toStdString());
@@ -272,7 +272,7 @@ class RunningTest : public QObject {
     button("show_run").click();
     QVERIFY(ended.wait(30000));
     for (const auto& stage : runner().jobs().back()->outcome.stages)
-      QVERIFY2(stage.state == StageState::from_cache, stage.record.id.c_str());
+      QVERIFY2(stage.state == vtkbridge::StageState::from_cache, stage.record.id.c_str());
     QVERIFY(runner().survey().points->size() != last->size());
     button("take_options").click();
     QCOMPARE(neighbours(), 0);  // left to the preset
@@ -381,7 +381,7 @@ class RunningTest : public QObject {
     auto& session = window_->session();
     QCOMPARE(QString::fromStdString(std::get<std::string>(session.document().at("scan").options.get("file"))),
              folder_.filePath("walk"));
-    QVERIFY(validate(session.document()).empty());
+    QVERIFY(pipeline::validate(session.document()).empty());
     QCOMPARE(session.path(), folder_.filePath("walk.json"));
     QTRY_COMPARE(bar().frames(), static_cast<int>(frames));
     session.save(session.path());

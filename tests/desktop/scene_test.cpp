@@ -32,7 +32,7 @@
 #include "views/frame_pace.h"
 #include "views/scene_view.h"
 
-Q_DECLARE_METATYPE(bole::RunOutcome)
+Q_DECLARE_METATYPE(bole::vtkbridge::RunOutcome)
 Q_DECLARE_METATYPE(bole::desktop::Results)
 
 namespace bole::desktop {
@@ -85,11 +85,11 @@ class SceneTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    register_all_stages(StageRegistry::global());
-    register_report_stages(StageRegistry::global());
-    qRegisterMetaType<RunOutcome>("RunOutcome");
+    pipeline::register_all_stages(pipeline::StageRegistry::global());
+    report::register_report_stages(pipeline::StageRegistry::global());
+    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
     qRegisterMetaType<Results>("Results");
-    write_cloud(path("cloud.xyz").toStdString());
+    io::write_cloud(path("cloud.xyz").toStdString());
     write_pipeline(path("plot.json").toStdString());
     write_rows_pipeline(path("rows.json").toStdString());
     complaints.clear();
@@ -279,15 +279,15 @@ class SceneTest : public QObject {
     click_on({1.5, 1.5 + 0.1, 4.77});
     click_on({7.5, 1.5 + 0.1, 4.77});
     QCOMPARE(measuring->list().size(), std::size_t{1});
-    const auto values = values_of(measuring->list()[0]);
+    const auto values = render::values_of(measuring->list()[0]);
     QVERIFY2(std::abs(values[1].value - 6) < 0.2, qPrintable(QString::number(values[1].value)));
     QVERIFY(std::abs(values[2].value) < 0.1);
 
     trigger("measure_ring");
     for (const double a : {0.3, 2.5, 4.4}) click_on({4.5 + 0.1 * std::cos(a), 4.5 + 0.1 * std::sin(a), 4.77});
     QCOMPARE(measuring->list().size(), std::size_t{2});
-    QVERIFY2(std::abs(values_of(measuring->list()[1])[0].value - 20) < 1,
-             qPrintable(QString::number(values_of(measuring->list()[1])[0].value)));
+    QVERIFY2(std::abs(render::values_of(measuring->list()[1])[0].value - 20) < 1,
+             qPrintable(QString::number(render::values_of(measuring->list()[1])[0].value)));
     trigger("measure_point");
     click_on({4.5, 1.6, 4.77});
     QVERIFY(measuring->list()[2].height_above_ground_m.value_or(0) > 4);
@@ -312,7 +312,7 @@ class SceneTest : public QObject {
     forget_changes();
     open("copy.json");
     QCOMPARE(measuring->list().size(), std::size_t{3});
-    QVERIFY(std::abs(values_of(measuring->list()[0])[1].value - values[1].value) < 1e-9);
+    QVERIFY(std::abs(render::values_of(measuring->list()[0])[1].value - values[1].value) < 1e-9);
     forget_changes();
 
     // A file that cannot be read is told of and not written over.
@@ -347,11 +347,11 @@ class SceneTest : public QObject {
     dialog.save(path("map.png"));
     QVERIFY(saved.wait(60000));
     // What the report draws from the same data.
-    MapOptions options;
-    options.view = MapView::top;
-    const MapData data{
+    render::MapOptions options;
+    options.view = render::MapView::top;
+    const render::MapData data{
         survey.points.get(), survey.stems.get(), survey.sections.get(), survey.walk.get(), {}, false, nullptr};
-    const auto expected = figure_png(map_figure(data, options, 100), 300);
+    const auto expected = render::figure_png(render::map_figure(data, options, 100), 300);
     QFile file(path("map.png"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray(expected.data(), static_cast<int>(expected.size())));

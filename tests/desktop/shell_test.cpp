@@ -40,7 +40,7 @@ class ShellTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     QVERIFY(folder_.isValid());
-    write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
   }
 
@@ -88,10 +88,10 @@ class ShellTest : public QObject {
   }
 
   void a_deleted_stage_between_two_is_bridged() {
-    const auto document = PipelineDocument::load(plot().toStdString(), StageRegistry::global());
+    const auto document = pipeline::PipelineDocument::load(plot().toStdString(), pipeline::StageRegistry::global());
     const auto without = without_stage(document, "edit");
     QCOMPARE(without.stages().size(), std::size_t{4});
-    auto with = with_stage(without, StageRegistry::global().at("stems.edit")).document;
+    auto with = with_stage(without, pipeline::StageRegistry::global().at("stems.edit")).document;
     QCOMPARE(with.at("edit").inputs.at("stems"), std::string("stems.stems"));
     const auto bridged = without_stage(document, "stems");  // edit takes points from what stems took
     QCOMPARE(bridged.at("edit").inputs.at("points"), std::string("ground.points"));
@@ -232,7 +232,7 @@ class ShellTest : public QObject {
     QApplication::sendEvent(&window, &drop);
     QVERIFY(window.session().has_document());
     QCOMPARE(window.session().path(), folder_.filePath("cloud.json"));
-    QVERIFY(validate(window.session().document()).empty());
+    QVERIFY(pipeline::validate(window.session().document()).empty());
     window.refresh();
     QVERIFY(wait_for_run(window));
     QCOMPARE(window.stems().model()->rowCount(), 9);
@@ -285,12 +285,12 @@ class ShellTest : public QObject {
         positions[i] = {0.01F * static_cast<float>(i % 300), 0.01F * static_cast<float>(i / 300), z};
       return std::make_shared<const PointCloud>(std::move(positions));
     };
-    RunOutcome outcome;
+    vtkbridge::RunOutcome outcome;
     Results results;
     for (const auto& [id, type, z] :
          {std::tuple{"low", "survey.frame", 0.0F}, {"same", "stems.edit", 1.0F}, {"high", "ground.model", 1.0F}}) {
-      StageOutcome stage;
-      stage.record.id = id, stage.record.type = type, stage.state = bole::StageState::done;
+      vtkbridge::StageOutcome stage;
+      stage.record.id = id, stage.record.type = type, stage.state = bole::vtkbridge::StageState::done;
       outcome.stages.push_back(stage);
       results[id].set("points", cloud(z));
     }
@@ -318,7 +318,7 @@ class ShellTest : public QObject {
   // The first run shows the map before its stems are measured; so the sample is seen within seconds.
   void the_map_is_seen_before_its_stems() {
     QTemporaryDir folder;  // no results of an earlier run
-    write_cloud(folder.filePath("cloud.xyz").toStdString());
+    io::write_cloud(folder.filePath("cloud.xyz").toStdString());
     write_pipeline(folder.filePath("plot.json").toStdString());
     MainWindow window;
     window.show();
@@ -425,7 +425,7 @@ class ShellTest : public QObject {
  private:
   QString plot() const { return folder_.filePath("plot.json"); }
   // The report without its large pictures, so that the test takes seconds.
-  static PipelineDocument light_report(PipelineDocument document) {
+  static pipeline::PipelineDocument light_report(pipeline::PipelineDocument document) {
     for (auto& node : document.stages())
       if (node.type->name == "report.plot") {
         for (const char* port : {"points", "canopy", "slope"}) node.inputs.erase(port);

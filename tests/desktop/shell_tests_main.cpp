@@ -15,7 +15,7 @@
 
 #include "document/survey.h"
 
-Q_DECLARE_METATYPE(bole::RunOutcome)
+Q_DECLARE_METATYPE(bole::vtkbridge::RunOutcome)
 Q_DECLARE_METATYPE(bole::desktop::Results)
 Q_DECLARE_METATYPE(bole::desktop::Survey)
 
@@ -28,9 +28,9 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setApplicationName("Bole");
   QApplication::setOrganizationName("Bole");
-  bole::register_all_stages(bole::StageRegistry::global());
-  bole::register_report_stages(bole::StageRegistry::global());
-  qRegisterMetaType<bole::RunOutcome>("RunOutcome");
+  bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
+  bole::report::register_report_stages(bole::pipeline::StageRegistry::global());
+  qRegisterMetaType<bole::vtkbridge::RunOutcome>("RunOutcome");
   qRegisterMetaType<bole::desktop::Results>("Results");
   qRegisterMetaType<bole::desktop::Survey>("Survey");
   using namespace bole::desktop;

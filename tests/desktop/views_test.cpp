@@ -49,11 +49,11 @@ class ViewsTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    register_all_stages(StageRegistry::global());
-    register_report_stages(StageRegistry::global());
-    qRegisterMetaType<RunOutcome>("RunOutcome");
+    pipeline::register_all_stages(pipeline::StageRegistry::global());
+    report::register_report_stages(pipeline::StageRegistry::global());
+    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
     qRegisterMetaType<Results>("Results");
-    write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
     complaints.clear();
     qInstallMessageHandler(note_message);
@@ -240,7 +240,7 @@ class ViewsTest : public QObject {
       scene.color_by(array);
       QCOMPARE(scene.paint().array, array);
     }
-    PointFilter filter;
+    render::PointFilter filter;
     filter.height = {1, 2};
     const auto all = scene.drawn_points();
     scene.set_filter(filter);

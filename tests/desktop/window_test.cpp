@@ -27,7 +27,7 @@
 #include "views/scene_view.h"
 #include "views_test.h"
 
-Q_DECLARE_METATYPE(bole::RunOutcome)
+Q_DECLARE_METATYPE(bole::vtkbridge::RunOutcome)
 Q_DECLARE_METATYPE(bole::desktop::Results)
 
 namespace bole::desktop {
@@ -36,12 +36,12 @@ class WindowTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    register_all_stages(StageRegistry::global());
-    register_report_stages(StageRegistry::global());
-    qRegisterMetaType<RunOutcome>("RunOutcome");
+    pipeline::register_all_stages(pipeline::StageRegistry::global());
+    report::register_report_stages(pipeline::StageRegistry::global());
+    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
     qRegisterMetaType<Results>("Results");
     QVERIFY(folder_.isValid());
-    write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
   }
 
@@ -132,18 +132,18 @@ class WindowTest : public QObject {
     window.session().undo_stack().redo();
     QVERIFY(wait());
 
-    StemEdit add;
-    add.action = StemEdit::Action::add;
+    stems::StemEdit add;
+    add.action = stems::StemEdit::Action::add;
     add.at = {4.52, 4.49};  // about where the deleted one stood: fitted to the slice
     window.editor().apply(add);
     QVERIFY(wait());
     QCOMPARE(table->model()->rowCount(), 9);
     const auto edits =
-        parse_stem_edits(std::get<std::string>(window.session().document().at("edit").options.get("edits")));
+        stems::parse_stem_edits(std::get<std::string>(window.session().document().at("edit").options.get("edits")));
     QCOMPARE(edits.size(), std::size_t{2});
     QVERIFY(!edits[1].time.empty());
-    StemEdit nothing;
-    nothing.action = StemEdit::Action::resize;
+    stems::StemEdit nothing;
+    nothing.action = stems::StemEdit::Action::resize;
     QVERIFY_EXCEPTION_THROWN(window.editor().apply(nothing), Error);
     window.session().discard_recovery();
   }
@@ -151,7 +151,7 @@ class WindowTest : public QObject {
   void what_was_never_saved_is_recovered_too() {
     const QTemporaryDir place;
     const QString cloud = place.filePath("cloud.xyz"), path = place.filePath("cloud.json");
-    write_cloud(cloud.toStdString());
+    io::write_cloud(cloud.toStdString());
     {
       Session session;  // of a program that ends here
       session.start(document_for_file(cloud), path);
@@ -173,7 +173,8 @@ class WindowTest : public QObject {
   void a_sample_that_was_saved_is_opened_as_it_was() {
     const QTemporaryDir place;
     const QString path = place.filePath("sample_plot.json");
-    const auto sample = std::make_shared<const PipelineDocument>(document_for_file(place.filePath("walk.pcap")));
+    const auto sample =
+        std::make_shared<const pipeline::PipelineDocument>(document_for_file(place.filePath("walk.pcap")));
     {
       Session session;
       session.start(*sample, path);
@@ -419,7 +420,7 @@ class WindowTest : public QObject {
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
   if (argc == 3 && std::string(argv[1]) == "--edit-and-die") {
-    bole::register_all_stages(bole::StageRegistry::global());
+    bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
     bole::desktop::Session session;
     session.open(argv[2]);
     session.set_option("slice", "height", 1.6);

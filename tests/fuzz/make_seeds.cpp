@@ -6,7 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "io/core/cloud_writer.h"
+#include "io/core/clouds/cloud_writer.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
 
@@ -16,15 +16,16 @@ using namespace bole;
 
 void write_packets(const std::filesystem::path& folder) {
   for (const char* name : {"vlp16", "vlp32c"}) {
-    const auto model = load_sensor_model(name);
+    const auto model = sensor::load_sensor_model(name);
     std::filesystem::create_directories(folder / "pcap");
     std::filesystem::create_directories(folder / "velodyne");
-    PcapWriter writer(folder / "pcap" / name);
-    VelodyneEncoder encoder(model, VelodyneReturnMode::dual, [&](const VelodyneEncoder::Bytes& bytes, double time_s) {
-      writer.write(bytes, time_s);
-      write_text_file(folder / "velodyne" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    });
-    const std::vector<LaserEcho> near(model.channels.size(), {3, 7}), far(model.channels.size(), {9, 1});
+    sensor::PcapWriter writer(folder / "pcap" / name);
+    sensor::VelodyneEncoder encoder(
+        model, sensor::VelodyneReturnMode::dual, [&](const sensor::VelodyneEncoder::Bytes& bytes, double time_s) {
+          writer.write(bytes, time_s);
+          write_text_file(folder / "velodyne" / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        });
+    const std::vector<sensor::LaserEcho> near(model.channels.size(), {3, 7}), far(model.channels.size(), {9, 1});
     for (int s = 0; s < 40; ++s) encoder.add(1.7e9 + s * model.sequence_period_s, 3.13 + 0.0035 * s, near, far);
     writer.close();
   }
@@ -33,7 +34,7 @@ void write_packets(const std::filesystem::path& folder) {
 void write_clouds(const std::filesystem::path& folder) {
   PointCloud cloud({{1, 2, 3}, {4, 5, 6}}, {400000, 5000000, 0});
   cloud.set_column(arrays::intensity, std::vector<float>{1, 2});
-  write_ply(folder / "ply" / "binary", cloud);
+  io::write_ply(folder / "ply" / "binary", cloud);
   write_text_file(folder / "ply" / "ascii",
                   "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float "
                   "z\nproperty list uchar int f\nproperty uchar red\nend_header\n1 2 3 2 7 8 255\n4 5 6 0 1\n");
@@ -47,7 +48,7 @@ void write_clouds(const std::filesystem::path& folder) {
   write_text_file(folder / "pcd" / "binary", header + "binary\n" + std::string(32, '@'));
   write_text_file(folder / "pcd" / "compressed",
                   header + "binary_compressed\n" + std::string("\x06\0\0\0\x20\0\0\0\0@\xE0\x14\0\0", 14));
-  write_xyz_cloud(folder / "text" / "xyz", cloud);
+  io::write_xyz_cloud(folder / "text" / "xyz", cloud);
   write_text_file(folder / "text" / "csv", "\"x\";y;z;treeID\n1,5;2;3;7\n");
   write_text_file(folder / "text" / "pts", "2\n1 2 3 -100 1 2 3\n4 5 6 7 8 9 10\n");
   write_text_file(folder / "text" / "ptx",

@@ -1,5 +1,5 @@
 // A packet capture from memory: whatever the bytes are, the reader gives frames or an Error.
-#include "io/core/velodyne_pcap.h"
+#include "io/core/scans/velodyne_pcap.h"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    bole::FrameSourceOptions options;
+    bole::io::FrameSourceOptions options;
     options.keep_partial_frames = size % 2 == 0;
     options.sensor = size % 3 == 0 ? "vlp16" : "auto";
-    const bole::VelodynePcapSource source(bole::Bytes(data, size), "fuzz", options, {});
+    const bole::io::VelodynePcapSource source(bole::io::Bytes(data, size), "fuzz", options, {});
     bole::ScanFrame frame;
     for (std::size_t i = 0; i < std::min<std::size_t>(source.size(), 8); ++i) source.read(i, frame);
   } catch (const bole::Error& error) {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "io/core/table_file.h"
-#include "io/core/trajectory_file.h"
+#include "io/core/tables/table_file.h"
+#include "io/core/tables/trajectory_file.h"
 
 namespace {
 
@@ -20,18 +20,18 @@ void allow_bad_input(F&& f) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const bole::Bytes file(data, size);
-  allow_bad_input([&] { bole::read_tum(file, "fuzz"); });
-  allow_bad_input([&] { bole::read_kitti_poses(file, "fuzz"); });
+  const bole::io::Bytes file(data, size);
+  allow_bad_input([&] { bole::io::read_tum(file, "fuzz"); });
+  allow_bad_input([&] { bole::io::read_kitti_poses(file, "fuzz"); });
   bole::Table table;
   bool is_table = false;
   allow_bad_input([&] {
-    table = bole::read_table(file, "fuzz");
+    table = bole::io::read_table(file, "fuzz");
     is_table = true;
   });
   if (is_table) {
-    const auto text = bole::table_text(table);
-    const auto again = bole::read_table({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "again");
+    const auto text = bole::io::table_text(table);
+    const auto again = bole::io::read_table({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "again");
     if (again.rows() != table.rows() || again.columns().size() != table.columns().size()) std::abort();
   }
   return 0;

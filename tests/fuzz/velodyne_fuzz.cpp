@@ -5,13 +5,13 @@
 #include "sensor/core/velodyne_decoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const std::array decoders{bole::VelodyneDecoder(bole::load_sensor_model("vlp16")),
-                                   bole::VelodyneDecoder(bole::load_sensor_model("vlp32c")),
-                                   bole::VelodyneDecoder(bole::load_sensor_model("hdl64e_s2"))};
-  const auto packet = bole::parse_velodyne_packet({data, size});
+  static const std::array decoders{bole::sensor::VelodyneDecoder(bole::sensor::load_sensor_model("vlp16")),
+                                   bole::sensor::VelodyneDecoder(bole::sensor::load_sensor_model("vlp32c")),
+                                   bole::sensor::VelodyneDecoder(bole::sensor::load_sensor_model("hdl64e_s2"))};
+  const auto packet = bole::sensor::parse_velodyne_packet({data, size});
   if (!packet) return 0;
   for (const auto& decoder : decoders) {
-    std::vector<bole::VelodyneReturn> returns;
+    std::vector<bole::sensor::VelodyneReturn> returns;
     decoder.decode(*packet, returns);
     for (const auto& r : returns)
       if (!r.position.allFinite() || r.ring >= decoder.model().rings() || !std::isfinite(r.time_offset_s)) std::abort();

@@ -10,8 +10,8 @@
 #include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
-#include "io/core/table_file.h"
-#include "io/core/trajectory_file.h"
+#include "io/core/tables/table_file.h"
+#include "io/core/tables/trajectory_file.h"
 #include "option_flags.h"
 #include "survey/core/plot_options.h"
 #include "trajectory_figures.h"
@@ -20,7 +20,7 @@ namespace bole::cli {
 namespace {
 
 struct Arguments {
-  OptionSet options{option_table(static_cast<const EvaluationOptions*>(nullptr))};
+  OptionSet options{option_table(static_cast<const evaluation::EvaluationOptions*>(nullptr))};
   OptionSet plot{option_table(static_cast<const survey::PlotOptions*>(nullptr))};
   std::string estimate, reference;
   std::string figure, out, loops;  // of trajectories
@@ -69,17 +69,17 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
 }
 
 void compare_trajectories(const Arguments& args) {
-  auto estimate = read_trajectory(args.estimate);
-  const auto reference = read_trajectory(args.reference);
-  const auto options = args.options.as<EvaluationOptions>();
-  const auto result = evaluate_trajectory(estimate, reference, options);
+  auto estimate = io::read_trajectory(args.estimate);
+  const auto reference = io::read_trajectory(args.reference);
+  const auto options = args.options.as<evaluation::EvaluationOptions>();
+  const auto result = evaluation::evaluate_trajectory(estimate, reference, options);
   print_summary(result.summary, args.json);
   if (args.figure.empty() && args.out.empty()) return;
   for (auto& pose : estimate.poses) pose.T_target_sensor = result.T_reference_estimate * pose.T_target_sensor;
   std::optional<Table> loops;
-  if (!args.loops.empty()) loops = evaluate_loops(read_table(args.loops), reference, options).loops;
+  if (!args.loops.empty()) loops = evaluation::evaluate_loops(io::read_table(args.loops), reference, options).loops;
   draw_trajectories(estimate, reference, loops ? &*loops : nullptr, args.figure, args.out);
-  if (!args.out.empty()) write_table(std::filesystem::path(args.out) / "trajectory_errors.csv", result.errors);
+  if (!args.out.empty()) io::write_table(std::filesystem::path(args.out) / "trajectory_errors.csv", result.errors);
 }
 
 }  // namespace
@@ -88,9 +88,9 @@ void add_evaluate(Program& program) {
   auto* command = program.app.add_subcommand("evaluate", "Hold a table or trajectory against a reference");
   command->require_subcommand(1);
   add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
-    const auto result =
-        evaluate_stems(read_table(args.estimate), read_table(args.reference), args.options.as<EvaluationOptions>(),
-                       survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
+    const auto result = evaluation::evaluate_stems(
+        io::read_table(args.estimate), io::read_table(args.reference), args.options.as<evaluation::EvaluationOptions>(),
+        survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
     for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
     print_summary(result.summary, args.json);
   });
@@ -98,18 +98,19 @@ void add_evaluate(Program& program) {
                  [](const Arguments& args) { compare_trajectories(args); });
   add_comparison(*command, "rows", "Rows (CSV: row_id, x0_m, y0_m, x1_m, y1_m) or plants in rows (row_id, x_m, y_m)",
                  [](const Arguments& args) {
-                   print_summary(evaluate_rows(read_table(args.estimate), read_table(args.reference),
-                                               args.options.as<EvaluationOptions>())
-                                     .summary,
-                                 args.json);
+                   print_summary(
+                       evaluation::evaluate_rows(io::read_table(args.estimate), io::read_table(args.reference),
+                                                 args.options.as<evaluation::EvaluationOptions>())
+                           .summary,
+                       args.json);
                  });
-  add_comparison(*command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory",
-                 [](const Arguments& args) {
-                   print_summary(evaluate_loops(read_table(args.estimate), read_trajectory(args.reference),
-                                                args.options.as<EvaluationOptions>())
-                                     .summary,
-                                 args.json);
-                 });
+  add_comparison(
+      *command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory", [](const Arguments& args) {
+        print_summary(evaluation::evaluate_loops(io::read_table(args.estimate), io::read_trajectory(args.reference),
+                                                 args.options.as<evaluation::EvaluationOptions>())
+                          .summary,
+                      args.json);
+      });
 }
 
 }  // namespace bole::cli

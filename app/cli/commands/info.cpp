@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
-#include "io/core/cloud_reader.h"
-#include "io/core/frame_source.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/scans/frame_source.h"
 
 namespace bole::cli {
 namespace {
@@ -30,7 +30,7 @@ void add_report(ordered_json& json, const Report& report) {
 
 ordered_json describe_recording(const std::filesystem::path& path) {
   Report report;
-  const auto source = open_frame_source(path, {}, {}, report);
+  const auto source = io::open_frame_source(path, {}, {}, report);
   ordered_json json{{"file", path.string()},
                     {"kind", "recording"},
                     {"description", source->description()},
@@ -49,7 +49,7 @@ ordered_json describe_recording(const std::filesystem::path& path) {
 }
 
 ordered_json describe_cloud(const std::filesystem::path& path) {
-  const auto reading = read_cloud(path);
+  const auto reading = io::read_cloud(path);
   const auto& cloud = reading.cloud;
   ordered_json json{
       {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};

@@ -19,18 +19,18 @@ struct Arguments {
 };
 
 // The report's numbers in the order a person looks for them: message, then warnings.
-void print_stage(const StageOutcome& outcome) {
+void print_stage(const vtkbridge::StageOutcome& outcome) {
   const auto& record = outcome.record;
   const auto& report = record.report;
   switch (outcome.state) {
-    case StageState::done:
-    case StageState::from_cache:
+    case vtkbridge::StageState::done:
+    case vtkbridge::StageState::from_cache:
       fmt::print("{:<16} {:>8.1f} s {:>6.0f} MiB{}  {}\n", record.id, report.seconds, report.peak_mib,
                  record.from_cache ? " (cached)" : "", report.message);
       break;
     default:
-      fmt::print("{:<16} {}{}{}\n", record.id, stage_state_name(outcome.state), outcome.error.empty() ? "" : ": ",
-                 outcome.error);
+      fmt::print("{:<16} {}{}{}\n", record.id, vtkbridge::stage_state_name(outcome.state),
+                 outcome.error.empty() ? "" : ": ", outcome.error);
   }
   for (const auto& w : report.warnings) fmt::print("{:<16}   note: {}\n", "", w);
 }
@@ -48,7 +48,7 @@ std::string measure(const Report& report, const char* label, std::initializer_li
 }
 
 // Whether the walk was read from a file in place of being computed: its error then tells nothing about SLAM.
-bool takes_given_poses(const StageOutcome& outcome) {
+bool takes_given_poses(const vtkbridge::StageOutcome& outcome) {
   const auto& options = outcome.record.options;
   return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) {
            return o.name == "trajectory" && !o.value.empty();
@@ -56,7 +56,7 @@ bool takes_given_poses(const StageOutcome& outcome) {
 }
 
 // What a person wants to know first when a reference was connected.
-void print_evaluation(const StageOutcome& outcome, bool poses_given) {
+void print_evaluation(const vtkbridge::StageOutcome& outcome, bool poses_given) {
   const auto& report = outcome.record.report;
   const auto count = [&](const char* name) {
     const auto it = report.counts.find(name);
@@ -73,11 +73,11 @@ void print_evaluation(const StageOutcome& outcome, bool poses_given) {
 }
 
 void run_document(Program& program, const Arguments& args) {
-  auto document = PipelineDocument::load(args.pipeline, StageRegistry::global());
-  apply_sets(document, args.sets);
+  auto document = pipeline::PipelineDocument::load(args.pipeline, pipeline::StageRegistry::global());
+  pipeline::apply_sets(document, args.sets);
   Interrupts interrupts(Interrupts::First::finishes);
   ProgressLine line;
-  RunSettings settings;
+  vtkbridge::RunSettings settings;
   settings.output_dir = args.out;
   if (!args.cache.empty()) settings.cache_dir = args.cache;
   settings.use_cache = !args.no_cache;
@@ -86,7 +86,7 @@ void run_document(Program& program, const Arguments& args) {
   settings.progress = [&line](const std::string& stage, double fraction, std::string_view what) {
     line.update(stage, fraction, what);
   };
-  const auto outcome = run_pipeline(document, settings);
+  const auto outcome = vtkbridge::run_pipeline(document, settings);
   line.clear();
   for (const auto& stage : outcome.stages) print_stage(stage);
   const bool poses_given = std::any_of(outcome.stages.begin(), outcome.stages.end(), takes_given_poses);

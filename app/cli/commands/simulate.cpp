@@ -1,4 +1,4 @@
-#include "sim/core/simulate.h"
+#include "sim/core/plot/simulate.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@ namespace bole::cli {
 
 void add_simulate(Program& program) {
   struct Arguments {
-    OptionSet options{option_table(static_cast<const SimulationOptions*>(nullptr))};
+    OptionSet options{option_table(static_cast<const sim::SimulationOptions*>(nullptr))};
     std::string out;
   };
   auto args = std::make_shared<Arguments>();
@@ -26,7 +26,7 @@ void add_simulate(Program& program) {
     run.finish = interrupts.finish();
     run.cancel = interrupts.cancel();
     run.progress = [&line](double fraction, std::string_view what) { line.update("simulate", fraction, what); };
-    const auto report = simulate(args->options.as<SimulationOptions>(), args->out, run);
+    const auto report = sim::simulate(args->options.as<sim::SimulationOptions>(), args->out, run);
     line.clear();
     fmt::print("{}\n", report.message);
     for (const auto& w : report.warnings) fmt::print("  note: {}\n", w);

@@ -1,4 +1,4 @@
-#include "sim/core/simulate_field.h"
+#include "sim/core/field/simulate_field.h"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include "base/error.h"
 #include "commands.h"
 #include "console.h"
-#include "io/core/cloud_writer.h"
-#include "io/core/table_file.h"
+#include "io/core/clouds/cloud_writer.h"
+#include "io/core/tables/table_file.h"
 #include "option_flags.h"
 
 namespace bole::cli {
 
 void add_simulate_field(Program& program) {
   struct Arguments {
-    OptionSet options{option_table(static_cast<const FieldSimulationOptions*>(nullptr))};
+    OptionSet options{option_table(static_cast<const sim::FieldSimulationOptions*>(nullptr))};
     std::string out;
   };
   auto args = std::make_shared<Arguments>();
@@ -30,18 +30,18 @@ void add_simulate_field(Program& program) {
     Run run;
     run.cancel = interrupts.cancel();
     run.progress = [&line](double fraction, std::string_view what) { line.update("simulate-field", fraction, what); };
-    const auto scan = simulate_field(args->options.as<FieldSimulationOptions>(), run);
+    const auto scan = sim::simulate_field(args->options.as<sim::FieldSimulationOptions>(), run);
     const std::filesystem::path out = args->out;
     std::error_code error;
     std::filesystem::create_directories(out, error);
     if (error) throw failure("cannot make the folder " + args->out + ": " + error.message());
     for (std::size_t i = 0; i < scan.frames.size(); ++i)
-      write_ply(out / fmt::format("frame_{:03}.ply", i), scan.frames[i], run);
-    write_table(out / "attitude.csv", scan.attitude);
-    write_table(out / "poses.csv", scan.poses);
-    write_table(out / "marks.csv", scan.marks);
-    write_table(out / "plants.csv", scan.plants);
-    write_table(out / "rows.csv", scan.rows);
+      io::write_ply(out / fmt::format("frame_{:03}.ply", i), scan.frames[i], run);
+    io::write_table(out / "attitude.csv", scan.attitude);
+    io::write_table(out / "poses.csv", scan.poses);
+    io::write_table(out / "marks.csv", scan.marks);
+    io::write_table(out / "plants.csv", scan.plants);
+    io::write_table(out / "rows.csv", scan.rows);
     line.clear();
     fmt::print("{}\n", scan.report.message);
   });

@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, std::string> pages(const StageRegistry& registry) {
-  std::map<std::string, std::string> by_file{{"README.md", stages_index_markdown(registry)},
-                                             {"arrays.md", arrays_markdown()}};
-  for (const auto* type : registry.all()) by_file[type->name + ".md"] = stage_markdown(*type);
+std::map<std::string, std::string> pages(const pipeline::StageRegistry& registry) {
+  std::map<std::string, std::string> by_file{{"README.md", pipeline::stages_index_markdown(registry)},
+                                             {"arrays.md", pipeline::arrays_markdown()}};
+  for (const auto* type : registry.all()) by_file[type->name + ".md"] = pipeline::stage_markdown(*type);
   return by_file;
 }
 
@@ -66,10 +66,10 @@ void add_stages(Program& program) {
   command->add_option("--check", args->check, "With --markdown: fail when a page in this folder is not current")
       ->type_name("DIR");
   command->callback([args, &program] {
-    const auto& registry = StageRegistry::global();
-    if (args->json) return fmt::print("{}", stages_json(registry));
-    if (args->schema) return fmt::print("{}", document_schema(registry));
-    if (args->paraview_xml) return fmt::print("{}", paraview_xml(registry));
+    const auto& registry = pipeline::StageRegistry::global();
+    if (args->json) return fmt::print("{}", pipeline::stages_json(registry));
+    if (args->schema) return fmt::print("{}", pipeline::document_schema(registry));
+    if (args->paraview_xml) return fmt::print("{}", pipeline::paraview_xml(registry));
     if (args->markdown && !args->out.empty()) return write_pages(args->out, pages(registry));
     if (args->markdown && !args->check.empty()) {
       for (const auto& page : stale_pages(args->check, pages(registry))) {
@@ -79,7 +79,7 @@ void add_stages(Program& program) {
       }
       return;
     }
-    if (!args->type.empty()) return fmt::print("{}", stage_markdown(registry.at(args->type)));
+    if (!args->type.empty()) return fmt::print("{}", pipeline::stage_markdown(registry.at(args->type)));
     if (args->markdown) {
       for (const auto& [name, text] : pages(registry)) fmt::print("{}\n", text);
       return;

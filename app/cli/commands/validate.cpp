@@ -19,9 +19,9 @@ void add_validate(Program& program) {
   command->add_option("--set", args->sets, "Set an option: STAGE.OPTION=VALUE")->type_name("ASSIGNMENT");
   command->add_flag("--json", args->json, "Print the problems as JSON");
   command->callback([args, &program] {
-    auto document = PipelineDocument::load(args->pipeline, StageRegistry::global());
-    apply_sets(document, args->sets);
-    const auto problems = validate(document);
+    auto document = pipeline::PipelineDocument::load(args->pipeline, pipeline::StageRegistry::global());
+    pipeline::apply_sets(document, args->sets);
+    const auto problems = pipeline::validate(document);
     if (args->json) {
       nlohmann::ordered_json list = nlohmann::ordered_json::array();
       for (const auto& p : problems) list.push_back({{"stage", p.stage}, {"message", p.message}});

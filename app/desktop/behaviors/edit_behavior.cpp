@@ -4,7 +4,7 @@
 
 namespace bole::desktop {
 
-void EditBehavior::apply(std::vector<StemEdit> edits) {
+void EditBehavior::apply(std::vector<stems::StemEdit> edits) {
   add_edits(session_, "stems.edit", parse_stem_edits, std::move(edits));
   Q_EMIT applied();
 }

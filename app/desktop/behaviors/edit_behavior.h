@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "document/session.h"
-#include "stems/core/stem_edits.h"
+#include "stems/core/edits/stem_edits.h"
 
 namespace bole::desktop {
 
@@ -17,8 +17,8 @@ class EditBehavior : public QObject {
 
   // Adds an edit to the list, with the person's name and the time; one step of undo. Throws bole::Error when the
   // document has no stage stems.edit or the edit is none.
-  void apply(const StemEdit& edit) { apply(std::vector<StemEdit>{edit}); }
-  void apply(std::vector<StemEdit> edits);  // all in one step
+  void apply(const stems::StemEdit& edit) { apply(std::vector<stems::StemEdit>{edit}); }
+  void apply(std::vector<stems::StemEdit> edits);  // all in one step
 
  Q_SIGNALS:
   void applied();

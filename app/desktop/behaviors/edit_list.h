@@ -30,7 +30,7 @@ void add_edits(Session& session, const std::string& type, std::vector<Edit> (*pa
     if (edit.time.empty()) edit.time = edit_time();
     edits.push_back(std::move(edit));
   }
-  const auto text = to_json(edits);
+  const auto text = stems::to_json(edits);
   parse(text);
   session.set_option(stage, "edits", text);
 }

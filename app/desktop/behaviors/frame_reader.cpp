@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "slam/core/motion.h"
+#include "slam/core/odometry/motion.h"
 
 namespace bole::desktop {
 
 namespace {
 
 // The poses over the frame, when the path covers it.
-std::optional<PoseGrid> poses_over(const ScanFrame& frame, double span_s, const Trajectory* path) {
+std::optional<slam::PoseGrid> poses_over(const ScanFrame& frame, double span_s, const Trajectory* path) {
   if (path == nullptr || path->poses.size() < 2) return {};
   try {
-    return PoseGrid([&](double s) { return path->at(frame.start_time_s + s * span_s); });
+    return slam::PoseGrid([&](double s) { return path->at(frame.start_time_s + s * span_s); });
   } catch (const Error&) {
     return {};
   }
@@ -41,7 +41,7 @@ FrameReader::FrameReader(QObject* parent) : QObject(parent) {}
 
 FrameReader::~FrameReader() { open(nullptr); }
 
-void FrameReader::open(const StageNode* node) {
+void FrameReader::open(const pipeline::StageNode* node) {
   if (thread_.joinable()) {
     thread_.request_stop();
     thread_.join();
@@ -62,7 +62,7 @@ void FrameReader::ask(std::size_t index, std::shared_ptr<const Trajectory> path)
   asked_.notify_one();
 }
 
-void FrameReader::work(const std::stop_token& stop, const StageNode& node) {
+void FrameReader::work(const std::stop_token& stop, const pipeline::StageNode& node) {
   const int count = opened_count_;
   const auto answer = [this, count](auto tell) {
     QMetaObject::invokeMethod(
@@ -75,7 +75,7 @@ void FrameReader::work(const std::stop_token& stop, const StageNode& node) {
   try {
     Run run;
     run.cancel = stop;
-    const auto result = run_stage(*node.type, {}, node.options, run);
+    const auto result = pipeline::run_stage(*node.type, {}, node.options, run);
     const auto source = result.outputs.get<FrameSource>("frames");
     std::vector<double> times_s(source->size());
     for (std::size_t i = 0; i < times_s.size(); ++i) times_s[i] = source->frame_time_s(i);

@@ -33,7 +33,7 @@ class FrameReader : public QObject {
   ~FrameReader() override;
 
   // The stage that opens the scan; nullptr: no scan. Answers with opened() or failed().
-  void open(const StageNode* node);
+  void open(const pipeline::StageNode* node);
   void ask(std::size_t index, std::shared_ptr<const Trajectory> path);
 
  Q_SIGNALS:
@@ -46,7 +46,7 @@ class FrameReader : public QObject {
     std::size_t index = 0;
     std::shared_ptr<const Trajectory> path;
   };
-  void work(const std::stop_token& stop, const StageNode& node);
+  void work(const std::stop_token& stop, const pipeline::StageNode& node);
 
   std::mutex mutex_;
   std::condition_variable_any asked_;

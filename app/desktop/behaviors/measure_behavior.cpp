@@ -14,13 +14,13 @@
 #include "base/atomic_file.h"
 #include "main_window.h"
 #include "panels/measure_panel.h"
-#include "stems/core/circle_fit.h"
+#include "stems/core/fit/circle_fit.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
 namespace {
 
-using Kind = Measurement::Kind;
+using Kind = render::Measurement::Kind;
 
 const std::string layer = "measurements";
 constexpr double slice_half_m = 0.05, start_error_m = 0.05, most_sigma_m = 0.025;  // of the fit of a ring
@@ -61,14 +61,14 @@ QString ask(Kind kind, std::size_t clicked) {
 
 class EditMeasurements : public SignedCommand {
  public:
-  EditMeasurements(MeasureBehavior& behavior, const QString& what, std::vector<Measurement> after)
+  EditMeasurements(MeasureBehavior& behavior, const QString& what, std::vector<render::Measurement> after)
       : SignedCommand(what), behavior_(behavior), before_(behavior.list()), after_(std::move(after)) {}
   void undo() override { behavior_.put(before_); }
   void redo() override { behavior_.put(after_); }
 
  private:
   MeasureBehavior& behavior_;
-  std::vector<Measurement> before_, after_;
+  std::vector<render::Measurement> before_, after_;
 };
 
 MeasureBehavior::MeasureBehavior(MainWindow& window)
@@ -139,12 +139,13 @@ void MeasureBehavior::take(const Eigen::Vector3d& place, const QVariant& point) 
   if (!window_.session().has_document()) return;
   if (point.isNull()) return window_.say(tr("There is no point here. Click one that is drawn."));
   if (!open_) {
-    open_ = *tool_ == Kind::point ? point_measurement(*window_.scene().survey().points, point.toUInt()) : Measurement();
+    open_ = *tool_ == Kind::point ? render::point_measurement(*window_.scene().survey().points, point.toUInt())
+                                  : render::Measurement();
     open_->kind = *tool_;
     open_->points.clear();
   }
   open_->points.push_back(place);
-  if (static_cast<int>(open_->points.size()) == points_needed(open_->kind)) finish();
+  if (static_cast<int>(open_->points.size()) == render::points_needed(open_->kind)) finish();
   if (tool_) window_.statusBar()->showMessage(ask(*tool_, open_ ? open_->points.size() : 0));
   draw();
 }
@@ -152,7 +153,7 @@ void MeasureBehavior::take(const Eigen::Vector3d& place, const QVariant& point) 
 void MeasureBehavior::finish() {
   auto done = *std::exchange(open_, std::nullopt);
   if (done.kind == Kind::ring) {
-    if (!ring_through(done.points))
+    if (!render::ring_through(done.points))
       return window_.say(tr("The three points lie on one line. Click them around the stem."));
     if (!QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier)) fit_ring(done);
   }
@@ -165,9 +166,9 @@ void MeasureBehavior::finish() {
 }
 
 // The clicked places are as good as a hand; the points of a thin layer around them know the bark better.
-void MeasureBehavior::fit_ring(Measurement& ring) const {
+void MeasureBehavior::fit_ring(render::Measurement& ring) const {
   const auto& survey = window_.scene().survey();
-  const auto drawn = ring_through(ring.points);
+  const auto drawn = render::ring_through(ring.points);
   if (!survey.points || !survey.index || !drawn) return;
   const auto& cloud = *survey.points;
   const double reach = 1.3 * drawn->radius_m + start_error_m;
@@ -182,7 +183,7 @@ void MeasureBehavior::fit_ring(Measurement& ring) const {
     if (std::abs(p.norm() - drawn->radius_m) <= start_error_m) near.push_back(p);
   }
   if (near.size() < least_points) return;
-  const auto fit = robust_circle(near, {Eigen::Vector2d::Zero(), drawn->radius_m}, start_error_m, most_sigma_m);
+  const auto fit = stems::robust_circle(near, {Eigen::Vector2d::Zero(), drawn->radius_m}, start_error_m, most_sigma_m);
   if (!fit) return;
   ring.points.clear();
   for (const double turn : {0.0, 1.0, 2.0}) {
@@ -218,11 +219,11 @@ void MeasureBehavior::rename(int which, const QString& name) {
   change(tr("rename a measurement"), std::move(after));
 }
 
-void MeasureBehavior::change(const QString& what, std::vector<Measurement> after) {
+void MeasureBehavior::change(const QString& what, std::vector<render::Measurement> after) {
   window_.session().undo_stack().push(new EditMeasurements(*this, what, std::move(after)));
 }
 
-void MeasureBehavior::put(const std::vector<Measurement>& list) {
+void MeasureBehavior::put(const std::vector<render::Measurement>& list) {
   list_ = list;
   selected_ = std::min(selected_, static_cast<int>(list_.size()) - 1);
   panel_->show_list(list_);
@@ -233,12 +234,12 @@ void MeasureBehavior::put(const std::vector<Measurement>& list) {
 
 void MeasureBehavior::draw() {
   std::vector<SceneDrawing> drawings;
-  const auto add = [&](const Measurement& m, bool strong) {
+  const auto add = [&](const render::Measurement& m, bool strong) {
     SceneDrawing d;
-    d.lines = lines_of(m);
+    d.lines = render::lines_of(m);
     d.marks = m.points;
     d.strong = strong;
-    if (!values_of(m).empty()) d.label = label_of(m), d.label_at = m.points.back();
+    if (!render::values_of(m).empty()) d.label = render::label_of(m), d.label_at = m.points.back();
     drawings.push_back(std::move(d));
   };
   for (std::size_t i = 0; i < list_.size(); ++i) add(list_[i], static_cast<int>(i) == selected_);
@@ -258,7 +259,7 @@ void MeasureBehavior::load() {
   unread_.clear();
   QFile stored(file());
   if (stored.open(QIODevice::ReadOnly)) try {
-      list_ = parse_measurements(stored.readAll().toStdString());
+      list_ = render::parse_measurements(stored.readAll().toStdString());
     } catch (const Error& e) {
       unread_ = file();  // is not written over
       window_.say(unread_ + ": " + QString::fromUtf8(e.what()));
@@ -275,11 +276,11 @@ void MeasureBehavior::store() const {
   if (list_.empty())
     QFile::remove(file());
   else
-    write_text_file(file().toStdString(), measurements_json(list_));
+    write_text_file(file().toStdString(), render::measurements_json(list_));
 }
 
 void MeasureBehavior::export_csv(const QString& path) const {
-  write_text_file(path.toStdString(), measurements_csv(list_));
+  write_text_file(path.toStdString(), render::measurements_csv(list_));
 }
 
 void install_measuring(MainWindow& window) { new MeasureBehavior(window); }

@@ -21,9 +21,9 @@ class MeasureBehavior : public QObject {
  public:
   explicit MeasureBehavior(MainWindow& window);
 
-  const std::vector<Measurement>& list() const { return list_; }
-  std::optional<Measurement::Kind> tool() const { return tool_; }
-  void start(Measurement::Kind kind);
+  const std::vector<render::Measurement>& list() const { return list_; }
+  std::optional<render::Measurement::Kind> tool() const { return tool_; }
+  void start(render::Measurement::Kind kind);
   void stop();
   void select(int which);
   void remove(int which);
@@ -36,20 +36,20 @@ class MeasureBehavior : public QObject {
   void load();
   void store() const;
   QString file() const;
-  void change(const QString& what, std::vector<Measurement> after);  // one step of undo
-  void put(const std::vector<Measurement>& list);
+  void change(const QString& what, std::vector<render::Measurement> after);  // one step of undo
+  void put(const std::vector<render::Measurement>& list);
   void take(const Eigen::Vector3d& place, const QVariant& point);
   void finish();
-  void fit_ring(Measurement& ring) const;
+  void fit_ring(render::Measurement& ring) const;
   void draw();
-  QString free_name(Measurement::Kind kind) const;
+  QString free_name(render::Measurement::Kind kind) const;
 
   MainWindow& window_;
   MeasurePanel* panel_;
   std::vector<QAction*> actions_;
-  std::vector<Measurement> list_;
-  std::optional<Measurement::Kind> tool_;
-  std::optional<Measurement> open_;  // being clicked
+  std::vector<render::Measurement> list_;
+  std::optional<render::Measurement::Kind> tool_;
+  std::optional<render::Measurement> open_;  // being clicked
   int selected_ = -1;
   QString unread_;  // a file that is there and could not be read
 };

@@ -11,8 +11,8 @@ void ReviewBehavior::show_survey(const Survey& survey) {
   order_.clear(), decided_.clear();
   if (!survey.stems || !survey.stems->has("tree_id")) return;
   const auto ids = survey.stems->integers("tree_id");
-  const auto states = texts_or_empty(*survey.stems, "state");
-  for (const auto row : worst_first(*survey.stems)) {
+  const auto states = render::texts_or_empty(*survey.stems, "state");
+  for (const auto row : render::worst_first(*survey.stems)) {
     order_.push_back(ids[row]);
     decided_.push_back(states[row] == "accepted" || states[row] == "rejected" || states[row] == "edited");
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "document/survey.h"
-#include "rows/core/row_edits.h"
+#include "rows/core/edits/row_edits.h"
 #include "views/scene_drawing.h"
 
 class QModelIndex;

@@ -19,16 +19,17 @@ constexpr std::chrono::milliseconds progress_gap{150};
 
 // The outputs of all stages that ran, as core data. Called in the worker: stored results are read here, unless only
 // those are asked for that are in memory.
-Results collect(const PipelineExecutor& executor, const RunOutcome& outcome, bool in_memory = false) {
+Results collect(const vtkbridge::PipelineExecutor& executor, const vtkbridge::RunOutcome& outcome,
+                bool in_memory = false) {
   Results results;
   for (const auto& stage : outcome.stages) {
-    if (stage.state != StageState::done && stage.state != StageState::from_cache) continue;
+    if (stage.state != vtkbridge::StageState::done && stage.state != vtkbridge::StageState::from_cache) continue;
     auto* object = executor.stage(stage.record.id);
     if (!object) continue;
     for (const auto& port : object->GetType()->outputs) {
       if (port.kind == DataKind::frames) continue;
       auto* output = object->GetOutputDataObject(object->FindOutputPort(port.name.c_str()));
-      const auto data = output ? attached(output) : nullptr;  // none of a stage that was left out
+      const auto data = output ? vtkbridge::attached(output) : nullptr;  // none of a stage that was left out
       if (data && (!in_memory || data->loaded())) results[stage.record.id].set(port.name, data->get());
     }
   }
@@ -37,7 +38,7 @@ Results collect(const PipelineExecutor& executor, const RunOutcome& outcome, boo
 
 // The index of the points is made here too, for it takes seconds on a large cloud; that of `seen`, when they are the
 // same. Empty when the run was cancelled or gave nothing to look at.
-Survey survey_to_show(const RunOutcome& outcome, const Results& results, const Survey& seen,
+Survey survey_to_show(const vtkbridge::RunOutcome& outcome, const Results& results, const Survey& seen,
                       const std::stop_token& cancel) {
   if (outcome.exit_code == 3) return {};
   Run run;
@@ -57,18 +58,19 @@ bool has_heights(const DataSet& outputs) {
   return outputs.has("points") && outputs.cloud("points").has(arrays::height_above_ground);
 }
 
-bool ended_early(const RunOutcome& outcome) {
+bool ended_early(const vtkbridge::RunOutcome& outcome) {
   return std::ranges::any_of(outcome.stages,
                              [](const auto& s) { return s.record.report.status == Status::finished_early; });
 }
 
-JobState state_after(const RunOutcome& outcome) {
+JobState state_after(const vtkbridge::RunOutcome& outcome) {
   if (outcome.exit_code == 3) return JobState::cancelled;
   if (outcome.exit_code != 0) return JobState::failed;
   return ended_early(outcome) ? JobState::kept : JobState::done;
 }
 
-std::shared_ptr<Job> job_for(std::shared_ptr<const PipelineDocument> document, const QString& output_dir, bool sinks) {
+std::shared_ptr<Job> job_for(std::shared_ptr<const pipeline::PipelineDocument> document, const QString& output_dir,
+                             bool sinks) {
   auto job = std::make_shared<Job>();
   job->title = QString::fromStdString(document->title());
   job->document = std::move(document);
@@ -89,7 +91,7 @@ RunBehavior::~RunBehavior() {
 }
 
 int RunBehavior::start(const QString& output_dir, bool sinks) {
-  auto job = job_for(std::make_shared<const PipelineDocument>(session_.document()), output_dir, sinks);
+  auto job = job_for(std::make_shared<const pipeline::PipelineDocument>(session_.document()), output_dir, sinks);
   job->path = session_.path();
   job->opened = documents_;
   return queue(std::move(job), {});
@@ -118,7 +120,7 @@ void RunBehavior::start_next() {
   current_ = task_.job;
   current_->state = JobState::running;
   current_->began = current_->stage_began = Job::Clock::now();
-  executor_ = std::make_unique<PipelineExecutor>(*current_->document);
+  executor_ = std::make_unique<vtkbridge::PipelineExecutor>(*current_->document);
   // The worker gets a copy of the job: the job itself belongs to the window.
   thread_ = std::jthread([this, job = *current_, before = survey_](const std::stop_token& cancel_token) {
     work(cancel_token, job, before);
@@ -126,8 +128,8 @@ void RunBehavior::start_next() {
   Q_EMIT job_began(current_->id);
 }
 
-RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& cancel_token) {
-  RunSettings settings;
+vtkbridge::RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& cancel_token) {
+  vtkbridge::RunSettings settings;
   settings.output_dir = job.output_dir.toStdString();
   settings.cancel = cancel_token;
   settings.sinks = job.sinks;
@@ -145,7 +147,7 @@ RunSettings RunBehavior::settings_for(const Job& job, const std::stop_token& can
         },
         Qt::QueuedConnection);
   };
-  settings.preview = [this](const StageNode& node) {
+  settings.preview = [this](const pipeline::StageNode& node) {
     return std::make_shared<PreviewChannel>(this, [this, id = QString::fromStdString(node.id)](const DataSet& part) {
       if (for_window(task_)) Q_EMIT snapshot_taken(id, part);
     });
@@ -159,7 +161,7 @@ void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, cons
     auto settings = settings_for(job, cancel_token);
     Survey seen = before;
     if (seen.empty())
-      settings.preview = [&, preview = settings.preview](const StageNode& node) {
+      settings.preview = [&, preview = settings.preview](const pipeline::StageNode& node) {
         show_early(node, job.id, seen, cancel_token);
         return preview(node);
       };
@@ -177,13 +179,14 @@ void RunBehavior::work(const std::stop_token& cancel_token, const Job& job, cons
 
 // Where nothing is seen yet, the map is shown as soon as it has heights: its stems follow. Called as `next` begins,
 // while what it takes is in memory.
-void RunBehavior::show_early(const StageNode& next, int job, Survey& seen, const std::stop_token& cancel_token) {
+void RunBehavior::show_early(const pipeline::StageNode& next, int job, Survey& seen,
+                             const std::stop_token& cancel_token) {
   if (!seen.empty()) return;
-  RunOutcome so_far;
+  vtkbridge::RunOutcome so_far;
   for (const auto* node : executor_->document().in_order()) {
     if (node->id == next.id) break;
-    StageOutcome stage;
-    stage.record.id = node->id, stage.record.type = node->type->name, stage.state = StageState::done;
+    vtkbridge::StageOutcome stage;
+    stage.record.id = node->id, stage.record.type = node->type->name, stage.state = vtkbridge::StageState::done;
     so_far.stages.push_back(std::move(stage));
   }
   const auto results = collect(*executor_, so_far, true);
@@ -237,7 +240,7 @@ void RunBehavior::end(const std::shared_ptr<const JobResult>& result) {
   job.outcome = result->outcome;
   if (job.state == JobState::kept) keep_whole(job, result);
   for (const auto& stage : result->outcome.stages)
-    if (stage.state == StageState::done) seconds_[stage.record.id] = stage.record.report.seconds;
+    if (stage.state == vtkbridge::StageState::done) seconds_[stage.record.id] = stage.record.report.seconds;
   // What is shown, and the next one, before anybody listens and asks for them.
   if (for_window(task)) {
     if (std::exchange(begun_, false)) survey_ = {};  // what was shown early goes with the run that is cancelled

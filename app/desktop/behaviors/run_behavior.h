@@ -44,7 +44,7 @@ class RunBehavior : public QObject {
   // What is shown: of the last run that gave something to look at. The three belong together; while the first run goes
   // on, survey() is its map alone.
   const Survey& survey() const { return survey_; }
-  const RunOutcome& outcome() const { return outcome_; }
+  const vtkbridge::RunOutcome& outcome() const { return outcome_; }
   const Results& results() const { return results_; }
   // Another document is open: runs of the one before go on, but are not shown.
   void forget_survey();
@@ -52,7 +52,7 @@ class RunBehavior : public QObject {
  Q_SIGNALS:
   // Of runs of the document that is open, for the window: not of those that are fetched.
   void progressed(const QString& stage, double fraction, const QString& what);
-  void finished(const RunOutcome& outcome, const Results& results);  // empty: of another document
+  void finished(const vtkbridge::RunOutcome& outcome, const Results& results);  // empty: of another document
   void fetch_failed(const QString& why);
   void survey_begun();  // there is a map where there was nothing; its stems will come with finished()
   void job_began(int id);
@@ -70,22 +70,22 @@ class RunBehavior : public QObject {
   int queue(std::shared_ptr<Job> job, Deliver deliver);
   void start_next();
   void work(const std::stop_token& cancel, const Job& job, const Survey& before);
-  void show_early(const StageNode& next, int job, Survey& seen, const std::stop_token& cancel);
+  void show_early(const pipeline::StageNode& next, int job, Survey& seen, const std::stop_token& cancel);
   void note_progress(const QString& stage, double fraction, const QString& what);
   void end(const std::shared_ptr<const JobResult>& result);
   void take(const JobResult& result);
   void keep_whole(Job& job, const std::shared_ptr<const JobResult>& result);
-  RunSettings settings_for(const Job& job, const std::stop_token& cancel);
+  vtkbridge::RunSettings settings_for(const Job& job, const std::stop_token& cancel);
 
   Session& session_;
   std::vector<std::shared_ptr<Job>> jobs_;
   std::vector<Task> waiting_;
   Task task_;  // of `current_`
   std::shared_ptr<Job> current_;
-  std::unique_ptr<PipelineExecutor> executor_;
+  std::unique_ptr<vtkbridge::PipelineExecutor> executor_;
   std::jthread thread_;
   Survey survey_;
-  RunOutcome outcome_;
+  vtkbridge::RunOutcome outcome_;
   Results results_;
   bool begun_ = false;                     // survey_ is the map of a run that goes on
   std::map<std::string, double> seconds_;  // that stages took last time, by id

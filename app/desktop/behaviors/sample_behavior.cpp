@@ -30,7 +30,7 @@ void SampleBehavior::prepare(const QString& folder) {
       });
     };
     try {
-      auto document = std::make_shared<const PipelineDocument>(sample_document(folder, run));
+      auto document = std::make_shared<const pipeline::PipelineDocument>(sample_document(folder, run));
       tell([this, document, folder] {
         busy_ = false;
         Q_EMIT ready(document, QDir(folder).filePath("sample_plot.json"));

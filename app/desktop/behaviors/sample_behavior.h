@@ -24,7 +24,7 @@ class SampleBehavior : public QObject {
 
  Q_SIGNALS:
   void progressed(double fraction, const QString& what);
-  void ready(const std::shared_ptr<const PipelineDocument>& document, const QString& path);
+  void ready(const std::shared_ptr<const pipeline::PipelineDocument>& document, const QString& path);
   void failed(const QString& sentence);
 
  private:

@@ -40,7 +40,7 @@ struct Number {
   Unit unit = Unit::none;
 };
 
-std::map<std::string, Number> numbers_of(const StageOutcome* stage) {
+std::map<std::string, Number> numbers_of(const vtkbridge::StageOutcome* stage) {
   std::map<std::string, Number> out;
   if (!stage) return out;
   const auto& report = stage->record.report;
@@ -50,7 +50,7 @@ std::map<std::string, Number> numbers_of(const StageOutcome* stage) {
   return out;
 }
 
-const StageOutcome* stage_named(const RunOutcome& outcome, const std::string& id) {
+const vtkbridge::StageOutcome* stage_named(const vtkbridge::RunOutcome& outcome, const std::string& id) {
   const auto it = std::ranges::find_if(outcome.stages, [&](const auto& s) { return s.record.id == id; });
   return it == outcome.stages.end() ? nullptr : &*it;
 }
@@ -61,7 +61,7 @@ std::size_t rank_of(const std::string& type, const std::string& key) {
   return static_cast<std::size_t>(it - main_numbers.begin());
 }
 
-std::optional<double> value_in(const RunOutcome& outcome, std::string_view type, const std::string& key) {
+std::optional<double> value_in(const vtkbridge::RunOutcome& outcome, std::string_view type, const std::string& key) {
   for (const auto& stage : outcome.stages)
     if (stage.record.type == type) {
       const auto numbers = numbers_of(&stage);
@@ -72,7 +72,7 @@ std::optional<double> value_in(const RunOutcome& outcome, std::string_view type,
 
 }  // namespace
 
-std::vector<ComparedNumber> compared_numbers(const RunOutcome& first, const RunOutcome& second) {
+std::vector<ComparedNumber> compared_numbers(const vtkbridge::RunOutcome& first, const vtkbridge::RunOutcome& second) {
   std::vector<std::pair<std::size_t, ComparedNumber>> ranked;
   for (const auto& stage : first.stages) {
     const auto a = numbers_of(&stage), b = numbers_of(stage_named(second, stage.record.id));
@@ -96,7 +96,7 @@ std::vector<ComparedNumber> compared_numbers(const RunOutcome& first, const RunO
   return out;
 }
 
-QString headline(const RunOutcome& outcome) {
+QString headline(const vtkbridge::RunOutcome& outcome) {
   QStringList parts;
   if (const auto n = value_in(outcome, "stems.measure", "stems")) parts << QObject::tr("%1 stems").arg(*n);
   if (const auto m = value_in(outcome, "evaluation.plot", "ate_rmse"))
@@ -109,11 +109,11 @@ QString headline(const RunOutcome& outcome) {
   return parts.join(", ");
 }
 
-std::shared_ptr<const Trajectory> reference_path(const PipelineDocument& document, const Results& results) {
+std::shared_ptr<const Trajectory> reference_path(const pipeline::PipelineDocument& document, const Results& results) {
   for (const auto& node : document.stages()) {
     const auto joint = node.inputs.find("reference_trajectory");
     if (joint == node.inputs.end()) continue;
-    const auto source = parse_source(joint->second);
+    const auto source = pipeline::parse_source(joint->second);
     const auto found = results.find(source.id);
     if (found != results.end() && found->second.has(source.port)) return found->second.get<Trajectory>(source.port);
   }

@@ -11,14 +11,15 @@ namespace {
 
 const std::string row_map_name = "row map";
 
-const StageNode* report_of(const PipelineDocument* document) {
+const pipeline::StageNode* report_of(const pipeline::PipelineDocument* document) {
   if (document == nullptr) return nullptr;
   const auto& stages = document->stages();
   const auto it = std::ranges::find_if(stages, [](const auto& node) { return node.type->name == "report.plot"; });
   return it == stages.end() ? nullptr : &*it;
 }
 
-DataSet inputs_of(const PipelineDocument& document, const StageNode& report, const Results& results) {
+DataSet inputs_of(const pipeline::PipelineDocument& document, const pipeline::StageNode& report,
+                  const Results& results) {
   DataSet data;
   for (const auto& [port, source] : document.joints(report)) {
     const auto from = results.find(source.id);
@@ -44,47 +45,48 @@ bool draws_stems(const DataSet& data) { return data.has("stems") && data.table("
 
 }  // namespace
 
-FigureSource::FigureSource(const PipelineDocument* document, const Results& results, const Survey& survey)
+FigureSource::FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey)
     : survey_(survey) {
   if (const auto* report = report_of(document)) {
-    options_ = report->options.as<ReportOptions>();
+    options_ = report->options.as<report::ReportOptions>();
     data_ = inputs_of(*document, *report, results);
   }
   if (!data_.has("stems")) data_ = shown(survey);
   if (draws_stems(data_)) {
-    const auto data = survey_data(data_);
+    const auto data = report::survey_data(data_);
     const Run run;
-    for (const auto& plan : survey_figures(data, options_, run)) names_.push_back(plan.name);
+    for (const auto& plan : report::survey_figures(data, options_, run)) names_.push_back(plan.name);
   }
   if (survey_.rows && survey_.plants && survey_.lines) names_.push_back(row_map_name);
 }
 
-ReportOptions FigureSource::with(double width_mm, double dpi) const {
+report::ReportOptions FigureSource::with(double width_mm, double dpi) const {
   auto options = options_;
   options.figure_width = width_mm, options.dpi = dpi;
   return options;
 }
 
-std::vector<Figure> FigureSource::make(const std::string& name, double width_mm, double dpi, const Run& run) const {
+std::vector<render::Figure> FigureSource::make(const std::string& name, double width_mm, double dpi,
+                                               const Run& run) const {
   if (name == row_map_name) {
     const auto& facts = survey_.rows->facts;
     const auto axes = facts.find("axes");
     const bool north = axes != facts.end() && (axes->second == "plot" || axes->second == "global");
-    return {row_map({survey_.rows.get(), survey_.plants.get(), survey_.lines.get(), survey_.strays.get(), north},
-                    width_mm)};
+    return {render::row_map(
+        {survey_.rows.get(), survey_.plants.get(), survey_.lines.get(), survey_.strays.get(), north}, width_mm)};
   }
   const auto options = with(width_mm, dpi);
-  const auto data = survey_data(data_);
-  const auto plans = survey_figures(data, options, run);
-  const auto plan = std::ranges::find(plans, name, &FigurePlan::name);
+  const auto data = report::survey_data(data_);
+  const auto plans = report::survey_figures(data, options, run);
+  const auto plan = std::ranges::find(plans, name, &report::FigurePlan::name);
   if (plan == plans.end()) throw bad_input("there is no figure '" + name + "'", "one of the list");
   return plan->make();
 }
 
-std::string figure_bytes(const Figure& figure, FigureFormat format, double dpi) {
-  if (format == FigureFormat::svg) return figure_svg(figure);
-  if (format == FigureFormat::pdf) return figure_pdf(figure);
-  return figure_png(figure, dpi);
+std::string figure_bytes(const render::Figure& figure, FigureFormat format, double dpi) {
+  if (format == FigureFormat::svg) return render::figure_svg(figure);
+  if (format == FigureFormat::pdf) return render::figure_pdf(figure);
+  return render::figure_png(figure, dpi);
 }
 
 }  // namespace bole::desktop

@@ -17,24 +17,24 @@ enum class FigureFormat { png, svg, pdf };
 class FigureSource {
  public:
   // The inputs and options of the stage report.plot where the document has one that ran, else what the views show.
-  FigureSource(const PipelineDocument* document, const Results& results, const Survey& survey);
+  FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey);
 
   const std::vector<std::string>& names() const { return names_; }
-  const ReportOptions& options() const { return options_; }
+  const report::ReportOptions& options() const { return options_; }
 
   // One of names() at a width and resolution; the pages of a sheet one after the other. Any thread. Throws bole::Error.
-  std::vector<Figure> make(const std::string& name, double width_mm, double dpi, const Run& run = {}) const;
+  std::vector<render::Figure> make(const std::string& name, double width_mm, double dpi, const Run& run = {}) const;
 
  private:
-  ReportOptions with(double width_mm, double dpi) const;
+  report::ReportOptions with(double width_mm, double dpi) const;
 
   DataSet data_;
-  ReportOptions options_;
+  report::ReportOptions options_;
   Survey survey_;
   std::vector<std::string> names_;
 };
 
 // The bytes of a file.
-std::string figure_bytes(const Figure& figure, FigureFormat format, double dpi);
+std::string figure_bytes(const render::Figure& figure, FigureFormat format, double dpi);
 
 }  // namespace bole::desktop

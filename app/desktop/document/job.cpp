@@ -50,7 +50,8 @@ QString duration_text(double seconds) {
   return QObject::tr("%1:%2:%3 h").arg(QString::number(s / 3600), two(s / 60 % 60), two(s % 60));
 }
 
-std::vector<OptionChange> changed_options(const PipelineDocument& before, const PipelineDocument& after) {
+std::vector<OptionChange> changed_options(const pipeline::PipelineDocument& before,
+                                          const pipeline::PipelineDocument& after) {
   std::vector<OptionChange> changes;
   for (const auto& node : after.stages())
     for (const auto& old : before.stages()) {

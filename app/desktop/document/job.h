@@ -18,7 +18,7 @@ QString job_state_text(JobState state);
 
 // What a run gave.
 struct JobResult {
-  RunOutcome outcome;
+  vtkbridge::RunOutcome outcome;
   Results results;
   Survey survey;  // empty: nothing new to look at
 };
@@ -29,7 +29,7 @@ struct Job {
   int id = 0;
   QString title;    // of the document
   QString changes;  // options that differ from those of the run before, "slam.preset = loam"
-  std::shared_ptr<const PipelineDocument> document;  // as it stood when the run was asked for
+  std::shared_ptr<const pipeline::PipelineDocument> document;  // as it stood when the run was asked for
   QString path;    // where the session kept the document; empty of one that is fetched
   int opened = 0;  // how many documents were opened until then, this one included
   QString output_dir;
@@ -44,7 +44,7 @@ struct Job {
   Clock::time_point began, stage_began, ended;
   std::optional<double> later_s;  // that the stages after this one took last time, when all of them are known
 
-  RunOutcome outcome;                      // of a run that is over
+  vtkbridge::RunOutcome outcome;           // of a run that is over
   std::shared_ptr<const JobResult> whole;  // kept where the cache does not have it: of a run that was ended early
 
   bool over() const { return state != JobState::waiting && state != JobState::running; }
@@ -61,7 +61,8 @@ QString duration_text(double seconds);
 struct OptionChange {
   std::string stage, option, before, after;
 };
-std::vector<OptionChange> changed_options(const PipelineDocument& before, const PipelineDocument& after);
+std::vector<OptionChange> changed_options(const pipeline::PipelineDocument& before,
+                                          const pipeline::PipelineDocument& after);
 
 // "slam.preset = loam, slice.height = 1.4"; long values are shortened.
 QString changes_text(const std::vector<OptionChange>& changes);

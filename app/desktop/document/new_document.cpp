@@ -8,13 +8,13 @@
 #include "base/resources.h"
 #include "document/session.h"
 #include "shell/resources.h"
-#include "sim/core/simulate.h"
+#include "sim/core/plot/simulate.h"
 
 namespace bole::desktop {
 namespace {
 
-SimulationOptions sample_options() {
-  SimulationOptions options;
+sim::SimulationOptions sample_options() {
+  sim::SimulationOptions options;
   options.plot = "sample";
   options.walk = resource_path("plots/sample_walk.csv").string();
   options.sensor = "vlp16";
@@ -33,8 +33,8 @@ bool same_file(const QFileInfo& a, const QFileInfo& b) {
 // Whether a pipeline begins with this scan or cloud. One that cannot be read does not.
 bool reads(const QString& pipeline, const QFileInfo& scan) {
   try {
-    const auto document = PipelineDocument::load(pipeline.toStdString(), StageRegistry::global());
-    return std::ranges::any_of(document.stages(), [&](const StageNode& node) {
+    const auto document = pipeline::PipelineDocument::load(pipeline.toStdString(), pipeline::StageRegistry::global());
+    return std::ranges::any_of(document.stages(), [&](const pipeline::StageNode& node) {
       if (!node.type->inputs.empty() || !(node.type->output("points") || node.type->output("frames"))) return false;
       return std::ranges::any_of(node.type->options->specs, [&](const OptionSpec& spec) {
         return spec.text_kind == TextKind::input_path &&
@@ -64,11 +64,11 @@ QString path_that_reads(const QFileInfo& scan, const QString& base) {
 
 }  // namespace
 
-PipelineDocument shipped_pipeline(const QString& name) {
+pipeline::PipelineDocument shipped_pipeline(const QString& name) {
   take_in_resources();
   QFile file(":/pipelines/" + name);
   if (!file.open(QIODevice::ReadOnly)) throw failure("the program lacks its pipeline " + name.toStdString());
-  return PipelineDocument::parse(file.readAll().toStdString(), StageRegistry::global());
+  return pipeline::PipelineDocument::parse(file.readAll().toStdString(), pipeline::StageRegistry::global());
 }
 
 FileKind kind_of_file(const QString& path) {
@@ -82,7 +82,7 @@ FileKind kind_of_file(const QString& path) {
   return FileKind::unknown;
 }
 
-PipelineDocument document_for_file(const QString& path) {
+pipeline::PipelineDocument document_for_file(const QString& path) {
   const auto kind = kind_of_file(path);
   if (kind != FileKind::cloud && kind != FileKind::scan)
     throw bad_input("'" + path.toStdString() + "' is no pipeline, cloud or scan",
@@ -102,11 +102,11 @@ QString sample_pipeline_path(const QString& wanted) {
   return path_that_reads(QFileInfo(info.dir(), sample_scan), info.absolutePath() + "/" + info.completeBaseName());
 }
 
-PipelineDocument sample_document(const QString& folder, const Run& run) {
+pipeline::PipelineDocument sample_document(const QString& folder, const Run& run) {
   const QDir dir(folder);
   const QString done = dir.filePath("complete");  // written last: a half-made sample is made again
   if (!QFileInfo::exists(done)) {
-    simulate(sample_options(), folder.toStdString(), run);
+    sim::simulate(sample_options(), folder.toStdString(), run);
     QFile mark(done);
     if (!mark.open(QIODevice::WriteOnly)) throw failure("cannot write " + done.toStdString());
   }

@@ -9,13 +9,13 @@
 namespace bole::desktop {
 
 // One of the pipelines that come with the program, by its file name.
-PipelineDocument shipped_pipeline(const QString& name);
+pipeline::PipelineDocument shipped_pipeline(const QString& name);
 
 enum class FileKind { pipeline, cloud, scan, unknown };
 FileKind kind_of_file(const QString& path);  // by what it is called; a folder is a scan of frames
 
 // A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
-PipelineDocument document_for_file(const QString& path);
+pipeline::PipelineDocument document_for_file(const QString& path);
 // Where that document is saved unless the person says otherwise: beside the file, under a name that is free or holds a
 // pipeline for this file. Throws Error{bad_input} when all are taken.
 QString pipeline_path_for_file(const QString& path);
@@ -23,6 +23,6 @@ QString sample_pipeline_path(const QString& wanted);  // likewise for the sample
 
 // Simulates the sample plot into `folder` when it is not there yet, about a second of work, and gives the document
 // that surveys it: raw scan, poses, reference trees. Throws Error{cancelled} and Error{failed}.
-PipelineDocument sample_document(const QString& folder, const Run& run);
+pipeline::PipelineDocument sample_document(const QString& folder, const Run& run);
 
 }  // namespace bole::desktop

@@ -17,28 +17,28 @@ constexpr std::size_t built_unnoticed = 50'000, sample_unnoticed = 300'000;
 
 PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, const Run& run) {
   if (cloud->size() <= built_at_once) {
-    take(std::make_shared<const PointOctree>(*cloud, run));
+    take(std::make_shared<const render::PointOctree>(*cloud, run));
     return;
   }
-  octree_ = std::make_shared<const PointOctree>(PointOctree::sample(*cloud, sample_points));
+  octree_ = std::make_shared<const render::PointOctree>(render::PointOctree::sample(*cloud, sample_points));
   build_in_thread(
-      [cloud](const Run& in_background) { return std::make_shared<const PointOctree>(*cloud, in_background); });
+      [cloud](const Run& in_background) { return std::make_shared<const render::PointOctree>(*cloud, in_background); });
 }
 
 PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointCloud> other,
                        std::shared_ptr<const PointIndex> index_of_other) {
   if (cloud->size() <= built_unnoticed) {
-    take(std::make_shared<const PointOctree>(*cloud));
+    take(std::make_shared<const render::PointOctree>(*cloud));
     return;
   }
-  octree_ = std::make_shared<const PointOctree>(PointOctree::sample(*cloud, sample_unnoticed));
+  octree_ = std::make_shared<const render::PointOctree>(render::PointOctree::sample(*cloud, sample_unnoticed));
   build_in_thread([cloud, other, index_of_other](const Run& in_background) {
     const bool same = other && index_of_other && index_of_other->complete() && same_places(*cloud, *other);
-    return same ? index_of_other->octree() : std::make_shared<const PointOctree>(*cloud, in_background);
+    return same ? index_of_other->octree() : std::make_shared<const render::PointOctree>(*cloud, in_background);
   });
 }
 
-void PointIndex::build_in_thread(std::function<std::shared_ptr<const PointOctree>(const Run&)> make) {
+void PointIndex::build_in_thread(std::function<std::shared_ptr<const render::PointOctree>(const Run&)> make) {
   builder_ = std::jthread([this, make = std::move(make)](const std::stop_token& cancel) {
     Run in_background;
     in_background.cancel = cancel;
@@ -57,7 +57,7 @@ PointIndex::~PointIndex() {
   if (builder_.joinable()) builder_.join();
 }
 
-std::shared_ptr<const PointOctree> PointIndex::octree() const {
+std::shared_ptr<const render::PointOctree> PointIndex::octree() const {
   const std::scoped_lock lock(mutex_);
   return octree_;
 }
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> PointIndex::in_box(const PointCloud& cloud, const Eig
   return found;
 }
 
-void PointIndex::take(std::shared_ptr<const PointOctree> octree) {
+void PointIndex::take(std::shared_ptr<const render::PointOctree> octree) {
   const std::scoped_lock lock(mutex_);
   octree_ = std::move(octree);
   complete_ = true;

@@ -24,7 +24,7 @@ class PointIndex : public QObject {
              std::shared_ptr<const PointIndex> index_of_other);
   ~PointIndex() override;  // ends the building within a fraction of a second
 
-  std::shared_ptr<const PointOctree> octree() const;  // a sample of the cloud until it is complete
+  std::shared_ptr<const render::PointOctree> octree() const;  // a sample of the cloud until it is complete
   // All points within a box, in any order; `cloud` is the one that is indexed, or another whose points lie as its do.
   // Until the octree is complete every point is looked at: what is measured is measured on all of them.
   std::vector<std::uint32_t> in_box(const PointCloud& cloud, const Eigen::Vector3f& lo,
@@ -35,11 +35,11 @@ class PointIndex : public QObject {
   void built();  // from the thread that built it
 
  private:
-  void build_in_thread(std::function<std::shared_ptr<const PointOctree>(const Run&)> make);
-  void take(std::shared_ptr<const PointOctree> octree);
+  void build_in_thread(std::function<std::shared_ptr<const render::PointOctree>(const Run&)> make);
+  void take(std::shared_ptr<const render::PointOctree> octree);
 
   mutable std::mutex mutex_;
-  std::shared_ptr<const PointOctree> octree_;
+  std::shared_ptr<const render::PointOctree> octree_;
   std::atomic<bool> complete_ = false;
   std::jthread builder_;
 };

@@ -35,7 +35,8 @@ class EditOption : public SignedCommand {
 
 class ReplaceDocument : public SignedCommand {
  public:
-  ReplaceDocument(Session& session, const QString& what, PipelineDocument before, PipelineDocument after)
+  ReplaceDocument(Session& session, const QString& what, pipeline::PipelineDocument before,
+                  pipeline::PipelineDocument after)
       : SignedCommand(what), session_(session), before_(std::move(before)), after_(std::move(after)) {}
 
   void undo() override { session_.put(before_); }
@@ -43,7 +44,7 @@ class ReplaceDocument : public SignedCommand {
 
  private:
   Session& session_;
-  PipelineDocument before_, after_;
+  pipeline::PipelineDocument before_, after_;
 };
 
 Session::Session(QObject* parent) : QObject(parent) {
@@ -54,33 +55,33 @@ Session::Session(QObject* parent) : QObject(parent) {
 }
 
 void Session::open(const QString& path) {
-  take(PipelineDocument::load(path.toStdString(), StageRegistry::global()), path);
+  take(pipeline::PipelineDocument::load(path.toStdString(), pipeline::StageRegistry::global()), path);
 }
 
 void Session::recover(const QString& path) {
   // Beside the document, so that relative paths hold.
-  take(PipelineDocument::load(recovery_path(path).toStdString(), StageRegistry::global()), path);
+  take(pipeline::PipelineDocument::load(recovery_path(path).toStdString(), pipeline::StageRegistry::global()), path);
   undo_.resetClean();
   recovered_ = true;
 }
 
-void Session::start(PipelineDocument document, const QString& path) {
+void Session::start(pipeline::PipelineDocument document, const QString& path) {
   take(std::move(document), path);
   undo_.resetClean();
 }
 
-void Session::change(const QString& what, PipelineDocument after) {
+void Session::change(const QString& what, pipeline::PipelineDocument after) {
   undo_.push(new ReplaceDocument(*this, what, *document_, std::move(after)));
 }
 
-void Session::put(const PipelineDocument& document) {
-  document_ = std::make_unique<PipelineDocument>(document);
+void Session::put(const pipeline::PipelineDocument& document) {
+  document_ = std::make_unique<pipeline::PipelineDocument>(document);
   journal();
   Q_EMIT document_replaced();
 }
 
-void Session::take(PipelineDocument document, const QString& path) {
-  document_ = std::make_unique<PipelineDocument>(std::move(document));
+void Session::take(pipeline::PipelineDocument document, const QString& path) {
+  document_ = std::make_unique<pipeline::PipelineDocument>(std::move(document));
   path_ = path;
   undo_.clear();
   recovered_ = false;

@@ -38,21 +38,21 @@ class Session : public QObject {
   // save() and discard_recovery() remove: after a crash it holds what was not saved. Where that cannot be written edits
   // go on, and unprotected() says so.
   void open(const QString& path);
-  void recover(const QString& path);                           // opens what a crash left of `path`; not saved yet
-  void start(PipelineDocument document, const QString& path);  // a new one that is to be saved at `path`
-  void save(const QString& path);                              // atomic
+  void recover(const QString& path);  // opens what a crash left of `path`; not saved yet
+  void start(pipeline::PipelineDocument document, const QString& path);  // a new one that is to be saved at `path`
+  void save(const QString& path);                                        // atomic
   static QString recovery_path(const QString& path) { return path + ".recovery"; }
   void discard_recovery();
 
   bool has_document() const { return document_ != nullptr; }
-  const PipelineDocument& document() const { return *document_; }
+  const pipeline::PipelineDocument& document() const { return *document_; }
   QString path() const { return path_; }
 
   // An edit that can be undone. Throws bole::Error when the option refuses the value.
   void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
 
   // Puts a changed document in place of the one in hand, as one step of undo that the menu calls `what`.
-  void change(const QString& what, PipelineDocument after);
+  void change(const QString& what, pipeline::PipelineDocument after);
 
   QUndoStack& undo_stack() { return undo_; }
   EditNote edit_note(int index) const;           // of a command of the stack; of the last step of one that has several
@@ -67,11 +67,11 @@ class Session : public QObject {
   friend class EditOption;
   friend class ReplaceDocument;
   void apply(const std::string& stage_id, const std::string& option, const OptionValue& value, bool given);
-  void take(PipelineDocument document, const QString& path);
-  void put(const PipelineDocument& document);
+  void take(pipeline::PipelineDocument document, const QString& path);
+  void put(const pipeline::PipelineDocument& document);
   void journal();
 
-  std::unique_ptr<PipelineDocument> document_;
+  std::unique_ptr<pipeline::PipelineDocument> document_;
   QString path_;
   QUndoStack undo_;
   bool recovered_ = false;

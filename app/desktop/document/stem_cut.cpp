@@ -49,21 +49,22 @@ std::optional<StemPlace> stem_place(const Survey& survey, std::int64_t tree) {
   const auto one = survey.stems->subset({*row});
   StemPlace stem;
   stem.tree_id = tree, stem.row = *row;
-  stem.foot = {one.numbers("x_m")[0], one.numbers("y_m")[0], numbers_or_nan(one, "z_m")[0]};
+  stem.foot = {one.numbers("x_m")[0], one.numbers("y_m")[0], render::numbers_or_nan(one, "z_m")[0]};
   if (!std::isfinite(stem.foot.z())) stem.foot.z() = 0;
-  stem.dbh_m = numbers_or_nan(one, "dbh_cm")[0] / 100;
-  auto shapes = stem_shapes(one, survey.sections.get());
+  stem.dbh_m = render::numbers_or_nan(one, "dbh_cm")[0] / 100;
+  auto shapes = render::stem_shapes(one, survey.sections.get());
   if (!shapes.empty()) stem.shape = std::move(shapes.front());
   return stem;
 }
 
-SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut) {
-  SliceCircle circle;
+render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut) {
+  render::SliceCircle circle;
   circle.tree_id = stem.tree_id;
   if (std::abs(cut.height_m - cut.breast_height_m) < 0.005 || stem.shape.axis.size() < 2) {
     circle.centre = stem.foot.head<2>(), circle.radius_m = stem.dbh_m / 2;
     const auto one = survey.stems->subset({stem.row});
-    circle.lo_m = numbers_or_nan(one, "dbh_lo_cm")[0] / 200, circle.hi_m = numbers_or_nan(one, "dbh_hi_cm")[0] / 200;
+    circle.lo_m = render::numbers_or_nan(one, "dbh_lo_cm")[0] / 200,
+    circle.hi_m = render::numbers_or_nan(one, "dbh_hi_cm")[0] / 200;
     return circle;
   }
   const auto& axis = stem.shape.axis;
@@ -76,11 +77,11 @@ SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlac
   return circle;
 }
 
-StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
-                         const Eigen::Vector2d& middle, double reach_m) {
-  StemSliceData data;
+render::StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                 const Eigen::Vector2d& middle, double reach_m) {
+  render::StemSliceData data;
   data.reach_m = reach_m;
-  data.quality = texts_or_empty(*survey.stems, "quality")[stem.row];
+  data.quality = render::texts_or_empty(*survey.stems, "quality")[stem.row];
   data.stem = circle_at(survey, stem, cut);
   data.stem->centre -= middle;
   auto indices = points_near(survey, stem, middle, reach_m, cut.height_m - cut.thickness_m / 2,
@@ -95,7 +96,7 @@ StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutP
   }
   const auto ids = survey.stems->integers("tree_id");
   const auto x = survey.stems->numbers("x_m"), y = survey.stems->numbers("y_m"),
-             dbh = numbers_or_nan(*survey.stems, "dbh_cm");
+             dbh = render::numbers_or_nan(*survey.stems, "dbh_cm");
   for (std::size_t i = 0; i < ids.size(); ++i)
     if (const Eigen::Vector2d d = Eigen::Vector2d(x[i], y[i]) - middle;
         i != stem.row && d.cwiseAbs().maxCoeff() < reach_m + dbh[i] / 200)
@@ -103,8 +104,8 @@ StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutP
   return data;
 }
 
-StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const CutPlace& cut) {
-  StemProfileData data;
+render::StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const CutPlace& cut) {
+  render::StemProfileData data;
   data.breast_height_m = cut.breast_height_m, data.slice_m = cut.height_m, data.dbh_m = stem.dbh_m;
   data.reach_m = std::max(0.4, 1.6 * stem.dbh_m);
   data.top_m = 6;
@@ -112,11 +113,11 @@ StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const Cut
     const auto& s = *survey.sections;
     const auto ids = s.integers("tree_id");
     const auto h = s.numbers("height_m"), x = s.numbers("x_m"), d = s.numbers("diameter_cm"),
-               used = numbers_or_nan(s, "used");
+               used = render::numbers_or_nan(s, "used");
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (ids[i] == stem.tree_id && std::isfinite(h[i] + x[i] + d[i]))
         data.sections.push_back({h[i], x[i] - stem.foot.x(), d[i] / 100, used[i] != 0});
-    std::ranges::sort(data.sections, {}, &ProfileSection::height_m);
+    std::ranges::sort(data.sections, {}, &render::ProfileSection::height_m);
     if (!data.sections.empty()) data.top_m = std::clamp(data.sections.back().height_m + 1.5, 4.0, 40.0);
   }
   auto indices = points_near(survey, stem, stem.foot.head<2>(), data.reach_m, 0.0, data.top_m);

@@ -19,18 +19,18 @@ struct StemPlace {
   std::size_t row = 0;
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();  // ground below breast height; x, y at breast height
   double dbh_m = 0;
-  StemShape shape;
+  render::StemShape shape;
 };
 std::optional<StemPlace> stem_place(const Survey& survey, std::int64_t tree);
 
 // The circle of a fitted stem at a height: from the table at breast height, else from its sections.
-SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
+render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
 
 // Points within `reach_m` of `middle` at the height of the cut, neighbours and the circle of the stem, relative to
 // `middle`.
-StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
-                         const Eigen::Vector2d& middle, double reach_m);
+render::StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                 const Eigen::Vector2d& middle, double reach_m);
 
-StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
+render::StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
 
 }  // namespace bole::desktop

@@ -8,14 +8,14 @@ namespace bole::desktop {
 namespace {
 
 // A stage that only reads a file: what it gives may be a reference.
-bool is_reader(const StageOutcome& stage) {
-  const auto* type = StageRegistry::global().find(stage.record.type);
+bool is_reader(const vtkbridge::StageOutcome& stage) {
+  const auto* type = pipeline::StageRegistry::global().find(stage.record.type);
   return type && type->inputs.empty();
 }
 
 // The last output of a kind that a stage made under this port, else the last that was read.
 template <class T>
-std::shared_ptr<const T> latest(const RunOutcome& outcome, const Results& results, const std::string& port,
+std::shared_ptr<const T> latest(const vtkbridge::RunOutcome& outcome, const Results& results, const std::string& port,
                                 bool read = false) {
   for (auto stage = outcome.stages.rbegin(); stage != outcome.stages.rend(); ++stage) {
     if (is_reader(*stage) != read) continue;
@@ -36,7 +36,8 @@ std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
   return static_cast<std::size_t>(it - ids.begin());
 }
 
-Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const MakeIndex& make_index) {
+Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, const Survey& before,
+                 const MakeIndex& make_index) {
   Survey survey;
   survey.points = latest<PointCloud>(outcome, results, "points");
   survey.slice = latest<PointCloud>(outcome, results, "slice");

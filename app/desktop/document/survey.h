@@ -30,6 +30,7 @@ struct Survey {
 using MakeIndex = std::function<std::shared_ptr<const PointIndex>(const std::shared_ptr<const PointCloud>&)>;
 
 // Takes over the index of `before` when it has the same cloud.
-Survey survey_of(const RunOutcome& outcome, const Results& results, const Survey& before, const MakeIndex& make_index);
+Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, const Survey& before,
+                 const MakeIndex& make_index);
 
 }  // namespace bole::desktop

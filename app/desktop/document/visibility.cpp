@@ -30,7 +30,7 @@ void Visibility::show_all() {
   Q_EMIT changed();
 }
 
-void Visibility::take(const RunOutcome& outcome, const Results& results) {
+void Visibility::take(const vtkbridge::RunOutcome& outcome, const Results& results) {
   outcome_ = outcome;
   results_ = results;
   std::erase_if(indices_, [&](const auto& entry) { return !holds(results, entry.first); });

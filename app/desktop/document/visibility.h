@@ -23,7 +23,7 @@ class Visibility : public QObject {
   void show(const std::string& stage, ViewKind view, bool on);
   void show_all();
 
-  void take(const RunOutcome& outcome, const Results& results);  // of the last run
+  void take(const vtkbridge::RunOutcome& outcome, const Results& results);  // of the last run
   // For the thread of the window: what comes into sight gets its levels of detail in the background, once.
   Survey survey_for(ViewKind view, const Survey& all) const;
 
@@ -36,7 +36,7 @@ class Visibility : public QObject {
   std::shared_ptr<const PointIndex> index_of(const std::shared_ptr<const PointCloud>& points, const Survey& all) const;
 
   std::array<std::set<std::string>, 2> hidden_;
-  RunOutcome outcome_;
+  vtkbridge::RunOutcome outcome_;
   Results results_;
   mutable std::map<std::shared_ptr<const PointCloud>, std::shared_ptr<const PointIndex>> indices_;
 };

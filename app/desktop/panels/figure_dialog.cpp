@@ -117,7 +117,7 @@ void FigureDialog::draw_preview() {
     const auto figures = source->make(name, width, preview_dpi, run);
     if (figures.empty()) throw bad_input("there is nothing to draw", "data for this figure");
     const auto& figure = figures.front();
-    const auto image = figure_image(figure, preview_dpi);
+    const auto image = render::figure_image(figure, preview_dpi);
     auto picture = QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
     auto text = tr("%1 x %2 mm, %3 x %4 pixels as PNG")
                     .arg(figure.width_mm, 0, 'f', 0)

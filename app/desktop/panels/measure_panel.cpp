@@ -46,12 +46,12 @@ MeasurePanel::MeasurePanel(QWidget* parent)
   connect(export_, &QPushButton::clicked, this, &MeasurePanel::export_asked);
 }
 
-void MeasurePanel::show_list(const std::vector<Measurement>& list) {
+void MeasurePanel::show_list(const std::vector<render::Measurement>& list) {
   const int before = selected();
   following_ = true;
   tree_->clear();
   for (const auto& m : list) {
-    const auto values = values_of(m);
+    const auto values = render::values_of(m);
     auto* item = new QTreeWidgetItem(tree_, {QString::fromStdString(m.name)});
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     for (const auto& v : values) {
@@ -61,8 +61,8 @@ void MeasurePanel::show_list(const std::vector<Measurement>& list) {
       row->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     }
     if (!values.empty()) {
-      const bool height = m.kind == Measurement::Kind::point && m.height_above_ground_m.has_value();
-      const auto& first = m.kind == Measurement::Kind::point ? values[height ? 3 : 2] : values.front();
+      const bool height = m.kind == render::Measurement::Kind::point && m.height_above_ground_m.has_value();
+      const auto& first = m.kind == render::Measurement::Kind::point ? values[height ? 3 : 2] : values.front();
       item->setText(1, QString::number(first.value, 'f', first.decimals));
       item->setText(2, QString::fromStdString(first.unit));
       item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);

@@ -17,7 +17,7 @@ class MeasurePanel : public QWidget {
  public:
   explicit MeasurePanel(QWidget* parent);
 
-  void show_list(const std::vector<Measurement>& list);
+  void show_list(const std::vector<render::Measurement>& list);
   void select(int which);  // -1: none
   int selected() const;
 

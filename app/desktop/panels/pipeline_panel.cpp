@@ -14,17 +14,17 @@
 namespace bole::desktop {
 namespace {
 
-QString state_text(StageState state) {
+QString state_text(vtkbridge::StageState state) {
   switch (state) {
-    case StageState::idle:
+    case vtkbridge::StageState::idle:
       return {};
-    case StageState::running:
+    case vtkbridge::StageState::running:
       return PipelinePanel::tr("running");
-    case StageState::done:
+    case vtkbridge::StageState::done:
       return PipelinePanel::tr("done");
-    case StageState::warning:
+    case vtkbridge::StageState::warning:
       return PipelinePanel::tr("look");
-    case StageState::failed:
+    case vtkbridge::StageState::failed:
       return PipelinePanel::tr("failed");
   }
   return {};
@@ -63,7 +63,7 @@ void PipelinePanel::fill() {
   const auto& stages = session_.document().stages();
   for (const auto& node : stages) {
     auto* item = new QTreeWidgetItem(this);
-    const bool twin = std::ranges::count(stages, node.type, &StageNode::type) > 1;
+    const bool twin = std::ranges::count(stages, node.type, &pipeline::StageNode::type) > 1;
     const auto title = stage_title(*node.type), id = QString::fromStdString(node.id);
     item->setText(stage_column, twin ? QString("%1 (%2)").arg(title, id) : title);
     item->setData(0, Qt::UserRole, id);
@@ -77,7 +77,7 @@ void PipelinePanel::fill() {
 
 void PipelinePanel::show_problems() {
   problems_.clear();
-  for (const auto& problem : validate(session_.document()))
+  for (const auto& problem : pipeline::validate(session_.document()))
     problems_[QString::fromStdString(problem.stage)] = QString::fromStdString(problem.message);
   for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
 }
@@ -86,8 +86,8 @@ void PipelinePanel::show_state(QTreeWidgetItem* item) {
   const QString id = id_of(item), problem = problems_.value(id);
   const State state = states_.value(id);
   const bool skipped = session_.document().at(id.toStdString()).skipped();
-  const bool cannot = !problem.isEmpty() && state.state != StageState::running;
-  item->setIcon(state_column, state_icon(cannot ? StageState::warning : state.state, palette()));
+  const bool cannot = !problem.isEmpty() && state.state != vtkbridge::StageState::running;
+  item->setIcon(state_column, state_icon(cannot ? vtkbridge::StageState::warning : state.state, palette()));
   item->setText(state_column, cannot ? tr("cannot run") : skipped ? tr("skipped") : state_text(state.state));
   item->setToolTip(state_column, cannot    ? problem
                                  : skipped ? tr("This stage runs when its file is given.")
@@ -107,7 +107,7 @@ void PipelinePanel::click(QTreeWidgetItem* item, int column) {
   visibility_.show(id, view, !visibility_.shown(id, view));
 }
 
-void PipelinePanel::set_state(const QString& stage, StageState state, const QString& message) {
+void PipelinePanel::set_state(const QString& stage, vtkbridge::StageState state, const QString& message) {
   states_[stage] = {state, message};
   for (int i = 0; i < topLevelItemCount(); ++i)
     if (id_of(topLevelItem(i)) == stage) show_state(topLevelItem(i));
@@ -126,8 +126,8 @@ void PipelinePanel::select_stage(const QString& id) {
 }
 
 void PipelinePanel::add_stage(const QString& type) {
-  auto added =
-      with_stage(session_.document(), StageRegistry::global().at(type.toStdString()), current_stage().toStdString());
+  auto added = with_stage(session_.document(), pipeline::StageRegistry::global().at(type.toStdString()),
+                          current_stage().toStdString());
   session_.change(tr("add %1").arg(QString::fromStdString(added.id)), std::move(added.document));
   select_stage(QString::fromStdString(added.id));
 }
@@ -171,7 +171,7 @@ void PipelinePanel::make_actions() {
 
 void PipelinePanel::fill_add_menu(QMenu* menu) {
   QMap<QString, QMenu*> groups;
-  for (const auto* type : StageRegistry::global().all()) {
+  for (const auto* type : pipeline::StageRegistry::global().all()) {
     const auto name = QString::fromStdString(type->name);
     auto*& group = groups[name.section('.', 0, 0)];
     if (!group) group = menu->addMenu(name.section('.', 0, 0));

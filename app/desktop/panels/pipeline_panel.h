@@ -20,7 +20,7 @@ class PipelinePanel : public QTreeWidget {
 
   PipelinePanel(Session& session, Visibility& visibility, QWidget* parent);
 
-  void set_state(const QString& stage, StageState state, const QString& message = {});
+  void set_state(const QString& stage, vtkbridge::StageState state, const QString& message = {});
   void forget_states();  // of runs of another document
   QString current_stage() const;
   void select_stage(const QString& id);
@@ -41,7 +41,7 @@ class PipelinePanel : public QTreeWidget {
 
  private:
   struct State {
-    StageState state = StageState::idle;
+    vtkbridge::StageState state = vtkbridge::StageState::idle;
     QString message;
   };
   void fill();

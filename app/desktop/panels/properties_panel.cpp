@@ -33,7 +33,8 @@ QString suffix(const OptionSpec& spec) {
 
 // Enough digits for a hundredth of the default or of the range's lower end.
 int decimals_for(const OptionSpec& spec) {
-  const double size = std::abs(std::get<double>(spec.default_value));
+  const auto* usual = std::get_if<double>(&spec.default_value);
+  const double size = usual == nullptr ? 0 : std::abs(*usual);
   return size > 0 ? std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6) : 3;
 }
 
@@ -139,10 +140,10 @@ void PropertiesPanel::show_stage(const QString& id) {
 
 void PropertiesPanel::set_tier(Tier tier) { tier_->setCurrentIndex(static_cast<int>(tier)); }
 
-const StageNode* PropertiesPanel::node() const {
+const pipeline::StageNode* PropertiesPanel::node() const {
   if (!session_.has_document()) return nullptr;
   const auto& stages = session_.document().stages();
-  const auto it = std::ranges::find(stages, stage_.toStdString(), &StageNode::id);
+  const auto it = std::ranges::find(stages, stage_.toStdString(), &pipeline::StageNode::id);
   return it == stages.end() ? nullptr : &*it;
 }
 
@@ -194,9 +195,9 @@ void PropertiesPanel::rebuild() {
 }
 
 // Why the stage cannot run, or does not.
-void PropertiesPanel::show_notice(const StageNode& stage) {
+void PropertiesPanel::show_notice(const pipeline::StageNode& stage) {
   QStringList lines;
-  for (const auto& problem : validate(session_.document()))
+  for (const auto& problem : pipeline::validate(session_.document()))
     if (problem.stage == stage.id) lines << QString::fromStdString(problem.message);
   if (stage.skipped()) lines << tr("This stage runs when its file is given.");
   notice_->setText(lines.join("\n"));
@@ -232,7 +233,7 @@ void PropertiesPanel::show_pending() {
   defaults_->setEnabled(!all_default);
 }
 
-OptionValue PropertiesPanel::value_of(const StageNode& stage, const OptionSpec& spec) const {
+OptionValue PropertiesPanel::value_of(const pipeline::StageNode& stage, const OptionSpec& spec) const {
   const auto it = pending_.find(spec.name);
   return it == pending_.end() ? stage.options.get(spec.name) : it->second;
 }
@@ -273,13 +274,15 @@ void PropertiesPanel::restore_defaults() {
 }
 
 QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec& spec) {
-  if (const auto* on = std::get_if<bool>(&value)) {
+  // One that may be left open takes a word besides its values: a line of text.
+  const bool open = !spec.unset.empty();
+  if (const auto* on = std::get_if<bool>(&value); on && !open) {
     auto* box = new QCheckBox;
     box->setChecked(*on);
     connect(box, &QCheckBox::toggled, this, [this, name = spec.name](bool checked) { commit(name, checked); });
     return box;
   }
-  if (const auto* number = std::get_if<std::int64_t>(&value)) {
+  if (const auto* number = std::get_if<std::int64_t>(&value); number && !open) {
     auto* box = new QSpinBox;
     box->setRange(static_cast<int>(std::max(spec.min, -2e9)), static_cast<int>(std::min(spec.max, 2e9)));
     box->setValue(static_cast<int>(*number));
@@ -289,7 +292,7 @@ QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec&
             [this, name = spec.name](int v) { commit(name, static_cast<std::int64_t>(v)); });
     return box;
   }
-  if (const auto* number = std::get_if<double>(&value)) {
+  if (const auto* number = std::get_if<double>(&value); number && !open) {
     auto* box = new QDoubleSpinBox;
     box->setDecimals(decimals_for(spec));
     box->setRange(std::max(spec.min, -1e9), std::min(spec.max, 1e9));
@@ -301,7 +304,7 @@ QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec&
             [this, name = spec.name](double v) { commit(name, v); });
     return box;
   }
-  const auto text = QString::fromStdString(std::get<std::string>(value));
+  const auto text = QString::fromStdString(option_text(value));
   if (spec.text_kind == TextKind::choice) {
     auto* box = new QComboBox;
     for (const auto& c : spec.choices) box->addItem(QString::fromStdString(c));

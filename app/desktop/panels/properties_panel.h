@@ -38,12 +38,12 @@ class PropertiesPanel : public QWidget {
   QLayout* buttons_layout();
   void connect_widgets();
   void rebuild();
-  void show_notice(const StageNode& stage);
+  void show_notice(const pipeline::StageNode& stage);
   void show_pending();
   void show_conditions();
-  const StageNode* node() const;  // null when there is none
+  const pipeline::StageNode* node() const;  // null when there is none
   bool is_listed(const OptionSpec& spec) const;
-  OptionValue value_of(const StageNode& stage, const OptionSpec& spec) const;  // with what waits
+  OptionValue value_of(const pipeline::StageNode& stage, const OptionSpec& spec) const;  // with what waits
   QWidget* editor_for(const OptionValue& value, const OptionSpec& spec);
   void commit(const std::string& option, const OptionValue& value);
 

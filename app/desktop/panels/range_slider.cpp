@@ -21,12 +21,12 @@ RangeSlider::RangeSlider(QWidget* parent) : QWidget(parent) {
 
 QSize RangeSlider::sizeHint() const { return {120, 2 * handle_px + 8}; }
 
-void RangeSlider::set_limits(const Interval& limits) {
+void RangeSlider::set_limits(const render::Interval& limits) {
   limits_ = limits;
   update();
 }
 
-void RangeSlider::set_range(const Interval& range) {
+void RangeSlider::set_range(const render::Interval& range) {
   range_ = {std::clamp(range.lo, limits_.lo, limits_.hi), std::clamp(range.hi, limits_.lo, limits_.hi)};
   update();
 }
@@ -93,7 +93,7 @@ void RangeSlider::keyPressEvent(QKeyEvent* event) {
     move_to({range_.lo, std::clamp(range_.hi + by, range_.lo, limits_.hi)});
 }
 
-void RangeSlider::move_to(Interval range) {
+void RangeSlider::move_to(render::Interval range) {
   if (range.lo == range_.lo && range.hi == range_.hi) return;
   range_ = range;
   update();

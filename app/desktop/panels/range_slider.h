@@ -13,15 +13,15 @@ class RangeSlider : public QWidget {
  public:
   explicit RangeSlider(QWidget* parent = nullptr);
 
-  void set_limits(const Interval& limits);
-  void set_range(const Interval& range);  // without a signal
-  const Interval& range() const { return range_; }
+  void set_limits(const render::Interval& limits);
+  void set_range(const render::Interval& range);  // without a signal
+  const render::Interval& range() const { return range_; }
   int place_of(double value) const;  // pixels from the left
 
   QSize sizeHint() const override;
 
  Q_SIGNALS:
-  void dragged(const bole::Interval& range);
+  void dragged(const bole::render::Interval& range);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -32,9 +32,9 @@ class RangeSlider : public QWidget {
  private:
   enum class Part { low, high, both };
   double value_at(int x) const;
-  void move_to(Interval range);
+  void move_to(render::Interval range);
 
-  Interval limits_{0, 1}, range_{0, 1}, pressed_range_{0, 1};
+  render::Interval limits_{0, 1}, range_{0, 1}, pressed_range_{0, 1};
   Part part_ = Part::both;
   double pressed_at_ = 0;
 };

@@ -32,26 +32,26 @@ void draw_line(QPainter& painter, const QColor& color, const QVector<QPointF>& p
 
 }  // namespace
 
-QIcon state_icon(StageState state, const QPalette& palette) {
+QIcon state_icon(vtkbridge::StageState state, const QPalette& palette) {
   const QColor quiet = palette.color(QPalette::Disabled, QPalette::Text);
   return drawn(palette, [&](QPainter& painter) {
     switch (state) {
-      case StageState::idle:
+      case vtkbridge::StageState::idle:
         painter.setPen(QPen(quiet, 6));
         painter.drawEllipse(QRectF(18, 18, 28, 28));
         break;
-      case StageState::running:
+      case vtkbridge::StageState::running:
         painter.setPen(QPen(palette.color(QPalette::Highlight), 9, Qt::SolidLine, Qt::RoundCap));
         painter.drawArc(QRectF(13, 13, 38, 38), 90 * 16, -270 * 16);
         break;
-      case StageState::done:
+      case vtkbridge::StageState::done:
         draw_line(painter, QColor(0x2e, 0x9e, 0x4f), {{14, 34}, {27, 47}, {50, 18}});
         break;
-      case StageState::warning:
+      case vtkbridge::StageState::warning:
         draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 12}, {32, 38}});
         draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 52}, {32.1, 52}});
         break;
-      case StageState::failed:
+      case vtkbridge::StageState::failed:
         draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{17, 17}, {47, 47}});
         draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{47, 17}, {17, 47}});
         break;

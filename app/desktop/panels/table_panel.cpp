@@ -101,7 +101,7 @@ QString TablePanel::filter(const QString& text) {
 }
 
 void TablePanel::make_actions() {
-  using Action = StemEdit::Action;
+  using Action = stems::StemEdit::Action;
   const auto add = [this](const char* id, const QString& text, const QKeySequence& key, Action action) {
     auto* a = new QAction(text, this);
     a->setObjectName(id);
@@ -151,28 +151,28 @@ void TablePanel::select_tree(std::int64_t id) {
   scrollTo(index);
 }
 
-std::optional<StemEdit> TablePanel::edit_of_selection(StemEdit::Action action) const {
+std::optional<stems::StemEdit> TablePanel::edit_of_selection(stems::StemEdit::Action action) const {
   const auto row = selection_.tree() ? row_of(*selection_.tree()) : std::nullopt;
   const auto* table = model_.table();
   if (!row || !table->has("x_m") || !table->has("y_m") || !table->has("dbh_cm")) return {};
-  StemEdit edit;
+  stems::StemEdit edit;
   edit.action = action;
   edit.at = {table->numbers("x_m")[*row], table->numbers("y_m")[*row]};
   edit.was_dbh_cm = table->numbers("dbh_cm")[*row];
   return edit;
 }
 
-void TablePanel::request(StemEdit::Action action) {
+void TablePanel::request(stems::StemEdit::Action action) {
   auto edit = edit_of_selection(action);
   if (!edit) return;
   bool given = true;
-  if (action == StemEdit::Action::resize)
+  if (action == stems::StemEdit::Action::resize)
     edit->dbh_cm = QInputDialog::getDouble(this, tr("Diameter"), tr("Diameter at breast height in cm"),
                                            *edit->was_dbh_cm, 0.1, 2000, 1, &given);
-  if (action == StemEdit::Action::set_height)
+  if (action == stems::StemEdit::Action::set_height)
     edit->height_m =
         QInputDialog::getDouble(this, tr("Height"), tr("Height of the tree in m"), 20, 0.1, 200, 1, &given);
-  if (action == StemEdit::Action::note)
+  if (action == stems::StemEdit::Action::note)
     edit->text = QInputDialog::getText(this, tr("Note"), tr("Note"), QLineEdit::Normal, {}, &given).toStdString();
   if (given) Q_EMIT edit_requested(*edit);
 }

@@ -9,7 +9,7 @@
 #include "cloud/table.h"
 #include "panels/row_filter.h"
 #include "selection/selection.h"
-#include "stems/core/stem_edits.h"
+#include "stems/core/edits/stem_edits.h"
 
 namespace bole::desktop {
 
@@ -44,7 +44,7 @@ class TablePanel : public QTableView {
   std::optional<std::int64_t> selected_tree() const;
 
  Q_SIGNALS:
-  void edit_requested(const StemEdit& edit);
+  void edit_requested(const stems::StemEdit& edit);
 
  protected:
   void contextMenuEvent(QContextMenuEvent* event) override;
@@ -53,10 +53,10 @@ class TablePanel : public QTableView {
   std::optional<std::size_t> selected_row() const;             // of the table, whatever the sorting
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // likewise
   // An edit of the stem that is selected, in this table or elsewhere, with its place and diameter.
-  std::optional<StemEdit> edit_of_selection(StemEdit::Action action) const;
+  std::optional<stems::StemEdit> edit_of_selection(stems::StemEdit::Action action) const;
   void make_actions();
   void arrange_columns();
-  void request(StemEdit::Action action);
+  void request(stems::StemEdit::Action action);
 
   Selection& selection_;
   TableModel model_;

@@ -116,7 +116,8 @@ void ViewPanel::make_height_rows(QFormLayout* form) {
   height_lo_ = number("view_height_lo", tr("Lowest height above ground that is drawn"), 0.1, 2, tr(" m"));
   height_hi_ = number("view_height_hi", tr("Greatest height above ground that is drawn"), 0.1, 2, tr(" m"));
   auto* all = button("view_heights_all", tr("All"), tr("Draws all heights"));
-  connect(heights_, &RangeSlider::dragged, this, [this](const Interval& range) { take_heights(range.lo, range.hi); });
+  connect(heights_, &RangeSlider::dragged, this,
+          [this](const render::Interval& range) { take_heights(range.lo, range.hi); });
   for (auto* box : {height_lo_, height_hi_})
     connect(box, changed, this, [this] { take_heights(height_lo_->value(), height_hi_->value()); });
   connect(all, &QPushButton::clicked, this, &ViewPanel::reset_heights);
@@ -165,7 +166,7 @@ void ViewPanel::make_switches(QFormLayout* form) {
 }
 
 void ViewPanel::take_range() {
-  const Interval range{range_lo_->value(), std::max(range_hi_->value(), range_lo_->value() + 1e-3)};
+  const render::Interval range{range_lo_->value(), std::max(range_hi_->value(), range_lo_->value() + 1e-3)};
   change([&](auto& s) { s.color_range = range; });
 }
 
@@ -190,7 +191,7 @@ void ViewPanel::reset_clip() {
 }
 
 void ViewPanel::take_clip() {
-  ClipBox box;
+  render::ClipBox box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto k = static_cast<std::size_t>(2 * axis);
     box.lo[axis] = std::min(box_[k]->value(), box_[k + 1]->value());
@@ -208,7 +209,7 @@ void ViewPanel::show_state() {
     color_->addItem(QString(name).replace('_', ' '), name);
   }
   color_->setCurrentIndex(color_->findData(QString::fromStdString(scene_.paint().array)));
-  const bool numbers = scene_.paint().kind == PointPaint::Kind::map;
+  const bool numbers = scene_.paint().kind == render::PointPaint::Kind::map;
   for (auto* box : {range_lo_, range_hi_}) box->setEnabled(numbers);
   range_lo_->setValue(scene_.paint().range.lo), range_hi_->setValue(scene_.paint().range.hi);
   point_size_->setValue(s.point_size_px);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::seconds pace_over{5};
 
-const StageNode* scan_stage(const PipelineDocument& document) {
+const pipeline::StageNode* scan_stage(const pipeline::PipelineDocument& document) {
   for (const auto& node : document.stages())
     if (node.type->inputs.empty() && node.type->output("frames") && !node.skipped()) return &node;
   return nullptr;
@@ -64,7 +64,7 @@ WalkPanel::WalkPanel(Session& session, RunBehavior& runs, QWidget* parent)
   });
   connect(&runs_, &RunBehavior::snapshot_taken, this, [this](const QString&, const DataSet& part) { take(part); });
   connect(&runs_, &RunBehavior::finished, this,
-          [this](const RunOutcome&, const Results& results) { show_result(results); });
+          [this](const vtkbridge::RunOutcome&, const Results& results) { show_result(results); });
   connect(&runs_, &RunBehavior::job_began, this, [this] {
     live_ = {};
     pace_.clear();

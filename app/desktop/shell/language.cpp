@@ -66,7 +66,9 @@ QString current_language() {
   return language.isEmpty() ? "en" : language;
 }
 
-QString stage_title(const StageType& type) { return QCoreApplication::translate("stages", type.title.c_str()); }
+QString stage_title(const pipeline::StageType& type) {
+  return QCoreApplication::translate("stages", type.title.c_str());
+}
 
 void make_language_menu(MainWindow& window) {
   auto* menu = window.menu(Menu::view)->addMenu(MainWindow::tr("Language"));

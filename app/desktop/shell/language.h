@@ -6,7 +6,7 @@
 
 class QCoreApplication;
 
-namespace bole {
+namespace bole::pipeline {
 struct StageType;
 }
 
@@ -24,7 +24,7 @@ void install_language(QCoreApplication& application, const QString& code = {});
 QString current_language();  // "en", "zh_CN"
 
 // The title of a stage; its declaration has the English one.
-QString stage_title(const StageType& type);
+QString stage_title(const pipeline::StageType& type);
 
 // View > Language. A change closes the window, which may ask to save, and ends the event loop with `restart_code`.
 inline constexpr int restart_code = 77;

@@ -33,18 +33,18 @@ QRect ChartView::sheet() const { return rect().adjusted(0, kind_->sizeHint().hei
 
 void ChartView::rebuild() {
   chart_ = {};
-  const ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
+  const render::ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
   const auto selected = selection_.tree();
   if (survey_.stems && survey_.stems->has("tree_id")) {
     switch (static_cast<Kind>(kind_->currentIndex())) {
       case Kind::diameters:
-        chart_ = diameter_histogram(*survey_.stems, size, selected);
+        chart_ = render::diameter_histogram(*survey_.stems, size, selected);
         break;
       case Kind::heights:
-        chart_ = height_over_diameter(*survey_.stems, size, selected);
+        chart_ = render::height_over_diameter(*survey_.stems, size, selected);
         break;
       case Kind::field:
-        chart_ = estimated_over_field(survey_.matches ? *survey_.matches : Table(), size, selected);
+        chart_ = render::estimated_over_field(survey_.matches ? *survey_.matches : Table(), size, selected);
         break;
     }
   }

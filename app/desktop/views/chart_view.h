@@ -34,7 +34,7 @@ class ChartView : public QWidget {
 
   Selection& selection_;
   Survey survey_;
-  LinkedChart chart_;
+  render::LinkedChart chart_;
   QComboBox* kind_;
 };
 

@@ -7,7 +7,7 @@
 namespace bole::desktop {
 
 ClipHandles::ClipHandles(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer,
-                         std::function<void(const ClipBox&)> moved)
+                         std::function<void(const render::ClipBox&)> moved)
     : moved_(std::move(moved)) {
   box_->SetPlaceFactor(1);
   box_->SetHandleSize(7);
@@ -21,7 +21,7 @@ ClipHandles::ClipHandles(vtkRenderWindowInteractor* interactor, vtkRenderer* ren
   widget_->AddObserver(vtkCommand::InteractionEvent, this, &ClipHandles::tell);
 }
 
-void ClipHandles::show(const ClipBox& box, const Eigen::Vector3d& origin) {
+void ClipHandles::show(const render::ClipBox& box, const Eigen::Vector3d& origin) {
   origin_ = origin;
   const Eigen::Vector3d lo = box.lo - origin, hi = box.hi - origin;
   double bounds[6] = {lo.x(), hi.x(), lo.y(), hi.y(), lo.z(), hi.z()};

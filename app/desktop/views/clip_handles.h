@@ -16,9 +16,10 @@ namespace bole::desktop {
 class ClipHandles {
  public:
   // `moved` is called while a handle is dragged; boxes are in world axes.
-  ClipHandles(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer, std::function<void(const ClipBox&)> moved);
+  ClipHandles(vtkRenderWindowInteractor* interactor, vtkRenderer* renderer,
+              std::function<void(const render::ClipBox&)> moved);
 
-  void show(const ClipBox& box, const Eigen::Vector3d& origin);
+  void show(const render::ClipBox& box, const Eigen::Vector3d& origin);
   void hide() { widget_->Off(); }
   bool shown() { return widget_->GetEnabled() != 0; }
 
@@ -28,7 +29,7 @@ class ClipHandles {
   vtkNew<vtkBoxWidget2> widget_;
   vtkNew<vtkBoxRepresentation> box_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::function<void(const ClipBox&)> moved_;
+  std::function<void(const render::ClipBox&)> moved_;
 };
 
 }  // namespace bole::desktop

@@ -82,7 +82,7 @@ double CompareWindow::greatest_error() const {
     const auto& walk = side.result.survey.walk;
     if (!reference || !walk) continue;
     try {
-      most_cm = std::max(most_cm, greatest_error_cm({walk.get(), reference.get(), nullptr}));
+      most_cm = std::max(most_cm, render::greatest_error_cm({walk.get(), reference.get(), nullptr}));
     } catch (const Error&) {  // a path of one pose: its chart says so
     }
   }
@@ -103,8 +103,8 @@ QWidget* CompareWindow::column(std::size_t which) {
     errors_[which]->show_figure(
         [reference, walk = side.result.survey.walk, top_cm = greatest_error()](double width_mm) {
           // The figure is drawn later: it must own both paths.
-          auto figure = trajectory_error_chart({walk.get(), reference.get(), nullptr}, width_mm, top_cm);
-          figure.draw = [reference, walk, draw = std::move(figure.draw)](Canvas& canvas) { draw(canvas); };
+          auto figure = render::trajectory_error_chart({walk.get(), reference.get(), nullptr}, width_mm, top_cm);
+          figure.draw = [reference, walk, draw = std::move(figure.draw)](render::Canvas& canvas) { draw(canvas); };
           return figure;
         });
   auto* parts = new QSplitter(Qt::Vertical, box);

@@ -39,21 +39,21 @@ std::string chinese_font() {
 
 }  // namespace
 
-ScreenLook screen_look(const QPalette& palette) {
+render::ScreenLook screen_look(const QPalette& palette) {
   static const std::string wide_font = chinese_font();
   return {is_dark(palette), in_the_language_of_the_window, wide_font};
 }
 
 void set_background(vtkRenderer* renderer, bool dark) {
-  const Color paper = dark ? on_dark(ink::paper) : ink::paper;
+  const render::Color paper = dark ? render::on_dark(render::ink::paper) : render::ink::paper;
   renderer->SetBackground(paper.r, paper.g, paper.b);
 }
 
 // Charts have colours of their own, which on_paper() turns over with the inks.
-QImage figure_picture(const Figure& figure, const QPalette& palette, double dpi, double ratio) {
+QImage figure_picture(const render::Figure& figure, const QPalette& palette, double dpi, double ratio) {
   auto look = screen_look(palette);
   look.dark = false;
-  const auto image = screen_image(figure, dpi * ratio, look);
+  const auto image = render::screen_image(figure, dpi * ratio, look);
   const QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
   QImage shown = on_paper(picture.copy(), palette);
   shown.setDevicePixelRatio(ratio);

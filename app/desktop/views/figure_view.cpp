@@ -17,7 +17,7 @@ FigureView::FigureView(const QString& empty_text, QWidget* parent) : QWidget(par
   setMinimumHeight(120);
 }
 
-void FigureView::show_figure(std::function<Figure(double)> make) {
+void FigureView::show_figure(std::function<render::Figure(double)> make) {
   make_ = std::move(make);
   update();
 }
@@ -30,7 +30,7 @@ void FigureView::paintEvent(QPaintEvent*) {
     try {
       // A figure has the height it needs at its width: the widest one that fits.
       double width_mm = width() * mm_per_px;
-      Figure figure = make_(width_mm);
+      render::Figure figure = make_(width_mm);
       const double height_mm = height() * mm_per_px;
       const double scale = std::min(1.0, height_mm / figure.height_mm);
       painter.drawImage(QPointF((width() - width() * scale) / 2, 0),

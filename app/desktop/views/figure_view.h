@@ -15,7 +15,7 @@ class FigureView : public QWidget {
   FigureView(const QString& empty_text, QWidget* parent);
 
   // Called with the width in millimetres whenever that changes; empty: the text is shown.
-  void show_figure(std::function<Figure(double width_mm)> make);
+  void show_figure(std::function<render::Figure(double width_mm)> make);
   bool empty() const { return !make_; }
 
  protected:
@@ -23,7 +23,7 @@ class FigureView : public QWidget {
 
  private:
   QString empty_text_;
-  std::function<Figure(double)> make_;
+  std::function<render::Figure(double)> make_;
 };
 
 }  // namespace bole::desktop

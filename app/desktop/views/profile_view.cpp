@@ -26,7 +26,7 @@ void ProfileView::show_survey(const Survey& survey) {
 
 void ProfileView::reload() {
   stem_ = selection_.tree() ? stem_place(survey_, *selection_.tree()) : std::nullopt;
-  data_ = stem_ ? cut_along(survey_, *stem_, cut_) : StemProfileData();
+  data_ = stem_ ? cut_along(survey_, *stem_, cut_) : render::StemProfileData();
   update();
 }
 
@@ -35,7 +35,9 @@ void ProfileView::set_height(double metres) {
   update();
 }
 
-Frame ProfileView::frame() const { return profile_frame(data_, width() * mm_per_px, height() * mm_per_px); }
+render::Frame ProfileView::frame() const {
+  return render::profile_frame(data_, width() * mm_per_px, height() * mm_per_px);
+}
 
 QPointF ProfileView::place_of_height(double metres) const {
   const Eigen::Vector2d px = frame().map(0, metres) / mm_per_px;
@@ -58,8 +60,8 @@ void ProfileView::paintEvent(QPaintEvent*) {
     return;
   }
   painter.drawImage(0, 0,
-                    figure_picture(stem_profile(data_, width() * mm_per_px, height() * mm_per_px), palette(), 96,
-                                   devicePixelRatioF()));
+                    figure_picture(render::stem_profile(data_, width() * mm_per_px, height() * mm_per_px), palette(),
+                                   96, devicePixelRatioF()));
 }
 
 }  // namespace bole::desktop

@@ -30,13 +30,13 @@ class ProfileView : public QWidget {
  private:
   void reload();
   void drag(QMouseEvent* event);
-  Frame frame() const;
+  render::Frame frame() const;
 
   Selection& selection_;
   Survey survey_;
   std::optional<StemPlace> stem_;
   CutPlace cut_;
-  StemProfileData data_;
+  render::StemProfileData data_;
 };
 
 }  // namespace bole::desktop

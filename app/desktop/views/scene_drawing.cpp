@@ -5,27 +5,28 @@
 
 namespace bole::desktop {
 
-void add_to(ViewFurniture& furniture, const SceneDrawing& drawing, const PickView& view, double mm_per_px) {
+void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
+            double mm_per_px) {
   const auto sheet = [&](const Eigen::Vector2d& px) {
     return Eigen::Vector2d(px.x() * mm_per_px, furniture.height_mm - px.y() * mm_per_px);
   };
   for (const auto& line : drawing.lines) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
-      if (const auto ends = segment_on_screen(view, line[k], line[k + 1]))
+      if (const auto ends = render::segment_on_screen(view, line[k], line[k + 1]))
         furniture.lines.push_back({{sheet(ends->first), sheet(ends->second)}, drawing.strong, drawing.warning});
   }
   for (const auto& places : {drawing.marks, drawing.strong ? drawing.grips : std::vector<Eigen::Vector3d>()})
     for (const auto& place : places)
-      if (const auto at = on_screen(view, place)) furniture.marks_mm.push_back(sheet(at->px));
-  if (const auto at = on_screen(view, drawing.label_at); at && !drawing.label.empty())
+      if (const auto at = render::on_screen(view, place)) furniture.marks_mm.push_back(sheet(at->px));
+  if (const auto at = render::on_screen(view, drawing.label_at); at && !drawing.label.empty())
     furniture.labels.push_back({sheet(at->px), drawing.label, drawing.strong});
 }
 
-double distance_px(const SceneDrawing& drawing, const PickView& view, const Eigen::Vector2d& at_px) {
+double distance_px(const SceneDrawing& drawing, const render::PickView& view, const Eigen::Vector2d& at_px) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& line : drawing.lines)
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
-      if (const auto ends = segment_on_screen(view, line[k], line[k + 1])) {
+      if (const auto ends = render::segment_on_screen(view, line[k], line[k + 1])) {
         const Eigen::Vector2d along = ends->second - ends->first;
         const double t = std::clamp((at_px - ends->first).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
         least = std::min(least, (at_px - ends->first - t * along).norm());

@@ -23,7 +23,8 @@ struct SceneDrawing {
 };
 
 // Projects a drawing and adds it; `mm_per_px` of the view's pixels.
-void add_to(ViewFurniture& furniture, const SceneDrawing& drawing, const PickView& view, double mm_per_px);
+void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
+            double mm_per_px);
 
 struct Grip {
   std::string layer;
@@ -33,6 +34,6 @@ struct Grip {
 };
 
 // Distance in pixels of a place on the screen from the lines of a drawing; infinity when none is seen.
-double distance_px(const SceneDrawing& drawing, const PickView& view, const Eigen::Vector2d& at_px);
+double distance_px(const SceneDrawing& drawing, const render::PickView& view, const Eigen::Vector2d& at_px);
 
 }  // namespace bole::desktop

@@ -18,8 +18,8 @@ constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5;
 
 std::optional<std::uint32_t> SceneView::point_at(const QPoint& at) {
   if (!survey_.points) return {};
-  return pick_point(pick_view(), *survey_.points, layer_.drawn_points(), to_pixels(at),
-                    pick_reach_px * devicePixelRatioF());
+  return render::pick_point(pick_view(), *survey_.points, layer_.drawn_points(), to_pixels(at),
+                            pick_reach_px * devicePixelRatioF());
 }
 
 void SceneView::pick(const QPoint& at) {
@@ -28,13 +28,13 @@ void SceneView::pick(const QPoint& at) {
   std::optional<std::int64_t> tree;
   picked_ = point_at(at);
   if (picked_) {
-    for (const auto& line : describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
+    for (const auto& line : render::describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
     if (survey_.points->has(arrays::tree_id))
       if (const auto id = survey_.points->values<std::int32_t>(arrays::tree_id)[*picked_]; id > 0) tree = id;
   }
-  if (const auto stem = pick_stem(view, shapes_, to_pixels(at), 2 * devicePixelRatioF())) {
+  if (const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 2 * devicePixelRatioF())) {
     // A stem hides what lies behind it, and is hidden by points before it.
-    const auto point = picked_ ? on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
+    const auto point = picked_ ? render::on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
     if (!tree && (!point || stem->depth <= point->depth)) tree = stem->tree_id;
   }
   if (tree && survey_.row_of(*tree)) selection_.select(tree);
@@ -52,7 +52,7 @@ void SceneView::set_place_taker(const QObject* taker) {
 void SceneView::take_place(const QPoint& at) {
   if (const auto point = point_at(at)) {
     Q_EMIT place_taken(exact_position(*survey_.points, *point), *point);
-  } else if (const auto ground = on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
+  } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
     Q_EMIT place_taken(*ground, QVariant());
   }
 }
@@ -64,7 +64,7 @@ std::optional<Grip> SceneView::grip_at(const QPoint& at) {
     for (std::size_t d = 0; d < drawings.size(); ++d) {
       if (!drawings[d].strong) continue;
       for (std::size_t g = 0; g < drawings[d].grips.size(); ++g)
-        if (const auto place = on_screen(view, drawings[d].grips[g]);
+        if (const auto place = render::on_screen(view, drawings[d].grips[g]);
             place && (place->px - px).norm() <= grip_px * devicePixelRatioF())
           return Grip{layer, d, g, drawings[d].grips[g], drawings[d].id};
     }
@@ -110,7 +110,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
       setCursor(grip_at(event->pos()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
   }
-  if (const auto at = on_plane(pick_view(), to_pixels(event->pos()), dragged_->at.z()))
+  if (const auto at = render::on_plane(pick_view(), to_pixels(event->pos()), dragged_->at.z()))
     Q_EMIT grip_dragged(QString::fromStdString(dragged_->layer), static_cast<int>(dragged_->drawing),
                         static_cast<int>(dragged_->grip), *at, false);
 }
@@ -118,7 +118,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragged_) {
     const auto grip = *std::exchange(dragged_, std::nullopt);
-    const auto at = on_plane(pick_view(), to_pixels(event->pos()), grip.at.z());
+    const auto at = render::on_plane(pick_view(), to_pixels(event->pos()), grip.at.z());
     const bool moved = (event->pos() - pressed_at_).manhattanLength() > click_px;
     Q_EMIT grip_dragged(QString::fromStdString(grip.layer), static_cast<int>(grip.drawing), static_cast<int>(grip.grip),
                         moved && at ? *at : grip.at, true);

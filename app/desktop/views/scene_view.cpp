@@ -52,7 +52,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_motion);
   renderer_->AddObserver(vtkCommand::StartEvent, this, &SceneView::before_frame);
   renderer_->AddObserver(vtkCommand::EndEvent, this, &SceneView::after_frame);
-  clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const ClipBox& box) {
+  clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const render::ClipBox& box) {
     settings_.clip = box;
     layer_.set_clip(box);
     begin_motion();
@@ -122,7 +122,7 @@ void SceneView::follow_index() {
 
 void SceneView::set_settings(const ViewSettings& settings) {
   const auto before = std::exchange(settings_, settings);
-  const auto same = [](const std::optional<Interval>& a, const std::optional<Interval>& b) {
+  const auto same = [](const std::optional<render::Interval>& a, const std::optional<render::Interval>& b) {
     return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
   };
   if (before.color != settings_.color || !same(before.color_range, settings_.color_range)) repaint_points();
@@ -142,10 +142,10 @@ void SceneView::color_by(const std::string& array) {
 }
 
 std::vector<std::string> SceneView::colorable() const {
-  return survey_.points ? paintable_arrays(*survey_.points) : std::vector<std::string>();
+  return survey_.points ? render::paintable_arrays(*survey_.points) : std::vector<std::string>();
 }
 
-void SceneView::set_filter(const PointFilter& filter) {
+void SceneView::set_filter(const render::PointFilter& filter) {
   auto settings = settings_;
   settings.filter = filter;
   set_settings(settings);
@@ -154,8 +154,8 @@ void SceneView::set_filter(const PointFilter& filter) {
 
 void SceneView::repaint_points() {
   if (!survey_.points) return;
-  auto paint = paint_by(*survey_.points, settings_.color);
-  if (settings_.color_range && paint.kind == PointPaint::Kind::map) paint.range = *settings_.color_range;
+  auto paint = render::paint_by(*survey_.points, settings_.color);
+  if (settings_.color_range && paint.kind == render::PointPaint::Kind::map) paint.range = *settings_.color_range;
   layer_.set_paint(std::move(paint));
 }
 
@@ -225,12 +225,13 @@ void SceneView::rebuild() {
   }
   // Plants of rows have places only.
   if (survey_.stems && survey_.stems->rows() > 0 && survey_.stems->has("dbh_cm") && survey_.stems->has("z_m")) {
-    shapes_ = stem_shapes(*survey_.stems, survey_.sections.get());
-    add(stems_actor(shapes_, origin_, true));
-    add(breast_height_actor(shapes_, origin_, 0.04));
+    shapes_ = render::stem_shapes(*survey_.stems, survey_.sections.get());
+    add(render::stems_actor(shapes_, origin_, true));
+    add(render::breast_height_actor(shapes_, origin_, 0.04));
   }
   if (survey_.walk && survey_.walk->poses.size() > 1)
-    add(path_actor(*survey_.walk, origin_, 0.05, look_.dark ? on_dark(ink::path) : hex(0x1f6f9f)));
+    add(render::path_actor(*survey_.walk, origin_, 0.05,
+                           look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f)));
   rebuild_grid();
   draw_highlight();
 }
@@ -240,9 +241,9 @@ void SceneView::rebuild_grid() {
   grid_ = nullptr, grid_step_m_ = 0;
   if (!settings_.grid || !survey_.points) return;
   const auto box = whole();
-  grid_step_m_ = nice_step((box.hi - box.lo).head<2>().maxCoeff(), 8);
-  grid_ = grid_actor({box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}, box.lo.z(), grid_step_m_, origin_,
-                     look_.dark ? hex(0x4f585e) : hex(0x8d99a1));
+  grid_step_m_ = render::nice_step((box.hi - box.lo).head<2>().maxCoeff(), 8);
+  grid_ = render::grid_actor({box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}, box.lo.z(), grid_step_m_, origin_,
+                             look_.dark ? render::hex(0x4f585e) : render::hex(0x8d99a1));
   renderer_->AddActor(grid_);
 }
 
@@ -250,13 +251,13 @@ void SceneView::draw_highlight() {
   if (highlight_) renderer_->RemoveActor(highlight_);
   highlight_ = nullptr;
   if (!selection_.tree()) return;
-  std::vector<StemShape> shape;
+  std::vector<render::StemShape> shape;
   std::ranges::copy_if(shapes_, std::back_inserter(shape),
                        [&](const auto& s) { return s.tree_id == selection_.tree(); });
   if (shape.empty()) return;
-  highlight_ = breast_height_actor(shape, origin_, highlight_m);
+  highlight_ = render::breast_height_actor(shape, origin_, highlight_m);
   highlight_->GetMapper()->ScalarVisibilityOff();
-  const Color blue = look_.dark ? hex(0x5ab0ff) : hex(0x0073e6);
+  const render::Color blue = look_.dark ? render::hex(0x5ab0ff) : render::hex(0x0073e6);
   highlight_->GetProperty()->SetColor(blue.r, blue.g, blue.b);
   renderer_->AddActor(highlight_);
 }
@@ -299,11 +300,11 @@ void SceneView::after_frame() {
   if (!complete_) return rest_.start(0);
   if (!settings_.eye_dome) return;
   const int* size = renderWindow()->GetSize();
-  EyeDomeOptions shading;
+  render::EyeDomeOptions shading;
   shading.radius_px = 1.6 * devicePixelRatioF();
-  furniture_.set_shadow(
-      eye_dome_shadow(window_depths_m(renderWindow(), renderer_->GetActiveCamera()), size[0], size[1], shading),
-      size[0], size[1]);
+  furniture_.set_shadow(render::eye_dome_shadow(render::window_depths_m(renderWindow(), renderer_->GetActiveCamera()),
+                                                size[0], size[1], shading),
+                        size[0], size[1]);
 }
 
 // The picture is on the screen: all that a frame costs has been paid.
@@ -323,7 +324,7 @@ double SceneView::draw_moving_frame() {
 }
 
 void SceneView::place_furniture() {
-  ViewFurniture f;
+  render::ViewFurniture f;
   f.width_mm = width() * mm_per_px, f.height_mm = height() * mm_per_px;
   if (settings_.legend && survey_.points && !survey_.points->empty()) f.paint = layer_.paint();
   auto* camera = renderer_->GetActiveCamera();
@@ -372,7 +373,7 @@ void SceneView::set_parallel(bool on) {
 bool SceneView::parallel() const { return renderer_->GetActiveCamera()->GetParallelProjection() != 0; }
 
 void SceneView::zoom_to_tree(std::int64_t id) {
-  const auto it = std::ranges::find(shapes_, id, &StemShape::tree_id);
+  const auto it = std::ranges::find(shapes_, id, &render::StemShape::tree_id);
   if (it != shapes_.end()) zoom_to(it->breast_height);
 }
 
@@ -381,10 +382,10 @@ void SceneView::zoom_to(const Eigen::Vector3d& place) {
   redraw();
 }
 
-PickView SceneView::pick_view() {
+render::PickView SceneView::pick_view() {
   const int* size = renderer_->GetSize();
   const double aspect = static_cast<double>(std::max(size[0], 1)) / std::max(size[1], 1);
-  return {view_matrix(renderer_->GetActiveCamera(), aspect), origin_, static_cast<double>(size[0]),
+  return {render::view_matrix(renderer_->GetActiveCamera(), aspect), origin_, static_cast<double>(size[0]),
           static_cast<double>(size[1])};
 }
 
@@ -393,7 +394,7 @@ Eigen::Vector2d SceneView::to_pixels(const QPoint& at) const {
 }
 
 QPoint SceneView::place_of(const Eigen::Vector3d& world) {
-  const auto at = on_screen(pick_view(), world);
+  const auto at = render::on_screen(pick_view(), world);
   if (!at) return {-1, -1};
   const Eigen::Vector2d px = at->px / devicePixelRatioF();
   return {static_cast<int>(std::lround(px.x())), static_cast<int>(std::lround(height() - px.y()))};

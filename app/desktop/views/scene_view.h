@@ -46,10 +46,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void set_settings(const ViewSettings& settings);  // takes effect at once
   void color_by(const std::string& array);
   std::vector<std::string> colorable() const;  // arrays of the cloud
-  const PointPaint& paint() const { return layer_.paint(); }
-  void set_filter(const PointFilter& filter);
-  const ClipBox& whole() const { return whole_; }       // around the cloud but its strays
-  const Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
+  const render::PointPaint& paint() const { return layer_.paint(); }
+  void set_filter(const render::PointFilter& filter);
+  const render::ClipBox& whole() const { return whole_; }       // around the cloud but its strays
+  const render::Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
   void show_clip_handles(bool on);
   bool clip_handles_shown() const;
 
@@ -112,7 +112,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void frame_shown();
   void place_furniture();
   std::vector<double> sorted_sample(int axis) const;
-  PickView pick_view();
+  render::PickView pick_view();
   Eigen::Vector2d to_pixels(const QPoint& at) const;
   std::optional<std::uint32_t> point_at(const QPoint& at);
   std::optional<Grip> grip_at(const QPoint& at);
@@ -122,15 +122,15 @@ class SceneView : public QVTKOpenGLNativeWidget {
   Selection& selection_;
   Survey survey_;
   ViewSettings settings_;
-  ClipBox whole_;
-  Interval heights_;
+  render::ClipBox whole_;
+  render::Interval heights_;
   bool extent_known_ = false;
-  std::vector<StemShape> shapes_;
+  std::vector<render::StemShape> shapes_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  ScreenLook look_;
-  PointLayer layer_;
+  render::ScreenLook look_;
+  render::PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
-  FurnitureLayer furniture_;
+  render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_;
   double grid_step_m_ = 0;

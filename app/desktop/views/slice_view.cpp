@@ -95,9 +95,9 @@ void SliceView::reload(bool keep_view) {
 void SliceView::write_lines() {
   const auto& stems = *survey_.stems;
   const auto row = stem_->row;
-  const auto number = [&](const char* name) { return numbers_or_nan(stems, name)[row]; };
+  const auto number = [&](const char* name) { return render::numbers_or_nan(stems, name)[row]; };
   const auto text = [](const QString& s) { return s.toStdString(); };
-  const auto digits = [](double v, int decimals) { return QString::fromStdString(fixed(v, decimals)); };
+  const auto digits = [](double v, int decimals) { return QString::fromStdString(render::fixed(v, decimals)); };
   data_.lines = {text(tr("Tree %1   %2").arg(stem_->tree_id).arg(quality_text(data_.quality)))};
   const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
   QString measured = tr("DBH %1 cm").arg(digits(number("dbh_cm"), 1));
@@ -111,13 +111,14 @@ void SliceView::write_lines() {
   else if (data_.drawn)
     data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
   else
-    data_.lines.push_back(texts_or_empty(stems, "reasons")[row]);
+    data_.lines.push_back(render::texts_or_empty(stems, "reasons")[row]);
 }
 
 QRect SliceView::sheet() const { return rect().adjusted(0, height_->sizeHint().height() + 4, 0, 0); }
 
-SliceScale SliceView::scale() const {
-  return slice_scale(sheet().width() * mm_per_px, sheet().height() * mm_per_px, data_.lines.size(), data_.reach_m);
+render::SliceScale SliceView::scale() const {
+  return render::slice_scale(sheet().width() * mm_per_px, sheet().height() * mm_per_px, data_.lines.size(),
+                             data_.reach_m);
 }
 
 Eigen::Vector2d SliceView::to_metres(const QPoint& at) const {
@@ -158,7 +159,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
 
 // The points ask for a circle near the one that is drawn.
 void SliceView::drag_to(const Eigen::Vector2d& metres) {
-  SliceCircle drawn = *data_.stem;
+  render::SliceCircle drawn = *data_.stem;
   drawn.lo_m = drawn.hi_m = 0;
   if (grip_ == Grip::centre) drawn.centre += metres - pressed_;
   if (grip_ == Grip::rim) drawn.radius_m = (metres - drawn.centre).norm();
@@ -168,9 +169,9 @@ void SliceView::drag_to(const Eigen::Vector2d& metres) {
   std::vector<Eigen::Vector2d> near;
   for (const auto& p : data_.points)
     if (std::abs((p - drawn.centre).norm() - drawn.radius_m) < 2 * start_error_m) near.push_back(p);
-  fit_ = robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, most_sigma_m);
+  fit_ = stems::robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, most_sigma_m);
   data_.refit.reset();
-  if (fit_) data_.refit = SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
+  if (fit_) data_.refit = render::SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
   write_lines();
   update();
 }
@@ -184,23 +185,24 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
                                    : Qt::ArrowCursor);
 }
 
-std::vector<StemEdit> SliceView::edits_of(const SliceCircle& circle) const {
+std::vector<stems::StemEdit> SliceView::edits_of(const render::SliceCircle& circle) const {
   const Eigen::Vector2d centre = circle.centre + middle_;
-  StemEdit edit;
+  stems::StemEdit edit;
   if (grip_ == Grip::add) {
-    edit.action = StemEdit::Action::add;
+    edit.action = stems::StemEdit::Action::add;
     edit.at = centre, edit.dbh_cm = 200 * circle.radius_m;
     return {edit};
   }
-  std::vector<StemEdit> edits;
+  std::vector<stems::StemEdit> edits;
   edit.at = stem_->foot.head<2>();
   if ((centre - edit.at).norm() > 0.0005) {
-    edit.action = StemEdit::Action::move, edit.to = centre;
+    edit.action = stems::StemEdit::Action::move, edit.to = centre;
     edits.push_back(edit);
-    edit = StemEdit();
+    edit = stems::StemEdit();
     edit.at = centre;
   }
-  edit.action = StemEdit::Action::resize, edit.dbh_cm = 200 * circle.radius_m, edit.was_dbh_cm = 100 * stem_->dbh_m;
+  edit.action = stems::StemEdit::Action::resize, edit.dbh_cm = 200 * circle.radius_m,
+  edit.was_dbh_cm = 100 * stem_->dbh_m;
   edits.push_back(edit);
   return edits;
 }
@@ -209,7 +211,7 @@ std::vector<StemEdit> SliceView::edits_of(const SliceCircle& circle) const {
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   if (grip_ == Grip::none || event->button() != Qt::LeftButton) return;
   const bool as_drawn = event->modifiers().testFlag(Qt::ShiftModifier) || !data_.refit;
-  std::vector<StemEdit> edits;
+  std::vector<stems::StemEdit> edits;
   if (data_.drawn) edits = edits_of(as_drawn ? *data_.drawn : *data_.refit);
   data_.drawn.reset(), data_.refit.reset(), fit_.reset();
   grip_ = Grip::none;
@@ -240,7 +242,7 @@ void SliceView::paintEvent(QPaintEvent*) {
     painter.drawText(sheet(), Qt::AlignCenter | Qt::TextWordWrap, tr("Select a stem to see its slice."));
     return;
   }
-  const auto figure = stem_slice(data_, sheet().width() * mm_per_px, sheet().height() * mm_per_px);
+  const auto figure = render::stem_slice(data_, sheet().width() * mm_per_px, sheet().height() * mm_per_px);
   painter.drawImage(sheet().topLeft(), figure_picture(figure, palette(), 96, devicePixelRatioF()));
 }
 

@@ -7,8 +7,8 @@
 
 #include "document/stem_cut.h"
 #include "selection/selection.h"
-#include "stems/core/circle_fit.h"
-#include "stems/core/stem_edits.h"
+#include "stems/core/edits/stem_edits.h"
+#include "stems/core/fit/circle_fit.h"
 
 class QDoubleSpinBox;
 
@@ -26,12 +26,12 @@ class SliceView : public QWidget {
   double cut_height() const { return cut_.height_m; }
   void set_adding(bool on);  // the next circle that is drawn is a new tree
 
-  const StemSliceData& shown() const { return data_; }
+  const render::StemSliceData& shown() const { return data_; }
   QPointF place_of(const Eigen::Vector2d& plan) const;  // of a place in the axes of the stems, on the widget
   QSize sizeHint() const override { return {300, 330}; }
 
  Q_SIGNALS:
-  void edits_requested(const std::vector<StemEdit>& edits);
+  void edits_requested(const std::vector<stems::StemEdit>& edits);
   void height_changed(double metres);
   void adding_changed(bool on);
   void said(const QString& sentence);
@@ -49,19 +49,19 @@ class SliceView : public QWidget {
   void reload(bool keep_view);
   void write_lines();
   QRect sheet() const;
-  SliceScale scale() const;
+  render::SliceScale scale() const;
   Eigen::Vector2d to_metres(const QPoint& at) const;
   Grip grip_at(const QPoint& at) const;
   void drag_to(const Eigen::Vector2d& metres);
-  std::vector<StemEdit> edits_of(const SliceCircle& circle) const;
+  std::vector<stems::StemEdit> edits_of(const render::SliceCircle& circle) const;
 
   Selection& selection_;
   Survey survey_;
   std::optional<StemPlace> stem_;
   CutPlace cut_;
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
-  StemSliceData data_;
-  std::optional<RobustCircle> fit_;  // while a circle is drawn
+  render::StemSliceData data_;
+  std::optional<stems::RobustCircle> fit_;  // while a circle is drawn
   Grip grip_ = Grip::none;
   bool adding_ = false;
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();

@@ -9,10 +9,10 @@
 namespace bole::desktop {
 
 struct ViewSettings {
-  std::string color = "height_above_ground";  // an array of the cloud
-  std::optional<Interval> color_range;        // of numbers; else percentiles of the array
-  PointFilter filter;
-  std::optional<ClipBox> clip;
+  std::string color = "height_above_ground";    // an array of the cloud
+  std::optional<render::Interval> color_range;  // of numbers; else percentiles of the array
+  render::PointFilter filter;
+  std::optional<render::ClipBox> clip;
   double point_size_px = 2;
   bool eye_dome = false;  // shading of the picture at rest
   bool grid = false;

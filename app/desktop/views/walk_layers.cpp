@@ -25,8 +25,8 @@ constexpr double top_m = 8;                   // above the ground, where the col
 constexpr double ground_below_m = 0.4;        // the ground is not known yet, only the height of the sensor
 constexpr double sensor_radius_m = 0.25;
 constexpr double margin_m = 7;  // about the path, that a camera shows
-const Color ground_grey = hex(0xb9b1a4);
-const Color frame_color = hex(0xe8590c);
+const render::Color ground_grey = render::hex(0xb9b1a4);
+const render::Color frame_color = render::hex(0xe8590c);
 
 using Segments = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>;
 
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData* data) {
   return actor;
 }
 
-void paint(vtkActor* actor, const Color& color) {
+void paint(vtkActor* actor, const render::Color& color) {
   actor->GetMapper()->ScalarVisibilityOff();
   actor->GetProperty()->SetColor(color.r, color.g, color.b);
 }
@@ -52,7 +52,7 @@ class PointsBuilder {
     colors_->SetNumberOfComponents(3);
   }
   void add(const Eigen::Vector3d& p) { points_->InsertNextPoint(p.data()); }
-  void add(const Eigen::Vector3d& p, const Color& c) {
+  void add(const Eigen::Vector3d& p, const render::Color& c) {
     add(p);
     colors_->InsertNextTuple3(255 * c.r, 255 * c.g, 255 * c.b);
   }
@@ -78,7 +78,8 @@ class PointsBuilder {
   vtkNew<vtkUnsignedCharArray> colors_;
 };
 
-vtkSmartPointer<vtkActor> lines_actor(const Segments& segments, const Eigen::Vector3d& origin, const Color& color) {
+vtkSmartPointer<vtkActor> lines_actor(const Segments& segments, const Eigen::Vector3d& origin,
+                                      const render::Color& color) {
   if (segments.empty()) return nullptr;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
@@ -97,8 +98,8 @@ vtkSmartPointer<vtkActor> lines_actor(const Segments& segments, const Eigen::Vec
 }
 
 // A quiet ground, as the survey has it.
-Color height_color(double above_ground_m) {
-  return above_ground_m < ground_below_m ? ground_grey : ColorMap::viridis().at(above_ground_m / top_m);
+render::Color height_color(double above_ground_m) {
+  return above_ground_m < ground_below_m ? ground_grey : render::ColorMap::viridis().at(above_ground_m / top_m);
 }
 
 }  // namespace
@@ -111,9 +112,11 @@ void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> 
 
 void WalkLayers::set_dark(bool dark) {
   dark_ = dark;
-  for (const auto& [actor, ink] :
-       {std::pair{path_, ink::primary}, {good_loops_, ink::good}, {bad_loops_, ink::poor}, {sensor_, ink::accent}})
-    if (actor) paint(actor, shown(ink));
+  for (const auto& [actor, render::ink] : {std::pair{path_, render::ink::primary},
+                                           {good_loops_, render::ink::good},
+                                           {bad_loops_, render::ink::poor},
+                                           {sensor_, render::ink::accent}})
+    if (actor) paint(actor, shown(render::ink));
 }
 
 void WalkLayers::clear() {
@@ -173,7 +176,8 @@ void WalkLayers::show_survey(const Survey& survey, const Table* loops) {
     for (std::size_t i = 0; i < survey.points->size(); i += step) thinned.push_back(static_cast<std::uint32_t>(i));
     blocks_.resize(1);
     set(blocks_[0],
-        points_actor(*survey.points, thinned, coloring_for(*survey.points, thinned, PointColor::height), origin_, 2));
+        render::points_actor(*survey.points, thinned,
+                             render::coloring_for(*survey.points, thinned, render::PointColor::height), origin_, 2));
     drawn_ = thinned.size();
   }
   if (!survey.walk || survey.walk->poses.size() < 2) return;
@@ -204,15 +208,15 @@ void WalkLayers::set_path(const Trajectory& path) {
   data->SetPoints(points);
   data->SetLines(lines);
   auto actor = actor_of(data);
-  paint(actor, shown(ink::primary));
+  paint(actor, shown(render::ink::primary));
   actor->GetProperty()->SetLineWidth(3);
   set(path_, actor);
 }
 
 void WalkLayers::set_loops(const Segments& accepted, const Segments& refused) {
   accepted_ = accepted.size(), refused_ = refused.size();
-  set(good_loops_, lines_actor(accepted, origin_, shown(ink::good)));
-  set(bad_loops_, lines_actor(refused, origin_, shown(ink::poor)));
+  set(good_loops_, lines_actor(accepted, origin_, shown(render::ink::good)));
+  set(bad_loops_, lines_actor(refused, origin_, shown(render::ink::poor)));
 }
 
 void WalkLayers::show_frame(const PlacedFrame& frame) {
@@ -233,7 +237,7 @@ void WalkLayers::set_frame(const std::vector<Eigen::Vector3d>& positions, const 
   ball->SetPhiResolution(12);
   ball->Update();
   auto mark = actor_of(ball->GetOutput());
-  paint(mark, shown(ink::accent));
+  paint(mark, shown(render::ink::accent));
   set(sensor_, mark);
 }
 

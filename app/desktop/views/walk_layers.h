@@ -37,7 +37,9 @@ class WalkLayers {
   const Eigen::Vector3d& origin() const { return origin_; }  // what is drawn at zero
 
  private:
-  Color shown(const Color& ink) const { return dark_ ? on_dark(ink) : ink; }
+  render::Color shown(const render::Color& render::ink) const {
+    return dark_ ? render::on_dark(render::ink) : render::ink;
+  }
   void set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> actor);
   void set_block(std::size_t block, const LiveMap& map);
   void set_path(const Trajectory& path);

@@ -77,7 +77,8 @@ void WalkView::look_at_all() {
                                              {lo.x(), hi.y(), lo.z()}, {hi.x(), hi.y(), lo.z()},
                                              {lo.x(), lo.y(), hi.z()}, {hi.x(), hi.y(), hi.z()}};
   auto* camera = renderer_->GetActiveCamera();
-  aim_obliquely(camera, (lo + hi) / 2, hi - lo, static_cast<double>(width()) / std::max(1, height()), corners, 200, 40);
+  render::aim_obliquely(camera, (lo + hi) / 2, hi - lo, static_cast<double>(width()) / std::max(1, height()), corners,
+                        200, 40);
   eye_ = Eigen::Vector3d(camera->GetPosition());
   redraw();
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr double cell_m = 0.5;
@@ -79,4 +79,4 @@ Eigen::Isometry2d likeliest_motion(std::vector<MapTree> from, std::vector<MapTre
   return motion;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

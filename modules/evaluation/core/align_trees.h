@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace bole {
+namespace bole::evaluation {
 
 // A tree as far as the search needs it; a diameter that is not known is NaN.
 struct MapTree {
@@ -18,4 +18,4 @@ struct MapTree {
 // right to some decimetres: a start for a least-squares fit. Identity when either list is empty.
 Eigen::Isometry2d likeliest_motion(std::vector<MapTree> from, std::vector<MapTree> to, double dbh_gate_cm);
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 #include <map>
 #include <numeric>
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -90,4 +90,4 @@ std::vector<Pairing> assign_pairs(const std::vector<Pairing>& offered) {
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

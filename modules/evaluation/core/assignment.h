@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace bole {
+namespace bole::evaluation {
 
 struct Pairing {
   std::size_t left = 0, right = 0;
@@ -18,4 +18,4 @@ struct Pairing {
 // result is sorted by left.
 std::vector<Pairing> assign_pairs(const std::vector<Pairing>& offered);
 
-}  // namespace bole
+}  // namespace bole::evaluation

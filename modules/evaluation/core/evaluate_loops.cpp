@@ -7,7 +7,7 @@
 #include "base/statistics.h"
 #include "evaluation/core/evaluate_stems.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 struct Place {
@@ -115,4 +115,4 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 #include "cloud/trajectory.h"
 #include "evaluation/core/evaluation_options.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct LoopEvaluation {
   Table summary;  // measure, value, unit, published
@@ -26,4 +26,4 @@ struct LoopEvaluation {
 // Error{bad_input} where columns are missing.
 LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, const EvaluationOptions& options);
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -11,7 +11,7 @@
 #include "evaluation/core/assignment.h"
 #include "evaluation/core/evaluate_stems.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr double deg = std::numbers::pi / 180, nan = std::numeric_limits<double>::quiet_NaN();
@@ -221,4 +221,4 @@ RowEvaluation evaluate_rows(const Table& estimate, const Table& reference, const
                   "Compare rows.csv with rows.csv, or plants.csv with plants.csv");
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -4,7 +4,7 @@
 #include "cloud/table.h"
 #include "evaluation/core/evaluation_options.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct RowEvaluation {
   Table summary;  // measure, value, unit, published
@@ -21,4 +21,4 @@ struct RowEvaluation {
 // Throws Error{bad_input} for other tables, or for two of different kinds.
 RowEvaluation evaluate_rows(const Table& estimate, const Table& reference, const EvaluationOptions& options);
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -15,7 +15,7 @@
 #include "evaluation/core/listed_trees.h"
 #include "evaluation/core/published.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 void SummaryRows::add(const std::string& measure, double value, const std::string& unit) {
   measure_.push_back(measure), value_.push_back(value), unit_.push_back(unit),
@@ -272,4 +272,4 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

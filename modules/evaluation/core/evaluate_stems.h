@@ -8,7 +8,7 @@
 #include "cloud/table.h"
 #include "evaluation/core/evaluation_options.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct StemEvaluation {
   Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm,
@@ -45,4 +45,4 @@ class SummaryRows {
   std::vector<double> value_;
 };
 
-}  // namespace bole
+}  // namespace bole::evaluation

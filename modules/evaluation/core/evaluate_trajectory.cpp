@@ -10,7 +10,7 @@
 
 #include "evaluation/core/evaluate_stems.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr double to_deg = 180 / std::numbers::pi;
@@ -189,4 +189,4 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -7,7 +7,7 @@
 #include "cloud/trajectory.h"
 #include "evaluation/core/evaluation_options.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct TrajectoryEvaluation {
   Table summary;  // measure, value, unit, published
@@ -23,4 +23,4 @@ struct TrajectoryEvaluation {
 TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Trajectory& reference,
                                          const EvaluationOptions& options);
 
-}  // namespace bole
+}  // namespace bole::evaluation

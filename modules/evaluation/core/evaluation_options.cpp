@@ -1,6 +1,6 @@
 #include "evaluation/core/evaluation_options.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 const OptionTable& option_table(const EvaluationOptions*) {
   using S = EvaluationOptions;
@@ -126,4 +126,4 @@ const OptionTable& option_table(const EvaluationOptions*) {
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 
 #include "base/option.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct EvaluationOptions {
   double match_distance_m = 0.5;
@@ -25,4 +25,4 @@ struct EvaluationOptions {
 
 const OptionTable& option_table(const EvaluationOptions*);
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 std::string trimmed(const std::string& text) {
@@ -127,4 +127,4 @@ Table field_table(const Table& table, const std::string& columns, const std::str
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 // The rows of `table` where a column has a value, with columns renamed and brought to the units that their names end
 // in.
@@ -17,4 +17,4 @@ namespace bole {
 // Throws Error{bad_input} for words it cannot read and columns that are absent, with a list of those there are.
 Table field_table(const Table& table, const std::string& columns, const std::string& rows);
 
-}  // namespace bole
+}  // namespace bole::evaluation

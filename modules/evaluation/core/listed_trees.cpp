@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -73,4 +73,4 @@ Table without_rejected(const Table& stems) {
   return stems.subset(kept);
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

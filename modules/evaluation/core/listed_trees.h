@@ -8,7 +8,7 @@
 
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 struct ListedTree {
   std::int64_t id = 0;
@@ -27,4 +27,4 @@ std::vector<ListedTree> trees_of(const Table& table, const std::string& what, st
 // What a person rejected is no stem.
 Table without_rejected(const Table& stems);
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 constexpr std::array<std::string_view, 5> plots{"1", "2", "3", "4", "overall"};
@@ -38,4 +38,4 @@ std::string published_figure(std::string_view plot, std::string_view measure) {
   return std::string(row->figures[static_cast<std::size_t>(column - plots.begin())]);
 }
 
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -6,7 +6,7 @@
 
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::render {
 
 // The numbers of a column, or NaN in every row when the table lacks it.
 inline std::vector<double> numbers_or_nan(const Table& table, std::string_view name) {
@@ -23,4 +23,4 @@ inline std::vector<std::string> texts_or_empty(const Table& table, std::string_v
   return std::vector<std::string>(table.rows());
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -10,7 +10,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 struct Pairs {
@@ -236,4 +236,4 @@ Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double 
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

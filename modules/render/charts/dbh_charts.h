@@ -4,7 +4,7 @@
 #include "cloud/table.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 // Estimated against reference diameter with the 1:1 line. `matches` as the evaluation gives it.
 Figure dbh_scatter(const Table& matches, double width_mm);
@@ -24,4 +24,4 @@ struct ErrorStatistics {
 };
 ErrorStatistics error_statistics(const std::vector<double>& estimate, const std::vector<double>& reference);
 
-}  // namespace bole
+}  // namespace bole::render

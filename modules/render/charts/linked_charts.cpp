@@ -9,7 +9,7 @@
 #include "render/charts/dbh_charts.h"
 #include "render/draw/axes.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double class_cm = 4, dot_mm = 0.8;
@@ -181,4 +181,4 @@ LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, st
   return chart;
 }
 
-}  // namespace bole
+}  // namespace bole::render

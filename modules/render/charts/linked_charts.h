@@ -7,7 +7,7 @@
 #include "cloud/table.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct ChartMark {
   std::vector<std::int64_t> trees;  // one for a point, those of the class for a bar
@@ -36,4 +36,4 @@ LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, std:
 // Estimated over field diameter of matched trees, with the 1:1 line.
 LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, std::optional<std::int64_t> selected);
 
-}  // namespace bole
+}  // namespace bole::render

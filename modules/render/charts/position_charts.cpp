@@ -9,7 +9,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 std::vector<Eigen::Vector2d> matched_errors(const Table& matches) {
@@ -201,4 +201,4 @@ Figure trajectory_plan(const Trajectory& trajectory, const Trajectory* reference
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -5,7 +5,7 @@
 #include "cloud/trajectory.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 // Position errors (estimate minus reference) of matched stems with their mean and covariance ellipse (95 % of a normal
 // law).
@@ -23,4 +23,4 @@ ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors);
 // must be in the same axes.
 Figure trajectory_plan(const Trajectory& trajectory, const Trajectory* reference, double width_mm);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -7,7 +7,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -144,4 +144,4 @@ Figure row_map(const RowMapData& data, double width_mm) {
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

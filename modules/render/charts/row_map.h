@@ -4,7 +4,7 @@
 #include "cloud/table.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct RowMapData {
   const Table* rows = nullptr;    // row_id
@@ -17,4 +17,4 @@ struct RowMapData {
 // Copies what it draws: the data may go away afterwards. Its height follows from the extent of the field.
 Figure row_map(const RowMapData& data, double width_mm);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -12,7 +12,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 struct SlicePoint {
@@ -191,4 +191,4 @@ std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, do
   return pages;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -5,7 +5,7 @@
 #include "cloud/table.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct SliceSheetOptions {
   int columns = 5;
@@ -18,4 +18,4 @@ struct SliceSheetOptions {
 std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, double width_mm,
                                  const SliceSheetOptions& options = {});
 
-}  // namespace bole
+}  // namespace bole::render

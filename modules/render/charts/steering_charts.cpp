@@ -8,7 +8,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double panel_mm = 38, gap_mm = 6, legend_mm = 7;
@@ -142,4 +142,4 @@ Figure adjacent_error_curves(const Table& errors, double width_mm) {
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

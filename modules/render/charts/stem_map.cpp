@@ -8,7 +8,7 @@
 #include "render/draw/furniture.h"
 #include "render/draw/labels.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 struct Stem {
@@ -216,4 +216,4 @@ Figure stem_map(const StemMapData& data, double width_mm) {
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

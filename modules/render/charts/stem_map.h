@@ -6,7 +6,7 @@
 #include "cloud/trajectory.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct StemMapData {
   const Table* stems = nullptr;  // tree_id, x_m, y_m, dbh_cm, quality
@@ -20,4 +20,4 @@ struct StemMapData {
 // Copies what it draws: the data may go away afterwards. Its height follows from the extent of the plot.
 Figure stem_map(const StemMapData& data, double width_mm);
 
-}  // namespace bole
+}  // namespace bole::render

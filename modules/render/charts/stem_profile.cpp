@@ -4,7 +4,7 @@
 
 #include "render/draw/color.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 const Color hand = hex(0x0073e6);
@@ -60,4 +60,4 @@ Figure stem_profile(const StemProfileData& data, double width_mm, double height_
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -6,7 +6,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct ProfileSection {
   double height_m = 0, offset_m = 0, diameter_m = 0;
@@ -25,4 +25,4 @@ struct StemProfileData {
 Frame profile_frame(const StemProfileData& data, double width_mm, double height_mm);
 Figure stem_profile(const StemProfileData& data, double width_mm, double height_mm);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -8,7 +8,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr int sectors = 36;
@@ -125,4 +125,4 @@ Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm) 
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -6,7 +6,7 @@
 
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 // Plan coordinates in metres, relative to the middle of the view.
 struct SliceCircle {
@@ -49,4 +49,4 @@ SliceScale slice_scale(double width_mm, double height_mm, std::size_t lines, dou
 
 Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -9,7 +9,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double most_points = 3000;  // of a line: more than a printer shows
@@ -233,4 +233,4 @@ Figure trajectory_sheet(const TrajectoryComparison& comparison, double width_mm)
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

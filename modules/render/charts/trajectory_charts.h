@@ -5,7 +5,7 @@
 #include "cloud/trajectory.h"
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct TrajectoryComparison {
   const Trajectory* estimate = nullptr;  // in the axes of the reference
@@ -26,4 +26,4 @@ double greatest_error_cm(const TrajectoryComparison& comparison);
 // Both on one sheet.
 Figure trajectory_sheet(const TrajectoryComparison& comparison, double width_mm);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -7,7 +7,7 @@
 
 #include "render/charts/columns.h"
 
-namespace bole {
+namespace bole::render {
 
 std::vector<std::size_t> worst_first(const Table& stems) {
   const auto dbh = numbers_or_nan(stems, "dbh_cm"), lo = numbers_or_nan(stems, "dbh_lo_cm"),
@@ -26,4 +26,4 @@ std::vector<std::size_t> worst_first(const Table& stems) {
   return order;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double tick_mm = 1.1;
@@ -89,4 +89,4 @@ void draw_axes(Canvas& canvas, const Frame& frame, const AxesStyle& style) {
   canvas.text({box.x0 - 11.2, box.centre().y()}, style.y_label, label.aligned(HAlign::centre, VAlign::baseline));
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -6,7 +6,7 @@
 
 #include "render/draw/canvas.h"
 
-namespace bole {
+namespace bole::render {
 
 struct Interval {
   double lo = 0, hi = 1;
@@ -59,4 +59,4 @@ void draw_axes(Canvas& canvas, const Frame& frame, const AxesStyle& style);
 inline constexpr double axis_space_left_mm = 14.5;
 inline constexpr double axis_space_below_mm = 10.5;
 
-}  // namespace bole
+}  // namespace bole::render

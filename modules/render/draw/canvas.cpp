@@ -9,7 +9,7 @@
 
 #include "render/draw/screen_look.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double mm_per_pt = 25.4 / 72;
@@ -265,4 +265,4 @@ Canvas::Clip::Clip(cairo_t* cairo, const Box& box) : cairo_(cairo) {
 
 Canvas::Clip::~Clip() { cairo_restore(cairo_); }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -13,7 +13,7 @@
 
 typedef struct _cairo cairo_t;  // NOLINT(bugprone-reserved-identifier): the library's name
 
-namespace bole {
+namespace bole::render {
 
 // A rectangle on the sheet in millimetres: x0 left, y0 top.
 struct Box {
@@ -108,4 +108,4 @@ class Canvas {
   double width_mm_, height_mm_;
 };
 
-}  // namespace bole
+}  // namespace bole::render

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 // OKLab (B. Ottosson 2020, "A perceptual color space for image processing") to sRGB.
@@ -72,4 +72,4 @@ Color id_color(std::int64_t id) {
   return from_oklch(lightness[id % 3], 0.125, std::fmod(static_cast<double>(id) * golden_angle, 2 * std::numbers::pi));
 }
 
-}  // namespace bole
+}  // namespace bole::render

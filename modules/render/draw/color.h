@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bole {
+namespace bole::render {
 
 // sRGB and opacity, each from 0 to 1.
 struct Color {
@@ -56,4 +56,4 @@ class ColorMap {
 // The colour of a tree or pass: the same for the same id in every figure and run, neighbouring ids far apart.
 Color id_color(std::int64_t id);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "render/draw/screen_look.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double pt_per_mm = 72 / 25.4;
@@ -184,4 +184,4 @@ std::string figure_pdf(const Figure& figure) {
   return bytes;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -7,7 +7,7 @@
 
 #include "render/draw/canvas.h"
 
-namespace bole {
+namespace bole::render {
 
 struct Figure {
   std::string name;     // file name without ending: "stem_map"
@@ -32,4 +32,4 @@ std::string figure_pdf(const Figure& figure);
 // A PNG of an image at a resolution.
 std::string image_png(const Image& image, double dpi);
 
-}  // namespace bole
+}  // namespace bole::render

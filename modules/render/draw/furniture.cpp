@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 Eigen::Vector2d turned(const Eigen::Vector2d& v, double angle_rad) {
@@ -152,4 +152,4 @@ void draw_color_bar(Canvas& canvas, const Box& bar, const ColorMap& map, const I
   canvas.text({bar.x0, bar.y0 - 1.8}, title, style.aligned(HAlign::left, VAlign::baseline));
 }
 
-}  // namespace bole
+}  // namespace bole::render

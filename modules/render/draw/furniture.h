@@ -7,7 +7,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/canvas.h"
 
-namespace bole {
+namespace bole::render {
 
 // A slim arrow with an N above its tip. `angle_rad` turns it counter-clockwise from straight up.
 void draw_north_arrow(Canvas& canvas, const Eigen::Vector2d& foot, double height_mm, double angle_rad = 0,
@@ -41,4 +41,4 @@ Box draw_legend_box(Canvas& canvas, const Eigen::Vector2d& at, HAlign h, VAlign 
 void draw_color_bar(Canvas& canvas, const Box& bar, const ColorMap& map, const Interval& range,
                     const std::string& title, double size_pt = 7);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double gap_mm = 0.35;
@@ -114,4 +114,4 @@ std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, 
   return Placer(requests, obstacles, bounds).run();
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -5,7 +5,7 @@
 
 #include "render/draw/canvas.h"
 
-namespace bole {
+namespace bole::render {
 
 struct LabelRequest {
   Eigen::Vector2d anchor;  // the point, millimetres
@@ -24,4 +24,4 @@ struct LabelPlace {
 std::vector<LabelPlace> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Box>& obstacles,
                                      const Box& bounds);
 
-}  // namespace bole
+}  // namespace bole::render

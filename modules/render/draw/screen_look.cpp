@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 const cairo_user_data_key_t look_key{};
@@ -30,4 +30,4 @@ Color on_dark(const Color& color) {
   return color;
 }
 
-}  // namespace bole
+}  // namespace bole::render

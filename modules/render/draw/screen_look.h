@@ -8,7 +8,7 @@
 
 #include "render/draw/figure.h"
 
-namespace bole {
+namespace bole::render {
 
 struct ScreenLook {
   bool dark = false;                                   // the inks change places, other colours stay: see on_dark()
@@ -27,4 +27,4 @@ const ScreenLook* look_of(cairo_t* cairo);  // null: that of files
 // The ink of dark paper in place of one of white paper; any other colour is left alone.
 Color on_dark(const Color& color);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "render/offscreen/osmesa_window.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr std::array<std::string_view, 4> names{"auto", "osmesa", "egl", "glx"};
@@ -105,4 +105,4 @@ Backend use_backend(Backend backend) {
   return backend;
 }
 
-}  // namespace bole
+}  // namespace bole::render

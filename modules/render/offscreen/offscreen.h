@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace bole {
+namespace bole::render {
 
 enum class Backend {
   automatic,  // osmesa where the process can, else glx
@@ -23,4 +23,4 @@ Backend use_backend(Backend backend);
 // Whether gl* calls of this process reach OSMesa: libOSMesa comes before libOpenGL among its libraries.
 bool osmesa_is_linked();
 
-}  // namespace bole
+}  // namespace bole::render

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 const Color ground_grey = hex(0xb9b1a4);
@@ -243,4 +243,4 @@ vtkSmartPointer<vtkActor> grid_actor(const Interval& x, const Interval& y, doubl
   return actor;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -12,7 +12,7 @@
 #include "render/scene/point_color.h"
 #include "render/scene/stem_shapes.h"
 
-namespace bole {
+namespace bole::render {
 
 // Heights above ground run through viridis, but the ground itself is a quiet grey: a third of all points lie on it.
 vtkSmartPointer<vtkActor> points_actor(const PointCloud& cloud, const std::vector<std::uint32_t>& indices,
@@ -32,4 +32,4 @@ vtkSmartPointer<vtkActor> path_actor(const Trajectory& trajectory, const Eigen::
 vtkSmartPointer<vtkActor> grid_actor(const Interval& x, const Interval& y, double z, double step_m,
                                      const Eigen::Vector3d& origin, const Color& color);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 struct Offset {
@@ -90,4 +90,4 @@ std::vector<float> window_depths_m(vtkRenderWindow* window, vtkCamera* camera) {
   return depth;
 }
 
-}  // namespace bole
+}  // namespace bole::render

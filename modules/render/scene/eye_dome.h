@@ -8,7 +8,7 @@
 class vtkCamera;
 class vtkRenderWindow;
 
-namespace bole {
+namespace bole::render {
 
 struct EyeDomeOptions {
   double radius_px = 3;       // how far a neighbour is looked for
@@ -31,4 +31,4 @@ std::vector<std::uint8_t> eye_dome_shadow(const std::vector<float>& depth_m, int
 // Distances from the eye's plane of all pixels of a drawn window, rows from below, infinity for the background.
 std::vector<float> window_depths_m(vtkRenderWindow* window, vtkCamera* camera);
 
-}  // namespace bole
+}  // namespace bole::render

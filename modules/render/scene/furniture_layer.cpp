@@ -15,7 +15,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
@@ -168,4 +168,4 @@ void FurnitureLayer::set_shadow(const std::vector<std::uint8_t>& alpha, int widt
   show_image(shadow_, image);
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -15,7 +15,7 @@
 #include "render/draw/screen_look.h"
 #include "render/scene/view_furniture.h"
 
-namespace bole {
+namespace bole::render {
 
 class FurnitureLayer {
  public:
@@ -53,4 +53,4 @@ class FurnitureLayer {
   std::uint64_t round_ = 0;
 };
 
-}  // namespace bole
+}  // namespace bole::render

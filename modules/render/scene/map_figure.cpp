@@ -20,7 +20,7 @@
 #include "render/scene/thin.h"
 #include "render/scene/view_camera.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
@@ -354,4 +354,4 @@ Figure hero_figure(const MapData& data, double width_mm, double dpi) {
   return figure;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -9,7 +9,7 @@
 #include "render/draw/figure.h"
 #include "render/scene/point_color.h"
 
-namespace bole {
+namespace bole::render {
 
 // The points that the maps of a survey draw: choosing them takes longer than drawing, so it is done once for several
 // maps.
@@ -54,4 +54,4 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
 // The picture at the top of the README: an oblique view with the fitted stems standing free of most of the crowns.
 Figure hero_figure(const MapData& data, double width_mm, double dpi);
 
-}  // namespace bole
+}  // namespace bole::render

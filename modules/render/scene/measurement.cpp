@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -212,4 +212,4 @@ std::string measurements_csv(const std::vector<Measurement>& measurements) {
   return csv;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -9,7 +9,7 @@
 
 #include "cloud/point_cloud.h"
 
-namespace bole {
+namespace bole::render {
 
 struct Measurement {
   enum class Kind { point, distance, angle, ring };
@@ -54,4 +54,4 @@ std::vector<Measurement> parse_measurements(std::string_view json);
 // One row for each value: name, kind, quantity, value, unit, and the places.
 std::string measurements_csv(const std::vector<Measurement>& measurements);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double same_depth = 0.02;  // of the distance: points this close in depth lie on one surface
@@ -130,4 +130,4 @@ std::vector<std::string> describe_point(const PointCloud& cloud, std::uint32_t i
   return lines;
 }
 
-}  // namespace bole
+}  // namespace bole::render

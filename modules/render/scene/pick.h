@@ -11,7 +11,7 @@
 #include "cloud/point_cloud.h"
 #include "render/scene/stem_shapes.h"
 
-namespace bole {
+namespace bole::render {
 
 // A view of `width_px` x `height_px`; the matrix takes coordinates relative to `origin`.
 struct PickView {
@@ -52,4 +52,4 @@ std::optional<PickedStem> pick_stem(const PickView& view, const std::vector<Stem
 // What is known of a point, in one line each: coordinates, height above ground, range, time, and so on.
 std::vector<std::string> describe_point(const PointCloud& cloud, std::uint32_t index);
 
-}  // namespace bole
+}  // namespace bole::render

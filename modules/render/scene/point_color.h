@@ -4,7 +4,7 @@
 #include "cloud/point_cloud.h"
 #include "render/draw/axes.h"
 
-namespace bole {
+namespace bole::render {
 
 enum class PointColor { height, intensity, tree, plain };
 
@@ -18,4 +18,4 @@ struct PointColoring {
 // Falls back to height where the cloud lacks the array.
 PointColoring coloring_for(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, PointColor by);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -17,7 +17,7 @@
 
 #include "render/scene/view_camera.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double least_px = 0.7;                 // finer detail than this between points is not seen
@@ -205,4 +205,4 @@ std::vector<std::uint32_t> PointLayer::drawn_points() const {
   return points;
 }
 
-}  // namespace bole
+}  // namespace bole::render

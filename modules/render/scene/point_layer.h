@@ -14,7 +14,7 @@
 #include "render/scene/point_octree.h"
 #include "render/scene/point_paint.h"
 
-namespace bole {
+namespace bole::render {
 
 // What is left out of the drawing.
 struct PointFilter {
@@ -75,4 +75,4 @@ class PointLayer {
   std::size_t drawn_ = 0, fresh_ = 0;
 };
 
-}  // namespace bole
+}  // namespace bole::render

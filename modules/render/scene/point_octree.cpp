@@ -9,7 +9,7 @@
 #include <limits>
 #include <queue>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr int bits = 16;          // of a cell index along one axis
@@ -302,4 +302,4 @@ std::vector<std::uint32_t> PointOctree::in_box(const Eigen::Vector3f& lo, const 
   return found;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -10,7 +10,7 @@
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 
-namespace bole {
+namespace bole::render {
 
 // What a camera sees, for choosing what to draw.
 struct OctreeView {
@@ -65,4 +65,4 @@ class PointOctree {
   std::vector<Node> nodes_;
 };
 
-}  // namespace bole
+}  // namespace bole::render

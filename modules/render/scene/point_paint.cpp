@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 const Color ground_grey = hex(0xb9b1a4);
@@ -145,4 +145,4 @@ void paint_points(const PointCloud& cloud, std::span<const std::uint32_t> indice
   }
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -10,7 +10,7 @@
 #include "render/draw/axes.h"
 #include "render/draw/color.h"
 
-namespace bole {
+namespace bole::render {
 
 struct PointPaint {
   enum class Kind { map, ids, photo, plain };
@@ -34,4 +34,4 @@ PointPaint paint_by(const PointCloud& cloud, const std::string& array);
 void paint_points(const PointCloud& cloud, std::span<const std::uint32_t> indices, const PointPaint& paint,
                   std::uint8_t* rgb);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -9,7 +9,7 @@
 #include "cloud/breast_height.h"
 #include "render/charts/columns.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 struct SectionRow {
@@ -115,4 +115,4 @@ void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>&
   std::erase_if(indices, [&](std::uint32_t i) { return on_stem(cloud.position(i)); });
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -7,7 +7,7 @@
 #include "cloud/point_cloud.h"
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::render {
 
 // A tapered stem, from foot to top.
 struct StemShape {
@@ -27,4 +27,4 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections);
 void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>& stems, double margin_m,
                           std::vector<std::uint32_t>& indices);
 
-}  // namespace bole
+}  // namespace bole::render

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double least_voxel_m = 0.01;
@@ -75,4 +75,4 @@ std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Windo
   return kept;
 }
 
-}  // namespace bole
+}  // namespace bole::render

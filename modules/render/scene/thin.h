@@ -7,7 +7,7 @@
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 
-namespace bole {
+namespace bole::render {
 
 // A horizontal window in the coordinates of the cloud, metres.
 struct Window {
@@ -27,4 +27,4 @@ Window middle_window(const PointCloud& cloud, double share = 0.98);
 std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Window& window, std::size_t budget,
                                             const Run& run = {});
 
-}  // namespace bole
+}  // namespace bole::render

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 // The view's rectangle around the points, in -1 to 1.
@@ -66,4 +66,4 @@ void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen
   camera->SetClippingRange(std::max(0.1, distance - size.norm()), distance + size.norm());
 }
 
-}  // namespace bole
+}  // namespace bole::render

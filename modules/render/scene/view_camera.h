@@ -8,7 +8,7 @@
 
 #include "render/draw/canvas.h"
 
-namespace bole {
+namespace bole::render {
 
 // World to sheet: a 4 x 4 matrix to the unit cube, then millimetres.
 struct Projection {
@@ -31,4 +31,4 @@ void aim_from_above(vtkCamera* camera, const Eigen::Vector3d& centre, const Eige
 void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect,
                    const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg);
 
-}  // namespace bole
+}  // namespace bole::render

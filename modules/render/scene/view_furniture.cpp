@@ -8,7 +8,7 @@
 
 #include "render/draw/furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 constexpr double margin_mm = 4, halo_mm = 0.45, bar_mm = 40;
@@ -137,4 +137,4 @@ std::vector<FurniturePatch> furniture_patches(const ViewFurniture& f) {
   return patches;
 }
 
-}  // namespace bole
+}  // namespace bole::render

@@ -8,7 +8,7 @@
 #include "render/draw/figure.h"
 #include "render/scene/point_paint.h"
 
-namespace bole {
+namespace bole::render {
 
 // Millimetres from the upper left corner of the view.
 struct ViewFurniture {
@@ -43,4 +43,4 @@ struct FurniturePatch {
 };
 std::vector<FurniturePatch> furniture_patches(const ViewFurniture& furniture);
 
-}  // namespace bole
+}  // namespace bole::render

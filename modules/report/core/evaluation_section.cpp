@@ -12,7 +12,7 @@
 #include "render/draw/axes.h"
 #include "report/core/html.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 struct Display {
@@ -94,9 +94,9 @@ struct Measure {
 class Section {
  public:
   Section(const Table& summary, bool poses_given) : poses_given_(poses_given) {
-    const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"),
-               published = texts_or_empty(summary, "published");
-    const auto value = numbers_or_nan(summary, "value");
+    const auto name = render::texts_or_empty(summary, "measure"), unit = render::texts_or_empty(summary, "unit"),
+               published = render::texts_or_empty(summary, "published");
+    const auto value = render::numbers_or_nan(summary, "value");
     for (std::size_t i = 0; i < summary.rows(); ++i) measures_.push_back({name[i], unit[i], published[i], value[i]});
     for (std::size_t i = 0; i < measures_.size(); ++i) at_.try_emplace(measures_[i].name, i);
   }
@@ -116,10 +116,10 @@ class Section {
   }
 
   std::string value_text(const Measure& m, int decimals) const {
-    const auto text = fixed(m.value, decimals);
+    const auto text = render::fixed(m.value, decimals);
     const bool of_the_walk = m.name.starts_with("ate") || m.name.starts_with("rotation_error") ||
                              m.name.starts_with("rpe") || m.name == "end_error" || m.name == "drift";
-    return poses_given_ && of_the_walk && text == fixed(0, decimals) ? "given poses" : text;
+    return poses_given_ && of_the_walk && text == render::fixed(0, decimals) ? "given poses" : text;
   }
 
   static std::string unit_text(const std::string& unit) { return unit == "deg" ? "°" : unit == "m2" ? "m²" : unit; }
@@ -220,4 +220,4 @@ std::string evaluation_html(const Table& summary, bool poses_given) {
   return summary.rows() == 0 ? std::string() : Section(summary, poses_given).html();
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -4,7 +4,7 @@
 
 #include "base/markup.h"
 
-namespace bole {
+namespace bole::report {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -39,4 +39,4 @@ std::string HtmlTable::html() const {
   return out + "</tbody>\n</table>\n";
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bole {
+namespace bole::report {
 
 std::string base64(std::string_view bytes);
 
@@ -23,4 +23,4 @@ struct HtmlTable {
   std::string html() const;
 };
 
-}  // namespace bole
+}  // namespace bole::report

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace bole {
+namespace bole::report {
 
 inline constexpr std::string_view page_style = R"css(
 :root { --ink: #1d2327; --soft: #5f6b73; --line: #d8dee2; --wash: #f4f6f7; --blue: #1f5f8b; }
@@ -77,4 +77,4 @@ for (const table of document.querySelectorAll('table.sortable')) {
 addEventListener('beforeprint', () => { for (const d of document.querySelectorAll('details')) d.open = true; });
 )js";
 
-}  // namespace bole
+}  // namespace bole::report

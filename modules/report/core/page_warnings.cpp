@@ -1,6 +1,6 @@
 #include "report/core/page_warnings.h"
 
-namespace bole {
+namespace bole::report {
 
 std::vector<std::string> page_warnings(const RunRecord* record, const Report& own) {
   std::vector<std::string> all;
@@ -11,4 +11,4 @@ std::vector<std::string> page_warnings(const RunRecord* record, const Report& ow
   return all;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -11,7 +11,7 @@
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr double m2_per_ha = 10000;
@@ -100,9 +100,9 @@ bool enough_tops(std::size_t seen, std::size_t stems) {
 }
 
 std::vector<double> seen_heights(const Table& stems) {
-  auto height = numbers_or_nan(stems, "height_m");
+  auto height = render::numbers_or_nan(stems, "height_m");
   if (!stems.has("height_seen")) return height;
-  const auto seen = numbers_or_nan(stems, "height_seen");
+  const auto seen = render::numbers_or_nan(stems, "height_seen");
   for (std::size_t i = 0; i < height.size(); ++i)
     if (!(seen[i] > 0)) height[i] = std::numeric_limits<double>::quiet_NaN();
   return height;
@@ -110,7 +110,7 @@ std::vector<double> seen_heights(const Table& stems) {
 
 std::vector<std::size_t> counted_stems(const Table& stems, const CountingRule& rule) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm");
-  const auto state = texts_or_empty(stems, "state");
+  const auto state = render::texts_or_empty(stems, "state");
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < dbh.size(); ++i)
     if (!rejected(state, i) && std::isfinite(dbh[i]) && rule.counts({x[i], y[i]}, dbh[i])) rows.push_back(i);
@@ -125,9 +125,9 @@ PlotMetrics plot_metrics(const Table& stems, const CountingRule& rule, double cl
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.least_dbh_cm = m.most_dbh_cm = m.mean_height_m =
       m.lorey_height_m = m.dominant_height_m = nan;
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
-             height = seen_heights(stems), low = numbers_or_nan(stems, "dbh_lo_cm"),
-             high = numbers_or_nan(stems, "dbh_hi_cm"), volume = numbers_or_nan(stems, "volume_m3");
-  const auto state = texts_or_empty(stems, "state");
+             height = seen_heights(stems), low = render::numbers_or_nan(stems, "dbh_lo_cm"),
+             high = render::numbers_or_nan(stems, "dbh_hi_cm"), volume = render::numbers_or_nan(stems, "volume_m3");
+  const auto state = render::texts_or_empty(stems, "state");
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (rejected(state, i) || !std::isfinite(dbh[i])) continue;
     if (!rule.area.contains(x[i], y[i]))
@@ -158,10 +158,10 @@ std::vector<MetricRow> height_rows(const PlotMetrics& m) {
     return {{"Heights", "not given", "",
              m.tops_seen == 0 && m.stems == 0 ? "no stems" : seen + ": heights are lower bounds"}};
   std::vector<MetricRow> rows{
-      {"Mean height", fixed(m.mean_height_m, 1), "m", seen + "; these alone count"},
-      {"Lorey's height", fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen}};
+      {"Mean height", render::fixed(m.mean_height_m, 1), "m", seen + "; these alone count"},
+      {"Lorey's height", render::fixed(m.lorey_height_m, 1), "m", "heights weighted by basal area; " + seen}};
   if (m.dominant_stems > 0)
-    rows.push_back({"Dominant height", fixed(m.dominant_height_m, 1), "m",
+    rows.push_back({"Dominant height", render::fixed(m.dominant_height_m, 1), "m",
                     "mean height of the 100 thickest stems per hectare: " + std::to_string(m.dominant_stems) +
                         " on this plot, tops seen on " + std::to_string(m.dominant_tops)});
   return rows;
@@ -170,9 +170,10 @@ std::vector<MetricRow> height_rows(const PlotMetrics& m) {
 // "; 95 %: ± 0.12 as measured, ± 1.3 as a sample": both halves where known.
 std::string intervals(const HalfWidths& half, double factor, int decimals) {
   std::string text;
-  if (std::isfinite(half.measured)) text += "± " + fixed(factor * half.measured, decimals) + " as measured";
+  if (std::isfinite(half.measured)) text += "± " + render::fixed(factor * half.measured, decimals) + " as measured";
   if (std::isfinite(half.sampled))
-    text += (text.empty() ? "" : ", ") + ("± " + fixed(factor * half.sampled, decimals)) + " as a sample of a stand";
+    text += (text.empty() ? "" : ", ") + ("± " + render::fixed(factor * half.sampled, decimals)) +
+            " as a sample of a stand";
   return text.empty() ? text : "; 95 %: " + text;
 }
 
@@ -192,13 +193,15 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
   if (!m.heights_known) return {{"Stem volume", "not given", "", "heights are lacking"}};
   if (s.curve) {
     const auto& c = *s.curve;
-    rows.push_back(
-        {"Height curve",
-         "h = " + number_text(c.breast_height_m) + " + d²/(" + fixed(c.a, 3) + " + " + fixed(c.b, 4) + " d)²", "",
-         "Näslund, d in cm; RMSE " + fixed(c.rmse_m, 2) + " m over " + std::to_string(c.trees) + " trees of " +
-             fixed(c.least_dbh_cm, 0) + " to " + fixed(c.most_dbh_cm, 0) + " cm"});
+    rows.push_back({"Height curve",
+                    "h = " + number_text(c.breast_height_m) + " + d²/(" + render::fixed(c.a, 3) + " + " +
+                        render::fixed(c.b, 4) + " d)²",
+                    "",
+                    "Näslund, d in cm; RMSE " + render::fixed(c.rmse_m, 2) + " m over " + std::to_string(c.trees) +
+                        " trees of " + render::fixed(c.least_dbh_cm, 0) + " to " + render::fixed(c.most_dbh_cm, 0) +
+                        " cm"});
     if (s.by_curve > 0 && std::isfinite(s.lorey_height_m))
-      rows.push_back({"Lorey's height, all stems", fixed(s.lorey_height_m, 1), "m",
+      rows.push_back({"Lorey's height, all stems", render::fixed(s.lorey_height_m, 1), "m",
                       "by the curve for " + std::to_string(s.by_curve) + " of " + std::to_string(m.stems) + " stems"});
   }
   if (!std::isfinite(s.volume_m3)) {
@@ -212,10 +215,10 @@ std::vector<MetricRow> stand_rows(const PlotMetrics& m) {
                           (s.own_volume < m.stems ? ", their form unsure by " + number_text(m.assumed.form_sd_pct) +
                                                         " % (standard deviation)"
                                                   : "");
-  rows.push_back(
-      {"Stem volume", fixed(s.volume_m3, 3), "m³", how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
+  rows.push_back({"Stem volume", render::fixed(s.volume_m3, 3), "m³",
+                  how + intervals({s.volume_m3_half.measured, nan_value}, 1, 3)});
   if (std::isfinite(m.area_m2))
-    rows.push_back({"Stem volume per hectare", fixed(s.volume_m3 * m2_per_ha / m.area_m2, 1), "m³/ha",
+    rows.push_back({"Stem volume per hectare", render::fixed(s.volume_m3 * m2_per_ha / m.area_m2, 1), "m³/ha",
                     "volume / area" + intervals(s.volume_m3_half, m2_per_ha / m.area_m2, 1)});
   return rows;
 }
@@ -227,27 +230,29 @@ std::vector<MetricRow> metric_rows(const PlotMetrics& m, double min_dbh_cm) {
                                                             std::to_string(m.outside) + " outside, "
                                                       : "; ";
   std::vector<MetricRow> rows;
-  if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", fixed(m.area_m2, 1), "m²", "horizontal"});
+  if (std::isfinite(m.area_m2)) rows.push_back({"Plot area", render::fixed(m.area_m2, 1), "m²", "horizontal"});
   rows.push_back({"Breast height", number_text(m.assumed.breast_height_m), "m", "above ground, where DBH is measured"});
-  rows.push_back({"Stems", std::to_string(m.stems), "",
-                  (min_dbh_cm > 0 ? "DBH of at least " + fixed(min_dbh_cm, 1) + " cm" : std::string("of every DBH")) +
-                      inside + std::to_string(m.too_thin) + " thinner"});
+  rows.push_back(
+      {"Stems", std::to_string(m.stems), "",
+       (min_dbh_cm > 0 ? "DBH of at least " + render::fixed(min_dbh_cm, 1) + " cm" : std::string("of every DBH")) +
+           inside + std::to_string(m.too_thin) + " thinner"});
   if (std::isfinite(m.area_m2))
-    rows.push_back({"Stem density", fixed(m.stems_per_ha, 0), "1/ha",
+    rows.push_back({"Stem density", render::fixed(m.stems_per_ha, 0), "1/ha",
                     "stems / area" + intervals(m.stand.stems, m2_per_ha / m.area_m2, 0)});
-  rows.push_back({"Basal area", fixed(m.basal_area_m2, 3), "m²",
+  rows.push_back({"Basal area", render::fixed(m.basal_area_m2, 3), "m²",
                   "sum of π/4 · DBH²" + intervals({m.stand.basal_area_m2.measured, nan_value}, 1, 3) + assumed(m)});
   if (std::isfinite(m.area_m2))
-    rows.push_back({"Basal area per hectare", fixed(m.basal_area_m2_per_ha, 2), "m²/ha",
+    rows.push_back({"Basal area per hectare", render::fixed(m.basal_area_m2_per_ha, 2), "m²/ha",
                     "basal area / area" + intervals(m.stand.basal_area_m2, m2_per_ha / m.area_m2, 2)});
-  rows.push_back({"Mean DBH", fixed(m.mean_dbh_cm, 2), "cm",
-                  "arithmetic; range " + fixed(m.least_dbh_cm, 1) + " to " + fixed(m.most_dbh_cm, 1) + " cm"});
-  rows.push_back({"Standard deviation of DBH", fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"});
-  rows.push_back({"Quadratic mean diameter", fixed(m.quadratic_mean_dbh_cm, 2), "cm",
+  rows.push_back(
+      {"Mean DBH", render::fixed(m.mean_dbh_cm, 2), "cm",
+       "arithmetic; range " + render::fixed(m.least_dbh_cm, 1) + " to " + render::fixed(m.most_dbh_cm, 1) + " cm"});
+  rows.push_back({"Standard deviation of DBH", render::fixed(m.sd_dbh_cm, 2), "cm", "with n − 1"});
+  rows.push_back({"Quadratic mean diameter", render::fixed(m.quadratic_mean_dbh_cm, 2), "cm",
                   "√(mean of DBH²)" + intervals({m.stand.quadratic_mean_dbh_half_cm, nan_value}, 1, 2)});
   for (auto& row : height_rows(m)) rows.push_back(std::move(row));
   for (auto& row : stand_rows(m)) rows.push_back(std::move(row));
   return rows;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -8,7 +8,7 @@
 #include "cloud/table.h"
 #include "report/core/stand_values.h"
 
-namespace bole {
+namespace bole::report {
 
 struct DiameterClass {
   double lo_cm = 0, hi_cm = 0;  // lo <= dbh < hi
@@ -66,4 +66,4 @@ struct MetricRow {
 };
 std::vector<MetricRow> metric_rows(const PlotMetrics& metrics, double min_dbh_cm);
 
-}  // namespace bole
+}  // namespace bole::report

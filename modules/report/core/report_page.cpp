@@ -11,7 +11,7 @@
 #include "report/core/page_style.h"
 #include "report/core/slam_section.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 std::string section(const std::string& id, const std::string& title, const std::string& body) {
@@ -29,10 +29,10 @@ std::string cards(const PlotMetrics& m) {
   };
   std::string out = "<div class=\"cards\">\n" + card(std::to_string(m.stems), "", "stems");
   if (std::isfinite(m.area_m2))
-    out += card(fixed(m.stems_per_ha, 0), "1/ha", "stem density") +
-           card(fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
-  out += card(fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") +
-         card(fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
+    out += card(render::fixed(m.stems_per_ha, 0), "1/ha", "stem density") +
+           card(render::fixed(m.basal_area_m2_per_ha, 1), "m²/ha", "basal area");
+  out += card(render::fixed(m.mean_dbh_cm, 1), "cm", "mean DBH") +
+         card(render::fixed(m.quadratic_mean_dbh_cm, 1), "cm", "quadratic mean diameter");
   return out + "</div>\n";
 }
 
@@ -58,10 +58,11 @@ std::string metrics_section(const ReportContent& c) {
   };
   const int decimals = std::ranges::all_of(c.metrics.classes, whole) ? 0 : 1;
   for (const auto& k : c.metrics.classes) {
-    std::vector<std::string> row{fixed(k.lo_cm, decimals) + "–" + fixed(k.hi_cm, decimals), std::to_string(k.stems)};
-    if (per_ha) row.push_back(fixed(k.stems_per_ha, 0));
-    row.push_back(per_ha ? fixed(k.basal_area_m2_per_ha, 2) : fixed(k.basal_area_m2, 3));
-    if (c.metrics.heights_known) row.push_back(fixed(k.mean_height_m, 1));
+    std::vector<std::string> row{render::fixed(k.lo_cm, decimals) + "–" + render::fixed(k.hi_cm, decimals),
+                                 std::to_string(k.stems)};
+    if (per_ha) row.push_back(render::fixed(k.stems_per_ha, 0));
+    row.push_back(per_ha ? render::fixed(k.basal_area_m2_per_ha, 2) : render::fixed(k.basal_area_m2, 3));
+    if (c.metrics.heights_known) row.push_back(render::fixed(k.mean_height_m, 1));
     classes.rows.push_back(std::move(row));
   }
   if (!classes.rows.empty()) body += "<h3>By diameter class</h3>\n" + classes.html();
@@ -85,13 +86,13 @@ std::string stem_cell(const Table& stems, const StemColumn& column, double heigh
   if (const auto* texts = std::get_if<std::vector<std::string>>(stems.find(column.column))) return (*texts)[row];
   const std::string_view name = column.column;
   if (name == "tree_id") return stems.text(name, row, 0);
-  const double value = numbers_or_nan(stems, name)[row];
+  const double value = render::numbers_or_nan(stems, name)[row];
   const bool lower_bound = name == "height_m" && height_seen == 0 && std::isfinite(value);
-  return (lower_bound ? "≥ " : "") + fixed(value, column.decimals);
+  return (lower_bound ? "≥ " : "") + render::fixed(value, column.decimals);
 }
 
 HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
-  const auto seen = numbers_or_nan(stems, "height_seen");
+  const auto seen = render::numbers_or_nan(stems, "height_seen");
   HtmlTable table;
   table.sortable = true;
   std::vector<StemColumn> used;
@@ -109,7 +110,7 @@ HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
 }
 
 std::vector<std::size_t> rows_inside(const Table& table, const PlotArea& area) {
-  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m");
+  const auto x = render::numbers_or_nan(table, "x_m"), y = render::numbers_or_nan(table, "y_m");
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < table.rows(); ++i)
     if (area.contains(x[i], y[i])) rows.push_back(i);
@@ -134,7 +135,7 @@ std::string uncounted_note(const ReportContent& c, const std::vector<std::size_t
       ids += (ids.empty() ? "" : ", ") +
              (c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1));
   if (ids.empty()) return {};
-  const std::string thin = c.rule.min_dbh_cm > 0 ? "thinner than " + fixed(c.rule.min_dbh_cm, 1) + " cm, " : "";
+  const std::string thin = c.rule.min_dbh_cm > 0 ? "thinner than " + render::fixed(c.rule.min_dbh_cm, 1) + " cm, " : "";
   return paragraph("Counted in no value of the plot (" + thin + "without DBH, or rejected by hand): " + ids + ".",
                    "note");
 }
@@ -143,7 +144,7 @@ std::string stems_section(const ReportContent& c) {
   if (c.stems == nullptr) return {};
   const auto rows = rows_inside(*c.stems, c.rule.area);
   std::string text = "Diameters at breast height with their 95 % interval.";
-  const auto seen = numbers_or_nan(*c.stems, "height_seen");
+  const auto seen = render::numbers_or_nan(*c.stems, "height_seen");
   if (std::any_of(rows.begin(), rows.end(), [&](std::size_t i) { return seen[i] == 0; }))
     text += " Heights with ≥ are lower bounds: the top was not seen.";
   return section("stems", "Stems",
@@ -167,10 +168,10 @@ std::string typeset(std::string text) {
 
 std::string trees_to_check(const ReportContent& c) {
   if (c.stems == nullptr) return {};
-  const auto state = texts_or_empty(*c.stems, "state"), quality = texts_or_empty(*c.stems, "quality"),
-             reasons = texts_or_empty(*c.stems, "reasons");
-  const auto dbh = numbers_or_nan(*c.stems, "dbh_cm"), x = numbers_or_nan(*c.stems, "x_m"),
-             y = numbers_or_nan(*c.stems, "y_m");
+  const auto state = render::texts_or_empty(*c.stems, "state"), quality = render::texts_or_empty(*c.stems, "quality"),
+             reasons = render::texts_or_empty(*c.stems, "reasons");
+  const auto dbh = render::numbers_or_nan(*c.stems, "dbh_cm"), x = render::numbers_or_nan(*c.stems, "x_m"),
+             y = render::numbers_or_nan(*c.stems, "y_m");
   HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
   std::size_t outside = 0;
   for (std::size_t i = 0; i < c.stems->rows(); ++i) {
@@ -179,7 +180,7 @@ std::string trees_to_check(const ReportContent& c) {
       ++outside;
     else
       table.rows.push_back({c.stems->has("tree_id") ? c.stems->text("tree_id", i, 0) : std::to_string(i + 1),
-                            fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
+                            render::fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
   }
   std::string body;
   if (!table.rows.empty())
@@ -191,11 +192,12 @@ std::string rejected_candidates(const ReportContent& c) {
   if (c.rejected == nullptr || c.rejected->rows() == 0) return {};
   const auto rows = rows_inside(*c.rejected, c.rule.area);
   HtmlTable table{{{"x (m)", true}, {"y (m)", true}, {"Points", true}, {"Why it is no stem"}}, {}, true};
-  const auto x = numbers_or_nan(*c.rejected, "x_m"), y = numbers_or_nan(*c.rejected, "y_m"),
-             points = numbers_or_nan(*c.rejected, "points");
-  const auto reason = texts_or_empty(*c.rejected, "reason");
+  const auto x = render::numbers_or_nan(*c.rejected, "x_m"), y = render::numbers_or_nan(*c.rejected, "y_m"),
+             points = render::numbers_or_nan(*c.rejected, "points");
+  const auto reason = render::texts_or_empty(*c.rejected, "reason");
   for (const auto i : rows)
-    table.rows.push_back({fixed(x[i], 2), fixed(y[i], 2), fixed(points[i], 0), typeset(reason[i])});
+    table.rows.push_back(
+        {render::fixed(x[i], 2), render::fixed(y[i], 2), render::fixed(points[i], 0), typeset(reason[i])});
   return "<details><summary>Rejected candidates (" + std::to_string(rows.size()) + ")</summary>\n" + table.html() +
          outside_note(c.rejected->rows() - rows.size(), {"candidate", "candidates"}, "rejected.csv") + "</details>\n";
 }
@@ -211,12 +213,12 @@ std::string edits_by_hand(const ReportContent& c) {
                    {"Why", false}},
                   {},
                   true};
-  const auto number = numbers_or_nan(*c.edits, "edit"), tree = numbers_or_nan(*c.edits, "tree_id");
-  const auto action = texts_or_empty(*c.edits, "action"), outcome = texts_or_empty(*c.edits, "outcome"),
-             message = texts_or_empty(*c.edits, "message"), author = texts_or_empty(*c.edits, "author"),
-             time = texts_or_empty(*c.edits, "time"), reason = texts_or_empty(*c.edits, "reason");
+  const auto number = render::numbers_or_nan(*c.edits, "edit"), tree = render::numbers_or_nan(*c.edits, "tree_id");
+  const auto action = render::texts_or_empty(*c.edits, "action"), outcome = render::texts_or_empty(*c.edits, "outcome"),
+             message = render::texts_or_empty(*c.edits, "message"), author = render::texts_or_empty(*c.edits, "author"),
+             time = render::texts_or_empty(*c.edits, "time"), reason = render::texts_or_empty(*c.edits, "reason");
   for (std::size_t i = 0; i < c.edits->rows(); ++i)
-    table.rows.push_back({fixed(number[i], 0), action[i], tree[i] > 0 ? fixed(tree[i], 0) : "",
+    table.rows.push_back({render::fixed(number[i], 0), action[i], tree[i] > 0 ? render::fixed(tree[i], 0) : "",
                           outcome[i] + (message[i].empty() ? "" : ": " + typeset(message[i])), author[i], time[i],
                           reason[i]});
   return "<h3>Edits by hand (" + std::to_string(c.edits->rows()) + ")</h3>\n" + table.html();
@@ -246,7 +248,7 @@ std::string pictures_section(const ReportContent& c) {
 std::string evaluation_section(const ReportContent& c) {
   if (c.summary == nullptr || c.summary->rows() == 0) return {};
   std::string note = "Compared with the reference that was given.";
-  const auto published = texts_or_empty(*c.summary, "published");
+  const auto published = render::texts_or_empty(*c.summary, "published");
   if (std::any_of(published.begin(), published.end(), [](const auto& text) { return !text.empty(); }))
     note +=
         " Published: the figures of the method's paper, from other plots; they stand beside ours and do not replace "
@@ -283,10 +285,10 @@ std::string run_section(const ReportContent& c) {
     double total = 0;
     for (const auto& s : c.record->stages) {
       total += s.report.seconds;
-      table.rows.push_back({s.id, s.type, s.from_cache ? "stored" : fixed(s.report.seconds, 1),
-                            s.report.peak_mib > 0 ? fixed(s.report.peak_mib, 0) : "", s.report.message});
+      table.rows.push_back({s.id, s.type, s.from_cache ? "stored" : render::fixed(s.report.seconds, 1),
+                            s.report.peak_mib > 0 ? render::fixed(s.report.peak_mib, 0) : "", s.report.message});
     }
-    table.rows.push_back({"all", "", fixed(total, 1), "", ""});
+    table.rows.push_back({"all", "", render::fixed(total, 1), "", ""});
     body += "<h3>Stages</h3>\n" + table.html() + "<h3>Options</h3>\n";
     for (const auto& s : c.record->stages) body += stage_options(s);
   }
@@ -325,4 +327,4 @@ std::string report_html(const ReportContent& c) {
   return out + "</main>\n<script>\n" + std::string(page_script) + "</script>\n</body>\n</html>\n";
 }
 
-}  // namespace bole
+}  // namespace bole::report

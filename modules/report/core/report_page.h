@@ -9,7 +9,7 @@
 #include "cloud/table.h"
 #include "report/core/plot_metrics.h"
 
-namespace bole {
+namespace bole::report {
 
 struct ReportPicture {
   std::string title, caption;
@@ -39,4 +39,4 @@ struct ReportContent {
 
 std::string report_html(const ReportContent& content);
 
-}  // namespace bole
+}  // namespace bole::report

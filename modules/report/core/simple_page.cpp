@@ -6,7 +6,7 @@
 #include "report/core/html.h"
 #include "report/core/page_style.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 std::string cell(const Table& t, const std::string& column, std::size_t row, int decimals) {
@@ -56,4 +56,4 @@ std::string simple_page_html(const SimplePage& page) {
   return out + "</main><script>" + std::string(page_script) + "</script></body></html>\n";
 }
 
-}  // namespace bole
+}  // namespace bole::report

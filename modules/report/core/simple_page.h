@@ -7,7 +7,7 @@
 #include "cloud/table.h"
 #include "report/core/report_page.h"
 
-namespace bole {
+namespace bole::report {
 
 struct PageTable {
   std::string title, note;
@@ -28,4 +28,4 @@ struct SimplePage {
 // Needs nothing beside it. Numbers have `decimals` digits, missing ones a dash.
 std::string simple_page_html(const SimplePage& page);
 
-}  // namespace bole
+}  // namespace bole::report

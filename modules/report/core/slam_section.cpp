@@ -9,7 +9,7 @@
 #include "render/draw/axes.h"
 #include "report/core/html.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 struct Part {
@@ -77,7 +77,7 @@ class Section {
     if (count("loops") != "0") add("Loops that the pose graph doubts", count("doubted_loops"));
     for (const auto& m : measures)
       if (const auto* found = metric(m.metric); found != nullptr)
-        table.rows.push_back({m.title, fixed(m.factor * found->value, m.decimals), m.unit});
+        table.rows.push_back({m.title, render::fixed(m.factor * found->value, m.decimals), m.unit});
     return table.html() + failed_frames();
   }
 
@@ -86,10 +86,11 @@ class Section {
     if (odometry_ == nullptr || !odometry_->has("ok") || odometry_->rows() == 0) return {};
     const auto ok = odometry_->numbers("ok"), frame = odometry_->numbers("frame"), time = odometry_->numbers("time_s");
     HtmlTable table{{{"Frame", true}, {"Time after the start (s)", true}, {"Overlap", true}}, {}, true};
-    const auto overlap = numbers_or_nan(*odometry_, "overlap");
+    const auto overlap = render::numbers_or_nan(*odometry_, "overlap");
     for (std::size_t i = 0; i < ok.size(); ++i)
       if (ok[i] == 0)
-        table.rows.push_back({fixed(frame[i], 0), fixed(time[i] - time.front(), 1), fixed(overlap[i], 2)});
+        table.rows.push_back(
+            {render::fixed(frame[i], 0), render::fixed(time[i] - time.front(), 1), render::fixed(overlap[i], 2)});
     return folded("Failed frames", table);
   }
 
@@ -98,11 +99,11 @@ class Section {
     double sum = 0;
     for (const auto& p : parts)
       if (const auto* m = metric(p.metric); m != nullptr) {
-        table.rows.push_back({p.title, fixed(m->value, 1)});
+        table.rows.push_back({p.title, render::fixed(m->value, 1)});
         sum += m->value;
       }
     if (table.rows.empty()) return {};
-    table.rows.push_back({"all", fixed(sum, 1)});
+    table.rows.push_back({"all", render::fixed(sum, 1)});
     return table.html();
   }
 
@@ -116,15 +117,18 @@ class Section {
                      {"Found by"}},
                     {},
                     true};
-    const auto start = odometry_ != nullptr && odometry_->rows() > 0 ? numbers_or_nan(*odometry_, "time_s").front()
-                                                                     : numbers_or_nan(*loops_, "from_time_s").front();
-    const auto from = numbers_or_nan(*loops_, "from_time_s"), to = numbers_or_nan(*loops_, "to_time_s"),
-               way = numbers_or_nan(*loops_, "way_m"), correction = numbers_or_nan(*loops_, "correction_m"),
-               overlap = numbers_or_nan(*loops_, "overlap");
-    const auto by = texts_or_empty(*loops_, "found_by");
+    const auto start = odometry_ != nullptr && odometry_->rows() > 0
+                           ? render::numbers_or_nan(*odometry_, "time_s").front()
+                           : render::numbers_or_nan(*loops_, "from_time_s").front();
+    const auto from = render::numbers_or_nan(*loops_, "from_time_s"), to = render::numbers_or_nan(*loops_, "to_time_s"),
+               way = render::numbers_or_nan(*loops_, "way_m"),
+               correction = render::numbers_or_nan(*loops_, "correction_m"),
+               overlap = render::numbers_or_nan(*loops_, "overlap");
+    const auto by = render::texts_or_empty(*loops_, "found_by");
     for (std::size_t i = 0; i < loops_->rows(); ++i)
-      table.rows.push_back({fixed(from[i] - start, 1), fixed(to[i] - start, 1), fixed(way[i], 1),
-                            fixed(100 * correction[i], 1), fixed(overlap[i], 2), by[i]});
+      table.rows.push_back({render::fixed(from[i] - start, 1), render::fixed(to[i] - start, 1),
+                            render::fixed(way[i], 1), render::fixed(100 * correction[i], 1),
+                            render::fixed(overlap[i], 2), by[i]});
     return folded("Loops", table);
   }
 
@@ -146,4 +150,4 @@ std::string slam_html(const StageRecord& stage, const Table* loops, const Table*
   return Section(stage, loops, odometry).html();
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -6,9 +6,9 @@
 #include "base/run.h"
 #include "cloud/table.h"
 
-namespace bole {
+namespace bole::report {
 
 // HTML of the stage slam.run; empty when it took the walk from a file. `loops` and `odometry` are its tables, or null.
 std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry);
 
-}  // namespace bole
+}  // namespace bole::report

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -113,4 +113,4 @@ StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumpt
   return v;
 }
 
-}  // namespace bole
+}  // namespace bole::report

@@ -6,7 +6,7 @@
 
 #include "cloud/breast_height.h"
 
-namespace bole {
+namespace bole::report {
 
 // Height by diameter (Näslund): h = b.h. + d² / (a + b d)², b.h. being breast height.
 struct HeightCurve {
@@ -71,4 +71,4 @@ struct StandAssumptions {
 
 StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumptions& assumed = {});
 
-}  // namespace bole
+}  // namespace bole::report

@@ -11,4 +11,4 @@ vtkBolePlotReport::vtkBolePlotReport() {
   this->SetStageType("report.plot");
 }
 
-void vtkBolePlotReport::RegisterStages() { bole::register_report_stages(bole::StageRegistry::global()); }
+void vtkBolePlotReport::RegisterStages() { bole::report::register_stages(bole::pipeline::StageRegistry::global()); }

@@ -7,6 +7,6 @@
 vtkStandardNewMacro(vtkBoleRowsReport)
 
 vtkBoleRowsReport::vtkBoleRowsReport() {
-  bole::register_report_stages(bole::StageRegistry::global());
+  bole::report::register_stages(bole::pipeline::StageRegistry::global());
   this->SetStageType("report.rows");
 }

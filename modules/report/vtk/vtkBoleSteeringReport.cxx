@@ -7,6 +7,6 @@
 vtkStandardNewMacro(vtkBoleSteeringReport)
 
 vtkBoleSteeringReport::vtkBoleSteeringReport() {
-  bole::register_report_stages(bole::StageRegistry::global());
+  bole::report::register_stages(bole::pipeline::StageRegistry::global());
   this->SetStageType("report.steering");
 }

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 constexpr std::size_t ethernet = 14, ip = 20, udp = 8;
@@ -79,4 +79,4 @@ void PcapWriter::close() {
   if (!file_) throw failure("cannot write to '" + path_.string() + "'", "space on the disk");
 }
 
-}  // namespace bole
+}  // namespace bole::sensor

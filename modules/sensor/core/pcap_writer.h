@@ -6,7 +6,7 @@
 #include <fstream>
 #include <span>
 
-namespace bole {
+namespace bole::sensor {
 
 class PcapWriter {
  public:
@@ -26,4 +26,4 @@ class PcapWriter {
   std::uint16_t port_;
 };
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -11,7 +11,7 @@
 #include "base/option.h"
 #include "base/resources.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
@@ -164,4 +164,4 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
   }
 }
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace bole {
+namespace bole::sensor {
 
 // One laser, in the order in which the sensor's packets list them.
 struct LaserChannel {
@@ -60,4 +60,4 @@ SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id);
 // Names in resources/sensors, sorted.
 std::vector<std::string> sensor_model_names();
 
-}  // namespace bole
+}  // namespace bole::sensor

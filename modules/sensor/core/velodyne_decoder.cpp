@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 constexpr int full_turn = 36000;
@@ -177,4 +177,4 @@ std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet) {
   return std::nullopt;
 }
 
-}  // namespace bole
+}  // namespace bole::sensor

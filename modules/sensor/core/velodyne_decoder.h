@@ -8,7 +8,7 @@
 #include "sensor/core/sensor_model.h"
 #include "sensor/core/velodyne_packet.h"
 
-namespace bole {
+namespace bole::sensor {
 
 struct VelodyneReturn {
   Eigen::Vector3f position;  // sensor axes: x forward, y left, z up, metres
@@ -73,4 +73,4 @@ class VelodyneDecoder {
 // The sensor that a packet's factory bytes (HDL-64E: its block flags) name, if it is in resources/sensors.
 std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet);
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 std::uint16_t centidegrees(double azimuth_rad) {
@@ -85,4 +85,4 @@ void VelodyneEncoder::flush() {
     add(last_time_s_ + model_.sequence_period_s, last_azimuth_rad_ + advance_rad, nothing, nothing);
 }
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -8,7 +8,7 @@
 #include "sensor/core/sensor_model.h"
 #include "sensor/core/velodyne_packet.h"
 
-namespace bole {
+namespace bole::sensor {
 
 struct LaserEcho {
   float range_m = 0;  // 0: none
@@ -48,4 +48,4 @@ class VelodyneEncoder {
   int sequence_ = 0;  // within the block (VLP-16: 0 or 1)
 };
 
-}  // namespace bole
+}  // namespace bole::sensor

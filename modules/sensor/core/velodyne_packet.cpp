@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 constexpr std::size_t block_bytes = 4 + 3 * velodyne_records;
@@ -62,4 +62,4 @@ std::array<std::uint8_t, velodyne_packet_bytes> pack_velodyne_packet(const Velod
   return bytes;
 }
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace bole {
+namespace bole::sensor {
 
 inline constexpr std::size_t velodyne_packet_bytes = 1206;
 inline constexpr int velodyne_blocks = 12;
@@ -48,4 +48,4 @@ std::optional<VelodynePacket> parse_velodyne_packet(std::span<const std::uint8_t
 
 std::array<std::uint8_t, velodyne_packet_bytes> pack_velodyne_packet(const VelodynePacket& packet);
 
-}  // namespace bole
+}  // namespace bole::sensor

@@ -1,6 +1,6 @@
 #include "slam/core/option_groups.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using S = SlamOptions;
@@ -173,4 +173,4 @@ SlamOptionEntries map_options() {
   };
 }
 
-}  // namespace bole
+}  // namespace bole::slam

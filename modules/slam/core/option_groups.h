@@ -5,7 +5,7 @@
 
 #include "slam/core/options.h"
 
-namespace bole {
+namespace bole::slam {
 
 using SlamOptionEntries = std::vector<OptionEntry<SlamOptions>>;
 
@@ -13,4 +13,4 @@ SlamOptionEntries registration_options();
 SlamOptionEntries loop_options();
 SlamOptionEntries map_options();
 
-}  // namespace bole
+}  // namespace bole::slam

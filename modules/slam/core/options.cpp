@@ -5,7 +5,7 @@
 #include "slam/core/option_groups.h"
 #include "slam/core/presets.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using S = SlamOptions;
@@ -210,4 +210,4 @@ const OptionTable& option_table(const SlamOptions*) {
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::slam

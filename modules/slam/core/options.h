@@ -5,7 +5,7 @@
 
 #include "base/option.h"
 
-namespace bole {
+namespace bole::slam {
 
 // Options that a preset decides stand at "preset" (texts) or 0 (numbers) until somebody sets them; resolved() fills
 // them in.
@@ -76,4 +76,4 @@ const OptionTable& option_table(const SlamOptions*);
 // unknown preset.
 SlamOptions resolved(const SlamOptions& options);
 
-}  // namespace bole
+}  // namespace bole::slam

@@ -5,7 +5,7 @@
 
 #include "slam/core/options.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 // SPEC A calls the first two "LOAM" and "improved LOAM"; SPEC D compares the next two; the last is ours. SPEC D builds
@@ -70,4 +70,4 @@ SlamOptions resolved(const SlamOptions& options) {
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::slam

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace bole {
+namespace bole::slam {
 
 // In the order of the table.
 const std::vector<std::string>& preset_names();
 
-}  // namespace bole
+}  // namespace bole::slam

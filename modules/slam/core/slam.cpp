@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "slam/core/dense_map.h"
-#include "slam/core/passes.h"
+#include "slam/core/map/dense_map.h"
+#include "slam/core/map/passes.h"
+#include "slam/core/map/tum_poses.h"
+#include "slam/core/odometry/track.h"
 #include "slam/core/stopwatch.h"
-#include "slam/core/track.h"
-#include "slam/core/tum_poses.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 // Poses far from zero (projected coordinates) are worked on about a near origin, for float32 offsets hold no more.
@@ -131,4 +131,4 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
   return out;
 }
 
-}  // namespace bole
+}  // namespace bole::slam

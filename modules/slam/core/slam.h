@@ -9,7 +9,7 @@
 #include "cloud/trajectory.h"
 #include "slam/core/options.h"
 
-namespace bole {
+namespace bole::slam {
 
 struct SlamResult {
   PointCloud points;  // map axes: where the sensor was at the start of the first frame; with a given trajectory, the
@@ -25,4 +25,4 @@ struct SlamResult {
 // Status::finished_early.
 SlamResult run_slam(const FrameSource& source, const SlamOptions& options, const Run& run);
 
-}  // namespace bole
+}  // namespace bole::slam

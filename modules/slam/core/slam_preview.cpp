@@ -4,7 +4,7 @@
 
 #include "cloud/preview.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 constexpr std::size_t points_per_keyframe = 1000, points_per_frame = 4000;
@@ -131,4 +131,4 @@ void preview_path(const Run& run, const Path& path, const std::vector<Keyframe>&
   run.preview->show(std::move(snapshot));
 }
 
-}  // namespace bole
+}  // namespace bole::slam

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "base/run.h"
-#include "slam/core/loops.h"
-#include "slam/core/odometry.h"
-#include "slam/core/path.h"
+#include "slam/core/loops/loops.h"
+#include "slam/core/map/path.h"
+#include "slam/core/odometry/odometry.h"
 
-namespace bole {
+namespace bole::slam {
 
 // While frames are followed.
 class FollowPreview {
@@ -44,4 +44,4 @@ void preview_loops(const Run& run, const std::vector<Loop>& accepted,
 void preview_poses(const Run& run, const std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& keyframes);
 void preview_path(const Run& run, const Path& path, const std::vector<Keyframe>& keyframes);
 
-}  // namespace bole
+}  // namespace bole::slam

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 struct HeightSpan {
@@ -58,4 +58,4 @@ double slice_height_m(const PointCloud& slice) {
   return std::round(50.0 * (static_cast<double>(span.low) + static_cast<double>(span.high))) / 100.0;
 }
 
-}  // namespace bole
+}  // namespace bole::stems

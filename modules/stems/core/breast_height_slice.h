@@ -5,7 +5,7 @@
 #include "cloud/point_cloud.h"
 #include "stems/core/stem_options.h"
 
-namespace bole {
+namespace bole::stems {
 
 // Few points in a thin layer do not tell where it was meant to lie.
 inline constexpr ArrayInfo slice_height{"slice_height", ArrayType::float32, Unit::metre,
@@ -20,4 +20,4 @@ PointCloud breast_height_slice(const PointCloud& points, const SliceOptions& opt
 // centimetre (where points are sparse, to about one). Throws Error{bad_input} when empty.
 double slice_height_m(const PointCloud& slice);
 
-}  // namespace bole
+}  // namespace bole::stems

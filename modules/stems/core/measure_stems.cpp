@@ -11,16 +11,16 @@
 #include <utility>
 
 #include "cloud/large_cloud.h"
-#include "stems/core/assign_points.h"
 #include "stems/core/breast_height_slice.h"
-#include "stems/core/crown_form.h"
-#include "stems/core/pass_alignment.h"
-#include "stems/core/project_priors.h"
-#include "stems/core/ray_test.h"
-#include "stems/core/stem_curve.h"
-#include "stems/core/stem_quality.h"
+#include "stems/core/detect/ray_test.h"
+#include "stems/core/fit/pass_alignment.h"
+#include "stems/core/fit/project_priors.h"
+#include "stems/core/fit/stem_quality.h"
+#include "stems/core/tree/assign_points.h"
+#include "stems/core/tree/crown_form.h"
+#include "stems/core/tree/stem_curve.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 constexpr double all_round_rad = 6.0;
@@ -441,4 +441,4 @@ StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, cons
   return Survey(points, slice, dem, trajectory, options, run).measure();
 }
 
-}  // namespace bole
+}  // namespace bole::stems

@@ -7,9 +7,9 @@
 #include "cloud/raster.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
-#include "stems/core/fit_stem.h"
+#include "stems/core/fit/fit_stem.h"
 
-namespace bole {
+namespace bole::stems {
 
 struct RejectedStem {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // offset; z: ground
@@ -38,4 +38,4 @@ Table stem_table(const StemSurvey& survey);
 Table section_table(const StemSurvey& survey);
 Table rejected_table(const StemSurvey& survey);
 
-}  // namespace bole
+}  // namespace bole::stems

@@ -1,6 +1,6 @@
 #include "stems/core/stem_options.h"
 
-namespace bole {
+namespace bole::stems {
 
 const OptionTable& option_table(const SliceOptions*) {
   using S = SliceOptions;
@@ -199,4 +199,4 @@ const OptionTable& option_table(const MeasureOptions*) {
   return table;
 }
 
-}  // namespace bole
+}  // namespace bole::stems

@@ -6,7 +6,7 @@
 #include "base/option.h"
 #include "cloud/breast_height.h"
 
-namespace bole {
+namespace bole::stems {
 
 struct SliceOptions {
   double height = usual_breast_height_m;
@@ -47,4 +47,4 @@ struct MeasureOptions {
 const OptionTable& option_table(const SliceOptions*);
 const OptionTable& option_table(const MeasureOptions*);
 
-}  // namespace bole
+}  // namespace bole::stems

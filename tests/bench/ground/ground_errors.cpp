@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "ground/core/model_ground.h"
-#include "io/core/gdal_writer.h"
-#include "io/core/las_reader.h"
+#include "io/core/gdal/gdal_writer.h"
+#include "io/core/las/las_reader.h"
 #include "synthetic/terrain.h"
 
 namespace {
@@ -81,7 +81,7 @@ void tile_row(const fs::path& file, double seed_m) {
   ground::GroundOptions o;
   o.cell_m = 1, o.seed_m = seed_m, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5,
   o.tolerance_m = 0.4, o.fill_distance_m = 40, o.keep_classes = false;
-  const auto cloud = read_las(file);
+  const auto cloud = io::read_las(file);
   const auto m = ground::model_ground(cloud, o, Run{});
   std::vector<int> reference;
   for (const auto c : cloud.values<std::uint8_t>(arrays::classification)) reference.push_back(c == 9 ? 0 : c);  // water
@@ -104,8 +104,8 @@ int run(int argc, char** argv) {
     } else if (name == "run") {
       folder = value;
     } else if (name == "truth") {
-      const auto truth = read_geotiff(fs::path(value) / "dem.tif");
-      const auto e = dem_error(read_geotiff(fs::path(folder) / "dem.tif"), 16,
+      const auto truth = io::read_geotiff(fs::path(value) / "dem.tif");
+      const auto e = dem_error(io::read_geotiff(fs::path(folder) / "dem.tif"), 16,
                                [&](double x, double y) { return truth.sample(x, y); });
       fmt::print("| {} | | | | | {} |\n", fs::path(value).lexically_normal().filename().string(), e.text());
     } else {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <random>
 
-#include "io/core/las_reader.h"
-#include "io/core/las_writer.h"
+#include "io/core/las/las_reader.h"
+#include "io/core/las/las_writer.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ constexpr std::size_t count = 2'000'000;
 
 const std::filesystem::path& synthetic_file() {
   static const std::filesystem::path path = [] {
-    bole::write_las(folder / "synthetic.las", synthetic(count));
+    bole::io::write_las(folder / "synthetic.las", synthetic(count));
     return folder / "synthetic.las";
   }();
   return path;
@@ -42,7 +42,7 @@ const std::filesystem::path& synthetic_file() {
 
 void read(benchmark::State& state, const std::filesystem::path& path) {
   std::size_t points = 0;
-  for (auto _ : state) points += bole::read_las(path).size();
+  for (auto _ : state) points += bole::io::read_las(path).size();
   state.SetItemsProcessed(static_cast<std::int64_t>(points));
 }
 
@@ -65,7 +65,7 @@ BENCHMARK_CAPTURE(ReadLaz, layered_format6, "tls_spanner/TLS_Clip.laz")
 
 void WriteLas(benchmark::State& state) {
   const PointCloud cloud = synthetic(count);
-  for (auto _ : state) bole::write_las(folder / "written.las", cloud);
+  for (auto _ : state) bole::io::write_las(folder / "written.las", cloud);
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * count));
 }
 BENCHMARK(WriteLas)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime();

@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "io/core/cloud_reader.h"
-#include "io/core/cloud_writer.h"
-#include "io/core/frame_source.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/clouds/cloud_writer.h"
+#include "io/core/scans/frame_source.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
 
@@ -31,13 +31,14 @@ class Files {
           intensity.push_back(std::floor(uniform(random)));
     PointCloud cloud(std::move(positions), {450000, 5400000, 300});
     cloud.set_column(arrays::intensity, std::move(intensity));
-    write_cloud(dir_ / "a.ply", cloud);
-    write_cloud(dir_ / "a.xyz", cloud);
-    const auto model = load_sensor_model("vlp32c");
-    PcapWriter writer(dir_ / "a.pcap");
-    VelodyneEncoder encoder(model, VelodyneReturnMode::strongest,
-                            [&](const VelodyneEncoder::Bytes& bytes, double time_s) { writer.write(bytes, time_s); });
-    const std::vector<LaserEcho> echoes(model.channels.size(), {10, 40});
+    io::write_cloud(dir_ / "a.ply", cloud);
+    io::write_cloud(dir_ / "a.xyz", cloud);
+    const auto model = sensor::load_sensor_model("vlp32c");
+    sensor::PcapWriter writer(dir_ / "a.pcap");
+    sensor::VelodyneEncoder encoder(
+        model, sensor::VelodyneReturnMode::strongest,
+        [&](const sensor::VelodyneEncoder::Bytes& bytes, double time_s) { writer.write(bytes, time_s); });
+    const std::vector<sensor::LaserEcho> echoes(model.channels.size(), {10, 40});
     for (int s = 0; s < 36000; ++s)
       encoder.add(1.7e9 + s * model.sequence_period_s, 20 * std::numbers::pi * s * model.sequence_period_s, echoes);
     writer.close();
@@ -60,19 +61,19 @@ const Files& files() {
 void read_cloud_file(benchmark::State& state, const char* name) {
   const auto path = files() / name;
   std::size_t points = 0;
-  for (auto _ : state) points += read_cloud(path).cloud.size();
+  for (auto _ : state) points += io::read_cloud(path).cloud.size();
   state.SetItemsProcessed(static_cast<std::int64_t>(points));
 }
 
 void index_pcap(benchmark::State& state) {
   const auto path = files() / "a.pcap";
   std::size_t frames = 0;
-  for (auto _ : state) frames += open_frame_source(path)->size();
+  for (auto _ : state) frames += io::open_frame_source(path)->size();
   state.counters["frames/s"] = benchmark::Counter(static_cast<double>(frames), benchmark::Counter::kIsRate);
 }
 
 void decode_pcap(benchmark::State& state) {
-  const auto source = open_frame_source(files() / "a.pcap");
+  const auto source = io::open_frame_source(files() / "a.pcap");
   ScanFrame frame;
   std::size_t points = 0;
   for (auto _ : state)

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/core/las_reader.h"
-#include "io/core/las_writer.h"
+#include "io/core/las/las_reader.h"
+#include "io/core/las/las_writer.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ double seconds_of_best(const std::string& path) {
   double best = 1e30;
   for (int i = 0; i < 3; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const auto cloud = bole::read_las(path);
+    const auto cloud = bole::io::read_las(path);
     best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   return best;
@@ -55,9 +55,9 @@ int main(int argc, char** argv) {
     }
     if (args.size() < 2) return 2;
     bole::Report report;
-    const auto cloud = bole::read_las(args[0], {}, {}, &report);
+    const auto cloud = bole::io::read_las(args[0], {}, {}, &report);
     dump(cloud, report, args[1]);
-    if (args.size() > 2) bole::write_las(args[2], cloud);
+    if (args.size() > 2) bole::io::write_las(args[2], cloud);
     return 0;
   } catch (const bole::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -11,22 +11,22 @@
 #include <fstream>
 
 #include "base/random.h"
-#include "io/core/las_bytes.h"
-#include "io/core/las_extra_bytes.h"
-#include "io/core/las_format.h"
-#include "io/core/las_info.h"
-#include "io/core/mapped_file.h"
+#include "io/core/bytes/mapped_file.h"
+#include "io/core/las/las_bytes.h"
+#include "io/core/las/las_extra_bytes.h"
+#include "io/core/las/las_format.h"
+#include "io/core/las/las_info.h"
 
 namespace {
 
 using namespace bole;
-using las::load;
-using las::store;
+using io::las::load;
+using io::las::store;
 
 // What is added to a field of every copy, once more than in the copy before.
 struct Sequel {
   std::size_t place;
-  las::ExtraType type;
+  io::las::ExtraType type;
   double step;
 };
 
@@ -37,17 +37,17 @@ void add_at(std::uint8_t* at, double value) {
 
 void run_on(const Sequel& s, int copy, std::uint8_t* record) {
   const double value = copy * s.step;
-  if (s.type == las::ExtraType::f64) add_at<double>(record + s.place, value);
-  if (s.type == las::ExtraType::i32) add_at<std::int32_t>(record + s.place, value);
+  if (s.type == io::las::ExtraType::f64) add_at<double>(record + s.place, value);
+  if (s.type == io::las::ExtraType::i32) add_at<std::int32_t>(record + s.place, value);
 }
 
 class SideBySide {
  public:
-  SideBySide(Bytes file, int copies)
-      : file_(file), info_(las::parse_info(file, false)), copies_(copies), side_(std::ceil(std::sqrt(copies))) {
+  SideBySide(io::Bytes file, int copies)
+      : file_(file), info_(io::las::parse_info(file, false)), copies_(copies), side_(std::ceil(std::sqrt(copies))) {
     if (info_.compressed) throw bad_input("the file is compressed", "a LAS file");
     std::vector<std::string> ignored;
-    dimensions_ = las::extra_dimensions(file, info_, ignored);
+    dimensions_ = io::las::extra_dimensions(file, info_, ignored);
     for (int k = 0; k < 2; ++k) step_[k] = std::ceil((info_.max[k] - info_.min[k]) / info_.scale[k]);
     find_sequels();
   }
@@ -88,13 +88,14 @@ class SideBySide {
       }
       return high - low;
     };
-    if (const int time = las::point_layout(info_.point_format).time; time >= 0)
-      sequels_.push_back({static_cast<std::size_t>(time), las::ExtraType::f64, range_of(time, double{}) + 10});
+    if (const int time = io::las::point_layout(info_.point_format).time; time >= 0)
+      sequels_.push_back({static_cast<std::size_t>(time), io::las::ExtraType::f64, range_of(time, double{}) + 10});
     for (const auto& d : dimensions_) {
-      if (d.type == las::ExtraType::i32 && (d.name == "pass" || d.name == "keyframe" || d.name == "tree_id"))
+      if (d.type == io::las::ExtraType::i32 && (d.name == "pass" || d.name == "keyframe" || d.name == "tree_id"))
         sequels_.push_back({d.offset, d.type, range_of(d.offset, std::int32_t{}) + 1});
       for (int axis = 0; axis < 2; ++axis)
-        if (d.type == las::ExtraType::f64 && d.name == (axis == 0 ? "sensor_x" : "sensor_y")) sensors_[axis] = d.offset;
+        if (d.type == io::las::ExtraType::f64 && d.name == (axis == 0 ? "sensor_x" : "sensor_y"))
+          sensors_[axis] = d.offset;
     }
   }
 
@@ -122,11 +123,11 @@ class SideBySide {
     return h;
   }
 
-  Bytes file_;
-  LasInfo info_;
+  io::Bytes file_;
+  io::LasInfo info_;
   int copies_;
   double side_;
-  std::vector<las::ExtraDimension> dimensions_;
+  std::vector<io::las::ExtraDimension> dimensions_;
   std::array<double, 2> step_{};
   std::array<std::size_t, 2> sensors_{};
   std::vector<Sequel> sequels_;
@@ -137,7 +138,7 @@ class SideBySide {
 int main(int argc, char** argv) {
   try {
     if (argc != 4) throw bad_input("the arguments do not fit", "IN.las OUT.las COPIES");
-    const MappedFile file{std::filesystem::path(argv[1])};
+    const io::MappedFile file{std::filesystem::path(argv[1])};
     const SideBySide copies(file.bytes(), std::stoi(argv[3]));
     copies.write(argv[2]);
     fmt::print("{} points\n", copies.points());

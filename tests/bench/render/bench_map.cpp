@@ -20,19 +20,20 @@ testing_data::SmallSurvey survey_of(std::int64_t points) {
 
 void thin(benchmark::State& state) {
   const auto survey = survey_of(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(thin_for_drawing(survey.points, {}, 2'500'000));
+  for (auto _ : state) benchmark::DoNotOptimize(render::thin_for_drawing(survey.points, {}, 2'500'000));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(survey.points.size()));
 }
 BENCHMARK(thin)->Arg(3'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void map_180_mm_300_dpi(benchmark::State& state) {
-  use_backend(Backend::automatic);
+  render::use_backend(render::Backend::automatic);
   const auto survey = survey_of(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(figure_png(map_figure({&survey.points, &survey.stems, &survey.sections, &survey.trajectory,
-                                                    rectangle_area({0, 0}, 32, 32), true},
-                                                   {}, 180),
-                                        300));
+    benchmark::DoNotOptimize(render::figure_png(
+        render::map_figure(
+            {&survey.points, &survey.stems, &survey.sections, &survey.trajectory, rectangle_area({0, 0}, 32, 32), true},
+            {}, 180),
+        300));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(survey.points.size()));
 }
 BENCHMARK(map_180_mm_300_dpi)->Arg(3'000'000)->Iterations(1)->Unit(benchmark::kMillisecond);
@@ -40,15 +41,15 @@ BENCHMARK(map_180_mm_300_dpi)->Arg(3'000'000)->Iterations(1)->Unit(benchmark::kM
 void slice_sheet_of_80_trees(benchmark::State& state) {
   const auto survey = survey_of(1'000'000);
   for (auto _ : state)
-    for (const auto& page : slice_sheets(survey.stems, survey.slice, 180))
-      benchmark::DoNotOptimize(figure_png(page, 300));
+    for (const auto& page : render::slice_sheets(survey.stems, survey.slice, 180))
+      benchmark::DoNotOptimize(render::figure_png(page, 300));
 }
 BENCHMARK(slice_sheet_of_80_trees)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 void stem_map_of_80_trees(benchmark::State& state) {
   const auto survey = survey_of(10'000);
   for (auto _ : state)
-    benchmark::DoNotOptimize(figure_svg(stem_map(
+    benchmark::DoNotOptimize(render::figure_svg(render::stem_map(
         {&survey.stems, rectangle_area({0, 0}, 32, 32), &survey.targets, &survey.trajectory, &survey.matches, true},
         180)));
 }

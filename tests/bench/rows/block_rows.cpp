@@ -7,7 +7,7 @@
 #include <map>
 
 #include "evaluation/core/evaluate_rows.h"
-#include "rows/core/find_rows.h"
+#include "rows/core/rows/find_rows.h"
 #include "synthetic/plant_field.h"
 
 namespace {
@@ -39,10 +39,10 @@ int main(int argc, char** argv) {
   for (unsigned seed = first; seed < first + fields; ++seed) {
     const auto field = synthetic::mixed_field(seed);
     const auto found = rows::find_rows(field.table(), {}, {});
-    EvaluationOptions o;
+    evaluation::EvaluationOptions o;
     o.match_distance_m = field.plant_spacing_m / 3;
     const auto truth = truth_of(field);
-    const auto result = evaluate_rows(found.plants, truth, o);
+    const auto result = evaluation::evaluate_rows(found.plants, truth, o);
     std::map<std::string, double> value;
     for (std::size_t i = 0; i < result.summary.rows(); ++i)
       value[result.summary.texts("measure")[i]] = result.summary.numbers("value")[i];

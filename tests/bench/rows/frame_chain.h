@@ -1,9 +1,9 @@
 // The chain from one frame to rows, with the paper's settings or with ours: what plant_rows.json runs, in one function.
 #pragma once
 
-#include "rows/core/find_rows.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
+#include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
 

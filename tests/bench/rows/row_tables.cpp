@@ -11,9 +11,9 @@
 
 #include "frame_chain.h"
 #include "geo/core/resection.h"
-#include "rows/core/hedge_rows.h"
-#include "rows/core/line_fit.h"
-#include "sim/core/simulate_field.h"
+#include "rows/core/rows/hedge_rows.h"
+#include "rows/core/rows/line_fit.h"
+#include "sim/core/field/simulate_field.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ struct Errors {
 };
 
 // Plants wholly inside the region of interest: those that a row can be told by.
-std::vector<bool> plants_in_view(const FieldScan& scan, const RegionOptions& region) {
+std::vector<bool> plants_in_view(const sim::FieldScan& scan, const RegionOptions& region) {
   constexpr double margin_m = 0.3;
   const double x0 = scan.poses.numbers("x_m")[0], y0 = scan.poses.numbers("y_m")[0];
   const double a = scan.poses.numbers("heading_deg")[0] * deg;
@@ -54,7 +54,7 @@ std::vector<bool> plants_in_view(const FieldScan& scan, const RegionOptions& reg
   return in;
 }
 
-std::vector<double> true_angles(const FieldScan& scan, const std::vector<bool>& in_view) {
+std::vector<double> true_angles(const sim::FieldScan& scan, const std::vector<bool>& in_view) {
   const auto x = scan.plants.numbers("x_m"), y = scan.plants.numbers("y_m");
   const auto row = scan.plants.integers("row_id");
   std::vector<double> angles;
@@ -69,7 +69,7 @@ std::vector<double> true_angles(const FieldScan& scan, const std::vector<bool>& 
 }
 
 // Each true row against the found row that shares most of its plants.
-void compare(const FieldScan& scan, const Table& stems, const ChainSettings& s, Errors& errors) {
+void compare(const sim::FieldScan& scan, const Table& stems, const ChainSettings& s, Errors& errors) {
   FoundRows found;
   try {
     found = find_rows(stems, s.rows, {});
@@ -112,7 +112,7 @@ void compare(const FieldScan& scan, const Table& stems, const ChainSettings& s, 
   }
 }
 
-PlaceOptions true_place(const FieldScan& scan) {
+PlaceOptions true_place(const sim::FieldScan& scan) {
   PlaceOptions place;
   place.x = scan.poses.numbers("x_m")[0], place.y = scan.poses.numbers("y_m")[0];
   place.yaw_deg = scan.poses.numbers("yaw_deg")[0];
@@ -120,7 +120,7 @@ PlaceOptions true_place(const FieldScan& scan) {
 }
 
 // Place and yaw as the paper had them (SPEC B1): from an antenna that stood at E, F and G.
-PlaceOptions resected_place(const FieldScan& scan) {
+PlaceOptions resected_place(const sim::FieldScan& scan) {
   const auto x = scan.marks.numbers("x_m"), y = scan.marks.numbers("y_m"), sx = scan.marks.numbers("seen_x_m"),
              sy = scan.marks.numbers("seen_y_m");
   std::vector<geo::DirectionPair> directions;
@@ -177,9 +177,9 @@ void run_fields(const std::string& title, const std::vector<std::string>& fields
   Trial paper, ours;
   for (const auto& field : fields)
     for (int seed = first; seed < first + seeds; ++seed) {
-      FieldSimulationOptions o;
+      sim::FieldSimulationOptions o;
       o.field = field, o.seed = seed, o.integration = integration;
-      const auto scan = simulate_field(o, {});
+      const auto scan = sim::simulate_field(o, {});
       for (const bool mine : {false, true}) {
         const auto s = mine ? our_settings(field) : paper_settings(field);
         Report report;
@@ -203,9 +203,9 @@ void run_fields(const std::string& title, const std::vector<std::string>& fields
 void run_hedges(const std::string& field, int first, int seeds, double integration) {
   Errors errors;
   for (int seed = first; seed < first + seeds; ++seed) {
-    FieldSimulationOptions o;
+    sim::FieldSimulationOptions o;
     o.field = field, o.seed = seed, o.integration = integration;
-    const auto scan = simulate_field(o, {});
+    const auto scan = sim::simulate_field(o, {});
     RegionOptions region;
     region.x_min = -4, region.x_max = 4, region.y_min = 1, region.y_max = 14, region.z_min = -1, region.z_max = 1.8;
     VoxelOptions voxel;

@@ -2,20 +2,20 @@
 #include <benchmark/benchmark.h>
 
 #include "frame_chain.h"
-#include "sim/core/simulate_field.h"
+#include "sim/core/field/simulate_field.h"
 
 namespace {
 
 using namespace bole;
 using namespace bole::rows;
 
-const FieldScan& scan_of(const std::string& field) {
-  static std::map<std::string, FieldScan> scans;
+const sim::FieldScan& scan_of(const std::string& field) {
+  static std::map<std::string, sim::FieldScan> scans;
   auto it = scans.find(field);
   if (it == scans.end()) {
-    FieldSimulationOptions o;
+    sim::FieldSimulationOptions o;
     o.field = field;
-    it = scans.emplace(field, simulate_field(o, {})).first;
+    it = scans.emplace(field, sim::simulate_field(o, {})).first;
   }
   return it->second;
 }

@@ -2,10 +2,10 @@
 #include <benchmark/benchmark.h>
 
 #include "base/resources.h"
-#include "sim/core/build_scene.h"
-#include "sim/core/recipe.h"
-#include "sim/core/route.h"
-#include "sim/core/scan.h"
+#include "sim/core/plot/build_scene.h"
+#include "sim/core/plot/recipe.h"
+#include "sim/core/walk/route.h"
+#include "sim/core/walk/scan.h"
 
 namespace {
 
@@ -16,7 +16,7 @@ void scan_plot(benchmark::State& state, const char* plot, const char* sensor_nam
   const Forest forest = make_forest(read_recipe(resource_path(std::string("plots/") + plot + ".json")), 1);
   const PlotScene plot_scene = build_scene(forest, 1);
   const RayScene rays(plot_scene.model);
-  const SensorModel sensor = load_sensor_model(sensor_name);
+  const sensor::SensorModel sensor = sensor::load_sensor_model(sensor_name);
   const auto route =
       plan_route(survey_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;

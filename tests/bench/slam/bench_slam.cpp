@@ -1,9 +1,9 @@
 // The hot paths of the SLAM engine: the distribution map, the registration of one frame, and odometry frame by frame.
 #include <benchmark/benchmark.h>
 
-#include "slam/core/features.h"
-#include "slam/core/keyframes.h"
-#include "slam/core/observability.h"
+#include "slam/core/odometry/features.h"
+#include "slam/core/odometry/keyframes.h"
+#include "slam/core/odometry/observability.h"
 #include "slam/core/slam.h"
 #include "synthetic/scan_world.h"
 
@@ -20,28 +20,28 @@ synthetic::SyntheticScan walk(std::size_t frames) {
 
 // A second of walking as a map with true poses, and the frame after it.
 struct Scene {
-  SlamOptions options = resolved({});
-  FeatureMaps maps{options.cell_m};
+  slam::SlamOptions options = slam::resolved({});
+  slam::FeatureMaps maps{options.cell_m};
   std::vector<Eigen::Vector3d> points;  // of the map
-  FeatureSet query;
-  FrameMotion truth, guess;
+  slam::FeatureSet query;
+  slam::FrameMotion truth, guess;
 
   Scene() {
     const auto source = walk(12);
-    FeatureExtractor extractor(options);
+    slam::FeatureExtractor extractor(options);
     ScanFrame frame;
-    Scan scan;
-    Features features;
+    slam::Scan scan;
+    slam::Features features;
     for (std::size_t i = 0; i < source.size(); ++i) {
       source.read(i, frame);
-      prepare_scan(frame, {0.5, 60, source.rings()}, scan);
+      slam::prepare_scan(frame, {0.5, 60, source.rings()}, scan);
       extractor.extract(scan, features);
-      const FrameMotion motion{source.truth(frame.start_time_s), source.truth(frame.end_time_s)};
+      const slam::FrameMotion motion{source.truth(frame.start_time_s), source.truth(frame.end_time_s)};
       if (i + 1 == source.size()) {
         query = features.query, truth = motion;
       } else {
-        const auto keyframe = make_keyframe(i, frame.end_time_s, features.map, motion);
-        insert_keyframe(keyframe, maps);
+        const auto keyframe = slam::make_keyframe(i, frame.end_time_s, features.map, motion);
+        slam::insert_keyframe(keyframe, maps);
         for (const auto& p : keyframe.planes) points.push_back(keyframe.T_map_keyframe * p.cast<double>());
       }
     }
@@ -58,7 +58,7 @@ const Scene& scene() {
 void map_insert(benchmark::State& state) {
   const auto& s = scene();
   for (auto _ : state) {
-    DistributionMap map(s.options.cell_m);
+    slam::DistributionMap map(s.options.cell_m);
     map.insert(s.points);
     benchmark::DoNotOptimize(map.cells(0));
   }
@@ -80,13 +80,13 @@ BENCHMARK(map_look_up)->Arg(0)->Arg(2)->Arg(4);
 
 void register_elastic(benchmark::State& state) {
   const auto& s = scene();
-  RegistrationSettings settings;
-  settings.model = MotionModel::elastic;
+  slam::RegistrationSettings settings;
+  settings.model = slam::MotionModel::elastic;
   settings.begin_sigma_m = settings.motion_sigma_m = 0.1;
   settings.begin_sigma_rad = settings.motion_sigma_rad = 0.05;
   double rounds = 0;
   for (auto _ : state) {
-    const auto r = register_frame(s.query, s.maps, s.guess, settings, {});
+    const auto r = slam::register_frame(s.query, s.maps, s.guess, settings, {});
     rounds = r.rounds;
     benchmark::DoNotOptimize(r.overlap);
   }
@@ -97,7 +97,7 @@ BENCHMARK(register_elastic)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void judge_observability(benchmark::State& state) {
   const auto& s = scene();
-  for (auto _ : state) benchmark::DoNotOptimize(observability(s.query, s.maps, s.truth, {}, {}).weakest);
+  for (auto _ : state) benchmark::DoNotOptimize(slam::observability(s.query, s.maps, s.truth, {}, {}).weakest);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(s.query.size()));
 }
 BENCHMARK(judge_observability)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -116,9 +116,9 @@ void odometry(benchmark::State& state) {
     std::vector<ScanFrame> frames_;
   };
   const Made source(walk(20));
-  SlamOptions options;
+  slam::SlamOptions options;
   options.loops = "none", options.refine_rounds = -1, options.dense_map = false;
-  for (auto _ : state) benchmark::DoNotOptimize(run_slam(source, options, {}).trajectory.poses.size());
+  for (auto _ : state) benchmark::DoNotOptimize(slam::run_slam(source, options, {}).trajectory.poses.size());
   state.counters["frames/s"] =
       benchmark::Counter(static_cast<double>(source.size()), benchmark::Counter::kIsIterationInvariantRate);
 }

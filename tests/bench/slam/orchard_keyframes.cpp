@@ -4,48 +4,48 @@
 #include <numbers>
 #include <random>
 
-#include "slam/core/context_index.h"
-#include "slam/core/odometry.h"
+#include "slam/core/loops/context_index.h"
+#include "slam/core/odometry/odometry.h"
 
 namespace bole {
 namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 
-ScanGate gate_of(const FrameSource& source, const SlamOptions& options) {
+slam::ScanGate gate_of(const FrameSource& source, const slam::SlamOptions& options) {
   return {options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
 }
 
 }  // namespace
 
-std::vector<Keyframe> followed_keyframes(const FrameSource& source, const SlamOptions& options,
-                                         std::size_t most_frames) {
-  FeatureExtractor extractor(options);
-  Odometry odometry(options);
+std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+                                               std::size_t most_frames) {
+  slam::FeatureExtractor extractor(options);
+  slam::Odometry odometry(options);
   ScanFrame frame;
-  Scan scan;
-  Features features;
+  slam::Scan scan;
+  slam::Features features;
   for (std::size_t i = 0; i < std::min(most_frames, source.size()); ++i) {
     source.read(i, frame);
-    prepare_scan(frame, gate_of(source, options), scan);
+    slam::prepare_scan(frame, gate_of(source, options), scan);
     extractor.extract(scan, features);
     const auto keyframes = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, {});
     if (odometry.keyframes().size() > keyframes)
-      odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
+      odometry.set_context(slam::context_of(scan, odometry.frames().back().motion, slam::context_shape(options)));
     if (odometry.lost()) throw failure("the track was lost at frame " + std::to_string(i), odometry.why_failed());
     if (i % 500 == 0) std::fprintf(stderr, "frame %zu of %zu\n", i, source.size());
   }
   return odometry.take_keyframes();
 }
 
-std::vector<Keyframe> true_keyframes(const FrameSource& source, const SlamOptions& options, const Trajectory& truth,
-                                     std::size_t most_frames) {
-  FeatureExtractor extractor(options);
+std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+                                           const Trajectory& truth, std::size_t most_frames) {
+  slam::FeatureExtractor extractor(options);
   ScanFrame frame;
-  Scan scan;
-  Features features;
-  std::vector<Keyframe> out;
+  slam::Scan scan;
+  slam::Features features;
+  std::vector<slam::Keyframe> out;
   for (std::size_t i = 0; i < std::min(most_frames, source.size()); ++i) {
     const Pose T = truth.at(source.frame_time_s(i));
     if (!out.empty()) {
@@ -55,20 +55,20 @@ std::vector<Keyframe> true_keyframes(const FrameSource& source, const SlamOption
         continue;
     }
     source.read(i, frame);
-    prepare_scan(frame, gate_of(source, options), scan);
+    slam::prepare_scan(frame, gate_of(source, options), scan);
     extractor.extract(scan, features);
-    const FrameMotion motion{truth.at(scan.begin_time_s), truth.at(scan.end_time_s)};
+    const slam::FrameMotion motion{truth.at(scan.begin_time_s), truth.at(scan.end_time_s)};
     const double way_m =
         out.empty() ? 0 : (motion.T_map_end.translation() - out.back().T_map_keyframe.translation()).norm();
     const double path_m = out.empty() ? 0 : out.back().path_m + way_m;
-    out.push_back(make_keyframe(out.size(), scan.end_time_s, features.map, motion));
+    out.push_back(slam::make_keyframe(out.size(), scan.end_time_s, features.map, motion));
     out.back().path_m = path_m;
-    out.back().context = context_of(scan, motion, context_shape(options));
+    out.back().context = slam::context_of(scan, motion, slam::context_shape(options));
   }
   return out;
 }
 
-void add_drift(std::vector<Keyframe>& keyframes, double share, unsigned seed) {
+void add_drift(std::vector<slam::Keyframe>& keyframes, double share, unsigned seed) {
   constexpr double stretch_m = 20;
   const double per_stretch = share * std::sqrt(100 / stretch_m);
   std::mt19937 random(seed);

@@ -21,14 +21,14 @@
 
 #include "evaluation/core/evaluate_loops.h"
 #include "evaluation/core/evaluate_trajectory.h"
-#include "io/core/frame_source.h"
-#include "io/core/table_file.h"
-#include "io/core/trajectory_file.h"
-#include "slam/core/loop_candidates.h"
-#include "slam/core/loop_registration.h"
-#include "slam/core/loops.h"
-#include "slam/core/pose_graph.h"
-#include "slam/core/tum_poses.h"
+#include "io/core/scans/frame_source.h"
+#include "io/core/tables/table_file.h"
+#include "io/core/tables/trajectory_file.h"
+#include "slam/core/loops/loop_candidates.h"
+#include "slam/core/loops/loop_registration.h"
+#include "slam/core/loops/loops.h"
+#include "slam/core/loops/pose_graph.h"
+#include "slam/core/map/tum_poses.h"
 #include "slam/orchard_keyframes.h"
 
 namespace {
@@ -42,7 +42,7 @@ struct Settings {
       registrations{"icp", "ndt_icp", "features"}, drifts{"0"}, guess_errors;
   std::size_t frames = 1000000, pairs = 12;
   unsigned drift_seed = 1;
-  OptionSet options{option_table(static_cast<const SlamOptions*>(nullptr))};
+  OptionSet options{option_table(static_cast<const slam::SlamOptions*>(nullptr))};
 };
 
 std::vector<std::string> parts_of(const std::string& list) {
@@ -85,19 +85,19 @@ Settings settings_of(int count, char** arguments) {
   return settings;
 }
 
-Trajectory path_of(const std::vector<Keyframe>& keyframes, const std::vector<Pose>& T_map_keyframe) {
+Trajectory path_of(const std::vector<slam::Keyframe>& keyframes, const std::vector<Pose>& T_map_keyframe) {
   Trajectory out;
   for (std::size_t k = 0; k < keyframes.size(); ++k) out.poses.push_back({keyframes[k].time_s, T_map_keyframe[k]});
   return out;
 }
 
-std::vector<Pose> poses_of(const std::vector<Keyframe>& keyframes) {
+std::vector<Pose> poses_of(const std::vector<slam::Keyframe>& keyframes) {
   std::vector<Pose> out;
   for (const auto& k : keyframes) out.push_back(k.T_map_keyframe);
   return out;
 }
 
-Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
+Table table_of(const std::vector<slam::Loop>& loops, const std::vector<slam::Keyframe>& keyframes) {
   std::map<std::string, std::vector<double>> columns;
   const std::array<const char*, 7> pose{"x_m", "y_m", "z_m", "qx", "qy", "qz", "qw"};
   for (const auto* name : {"from_time_s", "to_time_s", "way_m", "correction_m", "overlap"}) columns[name];
@@ -125,7 +125,7 @@ void add_summary(const Table& summary, const std::vector<std::string>& measures,
 }
 
 // What a search proposes, before anything is registered.
-Json judged(const std::vector<LoopCandidate>& candidates, const std::vector<Keyframe>& keyframes,
+Json judged(const std::vector<slam::LoopCandidate>& candidates, const std::vector<slam::Keyframe>& keyframes,
             const Trajectory& truth) {
   std::vector<double> from_s, to_s;
   std::size_t opposite = 0, beside = 0, good_guesses = 0;
@@ -142,7 +142,7 @@ Json judged(const std::vector<LoopCandidate>& candidates, const std::vector<Keyf
   }
   Table table;
   table.set("from_time_s", from_s), table.set("to_time_s", to_s);
-  const auto found = evaluate_loops(table, truth, {});
+  const auto found = evaluation::evaluate_loops(table, truth, {});
   Json row{{"proposed", found.found},
            {"proposed_right", found.right},
            {"of_these_opposite", opposite},
@@ -157,8 +157,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 // Pairs of true revisits spread evenly over the walk: (from, to), nearest of those within a metre and a half.
-std::vector<std::pair<std::size_t, std::size_t>> true_revisits(const std::vector<Keyframe>& keyframes,
-                                                               const SlamOptions& options, std::size_t most) {
+std::vector<std::pair<std::size_t, std::size_t>> true_revisits(const std::vector<slam::Keyframe>& keyframes,
+                                                               const slam::SlamOptions& options, std::size_t most) {
   std::vector<std::pair<std::size_t, std::size_t>> all, out;
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     double best_m = 1.5;
@@ -175,8 +175,9 @@ std::vector<std::pair<std::size_t, std::size_t>> true_revisits(const std::vector
 }
 
 // How far registration brings a guess that is `guess_error_m` off in any direction on the ground and 5 deg in heading.
-Json registered_from_afar(const Settings& settings, SlamOptions options, const std::vector<Keyframe>& keyframes,
-                          const std::string& registration, double guess_error_m) {
+Json registered_from_afar(const Settings& settings, slam::SlamOptions options,
+                          const std::vector<slam::Keyframe>& keyframes, const std::string& registration,
+                          double guess_error_m) {
   options.loop_registration = registration;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-std::numbers::pi, std::numbers::pi);
@@ -190,9 +191,9 @@ Json registered_from_afar(const Settings& settings, SlamOptions options, const s
     Pose guess = T_true;
     guess.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix() * guess.linear();
     guess.translation() += guess_error_m * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0);
-    const auto [first, last] = stretch_about(keyframes, from, to);
+    const auto [first, last] = slam::stretch_about(keyframes, from, to);
     const Pose found =
-        LoopTarget(keyframes, first, last, options).registered(keyframes[to], guess, {}).motion.T_map_end;
+        slam::LoopTarget(keyframes, first, last, options).registered(keyframes[to], guess, {}).motion.T_map_end;
     const Pose error = T_true.inverse() * found;
     errors_m.push_back(error.translation().norm()), squared += error.translation().squaredNorm();
     true_poses += errors_m.back() <= 0.1 && Eigen::AngleAxisd(error.linear()).angle() <= std::numbers::pi / 180;
@@ -211,17 +212,17 @@ Json registered_from_afar(const Settings& settings, SlamOptions options, const s
 // Everything that is done with one path of key frames.
 class Experiment {
  public:
-  Experiment(const Settings& settings, const SlamOptions& options, const std::vector<Keyframe>& keyframes,
+  Experiment(const Settings& settings, const slam::SlamOptions& options, const std::vector<slam::Keyframe>& keyframes,
              const Trajectory& truth, const std::string& drift)
       : settings_(settings), options_(options), keyframes_(keyframes), drift_(drift) {
     for (const auto& p : truth.poses)  // the part that was followed
       if (p.time_s <= keyframes.back().time_s + 0.05) driven_.poses.push_back(p);
-    if (!settings.out.empty()) write_tum(std::filesystem::path(settings.out) / "reference.tum", driven_);
+    if (!settings.out.empty()) io::write_tum(std::filesystem::path(settings.out) / "reference.tum", driven_);
   }
 
   Json without_loops() const {
     Json row{{"drift", drift_}};
-    judge(name("no_loops"), path_of(keyframes_, poses_of(keyframes_)), row);
+    stems::judge(name("no_loops"), path_of(keyframes_, poses_of(keyframes_)), row);
     return row;
   }
 
@@ -231,7 +232,7 @@ class Experiment {
     if (search != "radius") way.context_search = search;
     const auto begin = std::chrono::steady_clock::now();
     Json head{{"drift", drift_}, {"search", search}};
-    head.update(judged(find_loop_candidates(keyframes_, way, {}), keyframes_, driven_));
+    head.update(judged(slam::find_loop_candidates(keyframes_, way, {}), keyframes_, driven_));
     head["search_seconds"] = seconds_since(begin);
     if (settings_.registrations.empty()) return {head};
     std::vector<Json> rows;
@@ -248,33 +249,35 @@ class Experiment {
  private:
   std::string name(const std::string& of) const { return drift_ == "0" ? of : of + "-drift" + drift_; }
 
-  void registered(const std::string& name, const SlamOptions& way, Json& row) const {
+  void registered(const std::string& name, const slam::SlamOptions& way, Json& row) const {
     const std::vector<std::string> measures{
         "loops_found",           "loops_right",         "loops_wrong", "loop_precision",
         "loops_true_pose",       "loop_pose_precision", "loop_recall", "loop_shift_error_median",
         "loop_turn_error_median"};
     const auto begin = std::chrono::steady_clock::now();
-    const auto found = find_loops(keyframes_, way, {});
-    const auto accepted = evaluate_loops(table_of(found.loops, keyframes_), driven_, {});
+    const auto found = slam::find_loops(keyframes_, way, {});
+    const auto accepted = evaluation::evaluate_loops(table_of(found.loops, keyframes_), driven_, {});
     add_summary(accepted.summary, measures, row["accepted"]);
-    const auto graph = optimise_pose_graph(keyframes_, found.loops, {});
-    const auto kept = evaluate_loops(table_of(kept_loops(found.loops, graph), keyframes_), driven_, {});
+    const auto graph = slam::optimise_pose_graph(keyframes_, found.loops, {});
+    const auto kept =
+        evaluation::evaluate_loops(table_of(slam::kept_loops(found.loops, graph), keyframes_), driven_, {});
     add_summary(kept.summary, measures, row["kept"]);
     row["refused"] = std::ranges::count(graph.refused, 1), row["doubted"] = graph.doubted_loops;
     row["seconds"] = seconds_since(begin);
-    if (!settings_.out.empty()) write_table(std::filesystem::path(settings_.out) / (name + "-loops.csv"), kept.loops);
-    judge(name, path_of(keyframes_, graph.T_map_keyframe), row);
+    if (!settings_.out.empty())
+      io::write_table(std::filesystem::path(settings_.out) / (name + "-loops.csv"), kept.loops);
+    stems::judge(name, path_of(keyframes_, graph.T_map_keyframe), row);
   }
 
   void judge(const std::string& name, const Trajectory& path, Json& row) const {
-    add_summary(evaluate_trajectory(path, driven_, {}).summary,
+    add_summary(evaluation::evaluate_trajectory(path, driven_, {}).summary,
                 {"length", "ate_rmse", "ate_sd", "ate_mean", "ate_max", "end_error"}, row);
-    if (!settings_.out.empty()) write_tum(std::filesystem::path(settings_.out) / (name + ".tum"), path);
+    if (!settings_.out.empty()) io::write_tum(std::filesystem::path(settings_.out) / (name + ".tum"), path);
   }
 
   const Settings& settings_;
-  const SlamOptions& options_;
-  const std::vector<Keyframe>& keyframes_;
+  const slam::SlamOptions& options_;
+  const std::vector<slam::Keyframe>& keyframes_;
   std::string drift_;
   Trajectory driven_;
 };
@@ -284,10 +287,10 @@ class Experiment {
 int main(int count, char** arguments) try {
   const auto settings = settings_of(count, arguments);
   namespace fs = std::filesystem;
-  const auto options = resolved(settings.options.as<SlamOptions>());
+  const auto options = slam::resolved(settings.options.as<slam::SlamOptions>());
   Trajectory truth;
-  truth.poses = read_tum_poses((fs::path(settings.scan).parent_path() / "trajectory.tum").string());
-  const auto source = open_frame_source(settings.scan);
+  truth.poses = slam::read_tum_poses((fs::path(settings.scan).parent_path() / "trajectory.tum").string());
+  const auto source = io::open_frame_source(settings.scan);
   const auto start = std::chrono::steady_clock::now();
   const auto straight = settings.path == "truth" ? true_keyframes(*source, options, truth, settings.frames)
                                                  : followed_keyframes(*source, options, settings.frames);

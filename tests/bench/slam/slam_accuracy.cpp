@@ -12,13 +12,13 @@
 #include <map>
 
 #include "evaluation/core/evaluate_loops.h"
+#include "slam/core/map/tum_poses.h"
 #include "slam/core/slam.h"
-#include "slam/core/tum_poses.h"
 #include "stem_truth.h"
 #include "synthetic/scan_world.h"
 #ifdef BOLE_HAS_IO
-#include "io/core/frame_source.h"
-#include "io/core/table_file.h"
+#include "io/core/scans/frame_source.h"
+#include "io/core/tables/table_file.h"
 #endif
 
 namespace {
@@ -108,7 +108,7 @@ class Stretch : public FrameSource {
 
 std::shared_ptr<const FrameSource> recording(const std::string& folder) {
   const std::string capture = folder + "/walk.pcap";
-  return open_frame_source(std::filesystem::exists(capture) ? capture : folder + "/frames");
+  return io::open_frame_source(std::filesystem::exists(capture) ? capture : folder + "/frames");
 }
 
 // A circle through the breast-height points of each tree (algebraic start, Tukey weights), held against its girth.
@@ -214,10 +214,10 @@ void print_walls(const PointCloud& map, const synthetic::World& world, const Pos
 }
 
 void print_loops(const Table& loops, const Trajectory& truth) {
-  EvaluationOptions options;
+  evaluation::EvaluationOptions options;
   for (const double radius_m : {3.0, 5.0}) {
     options.loop_radius_m = radius_m;
-    const auto e = evaluate_loops(loops, truth, options);
+    const auto e = evaluation::evaluate_loops(loops, truth, options);
     const auto values = e.summary.numbers("value");
     std::printf("loops within %.0f m: %zu right, %zu wrong, recall %.0f %%\n", radius_m, e.right, e.wrong,
                 values.back());
@@ -230,7 +230,7 @@ int main(int count, char** arguments) try {
   std::map<std::string, std::string> own{{"scan", ""},  {"frames", "200"}, {"noise", "0.02"},
                                          {"gait", "1"}, {"half", "16"},    {"radius", "8"},
                                          {"table", ""}, {"out", ""},       {"first", "0"}};
-  OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
+  OptionSet options(option_table(static_cast<const slam::SlamOptions*>(nullptr)));
   for (int i = 1; i < count; ++i) {
     const std::string word = arguments[i];
     const auto equals = word.find('=');
@@ -257,17 +257,17 @@ int main(int count, char** arguments) try {
   } else {
 #ifdef BOLE_HAS_IO
     source = std::make_shared<Stretch>(recording(own["scan"]), std::stoul(own["first"]), std::stoul(own["frames"]));
-    truth.poses = read_tum_poses(own["scan"] + "/trajectory.tum");
+    truth.poses = slam::read_tum_poses(own["scan"] + "/trajectory.tum");
 #else
     throw bad_input("this program was built without the readers", "module io");
 #endif
   }
 
   const double before_s = user_seconds();
-  const auto result = run_slam(*source, options.as<SlamOptions>(), {});
+  const auto result = slam::run_slam(*source, options.as<slam::SlamOptions>(), {});
   const double user_s = user_seconds() - before_s;
   const auto e = compare(result.trajectory, truth);
-  if (!own["out"].empty()) write_tum(own["out"], result.trajectory);
+  if (!own["out"].empty()) io::write_tum(own["out"], result.trajectory);
   std::printf("%s\n", result.report.message.c_str());
   for (const auto& w : result.report.warnings) std::printf("warning: %s\n", w.c_str());
   for (const auto& [name, value] : result.report.counts)
@@ -282,13 +282,13 @@ int main(int count, char** arguments) try {
       1000 * user_s / static_cast<double>(source->size()));
   print_loops(result.loops, truth);
 #ifdef BOLE_HAS_IO
-  if (!own["table"].empty()) write_table(own["table"], result.odometry);
+  if (!own["table"].empty()) io::write_table(own["table"], result.odometry);
 #endif
-  const Pose T_world_map = aligned(result.trajectory, truth);
+  const Pose T_world_map = stems::aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
   else {
-    const auto trees = read_table(own["scan"] + "/trees.csv");
+    const auto trees = io::read_table(own["scan"] + "/trees.csv");
     print_trees(result.points, trees, T_world_map);
     print_rays(*source, trees, truth, result.trajectory, T_world_map);
   }

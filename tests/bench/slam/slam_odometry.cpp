@@ -10,7 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "io/core/frame_source.h"
+#include "io/core/scans/frame_source.h"
 #include "slam/core/slam.h"
 
 namespace {
@@ -65,7 +65,7 @@ void write_poses(const std::string& file, const FramesInMemory& source, const Tr
 int main(int count, char** arguments) try {
   if (count < 2) throw bad_input("no scan", "slam_odometry SCAN [poses=FILE] [frames=N] [repeat=N] [option=value ...]");
   std::map<std::string, std::string> own{{"poses", ""}, {"frames", "1000000"}, {"repeat", "1"}};
-  OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
+  OptionSet options(option_table(static_cast<const slam::SlamOptions*>(nullptr)));
   options.set_text("loops", "none");
   options.set_text("refine_rounds", "-1");
   options.set_text("dense_map", "false");
@@ -80,12 +80,12 @@ int main(int count, char** arguments) try {
     else
       options.set_text(name, value);
   }
-  const FramesInMemory source(*open_frame_source(arguments[1]), std::stoul(own["frames"]));
+  const FramesInMemory source(*io::open_frame_source(arguments[1]), std::stoul(own["frames"]));
   nlohmann::json out;
   for (int i = 0; i < std::stoi(own["repeat"]); ++i) {
     const double user_s = user_seconds();
     const auto start = std::chrono::steady_clock::now();
-    const auto result = run_slam(source, options.as<SlamOptions>(), {});
+    const auto result = slam::run_slam(source, options.as<slam::SlamOptions>(), {});
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                  to_ms = 1000 / static_cast<double>(source.size());
     out["wall_ms"].push_back(wall_s * to_ms), out["user_ms"].push_back((user_seconds() - user_s) * to_ms);

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "slam/core/motion.h"
+#include "slam/core/odometry/motion.h"
 
 namespace bole {
 namespace {
@@ -82,7 +82,7 @@ std::vector<StemReturn> stem_returns(const FrameSource& source, std::size_t fram
     source.read(k, frame);
     const double span_s = frame.end_time_s - frame.start_time_s;
     if (!pose(frame.start_time_s) || !pose(frame.end_time_s)) continue;
-    const PoseGrid poses([&](double s) { return *pose(frame.start_time_s + s * span_s); });
+    const slam::PoseGrid poses([&](double s) { return *pose(frame.start_time_s + s * span_s); });
     for (std::size_t i = 0; i < frame.size(); ++i) {
       const float range = frame.positions[i].norm();
       if (!(range > 1 && range < 25)) continue;

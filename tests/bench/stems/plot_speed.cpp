@@ -24,7 +24,7 @@
 
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"
-#include "io/core/cloud_reader.h"
+#include "io/core/clouds/cloud_reader.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/measure_stems.h"
 
@@ -172,7 +172,7 @@ int run(int argc, char** argv) {
   std::string file;
   int copies = 1, threads = 2, cancels = 0;
   bool bare = false;
-  OptionSet options(option_table(static_cast<const MeasureOptions*>(nullptr)));
+  OptionSet options(option_table(static_cast<const stems::MeasureOptions*>(nullptr)));
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('=')),
                       value = argument.substr(std::min(argument.size(), name.size() + 1));
@@ -193,7 +193,7 @@ int run(int argc, char** argv) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   fmt::print("| stage | wall, s | processor, s | million points/s | peak, MiB |\n|---|---|---|---|---|\n");
   Clock clock;
-  auto points = clock.time("read", 0, [&] { return read_cloud(file); }).cloud;
+  auto points = clock.time("read", 0, [&] { return io::read_cloud(file); }).cloud;
   points = beside_itself(std::move(points), copies, bare);
   const std::size_t n = points.size();
   auto model = clock.time("ground", n, [&] { return ground::model_ground(points, {}, {}); });
@@ -202,9 +202,9 @@ int run(int argc, char** argv) {
   clock.time("slope and canopy", n, [&] {
     return std::pair(ground::slope_deg(model.dem), ground::canopy_height(points, model.dem, model.dem.cell_m));
   });
-  const auto slice = clock.time("slice", n, [&] { return breast_height_slice(points, {}, {}); });
+  const auto slice = clock.time("slice", n, [&] { return stems::breast_height_slice(points, {}, {}); });
   const auto measure = [&](const Run& run) {
-    return measure_stems(points, slice, model.dem, nullptr, options.as<MeasureOptions>(), run);
+    return stems::measure_stems(points, slice, model.dem, nullptr, options.as<stems::MeasureOptions>(), run);
   };
   const auto start = std::chrono::steady_clock::now();
   const auto survey = clock.time("stems", n, [&] { return measure({}); });

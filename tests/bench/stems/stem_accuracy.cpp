@@ -16,11 +16,11 @@
 #include <set>
 
 #include "cloud/raster.h"
-#include "io/core/cloud_reader.h"
-#include "io/core/gdal_writer.h"
-#include "io/core/table_file.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/gdal/gdal_writer.h"
+#include "io/core/tables/table_file.h"
 #include "stems/core/breast_height_slice.h"
-#include "stems/core/circle_fit.h"
+#include "stems/core/fit/circle_fit.h"
 #include "stems/core/measure_stems.h"
 
 namespace {
@@ -39,10 +39,10 @@ struct Plot {
 
 Plot load(const std::filesystem::path& cloud, const std::filesystem::path& truth) {
   const auto measured_dem = cloud.parent_path() / "dem.tif";
-  Plot plot{read_cloud(cloud).cloud,
-            read_geotiff(std::filesystem::exists(measured_dem) ? measured_dem : truth / "dem.tif"),
+  Plot plot{io::read_cloud(cloud).cloud,
+            io::read_geotiff(std::filesystem::exists(measured_dem) ? measured_dem : truth / "dem.tif"),
             {}};
-  const auto table = read_table(truth / "trees.csv");
+  const auto table = io::read_table(truth / "trees.csv");
   const auto x = table.numbers("x_m"), y = table.numbers("y_m"), dbh = table.numbers("dbh_cm"),
              inside = table.numbers("in_plot");
   for (std::size_t i = 0; i < x.size(); ++i)
@@ -116,12 +116,12 @@ std::vector<int> match(const std::vector<Tree>& trees, const Table& stems) {
         dx.push_back(x[static_cast<std::size_t>(s)] - trees[t].x),
             dy.push_back(y[static_cast<std::size_t>(s)] - trees[t].y);
     }
-    if (!dx.empty()) shift_x = median_of(dx), shift_y = median_of(dy);
+    if (!dx.empty()) shift_x = stems::median_of(dx), shift_y = stems::median_of(dy);
   }
   return found;
 }
 
-void print_missed(const Tree& tree, const StemSurvey& survey) {
+void print_missed(const Tree& tree, const stems::StemSurvey& survey) {
   fmt::print("  missed: {:.1f} cm at {:.2f}, {:.2f};", tree.dbh_cm, tree.x, tree.y);
   const Eigen::Vector2d at = Eigen::Vector2d(tree.x, tree.y) - survey.points.origin.head<2>();
   for (const auto& r : survey.rejected)
@@ -132,20 +132,20 @@ void print_missed(const Tree& tree, const StemSurvey& survey) {
   fmt::print("\n");
 }
 
-void measure(const Plot& plot, const MeasureOptions& options, const std::string& name, bool list, Errors& errors,
-             std::vector<Stem>& stems_of_tree, const std::filesystem::path& out) {
+void measure(const Plot& plot, const stems::MeasureOptions& options, const std::string& name, bool list, Errors& errors,
+             std::vector<stems::Stem>& stems_of_tree, const std::filesystem::path& out) {
   const auto start = std::chrono::steady_clock::now();
-  const auto survey =
-      measure_stems(plot.points, breast_height_slice(plot.points, {}, {}), plot.dem, nullptr, options, {});
+  const auto survey = stems::measure_stems(plot.points, stems::breast_height_slice(plot.points, {}, {}), plot.dem,
+                                           nullptr, options, {});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::string metrics;
   for (const auto& [key, value] : survey.report.metrics) metrics += fmt::format(", {} {:.2f}", key, value.value);
   fmt::print("{}: {} stems in {:.1f} s{}\n", name, survey.stems.size(), seconds, metrics);
-  const auto table = stem_table(survey);
+  const auto table = stems::stem_table(survey);
   if (!out.empty()) {
     std::filesystem::create_directories(out);
-    write_table(out / "stems.csv", table), write_table(out / "sections.csv", section_table(survey)),
-        write_table(out / "rejected.csv", rejected_table(survey));
+    io::write_table(out / "stems.csv", table), io::write_table(out / "sections.csv", stems::section_table(survey)),
+        io::write_table(out / "rejected.csv", stems::rejected_table(survey));
   }
   const auto dbh = table.numbers("dbh_cm"), low = table.numbers("dbh_lo_cm"), high = table.numbers("dbh_hi_cm");
   const auto found = match(plot.trees, table);
@@ -169,7 +169,7 @@ void measure(const Plot& plot, const MeasureOptions& options, const std::string&
 }
 
 // Circles through the slice of 20 cm about breast height, for comparison.
-void circles(const Plot& plot, const std::vector<Stem>& stems, std::map<std::string, Errors>& errors) {
+void circles(const Plot& plot, const std::vector<stems::Stem>& stems, std::map<std::string, Errors>& errors) {
   const auto* pass = plot.points.has(arrays::pass) ? &plot.points.values<std::int32_t>(arrays::pass) : nullptr;
   std::vector<std::map<int, std::vector<Eigen::Vector2d>>> rings(stems.size());
   const auto& positions = plot.points.positions();
@@ -183,15 +183,16 @@ void circles(const Plot& plot, const std::vector<Stem>& stems, std::map<std::str
   for (std::size_t t = 0; t < stems.size(); ++t) {
     std::vector<Eigen::Vector2d> all;
     double sum = 0, weight = 0;
-    const Circle start{Eigen::Vector2d::Zero(), stems[t].radius};
+    const stems::Circle start{Eigen::Vector2d::Zero(), stems[t].radius};
     for (const auto& [k, ring] : rings[t]) {
       all.insert(all.end(), ring.begin(), ring.end());
-      if (const auto c = robust_circle(ring, start, 0.03, 0.025))
+      if (const auto c = stems::robust_circle(ring, start, 0.03, 0.025))
         sum += c->arc_rad * c->circle.radius, weight += c->arc_rad;
     }
     const double dbh = plot.trees[t].dbh_cm;
-    if (const auto c = hyper_circle(all)) errors["circle, Hyper"].add(dbh, 200 * c->radius);
-    if (const auto c = robust_circle(all, start, 0.03, 0.025)) errors["circle, Tukey"].add(dbh, 200 * c->circle.radius);
+    if (const auto c = stems::hyper_circle(all)) errors["circle, Hyper"].add(dbh, 200 * c->radius);
+    if (const auto c = stems::robust_circle(all, start, 0.03, 0.025))
+      errors["circle, Tukey"].add(dbh, 200 * c->circle.radius);
     if (weight > 0) errors["circles by pass"].add(dbh, 200 * sum / weight);
   }
 }
@@ -202,7 +203,7 @@ int run(int argc, char** argv) {
   bool list = false;
   std::filesystem::path out;
   Perturbation perturbation;
-  OptionSet options(option_table(static_cast<const MeasureOptions*>(nullptr)));
+  OptionSet options(option_table(static_cast<const stems::MeasureOptions*>(nullptr)));
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('=')),
                       value = argument.substr(std::min(argument.size(), name.size() + 1));
@@ -231,12 +232,12 @@ int run(int argc, char** argv) {
     auto plot = load(file, truth);
     perturb(plot.points, perturbation);
     const auto kept = out.empty() ? out : out / std::filesystem::path(truth).lexically_normal().filename();
-    std::vector<Stem> stems;
+    std::vector<stems::Stem> stems;
     for (std::size_t at = 0; at < models.size();) {
       const auto model = models.substr(at, models.find(',', at) - at);
       at += model.size() + 1;
       options.set_text("model", model);
-      measure(plot, options.as<MeasureOptions>(), model, list, errors["stem, " + model], stems, kept);
+      measure(plot, options.as<stems::MeasureOptions>(), model, list, errors["stem, " + model], stems, kept);
     }
     circles(plot, stems, errors);
   }

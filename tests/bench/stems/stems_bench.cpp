@@ -41,15 +41,15 @@ const synthetic::StemCloud& plot() {
 }
 
 void slice(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(breast_height_slice(plot().points, {}, {}));
+  for (auto _ : state) benchmark::DoNotOptimize(stems::breast_height_slice(plot().points, {}, {}));
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(plot().points.size()));
 }
 BENCHMARK(slice)->Unit(benchmark::kMillisecond);
 
 void measure(benchmark::State& state) {
-  const auto layer = breast_height_slice(plot().points, {}, {});
+  const auto layer = stems::breast_height_slice(plot().points, {}, {});
   std::size_t stems = 0;
-  for (auto _ : state) stems = measure_stems(plot().points, layer, plot().dem, nullptr, {}, {}).stems.size();
+  for (auto _ : state) stems = stems::measure_stems(plot().points, layer, plot().dem, nullptr, {}, {}).stems.size();
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(plot().points.size()));
   state.counters["stems"] = static_cast<double>(stems);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 double value(const Table& summary, const std::string& measure) {
@@ -86,4 +86,4 @@ TEST(EvaluateLoops, RelativePosesAreHeldAgainstTheReference) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 double measure(const RowEvaluation& e, const std::string& name) {
@@ -62,4 +62,4 @@ TEST(EvaluateRows, LinesTellAngles) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -10,7 +10,7 @@
 
 #include "evaluation/core/assignment.h"
 
-namespace bole {
+namespace bole::evaluation {
 
 const CountingRule plot{rectangle_area({0, 0}, 32, 32), 7.5};
 namespace {
@@ -197,4 +197,4 @@ TEST(EvaluateStems, AbsentColumnsAndPositionsAreNamed) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 double value(const Table& summary, const std::string& measure) {
@@ -124,4 +124,4 @@ TEST(EvaluateTrajectory, RelativeErrorsByDistanceGrowWithTheWay) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -5,7 +5,7 @@
 #include "pipeline/register_all_stages.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 Table one_tree(double x, double dbh) {
@@ -17,10 +17,10 @@ Table one_tree(double x, double dbh) {
 
 class EvaluationStage : public testing::Test {
  protected:
-  EvaluationStage() { register_all_stages(StageRegistry::global()); }
-  StageResult run(const DataSet& in) {
-    const auto& type = StageRegistry::global().at("evaluation.plot");
-    return run_stage(type, in, OptionSet(*type.options), {});
+  EvaluationStage() { pipeline::register_all_stages(pipeline::StageRegistry::global()); }
+  pipeline::StageResult run(const DataSet& in) {
+    const auto& type = pipeline::StageRegistry::global().at("evaluation.plot");
+    return pipeline::run_stage(type, in, OptionSet(*type.options), {});
   }
 };
 
@@ -68,10 +68,10 @@ TEST_F(EvaluationStage, ComparesWithAListWhoseColumnsAreMapped) {
   list.set("plot", std::vector<std::int64_t>{3, 3, 4});
   DataSet in;
   in.set("stems", stems), in.set("reference_stems", list);
-  OptionSet options(*StageRegistry::global().at("evaluation.plot").options);
+  OptionSet options(*pipeline::StageRegistry::global().at("evaluation.plot").options);
   options.set_text("reference_columns", "tree_id=Nr, dbh_cm=DIAM:mm, azimuth_deg=gon:gon, distance_m=dist:cm");
   options.set_text("reference_rows", "plot=3");
-  const auto result = run_stage(StageRegistry::global().at("evaluation.plot"), in, options, {});
+  const auto result = pipeline::run_stage(pipeline::StageRegistry::global().at("evaluation.plot"), in, options, {});
   EXPECT_EQ(result.report.counts.at("matched"), 2);
   EXPECT_EQ(result.report.counts.at("missed"), 0) << "the tree of the other plot takes no part";
   EXPECT_NEAR(result.report.metrics.at("dbh_bias").value, (1.0 - 1.0) / 2, 1e-9);
@@ -83,10 +83,10 @@ TEST_F(EvaluationStage, ComparesWithAListWhoseColumnsAreMapped) {
 TEST_F(EvaluationStage, AMappedColumnThatIsAbsentIsNamed) {
   DataSet in;
   in.set("stems", one_tree(0, 20)), in.set("reference_stems", one_tree(0, 20));
-  OptionSet options(*StageRegistry::global().at("evaluation.plot").options);
+  OptionSet options(*pipeline::StageRegistry::global().at("evaluation.plot").options);
   options.set_text("reference_columns", "dbh_cm=BHD:mm");
   try {
-    run_stage(StageRegistry::global().at("evaluation.plot"), in, options, {});
+    pipeline::run_stage(pipeline::StageRegistry::global().at("evaluation.plot"), in, options, {});
     FAIL() << "no error";
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("BHD"), testing::HasSubstr("dbh_cm")));
@@ -94,4 +94,4 @@ TEST_F(EvaluationStage, AMappedColumnThatIsAbsentIsNamed) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -9,10 +9,10 @@
 #include "base/error.h"
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/evaluate_stems.h"
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 #include "real_data.h"
 
-namespace bole {
+namespace bole::evaluation {
 namespace {
 
 Table list() {
@@ -92,7 +92,8 @@ TEST(AlignTrees, AnotherOriginAndNorthAreFound) {
 TEST(Rioja, TheTlsListsAreBroughtOntoTheFieldLists) {
   const auto folder = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "tables_rioja";
   BOLE_NEEDS_REAL(folder);
-  const auto tls = read_table(folder / "rioja_tree.tls.csv"), field = read_table(folder / "rioja_tree.field.csv");
+  const auto tls = io::read_table(folder / "rioja_tree.tls.csv"),
+             field = io::read_table(folder / "rioja_tree.field.csv");
   struct Plot {
     const char* rows;
     std::size_t trees, matched;
@@ -120,4 +121,4 @@ TEST(Rioja, TheTlsListsAreBroughtOntoTheFieldLists) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::evaluation

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "ground/core/model_ground.h"
-#include "io/core/las_reader.h"
+#include "io/core/las/las_reader.h"
 #include "real_data.h"
 
 namespace bole::ground {
@@ -33,7 +33,7 @@ FilterErrors compare(const std::vector<std::uint8_t>& found, const std::vector<s
 }
 
 FilterErrors filter_errors(const std::string& file, GroundOptions options, std::uint8_t left_out = 0) {
-  const auto cloud = read_las(file);
+  const auto cloud = io::read_las(file);
   options.keep_classes = false;
   const auto model = model_ground(cloud, options, Run{});
   const auto e = compare(model.classification, cloud.values<std::uint8_t>(arrays::classification), left_out);

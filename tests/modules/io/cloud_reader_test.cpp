@@ -1,4 +1,4 @@
-#include "io/core/cloud_reader.h"
+#include "io/core/clouds/cloud_reader.h"
 
 #include <gmock/gmock.h>
 
@@ -8,12 +8,12 @@
 #include <cmath>
 #include <limits>
 
-#include "io/core/cloud_writer.h"
-#include "io/core/pcd_reader.h"
-#include "io/core/sensor_arrays.h"
+#include "io/core/clouds/cloud_writer.h"
+#include "io/core/clouds/pcd_reader.h"
+#include "io/core/clouds/sensor_arrays.h"
 #include "io_test_tools.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
@@ -387,4 +387,4 @@ TEST(ReadCloud, TheSameCloudFromFourFormatsAgrees) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

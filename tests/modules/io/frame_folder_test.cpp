@@ -1,15 +1,15 @@
-#include "io/core/frame_folder.h"
+#include "io/core/scans/frame_folder.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "io/core/frame_estimates.h"
+#include "io/core/scans/frame_estimates.h"
 #include "io_test_tools.h"
 #include "synthetic/comma_locale.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
@@ -52,7 +52,7 @@ TEST(FrameEstimates, RingsFollowFromTheOrder) {
 TEST(FrameEstimates, RingsFollowFromElevations) {
   std::vector<std::uint16_t> truth;
   const auto points = ring_ordered(truth);
-  const auto elevations = load_sensor_model("vlp16").ring_elevations_rad();
+  const auto elevations = sensor::load_sensor_model("vlp16").ring_elevations_rad();
   EXPECT_EQ(rings_from_elevations(points, elevations), truth);
   EXPECT_EQ(rings_from_elevations(points, even_elevations_rad(points, rings)), truth);
 }
@@ -213,4 +213,4 @@ TEST(FrameFolder, RealHdl64Sweeps) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -1,4 +1,4 @@
-#include "io/core/gdal_writer.h"
+#include "io/core/gdal/gdal_writer.h"
 
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -211,4 +211,4 @@ TEST_F(GdalWriter, GeoJsonIsInLongitudeAndLatitude) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -4,22 +4,22 @@
 #include "pipeline/register_all_stages.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
 using testing::HasSubstr;
 
-const StageType& stage(const char* name) {
-  register_all_stages(StageRegistry::global());
-  return StageRegistry::global().at(name);
+const pipeline::StageType& stage(const char* name) {
+  pipeline::register_all_stages(pipeline::StageRegistry::global());
+  return pipeline::StageRegistry::global().at(name);
 }
 
-StageResult run(const char* name, const std::map<std::string, std::string>& values) {
+pipeline::StageResult run(const char* name, const std::map<std::string, std::string>& values) {
   const auto& type = stage(name);
   OptionSet options(*type.options);
   for (const auto& [option, value] : values) options.set_text(option, value);
-  return run_stage(type, {}, options, {});
+  return pipeline::run_stage(type, {}, options, {});
 }
 
 TEST(IoStages, ReadWhatTheirOptionsName) {
@@ -69,4 +69,4 @@ TEST(IoStages, EveryOptionHasADefaultThatItAccepts) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/core/mapped_file.h"
+#include "io/core/bytes/mapped_file.h"
 #include "real_data.h"
 
 namespace bole::testing_io {

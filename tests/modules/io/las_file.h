@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/core/las_bytes.h"
-#include "io/core/las_format.h"
+#include "io/core/las/las_bytes.h"
+#include "io/core/las/las_format.h"
 
 namespace bole::test {
 

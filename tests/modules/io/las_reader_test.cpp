@@ -1,4 +1,4 @@
-#include "io/core/las_reader.h"
+#include "io/core/las/las_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <fstream>
 #include <random>
 
-#include "io/core/las_format.h"
+#include "io/core/las/las_format.h"
 #include "modules/io/las_file.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using test::LasFile;
@@ -298,4 +298,4 @@ TEST(LasReader, LargeColumnsLieOnFile) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -4,10 +4,10 @@
 
 #include <filesystem>
 
-#include "io/core/las_reader.h"
+#include "io/core/las/las_reader.h"
 #include "real_data.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 const std::filesystem::path data = BOLE_SHARED_DATA_DIR;
@@ -85,4 +85,4 @@ TEST(LasSamples, UserDefinedGeoTiffKeysBecomeWkt) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

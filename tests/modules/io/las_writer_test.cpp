@@ -1,4 +1,4 @@
-#include "io/core/las_writer.h"
+#include "io/core/las/las_writer.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,10 +6,10 @@
 #include <fstream>
 #include <random>
 
-#include "io/core/las_reader.h"
+#include "io/core/las/las_reader.h"
 #include "modules/io/las_file.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using testing::Contains;
@@ -203,4 +203,4 @@ TEST_F(LasWriter, EmptyCloud) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

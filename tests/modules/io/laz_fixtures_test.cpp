@@ -5,11 +5,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "io/core/las_reader.h"
-#include "io/core/laz_chunks.h"
-#include "io/core/mapped_file.h"
+#include "io/core/bytes/mapped_file.h"
+#include "io/core/las/las_reader.h"
+#include "io/core/laz/laz_chunks.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 const std::string folder = std::string(BOLE_SOURCE_DIR) + "/tests/data/laz/";
@@ -147,4 +147,4 @@ INSTANTIATE_TEST_SUITE_P(All, LazFixture, testing::ValuesIn(all_expected()),
                          [](const auto& test) { return test.param.file.substr(0, test.param.file.find('.')); });
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -1,9 +1,9 @@
-#include "io/core/memory_advice.h"
+#include "io/core/clouds/memory_advice.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 constexpr std::size_t gib = std::size_t{1} << 30;
@@ -28,4 +28,4 @@ TEST(MemoryAdvice, TheSystemTells) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -1,4 +1,4 @@
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 
 #include "io_test_tools.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
@@ -76,4 +76,4 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

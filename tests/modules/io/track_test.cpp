@@ -1,4 +1,4 @@
-#include "io/core/track_file.h"
+#include "io/core/tables/track_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "io/core/nmea_reader.h"
+#include "io/core/tables/nmea_reader.h"
 #include "real_data.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using ::testing::HasSubstr;
@@ -153,4 +153,4 @@ TEST(Track, TablesAndErrors) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -1,10 +1,10 @@
-#include "io/core/trajectory_file.h"
+#include "io/core/tables/trajectory_file.h"
 
 #include <gmock/gmock.h>
 
 #include "io_test_tools.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
@@ -55,4 +55,4 @@ TEST(TrajectoryFile, RealFiles) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

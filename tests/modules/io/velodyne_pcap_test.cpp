@@ -1,4 +1,4 @@
-#include "io/core/velodyne_pcap.h"
+#include "io/core/scans/velodyne_pcap.h"
 
 #include <gmock/gmock.h>
 
@@ -8,12 +8,12 @@
 #include <fstream>
 #include <numbers>
 
-#include "io/core/cloud_reader.h"
+#include "io/core/clouds/cloud_reader.h"
 #include "io_test_tools.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
 
-namespace bole {
+namespace bole::io {
 namespace {
 
 using namespace testing_io;
@@ -21,17 +21,19 @@ using testing::HasSubstr;
 
 // A round room of 10 m around a sensor that stands still.
 struct Recorder {
-  SensorModel model;
+  sensor::SensorModel model;
   double start_time_s = 1.7e9 + 3590;  // an hour ends after ten seconds
   double rotation_hz = 10;
   double start_azimuth_rad = 0;
-  VelodyneReturnMode mode = VelodyneReturnMode::strongest;
+  sensor::VelodyneReturnMode mode = sensor::VelodyneReturnMode::strongest;
 
-  std::vector<std::pair<VelodyneEncoder::Bytes, double>> packets(double seconds) const {
-    std::vector<std::pair<VelodyneEncoder::Bytes, double>> out;
-    VelodyneEncoder encoder(
-        model, mode, [&](const VelodyneEncoder::Bytes& bytes, double time_s) { out.emplace_back(bytes, time_s); });
-    const std::vector<LaserEcho> echoes(model.channels.size(), {10.F, 50}), far(model.channels.size(), {20.F, 20});
+  std::vector<std::pair<sensor::VelodyneEncoder::Bytes, double>> packets(double seconds) const {
+    std::vector<std::pair<sensor::VelodyneEncoder::Bytes, double>> out;
+    sensor::VelodyneEncoder encoder(model, mode, [&](const sensor::VelodyneEncoder::Bytes& bytes, double time_s) {
+      out.emplace_back(bytes, time_s);
+    });
+    const std::vector<sensor::LaserEcho> echoes(model.channels.size(), {10.F, 50}),
+        far(model.channels.size(), {20.F, 20});
     const auto sequences = static_cast<std::int64_t>(seconds / model.sequence_period_s);
     for (std::int64_t s = 0; s < sequences; ++s) {
       const double t = static_cast<double>(s) * model.sequence_period_s;
@@ -42,9 +44,9 @@ struct Recorder {
 };
 
 std::filesystem::path write_pcap(const std::filesystem::path& path,
-                                 const std::vector<std::pair<VelodyneEncoder::Bytes, double>>& packets,
+                                 const std::vector<std::pair<sensor::VelodyneEncoder::Bytes, double>>& packets,
                                  double capture_shift_s = 0) {
-  PcapWriter writer(path);
+  sensor::PcapWriter writer(path);
   for (const auto& [bytes, time_s] : packets) writer.write(bytes, time_s + capture_shift_s);
   writer.close();
   return path;
@@ -58,7 +60,7 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
   const TempDir dir;
   for (const char* name : {"vlp16", "vlp32c", "hdl32e", "hdl64e_s2"}) {
     SCOPED_TRACE(name);
-    const Recorder recorder{load_sensor_model(name)};
+    const Recorder recorder{sensor::load_sensor_model(name)};
     const auto path = write_pcap(dir / (std::string(name) + ".pcap"), recorder.packets(1.05));
     FrameSourceOptions options;
     options.cut_angle = 90;
@@ -96,7 +98,7 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
 
 TEST(VelodynePcap, NoReturnIsLostOrTwiceAcrossFrames) {
   const TempDir dir;
-  Recorder recorder{load_sensor_model("vlp32c")};
+  Recorder recorder{sensor::load_sensor_model("vlp32c")};
   const auto packets = recorder.packets(0.5);
   FrameSourceOptions options;
   options.keep_partial_frames = true;
@@ -115,7 +117,7 @@ TEST(VelodynePcap, NoReturnIsLostOrTwiceAcrossFrames) {
 
 TEST(VelodynePcap, TheHourRollsOver) {
   const TempDir dir;
-  Recorder recorder{load_sensor_model("vlp16")};
+  Recorder recorder{sensor::load_sensor_model("vlp16")};
   recorder.start_time_s = std::floor(1.7e9 / 3600) * 3600 + 3599.5;
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", recorder.packets(1)), {}, {});
   for (std::size_t i = 1; i < source.size(); ++i)
@@ -130,7 +132,7 @@ TEST(VelodynePcap, TheHourRollsOver) {
 
 TEST(VelodynePcap, ASensorWithoutGpsTakesTheTimeOfTheCapture) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", recorder.packets(0.5), 1000), {}, {});
   EXPECT_NEAR(source.frame_time_s(0), recorder.start_time_s + 1000.05, 1e-3);
   EXPECT_THAT(source.report().facts.at("clock"), HasSubstr("capture"));
@@ -138,7 +140,7 @@ TEST(VelodynePcap, ASensorWithoutGpsTakesTheTimeOfTheCapture) {
 
 TEST(VelodynePcap, GapsAreCountedAndFramesGoOn) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp32c")};
+  const Recorder recorder{sensor::load_sensor_model("vlp32c")};
   auto packets = recorder.packets(3);
   const std::size_t before = packets.size();
   std::erase_if(packets, [&](const auto& p) {
@@ -171,7 +173,7 @@ TEST(VelodynePcap, GapsAreCountedAndFramesGoOn) {
 
 TEST(VelodynePcap, PacketsOutOfOrderAreCounted) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   auto packets = recorder.packets(1);
   for (std::size_t i = 100; i < 300; i += 50) std::swap(packets[i].first, packets[i + 1].first);
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", packets), {}, {});
@@ -181,7 +183,7 @@ TEST(VelodynePcap, PacketsOutOfOrderAreCounted) {
 
 TEST(VelodynePcap, SwapsAtTheCutMakeNoExtraFrame) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   const auto packets = recorder.packets(1);
   for (std::size_t i = 30; i < 50; ++i) {
     auto swapped = packets;
@@ -192,8 +194,8 @@ TEST(VelodynePcap, SwapsAtTheCutMakeNoExtraFrame) {
 
 TEST(VelodynePcap, DualReturns) {
   const TempDir dir;
-  Recorder recorder{load_sensor_model("vlp32c")};
-  recorder.mode = VelodyneReturnMode::dual;
+  Recorder recorder{sensor::load_sensor_model("vlp32c")};
+  recorder.mode = sensor::VelodyneReturnMode::dual;
   const VelodynePcapSource source(write_pcap(dir / "a.pcap", recorder.packets(0.5)), {}, {});
   ASSERT_EQ(source.size(), 4U);
   ScanFrame frame;
@@ -207,7 +209,7 @@ TEST(VelodynePcap, DualReturns) {
 
 TEST(VelodynePcap, AFileThatIsCutOffKeepsItsFrames) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   const auto whole = read_file(write_pcap(dir / "a.pcap", recorder.packets(1)));
   write_file(dir / "b.pcap", whole.substr(0, whole.size() * 2 / 3 + 100));
   const VelodynePcapSource source(dir / "b.pcap", {}, {});
@@ -221,7 +223,7 @@ TEST(VelodynePcap, AFileThatIsCutOffKeepsItsFrames) {
 
 TEST(VelodynePcap, OptionsAreObeyedAndTheLocatorNamesThem) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   FrameSourceOptions options;
   options.max_range = 9.5;
   options.cut_angle = 10.5;
@@ -242,17 +244,17 @@ TEST(VelodynePcap, ErrorsSayWhatTheFileIs) {
   write_file(dir / "b.pcap", "");
   EXPECT_THAT(error_of([&] { open_frame_source(dir / "b.pcap"); }), HasSubstr("is not a capture"));
   {
-    PcapWriter writer(dir / "c.pcap");
+    sensor::PcapWriter writer(dir / "c.pcap");
     writer.write(std::vector<std::uint8_t>(100), 1);
     writer.close();
   }
   EXPECT_THAT(error_of([&] { open_frame_source(dir / "c.pcap"); }),
               HasSubstr("1 UDP datagram but no Velodyne data packet"));
   {
-    PcapWriter writer(dir / "d.pcap");
-    VelodynePacket packet;
+    sensor::PcapWriter writer(dir / "d.pcap");
+    sensor::VelodynePacket packet;
     packet.product_id = 0x63;
-    writer.write(pack_velodyne_packet(packet), 1);
+    writer.write(sensor::pack_velodyne_packet(packet), 1);
     writer.close();
   }
   EXPECT_THAT(error_of([&] { open_frame_source(dir / "d.pcap"); }), HasSubstr("product id 0x63"));
@@ -268,7 +270,7 @@ TEST(VelodynePcap, ErrorsSayWhatTheFileIs) {
 
 TEST(VelodynePcap, ACancelledIndexStops) {
   const TempDir dir;
-  const Recorder recorder{load_sensor_model("vlp16")};
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
   std::stop_source stop;
   stop.request_stop();
   bole::Run run;
@@ -282,7 +284,7 @@ TEST(VelodynePcap, ACaptureOfOtherTrafficCanBeCancelled) {
   const TempDir dir;
   constexpr std::size_t payload = 100, packets = 3000, file_header = 24, record = 16 + 14 + 20 + 8 + payload;
   {
-    PcapWriter writer(dir / "tcp.pcap");
+    sensor::PcapWriter writer(dir / "tcp.pcap");
     for (std::size_t i = 0; i < packets; ++i)
       writer.write(std::vector<std::uint8_t>(payload), 1 + 1e-3 * static_cast<double>(i));
     writer.close();
@@ -352,7 +354,7 @@ TEST(VelodynePcap, AgreesWithAnotherDecoderOnAVlp32c) {
   // The other decoder lets the 32 lasers fire one after the other, 2.304 us apart, which takes longer than a firing
   // sequence; the manual has them fire by pairs. Until the last pair the rotor (10 Hz) turns by 0.13 degrees more in
   // that decoder. In the last block of each packet it does not turn at all.
-  const auto model = load_sensor_model("vlp32c");
+  const auto model = sensor::load_sensor_model("vlp32c");
   std::vector<double> ahead_deg(32), still_deg(32);
   for (std::size_t c = 0; c < model.channels.size(); ++c) {
     const auto ring = static_cast<std::size_t>(model.channels[c].ring);
@@ -383,4 +385,4 @@ TEST(VelodynePcap, AgreesWithAnotherDecoderOnAVlp32c) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::io

@@ -4,7 +4,7 @@
 #include "pipeline/register_all_stages.h"
 #include "pipeline/stage.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 // What is greyed when a stage is new: options of a choice that is not the default.
@@ -29,4 +29,4 @@ TEST(Conditions, HoldByDefaultButForChoicesThatAreNot) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -6,7 +6,7 @@
 
 #include "modules/pipeline/toy_stages.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using ::testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(Validate, RelationsBetweenOptionsCount) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -2,7 +2,7 @@
 
 #include "modules/pipeline/toy_stages.h"
 
-namespace bole {
+namespace bole::pipeline {
 namespace {
 
 using ::testing::HasSubstr;
@@ -82,4 +82,4 @@ TEST(Registry, UnknownTypesAreAnsweredWithTheNearest) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::pipeline

@@ -14,7 +14,7 @@
 #include "render/charts/stem_map.h"
 #include "render/charts/trajectory_charts.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 const testing_data::SmallSurvey& survey() {
@@ -177,4 +177,4 @@ TEST(Charts, ATrajectoryOfOnePoseIsRefused) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

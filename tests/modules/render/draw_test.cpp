@@ -11,7 +11,7 @@
 #include "render/draw/furniture.h"
 #include "render/draw/labels.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 using testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(Labels, AvoidObstacles) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

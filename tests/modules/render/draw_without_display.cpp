@@ -39,7 +39,7 @@ int count_white(vtkUnsignedCharArray* pixels) {
 }
 
 int draw() {
-  if (bole::use_backend(bole::Backend::automatic) != bole::Backend::osmesa)
+  if (bole::render::use_backend(bole::render::Backend::automatic) != bole::render::Backend::osmesa)
     return check(false, "automatic chose another backend");
   vtkNew<vtkSphereSource> sphere;
   sphere->SetThetaResolution(32);

@@ -6,7 +6,7 @@
 
 #include "render/charts/worst_first.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 Table four_stems() {
@@ -55,4 +55,4 @@ TEST(LinkedCharts, MatchedTreesAloneAreCompared) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

@@ -17,7 +17,7 @@
 #include "render/scene/map_figure.h"
 #include "render/scene/thin.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 PointCloud copies(int times) {
@@ -205,4 +205,4 @@ TEST(Map, WriteThemForTheEye) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

@@ -8,7 +8,7 @@
 #include "render/scene/eye_dome.h"
 #include "render/scene/view_furniture.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 using Kind = Measurement::Kind;
@@ -122,4 +122,4 @@ TEST(EyeDome, TheShadowIsTheShading) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

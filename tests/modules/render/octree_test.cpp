@@ -12,7 +12,7 @@
 #include "render/scene/pick.h"
 #include "render/scene/point_paint.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 // A floor of 20 m with dense posts on it, the densities of which differ by a thousand.
@@ -219,4 +219,4 @@ TEST(PointPaint, OffersWhatTheCloudHas) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::render {
 namespace {
 
 TEST(Offscreen, NamesRoundTrip) {
@@ -41,4 +41,4 @@ TEST(Offscreen, GlxWithoutDisplaySaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::render

@@ -10,13 +10,13 @@
 #include <sstream>
 
 #include "../render/small_survey.h"
-#include "io/core/cloud_reader.h"
-#include "io/core/table_file.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/tables/table_file.h"
 #include "report/exports.h"
 #include "report/stem_mesh.h"
 #include "report/survey_figures.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 using Ids = std::set<std::int64_t>;
@@ -65,11 +65,11 @@ TEST(Exports, TreeIdsAreTheSameInEveryFile) {
   for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
 
   Ids ids;
-  for (const auto id : read_table(dir / "stems.csv").integers("tree_id")) ids.insert(id);
+  for (const auto id : io::read_table(dir / "stems.csv").integers("tree_id")) ids.insert(id);
   ASSERT_EQ(ids.size(), s.stems.rows());
   Ids of_sections, of_points;
-  for (const auto id : read_table(dir / "sections.csv").integers("tree_id")) of_sections.insert(id);
-  const auto cloud = read_cloud(dir / "cloud.las").cloud;
+  for (const auto id : io::read_table(dir / "sections.csv").integers("tree_id")) of_sections.insert(id);
+  const auto cloud = io::read_cloud(dir / "cloud.las").cloud;
   for (const auto id : cloud.values<std::int32_t>(arrays::tree_id))
     if (id > 0) of_points.insert(id);
   EXPECT_EQ(of_sections, ids);
@@ -95,7 +95,7 @@ TEST(Exports, RejectedStemsHaveNoShape) {
   std::filesystem::create_directories(dir);
   Report report;
   for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
-  EXPECT_EQ(read_table(dir / "stems.csv").rows(), s.stems.rows());  // with its state
+  EXPECT_EQ(io::read_table(dir / "stems.csv").rows(), s.stems.rows());  // with its state
   auto ids = ids_in(contents(dir / "stems.obj"), std::regex("o tree_(\\d+)\n"));
   EXPECT_EQ(ids.size(), s.stems.rows() - 1);
   EXPECT_FALSE(ids.contains(3));
@@ -117,7 +117,8 @@ TEST(Exports, RejectedStemsHaveNoShape) {
   for (std::size_t i = 0; i < with_plans.size(); ++i) {
     const auto a = with_plans[i].make(), b = without_plans[i].make();
     ASSERT_EQ(a.size(), b.size()) << with_plans[i].name;
-    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(figure_svg(a[k]), figure_svg(b[k])) << with_plans[i].name;
+    for (std::size_t k = 0; k < a.size(); ++k)
+      EXPECT_EQ(render::figure_svg(a[k]), render::figure_svg(b[k])) << with_plans[i].name;
   }
 }
 
@@ -134,7 +135,7 @@ TEST(Exports, TheProjectionOfTheStemsServesWithoutAMap) {
 }
 
 TEST(StemMesh, ATubeHasTheVolumeOfItsCone) {
-  StemShape s;
+  render::StemShape s;
   s.tree_id = 5, s.axis = {{500000, 5400000, 0}, {500000, 5400000, 3}}, s.radius_m = {0.2, 0.1};
   std::istringstream text(stems_obj({s}));
   std::vector<Eigen::Vector3d> points;
@@ -159,4 +160,4 @@ TEST(StemMesh, ATubeHasTheVolumeOfItsCone) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

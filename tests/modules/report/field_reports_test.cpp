@@ -11,7 +11,7 @@
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 using ::testing::HasSubstr;
@@ -116,4 +116,4 @@ TEST(SteeringReport, TheTrueDistanceIsToldWhereItIsKnown) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

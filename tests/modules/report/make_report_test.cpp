@@ -9,8 +9,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "io/core/gdal_writer.h"
-#include "io/core/table_file.h"
+#include "io/core/gdal/gdal_writer.h"
+#include "io/core/tables/table_file.h"
 #include "modules/render/small_survey.h"
 #include "modules/render/well_formed.h"
 #include "report/core/evaluation_section.h"
@@ -19,7 +19,7 @@
 #include "report/survey_data.h"
 #include "survey/core/plot_options.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 using testing::HasSubstr;
@@ -123,8 +123,8 @@ TEST_F(MakeReport, WritesEverything) {
     EXPECT_TRUE(std::filesystem::exists(dir_ / file)) << file;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(dir_))
     EXPECT_THAT(entry.path().string(), Not(HasSubstr(".part")));
-  EXPECT_EQ(read_table(dir_ / "stems.csv").rows(), s.stems.rows());
-  EXPECT_EQ(read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
+  EXPECT_EQ(io::read_table(dir_ / "stems.csv").rows(), s.stems.rows());
+  EXPECT_EQ(io::read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
 
   const auto html = contents(dir_ / "report.html");
   const auto page = without_pictures(html);
@@ -164,8 +164,8 @@ TEST_F(MakeReport, SlamIsTold) {
   told.stages.push_back(slam);
   run_.record = std::make_shared<const RunRecord>(told);
   make_report(inputs, quick(), run_);
-  EXPECT_EQ(read_table(dir_ / "loops.csv").rows(), 1u);
-  EXPECT_EQ(read_table(dir_ / "odometry.csv").rows(), 3u);
+  EXPECT_EQ(io::read_table(dir_ / "loops.csv").rows(), 1u);
+  EXPECT_EQ(io::read_table(dir_ / "odometry.csv").rows(), 3u);
   const auto html = contents(dir_ / "report.html");
   const auto section = html.substr(html.find("<section id=\"slam\">"));
   for (const char* text : {"<h2>SLAM</h2>", "Frames that failed", "Track lost at frame", ">77<", ">0.93<", ">12.3<",
@@ -264,7 +264,7 @@ TEST_F(MakeReport, TheStemTableSaysWhichStemsCount) {
   auto options = quick();
   options.figures = false;
   make_report(inputs, options, run_);
-  const auto counted = read_table(dir_ / "stems.csv").integers("counted");
+  const auto counted = io::read_table(dir_ / "stems.csv").integers("counted");
   const auto m = plot_metrics(s.stems, rule);
   EXPECT_EQ(counted[0], 0);
   EXPECT_EQ(counted[1], 0);
@@ -387,7 +387,7 @@ TEST(Evaluation, NamesForPeople) {
 }
 
 TEST(ReportStage, IsRegistered) {
-  StageRegistry registry;
+  pipeline::StageRegistry registry;
   register_report_stages(registry);
   const auto& type = registry.at("report.plot");
   EXPECT_TRUE(type.writes_files);
@@ -404,4 +404,4 @@ TEST(Html, Base64) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

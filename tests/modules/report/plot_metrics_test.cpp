@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 // Four stems that count on a plot of 20 m x 25 m (500 m2), one outside, one too thin, one rejected.
@@ -188,4 +188,4 @@ TEST(PlotMetrics, EmptyTable) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

@@ -9,11 +9,11 @@
 #include <random>
 
 #include "cloud/plot_area.h"
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 #include "real_data.h"
 #include "report/core/plot_metrics.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -127,7 +127,7 @@ TEST(StandValues, ASampleOfARandomStandHoldsItsDensity) {
 TEST(Rioja, PlotValuesOfTheFieldLists) {
   const auto file = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "tables_rioja" / "rioja_tree.field.csv";
   BOLE_NEEDS_REAL(file);
-  const auto list = read_table(file);
+  const auto list = io::read_table(file);
   const CountingRule rule{circle_area({0, 0}, 20), 7.5};
   std::size_t all = 0;
   double ours = 0, theirs = 0;
@@ -172,4 +172,4 @@ TEST(Rioja, PlotValuesOfTheFieldLists) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

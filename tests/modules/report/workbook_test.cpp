@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "modules/render/small_survey.h"
 
-namespace bole {
+namespace bole::report {
 namespace {
 
 using testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST_F(Workbooks, AFolderThatCannotBeIsTold) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::report

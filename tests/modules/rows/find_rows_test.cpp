@@ -1,4 +1,4 @@
-#include "rows/core/find_rows.h"
+#include "rows/core/rows/find_rows.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "rows/core/line_fit.h"
+#include "rows/core/rows/line_fit.h"
 #include "synthetic/plant_field.h"
 
 namespace bole::rows {

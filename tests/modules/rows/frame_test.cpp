@@ -4,9 +4,9 @@
 #include <numbers>
 #include <random>
 
-#include "rows/core/find_rows.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
+#include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
 namespace {

@@ -1,4 +1,4 @@
-#include "rows/core/hedge_rows.h"
+#include "rows/core/rows/hedge_rows.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "rows/core/find_rows.h"
+#include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
 namespace {

@@ -1,4 +1,4 @@
-#include "rows/core/trunk_face.h"
+#include "rows/core/frame/trunk_face.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 
 #include "base/error.h"
-#include "rows/core/frame_filters.h"
-#include "rows/core/frame_plants.h"
+#include "rows/core/frame/frame_filters.h"
+#include "rows/core/frame/frame_plants.h"
 
 namespace bole::rows {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 using testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST(SensorModel, ErrorsNameTheEntry) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::sensor

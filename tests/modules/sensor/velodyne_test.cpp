@@ -9,7 +9,7 @@
 #include "sensor/core/velodyne_decoder.h"
 #include "sensor/core/velodyne_encoder.h"
 
-namespace bole {
+namespace bole::sensor {
 namespace {
 
 constexpr double start_time_s = 1.7e9 + 3599.9995;  // the hour rolls over within the first packets
@@ -167,4 +167,4 @@ TEST(Velodyne, OtherPayloadsAreRefused) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::sensor

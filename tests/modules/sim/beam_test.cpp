@@ -1,4 +1,4 @@
-#include "sim/core/beam.h"
+#include "sim/core/scene/beam.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 namespace bole::sim {
 namespace {
 
-SensorModel one_laser() {
-  SensorModel sensor = load_sensor_model("vlp32c");
-  sensor.channels = {LaserChannel{}};
+sensor::SensorModel one_laser() {
+  sensor::SensorModel sensor = sensor::load_sensor_model("vlp32c");
+  sensor.channels = {sensor::LaserChannel{}};
   return sensor;
 }
 
@@ -31,13 +31,13 @@ struct Shot {
   std::vector<Piece> pieces;
   BeamParameters parameters = exact();
   // Echoes of `count` pulses along +x.
-  std::vector<LaserEcho> fire(int count) const {
+  std::vector<sensor::LaserEcho> fire(int count) const {
     SceneModel model;
     model.pieces = pieces;
     const RayScene scene(model);
-    const SensorModel sensor = one_laser();
+    const sensor::SensorModel sensor = one_laser();
     const Beam beam(sensor, parameters, scene, 1);
-    std::vector<LaserEcho> echoes;
+    std::vector<sensor::LaserEcho> echoes;
     for (int i = 0; i < count; ++i) echoes.push_back(beam.fire(Pose::Identity(), 0, 0, static_cast<std::uint64_t>(i)));
     return echoes;
   }
@@ -63,7 +63,7 @@ TEST(Beam, lasers_have_biases_of_their_own) {
   SceneModel model;
   model.pieces = {wall(7.25f, -5, 5)};
   const RayScene scene(model);
-  SensorModel sensor = one_laser();
+  sensor::SensorModel sensor = one_laser();
   sensor.channels.resize(40);
   BeamParameters parameters = exact();
   parameters.noise = 1e-3;

@@ -1,4 +1,4 @@
-#include "sim/core/disturbance.h"
+#include "sim/core/walk/disturbance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,27 +6,29 @@
 #include <cmath>
 
 #include "modules/sim/plots.h"
-#include "sim/core/forest.h"
+#include "sim/core/plot/forest.h"
 
 namespace bole::sim {
 namespace {
 
 struct Recorded {
   std::vector<bool> kept;
-  std::vector<std::vector<LaserEcho>> echoes;
+  std::vector<std::vector<sensor::LaserEcho>> echoes;
   std::vector<double> azimuth_rad, time_s;
 };
 
 class DisturbanceTest : public testing::Test {
  protected:
   DisturbanceTest()
-      : terrain_(bare_plot().terrain, 1), sensor_(load_sensor_model("vlp32c")), walk_(route(), terrain_, {}, 1) {}
+      : terrain_(bare_plot().terrain, 1),
+        sensor_(sensor::load_sensor_model("vlp32c")),
+        walk_(route(), terrain_, {}, 1) {}
 
   // Two seconds of a sensor that sees a wall 9 m away all around.
   Recorded record(const DisturbanceParameters& parameters) const {
     Disturbance disturbance(parameters, sensor_, walk_, 1);
     Recorded out;
-    const std::vector<LaserEcho> wall(sensor_.channels.size(), LaserEcho{9, 50});
+    const std::vector<sensor::LaserEcho> wall(sensor_.channels.size(), sensor::LaserEcho{9, 50});
     for (std::int64_t i = 0; static_cast<double>(i) * sensor_.sequence_period_s < 2; ++i) {
       const double time_s = static_cast<double>(i) * sensor_.sequence_period_s, turn_rad_s = two_pi * 10;
       FiringSequence s{i, time_s, std::fmod(first_azimuth_rad + turn_rad_s * time_s, two_pi), turn_rad_s, wall};
@@ -43,7 +45,7 @@ class DisturbanceTest : public testing::Test {
     return points;
   }
   Terrain terrain_;
-  SensorModel sensor_;
+  sensor::SensorModel sensor_;
   Walk walk_;
 };
 

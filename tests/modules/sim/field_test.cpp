@@ -8,10 +8,10 @@
 
 #include "base/arrays.h"
 #include "base/error.h"
-#include "sim/core/field_recipe.h"
-#include "sim/core/field_scene.h"
-#include "sim/core/livox_scanner.h"
-#include "sim/core/simulate_field.h"
+#include "sim/core/field/field_recipe.h"
+#include "sim/core/field/field_scene.h"
+#include "sim/core/field/livox_scanner.h"
+#include "sim/core/field/simulate_field.h"
 
 namespace bole::sim {
 namespace {

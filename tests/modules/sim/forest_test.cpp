@@ -1,4 +1,4 @@
-#include "sim/core/forest.h"
+#include "sim/core/plot/forest.h"
 
 #include <gmock/gmock.h>
 

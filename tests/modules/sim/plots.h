@@ -1,7 +1,7 @@
 // Small plots for tests.
 #pragma once
 
-#include "sim/core/recipe.h"
+#include "sim/core/plot/recipe.h"
 
 namespace bole::sim {
 

@@ -1,4 +1,4 @@
-#include "sim/core/recipe.h"
+#include "sim/core/plot/recipe.h"
 
 #include <gmock/gmock.h>
 
@@ -58,8 +58,8 @@ TEST(Recipe, what_is_written_reads_back) {
   recipe.trees.count = 7;
   recipe.terrain.slope_deg = 12.5;
   recipe.layout.kind = "rows";
-  const json written = to_json(recipe);
-  EXPECT_EQ(to_json(parse_recipe(written)), written);
+  const json written = stems::to_json(recipe);
+  EXPECT_EQ(stems::to_json(parse_recipe(written)), written);
   EXPECT_EQ(written["trees"]["count"], 7);
 }
 

@@ -1,5 +1,5 @@
 // The simulator from end to end: what the files hold is the scene as the sensor would have seen it.
-#include "sim/core/simulate.h"
+#include "sim/core/plot/simulate.h"
 
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
@@ -14,9 +14,9 @@
 #include "cloud/trajectory.h"
 #include "modules/sim/plots.h"
 #include "sensor/core/velodyne_decoder.h"
-#include "sim/core/forest.h"
+#include "sim/core/plot/forest.h"
 
-namespace bole {
+namespace bole::sim {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,14 +74,14 @@ Trajectory read_tum(const std::string& text) {
 
 // Packets of a pcap with the time of each, from its own clock (microseconds past the hour).
 std::vector<Point> points_of(const std::string& pcap, const Trajectory& trajectory) {
-  const VelodyneDecoder decoder(load_sensor_model("vlp32c"));
+  const sensor::VelodyneDecoder decoder(sensor::load_sensor_model("vlp32c"));
   std::vector<Point> points;
-  std::vector<VelodyneReturn> returns;
+  std::vector<sensor::VelodyneReturn> returns;
   const double hour = 3600 * std::floor(simulation_epoch_s / 3600);
-  for (std::size_t at = 24; at + 16 + 42 + velodyne_packet_bytes <= pcap.size();
-       at += 16 + 42 + velodyne_packet_bytes) {
+  for (std::size_t at = 24; at + 16 + 42 + sensor::velodyne_packet_bytes <= pcap.size();
+       at += 16 + 42 + sensor::velodyne_packet_bytes) {
     const auto* payload = reinterpret_cast<const std::uint8_t*>(pcap.data()) + at + 16 + 42;
-    const auto packet = parse_velodyne_packet({payload, velodyne_packet_bytes});
+    const auto packet = sensor::parse_velodyne_packet({payload, sensor::velodyne_packet_bytes});
     if (!packet) continue;
     returns.clear();
     decoder.decode(*packet, returns);
@@ -101,7 +101,7 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
   options_.most_time = 3;
   options_.rotation_hz = 20;
   run("out");
-  const auto points = points_of(bytes("out/walk.pcap"), read_tum(bytes("out/trajectory.tum")));
+  const auto points = points_of(bytes("out/walk.pcap"), io::read_tum(bytes("out/trajectory.tum")));
   const sim::Forest forest = sim::make_forest(recipe_, 1);
   const sim::Terrain& terrain = forest.terrain;
   const auto beside_something = [&](const Eigen::Vector3d& p) {
@@ -123,7 +123,7 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
   }
   ASSERT_GT(n, 20000);
   EXPECT_NEAR(sum / n, 0, 0.001);
-  EXPECT_NEAR(std::sqrt(squares / n), load_sensor_model("vlp32c").range_sigma_m, 0.001);
+  EXPECT_NEAR(std::sqrt(squares / n), sensor::load_sensor_model("vlp32c").range_sigma_m, 0.001);
 }
 
 TEST_F(Simulation, the_same_seed_gives_the_same_bytes_at_any_thread_count) {
@@ -162,14 +162,15 @@ TEST_F(Simulation, reports_and_writes_its_truth) {
 TEST_F(Simulation, targets_shine_where_they_stand) {
   options_.most_time = 1;
   run("out");
-  const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
+  const Trajectory trajectory = io::read_tum(bytes("out/trajectory.tum"));
   const std::string pcap = bytes("out/walk.pcap");
-  const VelodyneDecoder decoder(load_sensor_model("vlp32c"));
+  const sensor::VelodyneDecoder decoder(sensor::load_sensor_model("vlp32c"));
   int bright = 0, elsewhere = 0;
-  std::vector<VelodyneReturn> returns;
-  for (std::size_t at = 24 + 58; at + velodyne_packet_bytes <= pcap.size(); at += 58 + velodyne_packet_bytes) {
-    const auto packet =
-        parse_velodyne_packet({reinterpret_cast<const std::uint8_t*>(pcap.data()) + at, velodyne_packet_bytes});
+  std::vector<sensor::VelodyneReturn> returns;
+  for (std::size_t at = 24 + 58; at + sensor::velodyne_packet_bytes <= pcap.size();
+       at += 58 + sensor::velodyne_packet_bytes) {
+    const auto packet = sensor::parse_velodyne_packet(
+        {reinterpret_cast<const std::uint8_t*>(pcap.data()) + at, sensor::velodyne_packet_bytes});
     ASSERT_TRUE(packet);
     returns.clear();
     decoder.decode(*packet, returns);
@@ -268,10 +269,10 @@ TEST_F(Simulation, follows_a_walk_from_a_file) {
   options_.speed = 3;
   options_.rotation_hz = 5;
   run("out");
-  const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
+  const Trajectory trajectory = io::read_tum(bytes("out/trajectory.tum"));
   EXPECT_LT((trajectory.poses.front().T_target_sensor.translation().head<2>() - Eigen::Vector2d(-3, -4)).norm(), 0.5);
   EXPECT_LT((trajectory.poses.back().T_target_sensor.translation().head<2>() - Eigen::Vector2d(3, -4)).norm(), 0.5);
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::sim

@@ -1,5 +1,5 @@
 // The vineyard of the orchard experiment: its rows, the way through them, and the robot that drives it.
-#include "sim/core/vineyard.h"
+#include "sim/core/field/vineyard.h"
 
 #include <gmock/gmock.h>
 
@@ -13,10 +13,10 @@
 
 #include "base/error.h"
 #include "base/resources.h"
-#include "sim/core/build_scene.h"
-#include "sim/core/route.h"
-#include "sim/core/simulate.h"
-#include "sim/core/walk.h"
+#include "sim/core/plot/build_scene.h"
+#include "sim/core/plot/simulate.h"
+#include "sim/core/walk/route.h"
+#include "sim/core/walk/walk.h"
 
 namespace bole::sim {
 namespace {

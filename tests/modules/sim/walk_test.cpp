@@ -1,4 +1,4 @@
-#include "sim/core/walk.h"
+#include "sim/core/walk/walk.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "base/resources.h"
 #include "modules/sim/plots.h"
-#include "sim/core/build_scene.h"
-#include "sim/core/route.h"
+#include "sim/core/plot/build_scene.h"
+#include "sim/core/walk/route.h"
 
 namespace bole::sim {
 namespace {

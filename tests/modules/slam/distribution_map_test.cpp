@@ -1,4 +1,4 @@
-#include "slam/core/distribution_map.h"
+#include "slam/core/map/distribution_map.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 const Eigen::Vector3d far_away(431.0, -275.0, 12.0);
@@ -107,4 +107,4 @@ TEST(DistributionMap, KnowsNothingWhereNothingIs) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

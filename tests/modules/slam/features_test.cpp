@@ -1,4 +1,4 @@
-#include "slam/core/features.h"
+#include "slam/core/odometry/features.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 SlamOptions curvature_options(const char* occlusion) {
@@ -110,4 +110,4 @@ TEST(Features, AnEmptyScanHasNone) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,10 +1,10 @@
-#include "slam/core/ground.h"
+#include "slam/core/odometry/ground.h"
 
 #include <gtest/gtest.h>
 
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 TEST(Ground, GroundIsTheFloorThingsAreTrunksAndSpecksAreNot) {
@@ -42,4 +42,4 @@ TEST(Ground, GroundIsTheFloorThingsAreTrunksAndSpecksAreNot) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

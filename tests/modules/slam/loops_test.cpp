@@ -1,6 +1,6 @@
 // What stands between a candidate and a loop: where it lies on the earlier stretch, whether it agrees with the rest,
 // and what the local map leaves to loops.
-#include "slam/core/loops.h"
+#include "slam/core/loops/loops.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <numbers>
 #include <random>
 
-#include "slam/core/context_index.h"
-#include "slam/core/loop_candidates.h"
-#include "slam/core/place_guess.h"
-#include "slam/core/pose_graph.h"
+#include "slam/core/loops/context_index.h"
+#include "slam/core/loops/loop_candidates.h"
+#include "slam/core/loops/place_guess.h"
+#include "slam/core/loops/pose_graph.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 Pose pose_at(double x, double y, double heading_rad = 0) {
@@ -200,4 +200,4 @@ TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,14 +1,14 @@
-#include "slam/core/path.h"
+#include "slam/core/map/path.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "slam/core/passes.h"
-#include "slam/core/tum_poses.h"
+#include "slam/core/map/passes.h"
+#include "slam/core/map/tum_poses.h"
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 Path sampled_walk(double spacing_s, double duration_s = 4) {
@@ -114,4 +114,4 @@ TEST(TumPoses, AreReadAndBadLinesNamed) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -13,9 +13,9 @@
 #include <sstream>
 
 #include "real_data.h"
-#include "slam/core/context_index.h"
+#include "slam/core/loops/context_index.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,9 +124,11 @@ TEST(PlaceRecognition, KaistStreet) {
     }
     for (const double most : {0.15, 0.175, 0.2, 0.225, 0.25, 0.3}) {
       const auto c = judged(places, most, 5);
-      printf("seed %u most %.3f right %d wrong %d missed %d precision %.3f recall %.3f\n", seed, most, c.right, c.wrong, c.missed, c.precision(), c.recall());
+      printf("seed %u most %.3f right %d wrong %d missed %d precision %.3f recall %.3f\n", seed, most, c.right, c.wrong,
+             c.missed, c.precision(), c.recall());
     }
-    printf("seed %u near %d far %.2f nearest at most %.3f missed at tau %d\n", seed, near, far_m, furthest, judged(places, tau, 5).missed);
+    printf("seed %u near %d far %.2f nearest at most %.3f missed at tau %d\n", seed, near, far_m, furthest,
+           judged(places, tau, 5).missed);
   }
 }
 
@@ -152,4 +154,4 @@ TEST(PlaceRecognition, KittiTwoPlaces) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,10 +1,10 @@
-#include "slam/core/point_registration.h"
+#include "slam/core/odometry/point_registration.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 // Ground and trunks, sampled anew for each cloud.
@@ -52,4 +52,4 @@ TEST(PointRegistration, WithTooFewPointsTheGuessStands) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -4,7 +4,7 @@
 #include "cloud/preview.h"
 #include "modules/slam/walks.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 class Watcher : public Preview {
@@ -90,4 +90,4 @@ TEST(SlamPreview, FramesAreShownOnlyWhenAskedFor) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,11 +1,11 @@
-#include "slam/core/priors.h"
+#include "slam/core/odometry/priors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 TEST(Priors, ThePointCovarianceIsThatOfTheObservations) {
@@ -46,4 +46,4 @@ TEST(Priors, PoseVarianceIsThatOfAPointMovedByThePose) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

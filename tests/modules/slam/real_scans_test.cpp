@@ -11,11 +11,11 @@
 #include <string>
 
 #include "real_data.h"
-#include "slam/core/features.h"
-#include "slam/core/keyframes.h"
-#include "slam/core/registration.h"
+#include "slam/core/odometry/features.h"
+#include "slam/core/odometry/keyframes.h"
+#include "slam/core/odometry/registration.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ TEST(RealScans, TrunksAloneGiveTheMotionBetweenForestScans) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,10 +1,10 @@
-#include "slam/core/refine.h"
+#include "slam/core/map/refine.h"
 
 #include <gtest/gtest.h>
 
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using synthetic::SpinningSensor;
@@ -77,4 +77,4 @@ TEST(Refine, KeepsThePathWhereTheFramesDoNotDetermineIt) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

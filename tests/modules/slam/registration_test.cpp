@@ -1,14 +1,14 @@
-#include "slam/core/registration.h"
+#include "slam/core/odometry/registration.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <Eigen/Eigenvalues>
 
-#include "slam/core/keyframes.h"
+#include "slam/core/odometry/keyframes.h"
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using synthetic::SpinningSensor;
@@ -148,4 +148,4 @@ TEST(Registration, AgainstNothingThereIsNoOverlap) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -9,7 +9,7 @@
 #include "modules/slam/walks.h"
 #include "slam/core/slam.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using synthetic::SpinningSensor;
@@ -275,4 +275,4 @@ TEST(Robustness, AmongTenTreesThePathIsRightOrGivenUp) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,4 +1,4 @@
-#include "slam/core/scan_context.h"
+#include "slam/core/loops/scan_context.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "slam/core/context_index.h"
+#include "slam/core/loops/context_index.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 // Posts of different heights about a place.
@@ -83,4 +83,4 @@ TEST(ContextIndex, FindsThePlaceAgainAmongMany) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

@@ -10,11 +10,11 @@
 #include <thread>
 
 #include "modules/slam/walks.h"
-#include "slam/core/context_index.h"
-#include "slam/core/loops.h"
-#include "slam/core/pose_graph.h"
+#include "slam/core/loops/context_index.h"
+#include "slam/core/loops/loops.h"
+#include "slam/core/loops/pose_graph.h"
 
-namespace bole {
+namespace bole::slam {
 namespace {
 
 using synthetic::SpinningSensor;
@@ -404,4 +404,4 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::slam

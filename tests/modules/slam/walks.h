@@ -6,7 +6,7 @@
 #include "slam/core/slam.h"
 #include "synthetic/scan_world.h"
 
-namespace bole {
+namespace bole::slam {
 
 inline synthetic::SyntheticScan small_walk(std::size_t frames, double noise_m = 0.01) {
   auto sensor = synthetic::SpinningSensor::even(32, -25, 15, 360);
@@ -33,4 +33,4 @@ inline double worst_m(const Trajectory& estimate, const synthetic::SyntheticScan
   return worst;
 }
 
-}  // namespace bole
+}  // namespace bole::slam

@@ -1,4 +1,4 @@
-#include "stems/core/apply_edits.h"
+#include "stems/core/edits/apply_edits.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include "base/arrays.h"
 #include "base/error.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 using testing::ElementsAre;
@@ -204,4 +204,4 @@ TEST(ApplyEdits, SectionsFollowTheirStem) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

@@ -1,4 +1,4 @@
-#include "stems/core/beam_depth.h"
+#include "stems/core/fit/beam_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
-#include "stems/core/cylinder_fit.h"
-#include "stems/core/project_priors.h"
+#include "stems/core/fit/cylinder_fit.h"
+#include "stems/core/fit/project_priors.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 // Light of one pulse: mean range over the rays of a normal beam that hit, weighted by the cosine of incidence.
@@ -129,4 +129,4 @@ TEST(RangeOffset, MillimetresAreDrawnToZeroAndCentimetresAreNot) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

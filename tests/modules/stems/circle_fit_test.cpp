@@ -1,11 +1,11 @@
-#include "stems/core/circle_fit.h"
+#include "stems/core/fit/circle_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 std::vector<Eigen::Vector2d> ring(const Circle& c, double from, double to, int n, double noise, unsigned seed) {
@@ -74,4 +74,4 @@ TEST(Arc, ClumpsHaveNoLongUnbrokenPart) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

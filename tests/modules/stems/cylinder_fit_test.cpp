@@ -1,11 +1,11 @@
-#include "stems/core/cylinder_fit.h"
+#include "stems/core/fit/cylinder_fit.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 // Points of a tapered, tilted cylinder as seen by rays from several sides; pass k is displaced by offset[k].
@@ -140,4 +140,4 @@ TEST(CylinderFit, TheEvidenceOfDriftIsLikeliestNearTheTruth) {
 TEST(CylinderFit, RefusesTooFewPoints) { EXPECT_FALSE(fit_tapered_cylinder({}, {0, 0, 0, 0, 0.1, 0, {}}, 0.03, {})); }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

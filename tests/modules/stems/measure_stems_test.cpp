@@ -13,7 +13,7 @@
 #include "stems/core/breast_height_slice.h"
 #include "synthetic/stem_cloud.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 using synthetic::make_stem_cloud;
@@ -369,4 +369,4 @@ TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

@@ -1,4 +1,4 @@
-#include "stems/core/pass_alignment.h"
+#include "stems/core/fit/pass_alignment.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "stems/core/measure_stems.h"
 #include "synthetic/stem_cloud.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 // Sightings of 80 stems by 4 passes; not every pass sees every stem, and one sighting in twenty is wrong. Offsets are
@@ -84,4 +84,4 @@ TEST(PassAlignment, ThinStemsOfDisplacedPassesAreFound) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

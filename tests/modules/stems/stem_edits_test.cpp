@@ -1,11 +1,11 @@
-#include "stems/core/stem_edits.h"
+#include "stems/core/edits/stem_edits.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 using testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST(StemEdits, WhatCannotBeMeantIsRefusedByNumber) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

@@ -9,15 +9,15 @@
 #include <random>
 
 #include "stems/core/breast_height_slice.h"
-#include "stems/core/contour.h"
-#include "stems/core/crown_form.h"
-#include "stems/core/each_stem.h"
+#include "stems/core/fit/contour.h"
+#include "stems/core/fit/each_stem.h"
+#include "stems/core/fit/stem_quality.h"
 #include "stems/core/measure_stems.h"
-#include "stems/core/stem_curve.h"
-#include "stems/core/stem_quality.h"
+#include "stems/core/tree/crown_form.h"
+#include "stems/core/tree/stem_curve.h"
 #include "synthetic/stem_cloud.h"
 
-namespace bole {
+namespace bole::stems {
 namespace {
 
 using synthetic::make_stem_cloud;
@@ -330,4 +330,4 @@ TEST(Quality, AStemThatWidensLikeAForkIsToBeChecked) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::stems

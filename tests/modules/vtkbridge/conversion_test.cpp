@@ -17,7 +17,7 @@
 #include "vtkbridge/core_conversion.h"
 #include "vtkbridge/lazy_data.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 std::shared_ptr<PointCloud> sample_cloud() {
@@ -254,4 +254,4 @@ TEST(AttachedData, IsForgottenWhenTheVtkObjectChanges) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::vtkbridge

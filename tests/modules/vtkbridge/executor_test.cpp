@@ -19,7 +19,7 @@
 #include "vtkbridge/file_keys.h"
 #include "vtkbridge/stage_execution.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,8 +38,8 @@ class Executor : public testing::Test {
     toy::register_toys();
     settings_.output_dir = out_.path() / "out";
   }
-  static PipelineDocument document(const std::string& text = chain) {
-    return PipelineDocument::parse(text, StageRegistry::global());
+  static pipeline::PipelineDocument document(const std::string& text = chain) {
+    return pipeline::PipelineDocument::parse(text, pipeline::StageRegistry::global());
   }
   static int total_runs() {
     int n = 0;
@@ -70,7 +70,7 @@ class Watcher : public Preview {
 TEST_F(Executor, WhoWatchesAStageIsShownItsWork) {
   const auto watcher = std::make_shared<Watcher>();
   std::vector<std::string> asked;
-  settings_.preview = [&](const StageNode& node) -> std::shared_ptr<Preview> {
+  settings_.preview = [&](const pipeline::StageNode& node) -> std::shared_ptr<Preview> {
     asked.push_back(node.id);
     if (node.id == "b") return watcher;
     return nullptr;
@@ -269,7 +269,7 @@ TEST(StageKey, AFileThatAnOptionMayNameCountsByItsContent) {
   };
   const auto table = make_option_table<Options>({Option<Options, std::string>{
       "sensor", &Options::sensor, TextKind::input_path_or_name, {}, Tier::basic, "A name or a file."}});
-  StageType type;
+  pipeline::StageType type;
   type.name = "toy.sensor", type.options = &table;
   OptionSet options(table);
   ResultCache cache(out.path() / "cache");
@@ -444,14 +444,14 @@ TEST_F(Executor, APipelineObjectRunsOnlyWhatChanged) {
 
 TEST(ParaviewXml, HasPortsAndOptionsOfEveryStage) {
   toy::register_toys();
-  const auto xml = paraview_xml(StageRegistry::global());
+  const auto xml = pipeline::paraview_xml(pipeline::StageRegistry::global());
   EXPECT_THAT(xml, HasSubstr(R"(class="vtkBoleStage" label="toy.lift")"));
   EXPECT_THAT(xml, HasSubstr(R"(command="SetOption" initial_string="by" number_of_elements="1" default_values="1")"));
   EXPECT_THAT(xml, HasSubstr(R"(min="-100" max="100")"));
   EXPECT_THAT(xml, HasSubstr("<Optional/>"));
   EXPECT_THAT(xml, HasSubstr("<TimeStepsInformationHelper/>"));
-  EXPECT_EQ(vtk_class_of_stage("slam.run"), "vtkBoleSlam");
+  EXPECT_EQ(pipeline::vtk_class_of_stage("slam.run"), "vtkBoleSlam");
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -20,7 +20,7 @@
 #include "vtkBoleStage.h"
 #include "vtkbridge/core_conversion.h"
 
-namespace bole {
+namespace bole::vtkbridge {
 namespace {
 
 using testing::HasSubstr;
@@ -276,4 +276,4 @@ TEST_F(Stage, FramesStreamToTheNextStage) {
 }
 
 }  // namespace
-}  // namespace bole
+}  // namespace bole::vtkbridge

@@ -56,7 +56,7 @@ inline const OptionTable& no_options() {
   return table;
 }
 
-inline StageResult make_points(const DataSet&, const OptionSet& options, const Run& run) {
+inline pipeline::StageResult make_points(const DataSet&, const OptionSet& options, const Run& run) {
   ++runs()["toy.points"];
   const auto& o = options.as<PointsOptions>();
   std::size_t count = static_cast<std::size_t>(o.count);
@@ -71,14 +71,14 @@ inline StageResult make_points(const DataSet&, const OptionSet& options, const R
   cloud.axes = Axes::global;
   cloud.set_column(arrays::range, std::move(range));
   run.report(1, "made points");
-  StageResult result;
+  pipeline::StageResult result;
   result.report.counts["points"] = static_cast<std::int64_t>(count);
   result.report.facts["axes"] = "global";
   result.outputs.set("points", std::move(cloud));
   return result;
 }
 
-inline StageResult lift(const DataSet& inputs, const OptionSet& options, const Run& run) {
+inline pipeline::StageResult lift(const DataSet& inputs, const OptionSet& options, const Run& run) {
   ++runs()["toy.lift"];
   if (run.preview && run.preview->wants()) run.preview->show(inputs);  // the points before they are lifted
   const auto& o = options.as<LiftOptions>();
@@ -88,13 +88,13 @@ inline StageResult lift(const DataSet& inputs, const OptionSet& options, const R
   for (const auto& p : cloud.positions()) height.push_back(p.z() + static_cast<float>(o.by));
   cloud.set_column(arrays::height_above_ground, std::move(height));
   run.report(0.5, "lifting");
-  StageResult result;
+  pipeline::StageResult result;
   result.report.metrics["lift"] = {o.by, Unit::metre};
   result.outputs.set("points", std::move(cloud));
   return result;
 }
 
-inline StageResult count(const DataSet& inputs, const OptionSet&, const Run& run) {
+inline pipeline::StageResult count(const DataSet& inputs, const OptionSet&, const Run& run) {
   ++runs()["toy.count"];
   Table table;
   const auto& cloud = inputs.cloud("points");
@@ -106,13 +106,13 @@ inline StageResult count(const DataSet& inputs, const OptionSet&, const Run& run
                                          run.record ? static_cast<double>(run.record->stages.size()) : -1});
   table.set("mean_height", std::vector<double>{mean, std::nan("")});
   table.facts["axes"] = axes_name(cloud.axes);
-  StageResult result;
+  pipeline::StageResult result;
   result.report.message = "counted";
   result.outputs.set("table", std::move(table));
   return result;
 }
 
-inline StageResult write(const DataSet& inputs, const OptionSet&, const Run& run) {
+inline pipeline::StageResult write(const DataSet& inputs, const OptionSet&, const Run& run) {
   ++runs()["toy.write"];
   if (run.output_dir.empty()) throw bad_input("no output folder", "--out DIR");
   std::filesystem::create_directories(run.output_dir / "figures");
@@ -122,9 +122,9 @@ inline StageResult write(const DataSet& inputs, const OptionSet&, const Run& run
 }
 
 // Polls as stages do, for up to ten seconds; keeps a half result when asked to finish.
-inline StageResult slow(const DataSet& inputs, const OptionSet&, const Run& run) {
+inline pipeline::StageResult slow(const DataSet& inputs, const OptionSet&, const Run& run) {
   ++runs()["toy.slow"];
-  StageResult result;
+  pipeline::StageResult result;
   result.outputs.set("points", PointCloud(inputs.cloud("points")));
   for (int i = 0; i < 1000; ++i) {
     run.check_cancel();
@@ -159,15 +159,15 @@ class ToyFrames : public FrameSource {
   std::string locator() const override { return R"({"toy": true})"; }
 };
 
-inline StageResult open_frames(const DataSet&, const OptionSet&, const Run&) {
+inline pipeline::StageResult open_frames(const DataSet&, const OptionSet&, const Run&) {
   ++runs()["toy.frames"];
-  StageResult result;
+  pipeline::StageResult result;
   result.report.counts["frames"] = 4;
   result.outputs.set("frames", Data(std::shared_ptr<const FrameSource>(std::make_shared<ToyFrames>())));
   return result;
 }
 
-inline StageResult use_frames(const DataSet& inputs, const OptionSet&, const Run&) {
+inline pipeline::StageResult use_frames(const DataSet& inputs, const OptionSet&, const Run&) {
   ++runs()["toy.use_frames"];
   const auto& frames = inputs.frames("frames");
   Trajectory path;
@@ -179,15 +179,16 @@ inline StageResult use_frames(const DataSet& inputs, const OptionSet&, const Run
   Raster raster;
   raster.nx = 2, raster.ny = 3, raster.cell_m = 0.5, raster.origin = {10, 20};
   raster.values = {1, 2, 3, 4, 5, std::nanf("")};
-  StageResult result;
+  pipeline::StageResult result;
   result.outputs.set("trajectory", std::move(path));
   result.outputs.set("dem", std::move(raster));
   return result;
 }
 
-inline StageType stage_type(std::string name, std::vector<Port> inputs, std::vector<Port> outputs,
-                            const OptionTable& options, decltype(StageType::run) run) {
-  StageType type;
+inline pipeline::StageType stage_type(std::string name, std::vector<pipeline::Port> inputs,
+                                      std::vector<pipeline::Port> outputs, const OptionTable& options,
+                                      decltype(pipeline::StageType::run) run) {
+  pipeline::StageType type;
   type.name = std::move(name);
   type.title = type.name;
   type.help = "A toy for tests.";
@@ -199,9 +200,9 @@ inline StageType stage_type(std::string name, std::vector<Port> inputs, std::vec
 }
 
 inline void register_toys() {
-  auto& registry = StageRegistry::global();
-  const Port cloud{"points", DataKind::cloud, "Points.", false, {}};
-  const Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
+  auto& registry = pipeline::StageRegistry::global();
+  const pipeline::Port cloud{"points", DataKind::cloud, "Points.", false, {}};
+  const pipeline::Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
   registry.add(stage_type("toy.points", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}},
                           points_options(), make_points));
   registry.add(stage_type("toy.lift", {cloud}, {with_height}, lift_options(), lift));
@@ -213,7 +214,7 @@ inline void register_toys() {
   sink.writes_files = true;
   registry.add(std::move(sink));
   registry.add(stage_type("toy.nothing", {}, {cloud}, no_options(),
-                          [](const DataSet&, const OptionSet&, const Run&) { return StageResult(); }));
+                          [](const DataSet&, const OptionSet&, const Run&) { return pipeline::StageResult(); }));
   registry.add(stage_type("toy.slow", {cloud}, {cloud}, no_options(), slow));
   registry.add(
       stage_type("toy.frames", {}, {{"frames", DataKind::frames, "Frames.", false, {}}}, no_options(), open_frames));

@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "features/field_check/field_list_dialog.h"
-#include "io/core/table_file.h"
+#include "io/core/tables/table_file.h"
 #include "main_window.h"
 #include "panels/row_filter.h"
 #include "panels/table_panel.h"
@@ -89,7 +89,7 @@ int FieldCheck::row_of_view(const QModelIndex& index) const { return filter_->ma
 
 void FieldCheck::load(const QString& file) {
   if (!window_.session().has_document()) throw bad_input("no pipeline is open", "one that measures stems");
-  const Table list = read_table(file.toStdString());
+  const Table list = io::read_table(file.toStdString());
   FieldListDialog dialog(list, file, &window_);
   if (dialog.exec() == QDialog::Accepted) load(file, dialog.mapping(), dialog.align());
 }
@@ -141,8 +141,8 @@ void FieldCheck::show_menu(int row, const QPoint& global) {
 void FieldCheck::add_missed(int row) {
   const auto& match = rows_.at(static_cast<std::size_t>(row));
   if (match.kind != MatchKind::missed) throw bad_input("the tree was found", "a missed one");
-  StemEdit edit;
-  edit.action = StemEdit::Action::add;
+  stems::StemEdit edit;
+  edit.action = stems::StemEdit::Action::add;
   edit.at = {match.field_m.x(), match.field_m.y()};
   edit.reason = "in the field list";
   window_.editor().apply(edit);
@@ -151,8 +151,8 @@ void FieldCheck::add_missed(int row) {
 void FieldCheck::delete_false(int row) {
   const auto& match = rows_.at(static_cast<std::size_t>(row));
   if (match.kind != MatchKind::falsely) throw bad_input("the tree is in the field list", "a false one");
-  StemEdit edit;
-  edit.action = StemEdit::Action::remove;
+  stems::StemEdit edit;
+  edit.action = stems::StemEdit::Action::remove;
   edit.at = {match.stem_m.x(), match.stem_m.y()};
   edit.was_dbh_cm = match.dbh_cm;
   edit.reason = "not in the field list";
@@ -186,23 +186,23 @@ void FieldCheck::draw_rings() {
   rings_.clear();
   if (!survey_.stems || rows_.empty()) return;
   const Eigen::Vector3d origin = survey_.points ? survey_.points->origin : Eigen::Vector3d::Zero().eval();
-  const auto shapes = stem_shapes(*survey_.stems, survey_.sections.get());
+  const auto shapes = render::stem_shapes(*survey_.stems, survey_.sections.get());
   for (const auto kind : {MatchKind::matched, MatchKind::missed, MatchKind::falsely}) {
-    std::vector<StemShape> marked;
+    std::vector<render::StemShape> marked;
     for (const auto& row : rows_) {
       if (row.kind != kind) continue;
       if (row.tree) {
         for (const auto& shape : shapes)
           if (shape.tree_id == row.tree) marked.push_back(shape);
       } else if (!shapes.empty()) {
-        StemShape shape = shapes.front();  // upright, at the height of any other
+        render::StemShape shape = shapes.front();  // upright, at the height of any other
         shape.breast_height.head<2>() = Eigen::Vector2d(row.field_m.x(), row.field_m.y());
         shape.breast_radius_m = 0.005 * row.field_dbh_cm;
         marked.push_back(shape);
       }
     }
     if (marked.empty()) continue;
-    auto actor = breast_height_actor(marked, origin, half_height_m);
+    auto actor = render::breast_height_actor(marked, origin, half_height_m);
     actor->GetMapper()->ScalarVisibilityOff();
     const QColor color = match_color(kind, palette());
     actor->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());

@@ -31,16 +31,16 @@ std::string unit_in(const QString& column, const FieldColumn& wanted) {
   return wanted.units.empty() ? std::string() : wanted.units.front();
 }
 
-const StageNode* stage_of_type(const PipelineDocument& document, const std::string& type) {
+const pipeline::StageNode* stage_of_type(const pipeline::PipelineDocument& document, const std::string& type) {
   const auto it = std::ranges::find_if(document.stages(), [&](const auto& node) { return node.type->name == type; });
   return it == document.stages().end() ? nullptr : &*it;
 }
 
-StageNode& in(PipelineDocument& document, const std::string& id) {
-  return *std::ranges::find(document.stages(), id, &StageNode::id);
+pipeline::StageNode& in(pipeline::PipelineDocument& document, const std::string& id) {
+  return *std::ranges::find(document.stages(), id, &pipeline::StageNode::id);
 }
 
-void put(StageNode& node, const std::string& option, const OptionValue& value) {
+void put(pipeline::StageNode& node, const std::string& option, const OptionValue& value) {
   node.options.set(option, value);
   node.given.insert(option);
 }
@@ -89,10 +89,10 @@ FieldMapping guess_mapping(const Table& list) {
   return mapping;
 }
 
-PipelineDocument with_field_list(const PipelineDocument& document, const std::string& file, const FieldMapping& mapping,
-                                 const std::string& align) {
-  PipelineDocument after = document;
-  const auto& registry = StageRegistry::global();
+pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& document, const std::string& file,
+                                           const FieldMapping& mapping, const std::string& align) {
+  pipeline::PipelineDocument after = document;
+  const auto& registry = pipeline::StageRegistry::global();
   if (!stage_of_type(after, "evaluation.plot")) {
     if (!stage_of_type(after, "stems.measure"))
       throw bad_input("the pipeline measures no stems", "a stage stems.measure before field measurements are loaded");
@@ -101,10 +101,11 @@ PipelineDocument with_field_list(const PipelineDocument& document, const std::st
   const auto evaluate = stage_of_type(after, "evaluation.plot")->id;
   auto joint = in(after, evaluate).inputs.find("reference_stems");
   // The reader of the list: the one that the evaluation takes from, else a new one in front of it.
-  std::string reader = joint == in(after, evaluate).inputs.end() ? std::string() : parse_source(joint->second).id;
+  std::string reader =
+      joint == in(after, evaluate).inputs.end() ? std::string() : pipeline::parse_source(joint->second).id;
   if (reader.empty() || after.at(reader).type->name != "io.read_table") {
     const auto& stages = after.stages();
-    const auto place = std::ranges::find(stages, evaluate, &StageNode::id) - stages.begin();
+    const auto place = std::ranges::find(stages, evaluate, &pipeline::StageNode::id) - stages.begin();
     auto added = with_stage(after, registry.at("io.read_table"),
                             place > 0 ? stages[static_cast<std::size_t>(place) - 1].id : std::string());
     after = std::move(added.document);

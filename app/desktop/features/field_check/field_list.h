@@ -32,7 +32,7 @@ FieldMapping guess_mapping(const Table& list);
 
 // The document with the list as the reference of its evaluation; the two stages are added where they are not there.
 // `align` is a choice of the option align_stems. Throws Error{bad_input} when there are no stems to evaluate.
-PipelineDocument with_field_list(const PipelineDocument& document, const std::string& file, const FieldMapping& mapping,
-                                 const std::string& align);
+pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& document, const std::string& file,
+                                           const FieldMapping& mapping, const std::string& align);
 
 }  // namespace bole::desktop

@@ -14,28 +14,28 @@
 namespace bole::desktop {
 namespace {
 
-QColor to_qt(const Color& c) { return QColor::fromRgbF(c.r, c.g, c.b); }
+QColor to_qt(const render::Color& c) { return QColor::fromRgbF(c.r, c.g, c.b); }
 
 std::int64_t id_at(const Table& table, const char* column, std::size_t row) {
-  const auto numbers = numbers_or_nan(table, column);
+  const auto numbers = render::numbers_or_nan(table, column);
   return std::isfinite(numbers[row]) ? static_cast<std::int64_t>(numbers[row]) : 0;
 }
 
 }  // namespace
 
 QColor match_color(MatchKind kind, const QPalette& palette) {
-  const QColor color = to_qt(kind == MatchKind::matched  ? ink::good
-                             : kind == MatchKind::missed ? ink::fair
-                                                         : ink::poor);
+  const QColor color = to_qt(kind == MatchKind::matched  ? render::ink::good
+                             : kind == MatchKind::missed ? render::ink::fair
+                                                         : render::ink::poor);
   return is_dark(palette) ? color.lighter(140) : color;
 }
 
 std::vector<MatchRow> match_rows(const Table& matches) {
   std::vector<MatchRow> rows;
-  const auto kinds = texts_or_empty(matches, "kind");
-  const auto x = numbers_or_nan(matches, "x_m"), y = numbers_or_nan(matches, "y_m"),
-             rx = numbers_or_nan(matches, "ref_x_m"), ry = numbers_or_nan(matches, "ref_y_m"),
-             dbh = numbers_or_nan(matches, "dbh_cm"), field = numbers_or_nan(matches, "ref_dbh_cm");
+  const auto kinds = render::texts_or_empty(matches, "kind");
+  const auto x = render::numbers_or_nan(matches, "x_m"), y = render::numbers_or_nan(matches, "y_m"),
+             rx = render::numbers_or_nan(matches, "ref_x_m"), ry = render::numbers_or_nan(matches, "ref_y_m"),
+             dbh = render::numbers_or_nan(matches, "dbh_cm"), field = render::numbers_or_nan(matches, "ref_dbh_cm");
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     MatchRow row;
     row.kind = kinds[i] == "missed" ? MatchKind::missed : kinds[i] == "false" ? MatchKind::falsely : MatchKind::matched;
@@ -121,7 +121,7 @@ void PlotMap::paintEvent(QPaintEvent*) {
     return;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) draw_row(painter, rows_[i], static_cast<int>(i) == current_);
-  draw_scale_bar(painter);
+  render::draw_scale_bar(painter);
   draw_legend(painter);
 }
 

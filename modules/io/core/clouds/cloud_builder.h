@@ -1,0 +1,59 @@
+// Collects rows of numbers from any file format into a PointCloud.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/run.h"
+#include "io/core/clouds/cloud_reader.h"
+
+namespace bole::io {
+
+// How a field's values are stored in the file; `text` when that is not said. packed_rgb: 0x00RRGGBB (PCD).
+enum class SourceType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64, text, packed_rgb };
+std::size_t source_type_bytes(SourceType type);  // 0 for text
+
+// The value at `p` (unaligned), of the byte order of this machine or the other.
+double source_value(SourceType type, const std::uint8_t* p, bool swap_bytes = false);
+
+struct SourceField {
+  std::string name;
+  SourceType type = SourceType::text;
+};
+
+// What files call an array, in our words: "GpsTime", "scalar_Intensity", "diffuse_red" become time, intensity, red; x,
+// y and z stay. Names that are not known become lower case with underscores.
+std::string array_name(std::string_view file_name);
+
+bool is_colour(std::string_view array);  // red, green or blue
+
+// To be called for every point: now and then polls for a cancel and tells the share that is read.
+void poll_points(const Run& run, std::size_t point, double fraction);
+
+// Warns where a file ends before the points that its header declares.
+void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present);
+
+class CloudBuilder {
+ public:
+  // Throws Error{bad_input} when x, y or z is not among the fields; the message lists what there is.
+  CloudBuilder(const std::vector<SourceField>& fields, const CloudReadOptions& options);
+  ~CloudBuilder();
+  CloudBuilder(const CloudBuilder&) = delete;
+  CloudBuilder& operator=(const CloudBuilder&) = delete;
+
+  void reserve(std::size_t points);
+
+  // One point: a value per field. Dropped and counted when a coordinate is not a finite number.
+  void add(std::span<const double> row);
+  std::size_t size() const;
+
+  // The cloud, with counts in the report.
+  CloudReading finish();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace bole::io

@@ -1,0 +1,39 @@
+#include "io/core/clouds/memory_advice.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace bole::io {
+namespace {
+
+// Of every point in memory while stems are measured, columns on file apart (docs/dev/diameters.md,
+// speed and memory): its coordinates, which are there once it is read, and what grids, heights and labels add.
+constexpr double bytes_once_read = 12, bytes_at_work = 36;
+
+}  // namespace
+
+std::size_t available_memory_bytes() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, unit;
+  std::size_t kib = 0;
+  while (file >> name >> kib) {
+    if (name == "MemAvailable:") return kib << 10;
+    std::getline(file, unit);
+  }
+  return 0;
+}
+
+std::string memory_advice(std::size_t points, std::size_t available_bytes) {
+  const double count = static_cast<double>(points);
+  if (available_bytes == 0 || count * (bytes_at_work - bytes_once_read) <= static_cast<double>(available_bytes))
+    return {};
+  constexpr double gib = 1U << 30;
+  return fmt::format(
+      "{:.0f} million points: terrain and stems take about {:.0f} GiB of memory in all, and {:.1f} GiB are free beside "
+      "the points. Should the run end for want of memory, cut the plot into parts that overlap by 20 m, or thin the "
+      "file",
+      1e-6 * count, count * bytes_at_work / gib, static_cast<double>(available_bytes) / gib);
+}
+
+}  // namespace bole::io

@@ -1,0 +1,238 @@
+#include "io/core/clouds/text_reader.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "io/core/bytes/line_reader.h"
+#include "io/core/clouds/cloud_builder.h"
+#include "io/core/clouds/ptx_reader.h"
+
+namespace bole::io {
+namespace {
+
+constexpr std::size_t most_columns = 1024;
+constexpr std::size_t lines_between_polls = 1 << 15;
+
+struct Dialect {
+  char delimiter = ' ';  // ' ': any blanks
+  bool decimal_comma = false;
+};
+
+std::string_view unquoted(std::string_view word) {
+  word = trimmed(word);
+  if (word.size() >= 2 && word.front() == '"' && word.back() == '"') word = word.substr(1, word.size() - 2);
+  return word;
+}
+
+void split(std::string_view line, const Dialect& dialect, std::vector<std::string_view>& words) {
+  if (dialect.delimiter == ' ') {
+    split_blanks(line, words);
+    return;
+  }
+  words.clear();
+  while (true) {
+    const auto stop = line.find(dialect.delimiter);
+    words.push_back(unquoted(line.substr(0, stop)));
+    if (stop == std::string_view::npos) return;
+    line.remove_prefix(stop + 1);
+  }
+}
+
+bool number(std::string_view word, const Dialect& dialect, double& value) {
+  if (!dialect.decimal_comma || word.find(',') == std::string_view::npos) return parse_number(word, value);
+  std::string copy(word);
+  std::ranges::replace(copy, ',', '.');
+  return parse_number(copy, value);
+}
+
+Dialect dialect_of(std::string_view line, const std::string& wanted) {
+  const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
+  Dialect dialect;
+  if (wanted == "comma") dialect.delimiter = ',';
+  if (wanted == "semicolon") dialect.delimiter = ';';
+  if (wanted == "tab") dialect.delimiter = '\t';
+  if (wanted == "auto") dialect.delimiter = has(';') ? ';' : has(',') && !has('\t') ? ',' : ' ';
+  // "1,5 2,25 3,0" and "1,5;2,25;3,0" are written with decimal commas; "1,5, 2,25" is not.
+  if (dialect.delimiter != ',') dialect.decimal_comma = has(',') && !has('.');
+  if (dialect.delimiter == ',' && wanted == "auto" && !has('.')) {
+    const auto words = split_blanks(line);
+    const bool inside = std::ranges::all_of(
+        words, [](std::string_view w) { return std::ranges::count(w, ',') <= 1 && w.back() != ','; });
+    if (words.size() >= 3 && inside) dialect = {' ', true};
+  }
+  return dialect;
+}
+
+// A line as people write them above columns; "//X Y Z" is CloudCompare's.
+std::string_view without_comment_sign(std::string_view line) {
+  line = trimmed(line);
+  while (!line.empty() && (line.front() == '#' || line.front() == '/' || line.front() == '%')) line.remove_prefix(1);
+  return trimmed(line);
+}
+
+bool is_comment(std::string_view line) {
+  return line.starts_with('#') || line.starts_with("//") || line.starts_with('%');
+}
+
+bool names_xyz(const std::vector<std::string_view>& words) {
+  bool x = false, y = false, z = false;
+  for (const auto w : words) {
+    const auto name = array_name(w);
+    x = x || name == "x", y = y || name == "y", z = z || name == "z";
+  }
+  return x && y && z;
+}
+
+std::vector<SourceField> fields_of(const std::vector<std::string_view>& names) {
+  std::vector<SourceField> fields;
+  for (const auto n : names) fields.push_back({std::string(n == "-" ? "_" : n), SourceType::text});
+  return fields;
+}
+
+// What columns without names usually are.
+std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
+  const std::size_t columns = first_row.size();
+  std::vector<std::string> names{"x", "y", "z"};
+  const auto whole_bytes = [&](std::size_t from) {
+    return std::all_of(first_row.begin() + static_cast<std::ptrdiff_t>(from),
+                       first_row.begin() + static_cast<std::ptrdiff_t>(from) + 3,
+                       [](double v) { return v >= 0 && v <= 255 && v == std::floor(v); });
+  };
+  if (columns == 4) names.emplace_back("intensity");
+  if (columns == 6 && whole_bytes(3)) names.insert(names.end(), {"red", "green", "blue"});
+  if (columns >= 7 && whole_bytes(4)) names.insert(names.end(), {"intensity", "red", "green", "blue"});
+  while (names.size() < columns) names.push_back("column_" + std::to_string(names.size() + 1));
+  std::vector<SourceField> fields;
+  for (auto& n : names) fields.push_back({std::move(n), SourceType::text});
+  return fields;
+}
+
+// What the first lines say of the rest.
+struct Layout {
+  Dialect dialect;
+  std::vector<SourceField> fields;
+  std::size_t data_offset = 0;  // of the first line with points
+  std::size_t lines_before = 0;
+};
+
+bool all_numbers(const std::vector<std::string_view>& words, const Dialect& dialect, std::vector<double>& row) {
+  row.resize(words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (!number(words[i], dialect, row[i])) row[i] = std::nan("");
+  double ignored = 0;
+  return words.size() >= 3 &&
+         std::all_of(words.begin(), words.begin() + 3, [&](std::string_view w) { return number(w, dialect, ignored); });
+}
+
+Layout find_layout(Bytes file, const CloudReadOptions& options) {
+  constexpr std::size_t most_header_lines = 200;
+  Layout layout;
+  LineReader lines(file);
+  std::string_view line, header;
+  std::vector<std::string_view> words, names;
+  std::vector<double> row;
+  std::size_t before = 0;
+  while (true) {
+    before = lines.position();
+    if (!lines.next(line)) break;
+    if (lines.number() <= static_cast<std::size_t>(options.skip_lines) || trimmed(line).empty()) continue;
+    if (lines.number() > most_header_lines + static_cast<std::size_t>(options.skip_lines)) break;
+    if (is_comment(line)) {
+      const auto text = without_comment_sign(line);
+      split(text, dialect_of(text, options.delimiter), words);
+      if (names_xyz(words)) header = text;
+      continue;
+    }
+    const auto dialect = dialect_of(line, options.delimiter);
+    split(line, dialect, words);
+    if (words.size() > most_columns)
+      throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns",
+                      "at most " + std::to_string(most_columns));
+    if (!all_numbers(words, dialect, row)) {
+      if (words.size() >= 3) header = line;
+      continue;
+    }
+    layout.dialect = dialect, layout.data_offset = before, layout.lines_before = lines.number() - 1;
+    if (!options.columns.empty()) {
+      std::string list = options.columns;
+      std::ranges::replace(list, ',', ' ');
+      layout.fields = fields_of(split_blanks(list));
+    } else if (!header.empty()) {
+      split(header, dialect_of(header, options.delimiter), names);
+      layout.fields = fields_of(names);
+      if (!names_xyz(names))
+        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' names no x, y and z",
+                        "these names", "Say what the columns are with the option columns, for instance \"_ x y z\"");
+      if (names.size() > row.size()) layout.fields.resize(row.size());
+    } else {
+      layout.fields = usual_fields(row);
+    }
+    return layout;
+  }
+  if (file.empty()) throw bad_input("the file is empty", "points as text");
+  throw bad_input("none of the first " + std::to_string(lines.number()) + " lines holds three numbers",
+                  "lines with x, y and z", "If the points begin further down, say so with the option skip_lines");
+}
+
+void check_columns(const Layout& layout, const CloudReadOptions& options, std::size_t present) {
+  if (options.columns.empty() || layout.fields.size() <= present) return;
+  throw bad_input("the option columns names " + std::to_string(layout.fields.size()) + " columns, the file has " +
+                      std::to_string(present),
+                  "at most " + std::to_string(present));
+}
+
+}  // namespace
+
+CloudReading read_text_cloud(Bytes file, const std::string& extension, const CloudReadOptions& options,
+                             const Run& run) {
+  if (looks_like_ptx(file, extension)) return read_ptx(file, options, run);
+  const Layout layout = find_layout(file, options);
+  CloudBuilder builder(layout.fields, options);
+  LineReader lines(file.subspan(layout.data_offset));
+  std::string_view line;
+  std::vector<std::string_view> words;
+  std::vector<double> row(layout.fields.size());
+  std::size_t good = 0, bad = 0, first_bad = 0;
+  while (lines.next(line)) {
+    if (lines.number() % lines_between_polls == 0) {
+      run.check_cancel();
+      run.report(static_cast<double>(layout.data_offset + lines.position()) / static_cast<double>(file.size()),
+                 "reading lines");
+    }
+    split(line, layout.dialect, words);
+    if (words.empty() || is_comment(line) || (words.size() == 1 && words[0].empty())) continue;
+    if (good + bad == 0) check_columns(layout, options, words.size());
+    bool complete = words.size() >= row.size();
+    std::size_t numeric = 0;
+    for (std::size_t i = 0; complete && i < row.size(); ++i) {
+      if (number(words[i], layout.dialect, row[i]))
+        ++numeric;
+      else
+        row[i] = std::nan("");
+    }
+    if (!complete || numeric == 0) {
+      if (bad++ == 0) first_bad = layout.lines_before + lines.number();
+      continue;
+    }
+    ++good;
+    builder.add(row);
+  }
+  if (bad > good)
+    throw bad_input("line " + std::to_string(first_bad) + " and " + std::to_string(bad - 1) + " more do not hold " +
+                        std::to_string(row.size()) + " numbers, " + std::to_string(good) + " lines do",
+                    "a table of numbers", "Set the options delimiter and columns");
+  auto out = builder.finish();
+  out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
+  if (bad > 0)
+    out.report.warn(std::to_string(bad) + " lines left out that do not hold " + std::to_string(row.size()) +
+                    " numbers; the first is line " + std::to_string(first_bad));
+  out.report.facts["format"] = "text";
+  std::string columns;
+  for (const auto& f : layout.fields)
+    columns += (columns.empty() ? "" : " ") + (f.name.empty() ? std::string("_") : array_name(f.name));
+  out.report.facts["columns"] = columns;
+  return out;
+}
+
+}  // namespace bole::io

@@ -1,0 +1,112 @@
+#include <cpl_error.h>
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "io/core/gdal/gdal_support.h"
+#include "io/core/gdal/gdal_writer.h"
+
+namespace bole::io {
+
+namespace {
+
+void require(bool ok, const gdal::Errors& errors, const std::filesystem::path& path, const char* what) {
+  if (!ok) throw failure(fmt::format("'{}': {} failed: {}", path.string(), what, errors.last()));
+}
+
+void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, const std::filesystem::path& path) {
+  double transform[6] = {raster.origin.x(), raster.cell_m, 0, raster.origin.y() + raster.ny * raster.cell_m, 0,
+                         -raster.cell_m};
+  require(set.SetGeoTransform(transform) == CE_None, errors, path, "placing the raster");
+  if (!raster.crs_wkt.empty()) {
+    OGRSpatialReference crs;
+    if (crs.importFromWkt(raster.crs_wkt.c_str()) != OGRERR_NONE)
+      throw bad_input("the raster's coordinate reference system is not WKT that PROJ knows", "WKT 1 or 2");
+    require(set.SetSpatialRef(&crs) == CE_None, errors, path, "setting the coordinate reference system");
+  }
+  GDALRasterBand& band = *set.GetRasterBand(1);
+  band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  band.SetDescription(raster.quantity.c_str());
+  // Rows run north in memory and south in the file.
+  std::vector<float> row(static_cast<std::size_t>(raster.nx));
+  for (int iy = 0; iy < raster.ny; ++iy) {
+    std::copy_n(raster.values.begin() + static_cast<std::ptrdiff_t>(raster.ny - 1 - iy) * raster.nx, raster.nx,
+                row.begin());
+    require(band.RasterIO(GF_Write, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) == CE_None,
+            errors, path, "writing a row");
+  }
+}
+
+}  // namespace
+
+void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
+  if (raster.nx <= 0 || raster.ny <= 0 ||
+      raster.values.size() != static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny))
+    throw bad_input(fmt::format("a raster of {} x {} cells with {} values", raster.nx, raster.ny, raster.values.size()),
+                    "one value per cell and at least one cell");
+  GDALDriver& driver = gdal::driver("GTiff");
+  const gdal::Errors errors;
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", nullptr};
+    gdal::Dataset set(
+        driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));
+    require(set != nullptr, errors, path, "creating the file");
+    fill(*set, raster, errors, path);
+    // Closing writes what is left; only then an error of a full disk shows.
+    CPLErrorReset();
+    set.reset();
+    require(CPLGetLastErrorType() < CE_Failure, errors, path, "writing the file");
+  });
+}
+
+Raster read_geotiff(const std::filesystem::path& path) {
+  gdal::driver("GTiff");
+  const gdal::Errors errors;
+  const char* const drivers[] = {"GTiff", nullptr};
+  const gdal::Dataset set(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr)));
+  if (set == nullptr || set->GetRasterCount() < 1)
+    throw bad_input(fmt::format("'{}' cannot be read: {}", path.string(), errors.last()), "a GeoTIFF with a band");
+  double t[6];
+  if (set->GetGeoTransform(t) != CE_None)
+    throw bad_input(fmt::format("'{}' has no place in space", path.string()), "a georeferenced GeoTIFF");
+  if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
+    throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]),
+                    "square cells, north up");
+  // A sparse file of a few bytes may promise any number of cells.
+  constexpr std::int64_t most_cells = 400'000'000;
+  if (const std::int64_t cells = std::int64_t{set->GetRasterXSize()} * set->GetRasterYSize(); cells > most_cells)
+    throw bad_input(fmt::format("'{}' has {} x {} cells", path.string(), set->GetRasterXSize(), set->GetRasterYSize()),
+                    fmt::format("at most {} million cells", most_cells / 1'000'000), "Cut it to the plot, or thin it");
+  Raster raster;
+  raster.nx = set->GetRasterXSize(), raster.ny = set->GetRasterYSize();
+  raster.cell_m = t[1];
+  raster.origin = {t[0], t[3] + raster.ny * t[5]};
+  if (const auto* crs = set->GetSpatialRef(); crs != nullptr) {
+    char* wkt = nullptr;
+    const char* const options[] = {"FORMAT=WKT2_2018", nullptr};
+    if (crs->exportToWkt(&wkt, options) == OGRERR_NONE) raster.crs_wkt = wkt;
+    CPLFree(wkt);
+    raster.axes = Axes::global;
+  }
+  GDALRasterBand& band = *set->GetRasterBand(1);
+  if (const std::string description = band.GetDescription(); !description.empty()) raster.quantity = description;
+  // Row by row: a file that promises more than it holds fails at its first missing row.
+  std::vector<float> row(static_cast<std::size_t>(raster.nx));
+  int has_no_data = FALSE;
+  const auto no_data = static_cast<float>(band.GetNoDataValue(&has_no_data));
+  for (int iy = raster.ny - 1; iy >= 0; --iy) {
+    if (band.RasterIO(GF_Read, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) != CE_None)
+      throw bad_input(fmt::format("'{}': row {} cannot be read: {}", path.string(), iy, errors.last()), "a whole file");
+    if (has_no_data != FALSE) std::ranges::replace(row, no_data, std::numeric_limits<float>::quiet_NaN());
+    raster.values.insert(raster.values.end(), row.begin(), row.end());
+  }
+  return raster;
+}
+
+}  // namespace bole::io

@@ -1,0 +1,82 @@
+// Point records turned into the columns of a cloud.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "base/file_pages.h"
+#include "cloud/point_cloud.h"
+#include "io/core/las/las_extra_bytes.h"
+#include "io/core/las/las_format.h"
+
+namespace bole::io::las {
+
+// Integer bounding box of coordinates; empty until something was added.
+struct IntegerBox {
+  std::array<std::int32_t, 3> min{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max(),
+                                  std::numeric_limits<std::int32_t>::max()};
+  std::array<std::int32_t, 3> max{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min(),
+                                  std::numeric_limits<std::int32_t>::min()};
+  bool empty() const { return min[0] > max[0]; }
+  void add(const IntegerBox& other);
+};
+
+class ColumnBuilder {
+ public:
+  ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions);
+
+  // Tells how many points will come, so that columns need not be moved as they grow. Where there are more than
+  // `most_bytes` of columns they lie on file in one of the folders from the start (cloud/large_cloud.h), with a warning
+  // when none of them has the room.
+  void expect(std::size_t count, std::size_t most_bytes, const std::vector<std::filesystem::path>& folders,
+              std::vector<std::string>& warnings);
+
+  // Room for `count` points; what was decoded stays.
+  void resize(std::size_t count);
+  std::size_t size() const { return positions_.size(); }
+
+  // Lets the points [first, first + count) leave memory, all but their coordinates, as far as they lie on file.
+  void leave(std::size_t first, std::size_t count);
+
+  // Decodes records into the places [first, first + count) and returns their bounding box. Different places may be
+  // filled from different threads.
+  IntegerBox decode(const std::uint8_t* records, std::size_t count, std::size_t first);
+
+  // The cloud, its origin near the middle of `box` on the grid of the coordinates. Columns that hold nothing but zeros
+  // are left out. `*exact` says whether float32 offsets give every coordinate back.
+  PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact,
+                    const Run& run = {});
+
+ private:
+  template <class F>
+  void for_each_column(F&& f);
+  template <class T>
+  FilePages pages_of(const std::vector<T>& values);
+  template <class T>
+  void set(PointCloud& cloud, std::string_view name, std::vector<T>& values);
+  template <class T>
+  void set_unless_zero(PointCloud& cloud, const ArrayInfo& info, std::vector<T>& values);
+  void finish_colours(PointCloud& cloud);
+  void finish_flags(PointCloud& cloud);
+  void finish_extra(PointCloud& cloud, const Run& run);
+  void finish_sensor_axis(PointCloud& cloud, std::size_t dimension, int axis, const Run& run);
+
+  PointLayout layout_;
+  std::size_t stride_;
+  // Integer coordinates in the bits of the floats, so that the offsets can take their place without a second array.
+  PointCloud::Positions positions_;
+  std::vector<float> intensity_, scan_angle_;
+  std::vector<double> time_;
+  std::vector<std::uint8_t> return_number_, number_of_returns_, classification_, user_data_, flags_;
+  std::vector<std::uint16_t> point_source_id_, red_, green_, blue_, near_infrared_;
+  std::vector<ExtraDimension> dimensions_;
+  std::vector<Column> extra_;
+  std::size_t expected_ = 0;
+  std::vector<std::filesystem::path> folders_;  // for columns on file; empty where all stay in memory
+  std::map<const void*, FilePages> pages_;      // by the first value of the column that lies on them; gone before it
+};
+
+}  // namespace bole::io::las

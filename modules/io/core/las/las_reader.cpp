@@ -1,0 +1,135 @@
+#include "io/core/las/las_reader.h"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "io/core/bytes/mapped_file.h"
+#include "io/core/las/las_columns.h"
+#include "io/core/laz/laz_reader.h"
+
+namespace bole::io {
+
+const OptionTable& option_table(const LasReadOptions*) {
+  using S = LasReadOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, bool>{"drop_withheld", &S::drop_withheld, Tier::advanced,
+                      "Leave out points that the file marks as withheld."},
+      Option<S, bool>{"extra_bytes", &S::extra_bytes, Tier::advanced,
+                      "Read the extra bytes of LAS points into columns of their names."},
+  });
+  return table;
+}
+
+namespace {
+
+using las::ColumnBuilder;
+using las::IntegerBox;
+
+struct Read {
+  std::uint64_t points = 0;
+  IntegerBox box;
+};
+
+Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                       const Run& run, std::vector<std::string>& warnings) {
+  const auto stride = static_cast<std::uint64_t>(info.record_length);
+  const std::uint64_t points = std::min(info.points, (info.data_end - info.data_offset) / stride);
+  builder.expect(points, options.columns_in_memory, scratch_folders(run), warnings);
+  const std::uint8_t* records = file.data() + info.data_offset;
+  Read read;
+  // Between batches the calling thread reports; blocks are small enough to stay in the processor's cache.
+  constexpr std::uint64_t batch = 1 << 21, block = 1 << 12;
+  for (std::uint64_t begin = 0; begin < points; begin += batch) {
+    const std::uint64_t end = std::min(points, begin + batch);
+    builder.resize(end);
+    tbb::enumerable_thread_specific<IntegerBox> boxes;
+    tbb::parallel_for(tbb::blocked_range<std::uint64_t>(begin, end, block),
+                      [&](const tbb::blocked_range<std::uint64_t>& range) {
+                        for (std::uint64_t i = range.begin(); i < range.end() && !run.cancelled(); i += block)
+                          boxes.local().add(builder.decode(records + i * stride, std::min(block, range.end() - i), i));
+                      });
+    run.check_cancel();
+    for (const auto& box : boxes) read.box.add(box);
+    builder.leave(begin, end - begin);
+    leave_memory(records + begin * stride, (end - begin) * stride);
+    run.report(static_cast<double>(end) / static_cast<double>(points), "reading points");
+  }
+  read.points = points;
+  return read;
+}
+
+Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                     const Run& run, std::vector<std::string>& warnings) {
+  Read read;
+  read.points = laz::read_points(file, info, builder, options.columns_in_memory, read.box, run, warnings);
+  return read;
+}
+
+std::vector<std::uint32_t> not_withheld(const PointCloud& cloud) {
+  const auto& withheld = cloud.values<std::uint8_t>("withheld");
+  std::vector<std::uint32_t> kept;
+  for (std::size_t i = 0; i < withheld.size(); ++i)
+    if (withheld[i] == 0) kept.push_back(static_cast<std::uint32_t>(i));
+  return kept;
+}
+
+PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, bool with_crs,
+                    std::vector<std::string>& warnings) {
+  const LasInfo info = las::parse_info(file, with_crs);
+  warnings = info.warnings;
+  std::vector<std::string> repeated;
+  ColumnBuilder builder(
+      info.point_format, info.record_length,
+      options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
+  const Read read = info.compressed ? read_compressed(file, info, builder, options, run, warnings)
+                                    : read_uncompressed(file, info, builder, options, run, warnings);
+  if (read.points == 0 && info.points > 0)
+    throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points),
+                    "a whole file", "Copy or download the file again");
+  if (read.points < info.points)
+    warnings.push_back(
+        fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
+  bool exact = true;
+  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);
+  if (!exact)
+    warnings.push_back(fmt::format(
+        "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",
+        info.scale.minCoeff()));
+  cloud.crs_wkt = info.crs_wkt;
+  cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
+  if (cloud.has("withheld")) {
+    const std::vector<std::uint32_t> kept = not_withheld(cloud);
+    const std::size_t withheld = cloud.size() - kept.size();
+    warnings.push_back(fmt::format("{} of {} points are marked as withheld; they are {}", withheld, cloud.size(),
+                                   options.drop_withheld ? "left out" : "read like the others"));
+    if (options.drop_withheld) {
+      cloud = cloud.subset(kept);
+      cloud.remove_column("withheld");
+    }
+  }
+  return cloud;
+}
+
+}  // namespace
+
+PointCloud read_las(Bytes file, const LasReadOptions& options, const Run& run, Report* report, bool with_crs) {
+  std::vector<std::string> warnings;
+  PointCloud cloud = read_all(file, options, run, with_crs, warnings);
+  if (report != nullptr)
+    for (auto& text : warnings) report->warn(std::move(text));
+  return cloud;
+}
+
+PointCloud read_las(const std::filesystem::path& path, const LasReadOptions& options, const Run& run, Report* report) {
+  const MappedFile file(path);
+  try {
+    return read_las(file.bytes(), options, run, report);
+  } catch (const Error& error) {
+    throw error.at(path.string());
+  }
+}
+
+}  // namespace bole::io

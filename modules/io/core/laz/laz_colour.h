@@ -1,0 +1,23 @@
+// Colours: which of the six bytes changed, each as a correction of a prediction from the bytes before it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "io/core/laz/laz_arithmetic.h"
+
+namespace bole::io::laz {
+
+using Rgb = std::array<std::uint16_t, 3>;
+
+class ColourDecoder {
+ public:
+  Rgb next(ArithmeticDecoder& in, const Rgb& last);
+
+ private:
+  SymbolModel changed_{128};
+  std::array<SymbolModel, 6> corrections_{SymbolModel(256), SymbolModel(256), SymbolModel(256),
+                                          SymbolModel(256), SymbolModel(256), SymbolModel(256)};
+};
+
+}  // namespace bole::io::laz

@@ -1,0 +1,147 @@
+#include "io/core/laz/laz_gps_time.h"
+
+#include <cstring>
+
+#include "io/core/laz/laz_items.h"
+
+namespace bole::io::laz {
+
+namespace {
+
+constexpr int most_multiple = 500, least_multiple = -10;
+constexpr unsigned multiples_end = most_multiple - least_multiple + 1;  // symbols below it are multiples
+
+}  // namespace
+
+std::int64_t GpsTimeDecoder::next(ArithmeticDecoder& in) {
+  // A switch to another sequence is followed by that sequence's own code. Behind the end of the data symbols are 0,
+  // which is no switch, so this ends for any input.
+  while ((differences_[last_] == 0 ? after_no_difference(in) : after_difference(in)) == Step::again) {
+  }
+  return times_[last_];
+}
+
+void GpsTimeDecoder::new_sequence(ArithmeticDecoder& in) {
+  const auto high = difference_.decode(in, static_cast<std::int32_t>(times_[last_] >> 32), 8);
+  newest_ = (newest_ + 1) & 3;
+  times_[newest_] =
+      static_cast<std::int64_t>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(high)) << 32 | in.bits(32));
+  last_ = newest_;
+  differences_[last_] = 0;
+  extremes_[last_] = 0;
+}
+
+// A difference that fits no multiple well becomes the new unit when that happens four times in a row.
+void GpsTimeDecoder::note_extreme(std::int32_t difference) {
+  if (++extremes_[last_] <= 3) return;
+  differences_[last_] = difference;
+  extremes_[last_] = 0;
+}
+
+GpsTimeDecoder::Step GpsTimeDecoder::after_no_difference(ArithmeticDecoder& in) {
+  const unsigned code = in.symbol(no_difference_);
+  if (code < extra_) return Step::done;  // unchanged
+  switch (code - extra_) {
+    case 0:
+      differences_[last_] = difference_.decode(in, 0, 0);
+      add(differences_[last_]);
+      extremes_[last_] = 0;
+      return Step::done;
+    case 1:
+      new_sequence(in);
+      return Step::done;
+    default:
+      last_ = (last_ + code - extra_ - 1) & 3;
+      return Step::again;
+  }
+}
+
+GpsTimeDecoder::Step GpsTimeDecoder::after_difference(ArithmeticDecoder& in) {
+  const unsigned code = in.symbol(multiple_);
+  const std::int32_t unit = differences_[last_];
+  if (code >= multiples_end) {
+    if (code < multiples_end + extra_) return Step::done;  // unchanged
+    const unsigned beyond = code - multiples_end - extra_;
+    if (beyond == 0) {
+      new_sequence(in);
+      return Step::done;
+    }
+    last_ = (last_ + beyond) & 3;
+    return Step::again;
+  }
+  if (code == 1) {
+    add(difference_.decode(in, unit, 1));
+    extremes_[last_] = 0;
+    return Step::done;
+  }
+  const int multiple = code <= most_multiple ? static_cast<int>(code) : most_multiple - static_cast<int>(code);
+  const unsigned context = code == 0                    ? 7
+                           : multiple == most_multiple  ? 4
+                           : multiple == least_multiple ? 6
+                           : multiple < 0               ? 5
+                           : multiple < 10              ? 2
+                                                        : 3;
+  const std::int32_t difference = difference_.decode(in, wrapping_multiply(multiple, unit), context);
+  if (context == 7 || context == 4 || context == 6) note_extreme(difference);
+  add(difference);
+  return Step::done;
+}
+
+namespace {
+
+class GpsTime11V2 final : public PointwiseItem {
+ public:
+  void first(const std::uint8_t* item) override { times_ = GpsTimeDecoder(true, las::load<std::int64_t>(item)); }
+  void next(ArithmeticDecoder& in, std::uint8_t* item) override { las::store(item, times_.next(in)); }
+
+ private:
+  GpsTimeDecoder times_{true};
+};
+
+class GpsTime11V1 final : public PointwiseItem {
+ public:
+  void first(const std::uint8_t* item) override { time_ = las::load<std::uint64_t>(item); }
+
+  void next(ArithmeticDecoder& in, std::uint8_t* item) override {
+    if (unit_ == 0) {
+      const unsigned code = in.symbol(no_difference_);
+      if (code == 1) add(unit_ = difference_.decode(in, 0, 0));
+      if (code == 2) time_ = in.bits64();
+    } else {
+      const unsigned code = in.symbol(multiple_);
+      if (code < multiples - 2)
+        add_multiple(in, static_cast<int>(code));
+      else if (code == multiples - 2)
+        time_ = in.bits64();
+    }
+    las::store(item, time_);
+  }
+
+ private:
+  static constexpr unsigned multiples = 512;
+
+  void add(std::int32_t difference) { time_ += static_cast<std::uint64_t>(std::int64_t{difference}); }
+  void add_multiple(ArithmeticDecoder& in, int code) {
+    const unsigned context = code == 0 ? 2 : code == 1 ? 1 : code < 10 ? 3 : code < 50 ? 4 : 5;
+    const std::int32_t difference =
+        difference_.decode(in, code == 0 ? unit_ / 4 : wrapping_multiply(code, unit_), context);
+    if (code == 1) unit_ = difference, extremes_ = 0;
+    if ((code == 0 || code == static_cast<int>(multiples) - 3) && ++extremes_ > 3) unit_ = difference, extremes_ = 0;
+    add(difference);
+  }
+
+  SymbolModel no_difference_{3}, multiple_{multiples};
+  IntegerDecoder difference_{32, 6};
+  std::uint64_t time_ = 0;
+  std::int32_t unit_ = 0;
+  int extremes_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<PointwiseItem> make_gps_time11(int version) {
+  if (version == 1) return std::make_unique<GpsTime11V1>();
+  return std::make_unique<GpsTime11V2>();
+}
+
+}  // namespace bole::io::laz

@@ -1,0 +1,274 @@
+#include "io/core/scans/velodyne_pcap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.h"
+
+namespace bole::io {
+namespace {
+
+constexpr double full_turn = 36000;
+constexpr double complete_share = 0.9;  // of the turn that most frames cover
+constexpr double longest_loss_s = 60;   // a longer silence is a pause of the recording
+
+double file_bytes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto bytes = std::filesystem::file_size(path, ignored);
+  return ignored ? 0 : static_cast<double>(bytes);
+}
+
+std::string product_text(const sensor::VelodynePacket& packet) {
+  char text[64];
+  std::snprintf(text, sizeof text, "product id 0x%02X, return mode 0x%02X", packet.product_id, packet.return_mode);
+  return text;
+}
+
+std::string plural(std::int64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+// Walks through the firings of the whole recording and marks where frames begin and end.
+class VelodynePcapSource::Indexer {
+ public:
+  Indexer(VelodynePcapSource& source, double cut_centideg) : source_(source), cut_centideg_(cut_centideg) {}
+
+  void add(const Datagram& datagram, const sensor::VelodynePacket& packet) {
+    const bool first = !last_past_hour_us_;
+    const double previous_time_s = packet_time_s_;
+    packet_time_s_ = clock_.time_s(packet.time_us, datagram.time_s);
+    if (clock_.jumped()) ++clock_jumps, break_ = true;
+    if (!first && !clock_.jumped()) count_order(packet, previous_time_s);
+    last_past_hour_us_ = packet.time_us;
+    const auto& decoder = *source_.decoder_;
+    decoder.firings(packet, firings_);
+    packet_end_s_ = std::max(packet_end_s_, packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s());
+    if (first || clock_.jumped())
+      packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
+    // How long the rotor took past a sector that the sensor leaves out is known to a few percent only.
+    slack_s_ =
+        0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
+    for (std::size_t i = 0; i < firings_.size(); ++i) {
+      const auto& firing = firings_[i];
+      if (!firing.valid) continue;
+      advance(firing);
+      if (source_.frames_.empty() || starts_frame_) {
+        source_.frames_.push_back(
+            {{datagram.offset, i}, {}, packet_time_s_ + firing.time_offset_s, packet_time_s_, packet.time_us, 0});
+        starts_frame_ = false;
+      }
+      auto& frame = source_.frames_.back();
+      frame.end = {datagram.offset, i + 1};
+      frame.turned_centideg += std::abs(firing.advance_centideg);
+    }
+  }
+
+  bool follows_utc() const { return clock_.follows_utc(); }
+  std::int64_t lost = 0, out_of_order = 0, clock_jumps = 0;
+
+ private:
+  void count_order(const sensor::VelodynePacket& packet, double previous_time_s) {
+    const double period_s = source_.decoder_->packet_period_s(packet.is_dual());
+    const double silence_s = packet_time_s_ - packet_end_s_;
+    if (packet_time_s_ < previous_time_s) {
+      ++out_of_order;
+    } else if (silence_s > 0.5 * period_s + slack_s_ && silence_s < longest_loss_s) {
+      lost += std::llround(silence_s / period_s);
+    }
+  }
+
+  // Follows the rotor from firing to firing. The azimuth says where it is, the time how many turns lie between.
+  void advance(const sensor::VelodyneFiring& firing) {
+    const double time_s = packet_time_s_ + firing.time_offset_s;
+    double relative = std::fmod(firing.azimuth_centideg - cut_centideg_ + 2 * full_turn, full_turn);
+    if (started_ && !break_) {
+      const double expected = rate_centideg_s_ * (time_s - last_time_s_);
+      const double observed = relative - last_relative_;
+      const double moved = observed + full_turn * std::nearbyint((expected - observed) / full_turn);
+      starts_frame_ = starts_frame_ || last_relative_ + moved >= full_turn;
+      if (last_relative_ + moved < 0 && moved > -full_turn / 2)
+        relative = 0;  // a packet from before the cut that came late
+    } else if (started_) {
+      starts_frame_ = true;
+    }
+    if (firing.advance_centideg > 0) rate_centideg_s_ = firing.advance_centideg / source_.decoder_->firing_period_s();
+    started_ = true, break_ = false, last_relative_ = relative, last_time_s_ = time_s;
+  }
+
+  VelodynePcapSource& source_;
+  double cut_centideg_;
+  PacketClock clock_;
+  std::vector<sensor::VelodyneFiring> firings_;
+  std::optional<std::uint32_t> last_past_hour_us_;
+  double packet_time_s_ = 0, packet_end_s_ = 0, slack_s_ = 0, last_time_s_ = 0, last_relative_ = 0,
+         rate_centideg_s_ = 0;
+  bool started_ = false, starts_frame_ = false, break_ = false;
+};
+
+VelodynePcapSource::VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options,
+                                       const Run& run)
+    : path_(path), name_(path.filename().string()), options_(options), reader_(path) {
+  index(run);
+}
+
+VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options,
+                                       const Run& run)
+    : path_(name), name_(name), options_(options), reader_(capture, name) {
+  index(run);
+}
+
+void VelodynePcapSource::index(const Run& run) {
+  if (options_.sensor != "auto") decoder_.emplace(sensor::load_sensor_model(options_.sensor));
+  port_ = options_.port;
+  const double bytes = file_bytes(path_);
+  Indexer indexer(*this, options_.cut_angle * 100);
+  auto& counts = report_.counts;
+  std::int64_t datagrams = 0, data_packets = 0, position_packets = 0, other_port = 0, other = 0;
+  Datagram datagram;
+  const auto poll = [&](std::int64_t offset) {
+    run.check_cancel();
+    if (bytes > 0) run.report(static_cast<double>(offset) / bytes, "indexing packets");
+  };
+  while (reader_.next(datagram, poll)) {
+    ++datagrams;
+    if (datagram.payload.size() == 554 || datagram.payload.size() == 512) {
+      ++position_packets;
+      continue;
+    }
+    const auto packet = sensor::parse_velodyne_packet(datagram.payload);
+    if (!packet) {
+      ++other;
+      continue;
+    }
+    if (port_ == 0) port_ = datagram.port;
+    if (datagram.port != port_) {
+      ++other_port;
+      continue;
+    }
+    if (!decoder_) {
+      auto model = sensor::recognise_velodyne(*packet);
+      if (!model)
+        throw bad_input(
+            "'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")",
+            "VLP-16, VLP-32C, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
+      decoder_.emplace(std::move(*model));
+    }
+    if (data_packets++ == 0)
+      report_.facts["return_mode"] = packet->is_dual() ? "dual" : packet->return_mode == 0x38 ? "last" : "strongest";
+    indexer.add(datagram, *packet);
+  }
+  if (data_packets == 0) {
+    const std::string port_text = options_.port != 0 ? " to UDP port " + std::to_string(options_.port) : "";
+    throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" +
+                        port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"),
+                    "datagrams of 1206 bytes",
+                    other_port > 0 ? "Data packets were seen on another port: set the option port to 0"
+                                   : "Is this the recording of a Velodyne sensor?");
+  }
+  if (frames_.empty())
+    throw bad_input("'" + name_ + "' has " + plural(data_packets, "data packet") + " whose blocks are all damaged",
+                    "Velodyne data packets of a " + decoder_->model().name);
+  drop_partial_ends();
+  const double complete_turn = usual_turn_centideg() * complete_share;
+  counts["frames"] = static_cast<std::int64_t>(frames_.size());
+  counts["data_packets"] = data_packets;
+  counts["position_packets"] = position_packets;
+  counts["other_packets"] = other + other_port + reader_.skipped();
+  counts["lost_packets"] = indexer.lost;
+  counts["packets_out_of_order"] = indexer.out_of_order;
+  counts["incomplete_frames"] =
+      std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
+  report_.facts["sensor"] = decoder_->model().name;
+  report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
+  if (!reader_.trouble().empty())
+    report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
+                 reader_.trouble() + "): everything before that is read");
+  if (reader_.fragments() > 0)
+    report_.warn(plural(reader_.fragments(), "fragmented IP packet") +
+                 " skipped: capture again with a network MTU of at least 1248 bytes");
+  if (indexer.lost > 0)
+    report_.warn("about " + plural(indexer.lost, "packet") + " lost of " + std::to_string(data_packets + indexer.lost));
+  if (indexer.out_of_order > 0) report_.warn(plural(indexer.out_of_order, "packet") + " out of order");
+  if (indexer.clock_jumps > 0)
+    report_.warn("the sensor's clock was set " + plural(indexer.clock_jumps, "time") +
+                 " during the recording; times go on without the jump");
+  if (other_port > 0)
+    report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
+                 " left out: choose with the option port");
+  report_.message = description();
+}
+
+// A full turn, or less for a sensor that was told to leave out a sector.
+double VelodynePcapSource::usual_turn_centideg() const {
+  if (frames_.size() < 3) return full_turn;
+  std::vector<double> turns;
+  for (const auto& f : frames_) turns.push_back(f.turned_centideg);
+  std::ranges::nth_element(turns, turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2));
+  return turns[turns.size() / 2];
+}
+
+void VelodynePcapSource::drop_partial_ends() {
+  if (options_.keep_partial_frames || frames_.size() < 2) return;
+  const double complete_turn = usual_turn_centideg() * complete_share;
+  if (frames_.back().turned_centideg < complete_turn) frames_.pop_back();
+  if (frames_.size() > 1 && frames_.front().turned_centideg < complete_turn) frames_.erase(frames_.begin());
+}
+
+std::string VelodynePcapSource::description() const {
+  return name_ + ": " + plural(static_cast<std::int64_t>(frames_.size()), "frame") + ", " + decoder_->model().name;
+}
+
+bool VelodynePcapSource::next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const {
+  while (reader_.next(datagram)) {
+    if (datagram.port != port_) continue;
+    if (const auto parsed = sensor::parse_velodyne_packet(datagram.payload)) {
+      packet = *parsed;
+      return true;
+    }
+  }
+  return false;
+}
+
+void VelodynePcapSource::append(const sensor::VelodyneReturn& r, double packet_offset_s, ScanFrame& frame) const {
+  if (r.range_m < options_.min_range || r.range_m > options_.max_range) return;
+  frame.positions.push_back(r.position);
+  frame.time_offset_s.push_back(static_cast<float>(packet_offset_s + r.time_offset_s));
+  frame.ring.push_back(r.ring);
+  frame.intensity.push_back(r.intensity);
+  frame.return_number.push_back(r.return_number);
+}
+
+void VelodynePcapSource::read(std::size_t index, ScanFrame& frame) const {
+  if (index >= frames_.size())
+    throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "'",
+                    "0 to " + std::to_string(frames_.size() - 1));
+  const auto& entry = frames_[index];
+  frame.clear();
+  frame.start_time_s = entry.start_time_s;
+  reader_.seek(entry.begin.offset);
+  Datagram datagram;
+  sensor::VelodynePacket packet;
+  double last_offset_s = 0;
+  do {
+    if (!next_packet(datagram, packet))
+      throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "' can no longer be read",
+                      "the file as it was when it was opened");
+    const double packet_offset_s =
+        entry.packet_time_s - entry.start_time_s +
+        1e-6 * static_cast<double>(past_hour_difference_us(entry.past_hour_us, packet.time_us));
+    decoder_->firings(packet, firings_);
+    const std::size_t first = datagram.offset == entry.begin.offset ? entry.begin.firing : 0;
+    const std::size_t last = datagram.offset == entry.end.offset ? entry.end.firing : firings_.size();
+    returns_.clear();
+    decoder_->decode(packet, firings_, first, last, returns_);
+    for (const auto& r : returns_) append(r, packet_offset_s, frame);
+    if (last > 0 && last <= firings_.size())
+      last_offset_s = std::max(last_offset_s, packet_offset_s + firings_[last - 1].time_offset_s);
+  } while (datagram.offset < entry.end.offset);
+  frame.end_time_s = frame.start_time_s + last_offset_s;
+}
+
+}  // namespace bole::io

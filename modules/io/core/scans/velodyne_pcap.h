@@ -1,0 +1,67 @@
+// Frames of a Velodyne sensor from a packet capture.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "io/core/scans/frame_source.h"
+#include "io/core/scans/packet_clock.h"
+#include "io/core/scans/pcap_reader.h"
+#include "sensor/core/velodyne_decoder.h"
+
+namespace bole::io {
+
+// The capture is read once to find where each frame starts (a few dozen bytes per frame are kept); frames are decoded
+// when they are asked for. A frame is one turn of the rotor from the cut angle on; it also ends where the recording
+// breaks off for so long that the rotor passed the cut angle, or where the sensor's clock was set.
+class VelodynePcapSource : public FrameSource {
+ public:
+  // Throws Error{bad_input} when there is no Velodyne data packet or the sensor is not known.
+  VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
+  VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
+
+  std::size_t size() const override { return frames_.size(); }
+  void read(std::size_t index, ScanFrame& frame) const override;
+  double frame_time_s(std::size_t index) const override { return frames_.at(index).start_time_s; }
+  int rings() const override { return decoder_->model().rings(); }
+  std::vector<double> ring_elevations_rad() const override { return decoder_->model().ring_elevations_rad(); }
+  std::string sensor_model() const override { return decoder_->model().id; }
+  std::string description() const override;
+  std::string locator() const override { return frame_source_locator(path_, options_); }
+
+  const Report& report() const { return report_; }
+
+ private:
+  struct Mark {
+    std::int64_t offset = 0;  // of the packet in the file
+    std::size_t firing = 0;
+  };
+  struct Frame {
+    Mark begin, end;           // `end` is the last packet and one past the last firing in it
+    double start_time_s = 0;   // of the first firing
+    double packet_time_s = 0;  // of the packet that holds it
+    std::uint32_t past_hour_us = 0;
+    double turned_centideg = 0;
+  };
+  class Indexer;
+
+  void index(const Run& run);
+  double usual_turn_centideg() const;
+  void drop_partial_ends();
+  bool next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const;
+  void append(const sensor::VelodyneReturn& r, double packet_offset_s, ScanFrame& frame) const;
+
+  std::filesystem::path path_;
+  std::string name_;
+  FrameSourceOptions options_;
+  mutable PcapReader reader_;
+  mutable std::vector<sensor::VelodyneReturn> returns_;
+  mutable std::vector<sensor::VelodyneFiring> firings_;
+  std::optional<sensor::VelodyneDecoder> decoder_;
+  std::vector<Frame> frames_;
+  int port_ = 0;
+  Report report_;
+};
+
+}  // namespace bole::io

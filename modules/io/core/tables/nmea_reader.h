@@ -1,0 +1,41 @@
+// Receiver logs: NMEA 0183 sentences, also mixed with binary messages and other text.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "base/run.h"
+#include "cloud/table.h"
+#include "io/core/bytes/mapped_file.h"
+
+namespace bole::io {
+
+struct NmeaCounts {
+  std::map<std::string, std::int64_t> sentences;  // by type, the talker left out: "GGA"; good ones only
+  std::int64_t good = 0;                          // sentences with the right checksum, of any type
+  std::int64_t bad_checksum = 0, without_checksum = 0;
+  std::int64_t malformed = 0;     // right checksum, but a field that cannot be read
+  std::int64_t without_fix = 0;   // GGA of quality 0, RMC that is not valid
+  std::int64_t out_of_order = 0;  // epochs that go back in time
+  std::int64_t other_bytes = 0;   // outside of sentences: binary messages, comments
+};
+
+struct NmeaLog {
+  // One row per epoch with a position: time_s (UTC of day, going on past midnight; seconds since the Unix epoch where
+  // an RMC gives the date before the first position), latitude_deg, longitude_deg, height_m (above the ellipsoid where
+  // the geoid's height is given, else above sea level), quality (GGA: 1 single, 2 differential, 4 RTK fixed, 5 float, 6
+  // estimated; 0 unknown), satellites, hdop, speed_m_s, course_deg, heading_deg (HDT), sd_east_m, sd_north_m,
+  // sd_height_m (GST). What was not said is NaN, 0 for whole numbers.
+  Table track;
+  NmeaCounts counts;
+};
+
+// Reads GGA, RMC, VTG, GST and HDT of any talker; VTG and HDT go with the epoch before them. Bad sentences are counted
+// and passed over: no content of a file is an error.
+NmeaLog read_nmea(Bytes file, const Run& run = {});
+
+// Whether a file holds NMEA sentences, by its first 64 KiB.
+bool looks_like_nmea(Bytes file);
+
+}  // namespace bole::io

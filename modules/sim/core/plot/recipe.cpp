@@ -1,0 +1,215 @@
+#include "sim/core/plot/recipe.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/error.h"
+#include "base/option.h"
+
+namespace bole::sim {
+namespace {
+
+using Json = nlohmann::json;
+
+// One list of fields serves reading, checking and writing: `visit(name, member, min, max)`.
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, LayoutRecipe> {
+  visit("kind", r.kind, 0, 0);
+  visit("min_spacing_m", r.min_spacing_m, 0.3, 10);
+  visit("clustering", r.clustering, 0, 1);
+  visit("row_spacing_m", r.row_spacing_m, 0.5, 20);
+  visit("plant_spacing_m", r.plant_spacing_m, 0.3, 20);
+  visit("row_azimuth_deg", r.row_azimuth_deg, -360, 360);
+  visit("position_sd_m", r.position_sd_m, 0, 1);
+  visit("missing_share", r.missing_share, 0, 0.9);
+}
+
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, TreeRecipe> {
+  visit("count", r.count, 0, 5000);
+  visit("dbh_mean_cm", r.dbh_mean_cm, 2, 200);
+  visit("dbh_sd_cm", r.dbh_sd_cm, 0, 60);
+  visit("dbh_min_cm", r.dbh_min_cm, 1, 100);
+  visit("dbh_max_cm", r.dbh_max_cm, 2, 250);
+  visit("conifer_share", r.conifer_share, 0, 1);
+  visit("dead_share", r.dead_share, 0, 1);
+  visit("fork_share", r.fork_share, 0, 1);
+  visit("twin_share", r.twin_share, 0, 0.5);
+  visit("lean_sd_deg", r.lean_sd_deg, 0, 15);
+  visit("sweep_m", r.sweep_m, 0, 0.5);
+  visit("ovality", r.ovality, 0, 0.1);
+  visit("flare", r.flare, 0, 1);
+  visit("bark_mm", r.bark_mm, 0, 30);
+  visit("low_branches", r.low_branches, 0, 10);
+}
+
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, TerrainRecipe> {
+  visit("slope_deg", r.slope_deg, 0, 45);
+  visit("aspect_deg", r.aspect_deg, -360, 360);
+  visit("undulation_m", r.undulation_m, 0, 5);
+  visit("undulation_scale_m", r.undulation_scale_m, 2, 200);
+  visit("micro_relief_m", r.micro_relief_m, 0, 0.3);
+  visit("rocks_per_ha", r.rocks_per_ha, 0, 5000);
+  visit("fallen_stems_per_ha", r.fallen_stems_per_ha, 0, 2000);
+}
+
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, UnderstoreyRecipe> {
+  visit("shrubs_per_ha", r.shrubs_per_ha, 0, 10000);
+  visit("saplings_per_ha", r.saplings_per_ha, 0, 10000);
+  visit("grass_per_ha", r.grass_per_ha, 0, 50000);
+}
+
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, VineyardRecipe> {
+  visit("rows", r.rows, 2, 60);
+  visit("row_length_m", r.row_length_m, 5, 180);
+  visit("row_spacing_m", r.row_spacing_m, 1.5, 6);
+  visit("vine_spacing_m", r.vine_spacing_m, 0.5, 5);
+  visit("post_spacing_m", r.post_spacing_m, 1, 20);
+  visit("canopy_bottom_m", r.canopy_bottom_m, 0.3, 2);
+  visit("canopy_top_m", r.canopy_top_m, 0.8, 3);
+  visit("missing_share", r.missing_share, 0, 0.9);
+  visit("repeats", r.repeats, 0, 60);
+  visit("sheds", r.sheds, 0, 2);
+}
+
+template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, PlotRecipe> {
+  visit("name", r.name, 0, 0);
+  visit("title", r.title, 0, 0);
+  visit("size_m", r.size_m, 4, 100);
+  visit("buffer_m", r.buffer_m, 0, 30);
+  visit("layout", r.layout, 0, 0);
+  visit("trees", r.trees, 0, 0);
+  visit("terrain", r.terrain, 0, 0);
+  visit("understorey", r.understorey, 0, 0);
+  visit("vineyard", r.vineyard, 0, 0);
+}
+
+class FieldReader {
+ public:
+  FieldReader(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+    if (!json_.is_object())
+      throw bad_input(
+          "recipe field '" + (path_.empty() ? "(whole file)" : path_) + "' is " + json_.dump().substr(0, 60),
+          "an object {...}");
+  }
+
+  template <class T>
+  void operator()(const char* name, T& value, double min, double max) {
+    known_.insert(name);
+    const auto it = json_.find(name);
+    if (it == json_.end()) return;
+    const std::string path = path_.empty() ? name : path_ + "." + name;
+    if constexpr (std::is_same_v<T, std::string>) {
+      if (!it->is_string()) throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60), "a text");
+      value = it->get<std::string>();
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      const bool right_type = std::is_integral_v<T> ? it->is_number_integer() : it->is_number();
+      const double number = right_type ? it->get<double>() : 0;
+      if (!right_type || !(number >= min && number <= max))
+        throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60),
+                        (std::is_integral_v<T> ? "a whole number from " : "a number from ") + number_text(min) +
+                            " to " + number_text(max));
+      value = static_cast<T>(number);
+    } else {
+      FieldReader inner(*it, path);
+      each_field(value, inner);
+      inner.refuse_unknown();
+    }
+  }
+
+  void refuse_unknown() const {
+    for (const auto& [key, unused] : json_.items())
+      if (!known_.contains(key)) {
+        const std::vector<std::string> names(known_.begin(), known_.end());
+        const auto near = nearest_names(key, names, 1);
+        throw bad_input("unknown recipe field '" + (path_.empty() ? key : path_ + "." + key) + "'",
+                        "a field of modules/sim/README.md", near.empty() ? "" : "Did you mean '" + near.front() + "'?");
+      }
+  }
+
+ private:
+  const Json& json_;
+  std::string path_;
+  std::set<std::string> known_;
+};
+
+class FieldWriter {
+ public:
+  explicit FieldWriter(Json& json) : json_(json) {}
+  template <class T>
+  void operator()(const char* name, const T& value, double, double) {
+    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+      json_[name] = value;
+    } else {
+      Json inner = Json::object();
+      each_field(value, FieldWriter(inner));
+      json_[name] = std::move(inner);
+    }
+  }
+
+ private:
+  Json& json_;
+};
+
+void check_relations(const PlotRecipe& r) {
+  const auto& t = r.trees;
+  if (r.layout.kind != "natural" && r.layout.kind != "rows" && !r.is_vineyard())
+    throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\", \"rows\" or \"vineyard\"");
+  const auto& v = r.vineyard;
+  if (r.is_vineyard() && std::max(v.row_length_m, (v.rows - 1) * v.row_spacing_m) + 2 * vineyard_headland_m > r.size_m)
+    throw bad_input("recipe fields vineyard: " + std::to_string(v.rows) + " rows of " + number_text(v.row_length_m) +
+                        " m, " + number_text(v.row_spacing_m) + " m apart, in a plot of " + number_text(r.size_m) +
+                        " m",
+                    number_text(vineyard_headland_m) + " m of headland on each side", "Raise size_m");
+  if (r.is_vineyard() && !(v.canopy_bottom_m < v.canopy_top_m))
+    throw bad_input("recipe field 'vineyard.canopy_bottom_m' is " + number_text(v.canopy_bottom_m),
+                    "less than canopy_top_m, " + number_text(v.canopy_top_m));
+  if (!(t.dbh_min_cm < t.dbh_max_cm))
+    throw bad_input(
+        "recipe fields trees.dbh_min_cm " + number_text(t.dbh_min_cm) + " and dbh_max_cm " + number_text(t.dbh_max_cm),
+        "the smaller one first");
+  if (t.dbh_mean_cm < t.dbh_min_cm || t.dbh_mean_cm > t.dbh_max_cm)
+    throw bad_input("recipe field 'trees.dbh_mean_cm' is " + number_text(t.dbh_mean_cm),
+                    "a mean between dbh_min_cm and dbh_max_cm");
+  // A sample within [min, max] of mean m has a variance of at most (m - min)(max - m).
+  if (t.dbh_sd_cm * t.dbh_sd_cm > 0.25 * (t.dbh_mean_cm - t.dbh_min_cm) * (t.dbh_max_cm - t.dbh_mean_cm))
+    throw bad_input("recipe field 'trees.dbh_sd_cm' is " + number_text(t.dbh_sd_cm),
+                    "a spread that fits between dbh_min_cm and dbh_max_cm", "Lower it, or widen the limits");
+}
+
+}  // namespace
+
+PlotRecipe parse_recipe(const nlohmann::json& json) {
+  PlotRecipe recipe;
+  FieldReader reader(json, "");
+  each_field(recipe, reader);
+  reader.refuse_unknown();
+  check_relations(recipe);
+  return recipe;
+}
+
+PlotRecipe read_recipe(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw bad_input("cannot open the recipe " + file.string(), "a readable file");
+  try {
+    return parse_recipe(Json::parse(in, nullptr, true, true));
+  } catch (const Json::exception& e) {
+    throw bad_input(file.string() + " is not valid JSON: " + e.what(), "a plot recipe");
+  } catch (const Error& e) {
+    throw e.at(file.string());
+  }
+}
+
+nlohmann::json to_json(const PlotRecipe& recipe) {
+  Json json = Json::object();
+  each_field(recipe, FieldWriter(json));
+  return json;
+}
+
+}  // namespace bole::sim

@@ -1,0 +1,136 @@
+#include "sim/core/scene/beam.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "sim/core/scene/noise.h"
+
+namespace bole::sim {
+namespace {
+
+constexpr int rays = RayBundle::size;
+
+// Eight rays of equal energy that sample a Gaussian beam of unit standard deviation (a sunflower over its quantiles).
+std::array<Eigen::Vector2d, rays> gaussian_pattern() {
+  std::array<Eigen::Vector2d, rays> pattern;
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  for (int i = 0; i < rays; ++i) {
+    const double r = std::sqrt(-2 * std::log(1 - (i + 0.5) / rays)), a = i * golden;
+    pattern[static_cast<std::size_t>(i)] = r * Eigen::Vector2d(std::cos(a), std::sin(a));
+  }
+  return pattern;
+}
+
+// A foil sends this many times more light back than a white wall.
+constexpr double retro_gain = 30;
+
+double energy(const RayHit& hit) {
+  return hit.material == Material::retro ? retro_gain : hit.reflectivity * hit.cos_incidence;
+}
+
+// Depth of the bark at a point, 0 (ridge) to 1 (fissure): stretched along the stem.
+double bark_relief(const Eigen::Vector3d& p, int tree_id) {
+  const float n = value_noise(static_cast<float>(p.x() / 0.015), static_cast<float>(p.y() / 0.015),
+                              static_cast<float>(p.z() / 0.07), static_cast<std::uint32_t>(tree_id));
+  return n * n;
+}
+
+}  // namespace
+
+Beam::Beam(const sensor::SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene,
+           std::uint64_t seed)
+    : sensor_(sensor), parameters_(parameters), scene_(scene), seed_(seed) {
+  for (std::size_t i = 0; i < sensor.channels.size(); ++i) {
+    const double elevation = sensor.channels[i].elevation_rad;
+    lasers_.push_back(
+        {std::cos(elevation), std::sin(elevation),
+         parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal()});
+  }
+}
+
+Beam::Return Beam::strongest(const RayHit hits[rays]) const {
+  std::array<int, rays> order{};
+  int count = 0;
+  for (int i = 0; i < rays; ++i)
+    if (hits[i].range_m > 0) order[static_cast<std::size_t>(count++)] = i;
+  std::sort(order.begin(), order.begin() + count, [&](int a, int b) { return hits[a].range_m < hits[b].range_m; });
+  Return best;
+  double best_energy = 0;
+  for (int first = 0; first < count;) {
+    // A run of surfaces without a gap longer than the pulse is one return.
+    double sum = 0, moment = 0, brightness = 0, retro = 0, bark = 0, cosine = 0;
+    int next = first;
+    float previous = hits[order[static_cast<std::size_t>(first)]].range_m;
+    for (; next < count; ++next) {
+      const RayHit& hit = hits[order[static_cast<std::size_t>(next)]];
+      if (hit.range_m - previous > parameters_.pulse_length_m) break;
+      previous = hit.range_m;
+      const double e = energy(hit);
+      sum += e, moment += e * hit.range_m, bark += e * hit.bark_depth_m, cosine += e * hit.cos_incidence;
+      if (hit.material == Material::retro)
+        retro += 1;
+      else
+        brightness += hit.reflectivity * std::sqrt(hit.cos_incidence);
+    }
+    const double range = sum > 0 ? moment / sum : 0;
+    if (sum > 0 && sum / (range * range) > best_energy) {
+      best_energy = sum / (range * range);
+      best = {range, best_energy / rays, brightness / rays, retro / rays, bark / sum, cosine / sum};
+    }
+    first = next;
+  }
+  return best;
+}
+
+std::uint8_t Beam::intensity(const Return& r, Random& random) const {
+  const double speckle = 1 + 0.06 * random.bounded_normal();
+  if (r.retro_share > 0)
+    return static_cast<std::uint8_t>(std::clamp((100 + 140 * std::pow(r.retro_share, 0.7)) * speckle, 60.0, 255.0));
+  return static_cast<std::uint8_t>(std::clamp(100 * r.brightness / (1 + r.range_m / 120) * speckle, 1.0, 100.0));
+}
+
+sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse) const {
+  static const auto pattern = gaussian_pattern();
+  const Laser& laser = lasers_[channel];
+  Random random(seed_, Stream::pulse, pulse);
+  const double ce = laser.cos_elevation, se = laser.sin_elevation, ca = std::cos(azimuth_rad),
+               sa = std::sin(azimuth_rad);
+  const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * ca, -ce * sa, se);
+  const Eigen::Vector3d right = T.linear() * Eigen::Vector3d(-sa, -ca, 0), up = right.cross(axis);
+  // A full 1/e^2 width is four standard deviations.
+  const double k = 0.25 * parameters_.divergence, spin = random.angle(), cs = std::cos(spin), ss = std::sin(spin);
+  RayBundle bundle;
+  bundle.most_range_m = static_cast<float>(sensor_.max_range_m);
+  for (int i = 0; i < rays; ++i) {
+    const auto& p = pattern[static_cast<std::size_t>(i)];
+    const double u = k * (cs * p.x() - ss * p.y()), v = k * (ss * p.x() + cs * p.y());
+    const Eigen::Vector3d origin =
+        T.translation() + u * sensor_.aperture_horizontal_m * right + v * sensor_.aperture_vertical_m * up;
+    const Eigen::Vector3d direction =
+        (axis + u * sensor_.beam_divergence_horizontal_rad * right + v * sensor_.beam_divergence_vertical_rad * up)
+            .normalized();
+    for (int d = 0; d < 3; ++d)
+      bundle.origin[d][i] = static_cast<float>(origin[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
+  }
+  RayHit hits[rays];
+  scene_.intersect(bundle, hits);
+  Return r = strongest(hits);
+  if (r.range_m < sensor_.min_range_m || random.chance(parameters_.dropouts)) return {};
+  // A tenth of the light from half the greatest range is seen every second time.
+  const double faintest = 0.1 / (0.25 * sensor_.max_range_m * sensor_.max_range_m), strength = r.signal / faintest;
+  if (!random.chance(strength * strength / (1 + strength * strength))) return {};
+  if (parameters_.bark && r.bark_depth_m > 0) {
+    int tree = 0;
+    for (const auto& hit : hits)
+      if (hit.bark_depth_m > 0) tree = hit.tree_id;
+    r.range_m +=
+        r.bark_depth_m * bark_relief(T.translation() + r.range_m * axis, tree) / std::max(0.25, r.cos_incidence);
+  }
+  const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength));
+  const double range = r.range_m + laser.bias_m + sigma * random.bounded_normal(4);
+  return {static_cast<float>(range), intensity(r, random)};
+}
+
+}  // namespace bole::sim

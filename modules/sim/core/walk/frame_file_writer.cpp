@@ -1,0 +1,87 @@
+#include "sim/core/walk/frame_file_writer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace bole::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_bytes(const fs::path& file, const void* data, std::size_t size) {
+  std::ofstream out(file, std::ios::binary);
+  out.write(static_cast<const char*>(data), static_cast<std::streamsize>(size));
+  out.close();
+  if (!out) throw failure("cannot write " + file.string(), "a writable folder with free space");
+}
+
+void write_text(const fs::path& file, const std::string& text) { write_bytes(file, text.data(), text.size()); }
+
+}  // namespace
+
+FrameFileWriter::FrameFileWriter(const sensor::SensorModel& sensor, const fs::path& folder, double epoch_s)
+    : sensor_(sensor), folder_(folder), epoch_s_(epoch_s) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw failure("cannot make the folder " + folder.string() + ": " + error.message());
+  // Frames of an earlier, longer recording would be read as a part of this one.
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (const auto extension = entry.path().extension();
+        extension == ".bin" || extension == ".time" || extension == ".ring")
+      fs::remove(entry.path());
+}
+
+void FrameFileWriter::add(const FiringSequence& s) {
+  // The recording starts with the rotor at the cut, so a frame ends where the azimuth has gone round to it.
+  const double since_cut = s.azimuth_rad - first_azimuth_rad,
+               azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
+  const bool round = azimuth < last_azimuth_rad_ || (s.time_s - last_time_s_) * s.turn_rad_s > two_pi;
+  if (open_ && round) finish_frame();
+  last_azimuth_rad_ = azimuth, last_time_s_ = s.time_s;
+  if (!open_) frame_starts_s_.push_back(s.time_s), open_ = true;
+  for (std::size_t c = 0; c < s.echoes.size(); ++c) {
+    const auto& echo = s.echoes[c];
+    if (!(echo.range_m > 0)) continue;
+    const auto& laser = sensor_.channels[c];
+    const double quantum = sensor_.range_quantum_m,
+                 range = quantum > 0 ? std::round(echo.range_m / quantum) * quantum : echo.range_m;
+    // A laser that fires within the sequence does so at a rotor turned further.
+    const double a = s.azimuth_rad + s.turn_rad_s * laser.firing_time_s + laser.azimuth_offset_rad,
+                 flat = range * std::cos(laser.elevation_rad);
+    points_.push_back(static_cast<float>(flat * std::cos(a)));
+    points_.push_back(static_cast<float>(-flat * std::sin(a)));
+    points_.push_back(static_cast<float>(range * std::sin(laser.elevation_rad)));
+    points_.push_back(static_cast<float>(echo.intensity) / 255.0f);
+    point_times_s_.push_back(static_cast<float>(s.time_s - frame_starts_s_.back() + laser.firing_time_s));
+    rings_.push_back(static_cast<std::uint16_t>(laser.ring));
+  }
+}
+
+template <class T>
+void FrameFileWriter::write(const char* extension, const std::vector<T>& values) const {
+  const std::string name = fmt::format("{:06}.{}", frame_starts_s_.size() - 1, extension);
+  write_bytes(folder_ / name, values.data(), values.size() * sizeof(T));
+}
+
+void FrameFileWriter::finish_frame() {
+  write("bin", points_);
+  write("time", point_times_s_);
+  write("ring", rings_);
+  points_.clear(), point_times_s_.clear(), rings_.clear();
+  open_ = false;
+}
+
+void FrameFileWriter::close() {
+  if (open_) finish_frame();
+  std::string text;
+  for (const double t : frame_starts_s_) text += fmt::format("{:.6f}\n", epoch_s_ + t);
+  write_text(folder_ / "times.txt", text);
+  write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
+}
+
+}  // namespace bole::sim

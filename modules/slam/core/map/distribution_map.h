@@ -1,0 +1,106 @@
+// A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface
+// around a place is found by merging the eight cells about it, in constant time and with every point averaged in. Who
+// asks goes from fine to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to
+// the density of the scan.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace bole::slam {
+
+// What the map looks like around a place.
+struct LocalSurface {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d deviations_m = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
+  Eigen::Matrix3d axes =
+      Eigen::Matrix3d::Identity();  // eigenvectors in columns: column 0 is the normal, column 2 the direction
+  int points = 0;
+  int lines = 0;  // scan lines that they come from, as far as those were told; at most 16
+  int level = 0;
+
+  // 0 to 1: how plane and how line-like (Demantke et al. 2011, dimensionality features).
+  double planarity() const { return (deviations_m[1] - deviations_m[0]) / deviations_m[2]; }
+  double linearity() const { return (deviations_m[2] - deviations_m[1]) / deviations_m[2]; }
+};
+
+class DistributionMap {
+ public:
+  static constexpr int levels = 5;
+  static constexpr std::uint16_t most_per_cell = 200;  // then the cell is settled: early points hold against drift
+
+  explicit DistributionMap(double finest_cell_m);
+
+  void clear();
+  // `line_bit`: one bit for the scan line that the point comes from (see line_bit()), or 0.
+  void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
+  // Many at once, the levels side by side; `line_bits` has one per point or is empty.
+  void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {});
+  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  // The points of the one cell that holds `point`.
+  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+
+  double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
+  std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells.size(); }
+  bool empty() const { return levels_[0].cells.empty(); }
+
+ private:
+  // Moments about the centre of the cell; float32 holds them well because they are small there.
+  struct Cell {
+    std::uint16_t count = 0, lines = 0;
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    float second[6] = {0, 0, 0, 0, 0, 0};  // xx xy xz yy yz zz
+  };
+  // What makes this slow is memory that is not in the cache. So cells stand one after the other, found through blocks
+  // of 4 x 4 x 4: the eight cells about a place take two look-ups of a block on average, not eight of a cell.
+  struct Block {
+    std::array<std::uint32_t, 64> cell{};  // 1 + place in `cells`; 0: none
+  };
+  struct Slot {
+    std::uint64_t key = ~0ull;
+    std::uint32_t block = 0;
+  };
+  struct Level {
+    double cell_m = 0;
+    std::vector<Slot> slots;  // open addressing, size a power of two
+    std::vector<Block> blocks;
+    std::vector<Cell> cells;
+
+    void clear();
+    void insert(const Eigen::Vector3d& point, std::uint16_t line_bit);
+    Block& block_at(std::uint64_t key);
+    const Block* find_block(std::uint64_t key) const;
+    const Cell* find_cell(const Eigen::Matrix<std::int64_t, 3, 1>& cell) const;
+    std::array<const Cell*, 8> cells_about(const Eigen::Matrix<std::int64_t, 3, 1>& corner) const;
+    void grow();
+  };
+  // Counts and moments of cells about a common place.
+  struct Moments {
+    int count = 0;
+    unsigned lines = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // the lower triangle
+
+    // `centre`: of the cell, from the common place.
+    void add(const Cell& cell, const Eigen::Vector3d& centre);
+    LocalSurface surface(const Eigen::Vector3d& place, int level) const;
+  };
+
+  std::vector<Level> levels_;
+};
+
+// A bit for the elevation (in bins of a third of a degree, sixteen in turn) at which a sensor at the origin sees a
+// point.
+inline std::uint16_t line_bit(const Eigen::Vector3f& point_in_sensor) {
+  const float slope = point_in_sensor.z() / std::max(point_in_sensor.head<2>().norm(), 1e-3f);
+  return static_cast<std::uint16_t>(1u << (static_cast<unsigned>(static_cast<int>(std::floor(172 * slope))) & 15u));
+}
+
+}  // namespace bole::slam

@@ -1,0 +1,223 @@
+#include "slam/core/map/refine.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace bole::slam {
+namespace {
+
+// Normal equations of a chain of poses where each point touches four neighbours.
+class BandedSystem {
+ public:
+  static constexpr std::size_t band = 4;
+  explicit BandedSystem(std::size_t nodes) : blocks_(nodes * band, Matrix6d::Zero()), g_(nodes, Vector6d::Zero()) {}
+
+  // The block (node, node + ahead).
+  Matrix6d& block(std::size_t node, std::size_t ahead) { return blocks_[node * band + ahead]; }
+  Vector6d& gradient(std::size_t node) { return g_[node]; }
+  std::size_t nodes() const { return g_.size(); }
+
+  // Empty where the system has no solution.
+  std::vector<Vector6d> solve() const {
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(blocks_.size() * 36);
+    const auto n = nodes();
+    Eigen::VectorXd g(6 * static_cast<Eigen::Index>(n));
+    for (std::size_t i = 0; i < n; ++i) {
+      g.segment<6>(6 * static_cast<Eigen::Index>(i)) = g_[i];
+      for (std::size_t a = 0; a < band && i + a < n; ++a)
+        for (int r = 0; r < 6; ++r)
+          for (int c = 0; c < 6; ++c)
+            entries.emplace_back(static_cast<int>(6 * (i + a)) + c, static_cast<int>(6 * i) + r,
+                                 blocks_[i * band + a](r, c));
+    }
+    Eigen::SparseMatrix<double> H(g.size(), g.size());
+    H.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(H);
+    if (solver.info() != Eigen::Success) return {};
+    const Eigen::VectorXd x = solver.solve(-g);
+    if (!x.allFinite()) return {};
+    std::vector<Vector6d> steps(n);
+    for (std::size_t i = 0; i < n; ++i) steps[i] = x.segment<6>(6 * static_cast<Eigen::Index>(i));
+    return steps;
+  }
+
+ private:
+  std::vector<Matrix6d> blocks_;
+  std::vector<Vector6d> g_;
+};
+
+// Sums over the points of one frame: per piece of the path that it touches, equations on the four nodes of that piece.
+struct PieceSums {
+  std::ptrdiff_t first = 0;
+  std::array<std::array<Matrix6d, 4>, 4> H;  // upper: [a][b], b >= a
+  std::array<Vector6d, 4> g;
+  explicit PieceSums(std::ptrdiff_t first_node) : first(first_node) {
+    for (auto& row : H) row.fill(Matrix6d::Zero());
+    g.fill(Vector6d::Zero());
+  }
+};
+struct FrameSums {
+  std::vector<PieceSums> pieces;
+  double squared_m2 = 0;
+  std::size_t inliers = 0;
+};
+
+PoseGrid grid_over(const Path& path, const FrameSample& frame) {
+  return PoseGrid([&](double s) { return path.at(frame.begin_s + s * (frame.end_s - frame.begin_s)); });
+}
+
+void build_map(const Path& path, const std::vector<FrameSample>& frames, FeatureMaps& maps, const Run& run) {
+  maps.clear();
+  std::vector<Eigen::Vector3d> edges, planes;
+  constexpr std::size_t batch = 1 << 16;  // points
+  const auto hand_over = [&](std::vector<Eigen::Vector3d>& points, DistributionMap& map) {
+    map.insert(points);
+    points.clear();
+  };
+  for (const auto& frame : frames) {
+    run.check_cancel();
+    const auto poses = grid_over(path, frame);
+    for (const auto& p : frame.features.edges) edges.push_back(poses.in_map(p.position, p.s));
+    for (const auto& p : frame.features.planes) planes.push_back(poses.in_map(p.position, p.s));
+    if (edges.size() >= batch) hand_over(edges, maps.edges);
+    if (planes.size() >= batch) hand_over(planes, maps.planes);
+  }
+  hand_over(edges, maps.edges), hand_over(planes, maps.planes);
+}
+
+void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line,
+                  const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
+  const Eigen::Vector3d lever = poses.turned(p.position, p.s);
+  const Eigen::Vector3d x = lever + poses.translation(p.s);
+  const auto target = find_target(map, x, line, 0, settings.sigma_m, CellChoice::cell);
+  if (target.kind == Target::Kind::none) return;
+  const auto e = pose_equations(target, x, lever, settings.kernel_sigmas);
+  if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;
+
+  const auto influence = path.influence(frame.begin_s + static_cast<double>(p.s) * (frame.end_s - frame.begin_s));
+  auto piece = std::ranges::find(sums.pieces, influence.first, &PieceSums::first);
+  if (piece == sums.pieces.end()) piece = sums.pieces.insert(sums.pieces.end(), PieceSums(influence.first));
+  for (std::size_t a = 0; a < 4; ++a) {
+    piece->g[a] += influence.weight[a] * e.g;
+    for (std::size_t b = a; b < 4; ++b) piece->H[a][b] += influence.weight[a] * influence.weight[b] * e.H;
+  }
+}
+
+void add_to_system(const FrameSums& sums, BandedSystem& system) {
+  const auto n = static_cast<std::ptrdiff_t>(system.nodes());
+  for (const auto& piece : sums.pieces)
+    for (std::ptrdiff_t a = 0; a < 4; ++a) {
+      const auto i = piece.first + a;
+      if (i < 0 || i >= n) continue;
+      system.gradient(static_cast<std::size_t>(i)) += piece.g[static_cast<std::size_t>(a)];
+      for (std::ptrdiff_t b = a; b < 4 && piece.first + b < n; ++b)
+        system.block(static_cast<std::size_t>(i), static_cast<std::size_t>(b - a)) +=
+            piece.H[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+    }
+}
+
+// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. Holds nodes where no
+// frame is.
+void add_smoothness(const Path& path, const RefineSettings& settings, BandedSystem& system) {
+  const auto& nodes = path.nodes();
+  for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+    const double before = nodes[i].time_s - nodes[i - 1].time_s, after = nodes[i + 1].time_s - nodes[i].time_s,
+                 mean = 0.5 * (before + after);
+    const Pose &A = nodes[i - 1].T_target_sensor, &B = nodes[i].T_target_sensor, &C = nodes[i + 1].T_target_sensor;
+    Vector6d error;
+    error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after -
+                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
+        (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
+    Vector6d w;
+    w << Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_rad_s2 * mean, -2)),
+        Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_m_s2 * mean, -2));
+    const std::array<double, 3> share{1 / before, -1 / before - 1 / after, 1 / after};
+    for (std::size_t a = 0; a < 3; ++a) {
+      system.gradient(i - 1 + a) += share[a] * w.cwiseProduct(error);
+      for (std::size_t b = a; b < 3; ++b) system.block(i - 1 + a, b - a) += (share[a] * share[b] * w).asDiagonal();
+    }
+  }
+}
+
+Path with_nodes_every(const Path& path, double spacing_s) {
+  std::vector<StampedPose> nodes;
+  for (std::size_t i = 0; i + 1 < path.nodes().size(); ++i) {
+    const double a = path.nodes()[i].time_s, b = path.nodes()[i + 1].time_s;
+    const auto pieces = std::max(1L, std::lround((b - a) / spacing_s));
+    for (long k = 0; k < pieces; ++k) {
+      const double t = a + (b - a) * static_cast<double>(k) / static_cast<double>(pieces);
+      nodes.push_back({t, path.at(t)});
+    }
+  }
+  nodes.push_back(path.nodes().back());
+  return Path(std::move(nodes));
+}
+
+// Empty when the steps of a round can be believed. Odometry and loops are right to decimetres, or they were refused.
+std::string objection(const std::vector<Vector6d>& steps) {
+  constexpr double most_m = 1;
+  if (steps.empty()) return "it has no solution";
+  double largest_m = 0;
+  for (const auto& step : steps) largest_m = std::max(largest_m, step.tail<3>().norm());
+  if (largest_m <= most_m) return {};
+  return "it would move the path by " + number_text(std::round(largest_m * 10) / 10) + " m";
+}
+
+}  // namespace
+
+RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
+                         const Run& run) {
+  RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
+  FeatureMaps maps(settings.cell_m);
+  constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
+  for (int round = 0; round < settings.rounds && !run.asked_to_finish(); ++round) {
+    const Run part =
+        run.part(static_cast<double>(round) / settings.rounds, static_cast<double>(round + 1) / settings.rounds);
+    build_map(out.path, frames, maps, part);
+    BandedSystem system(out.path.nodes().size());
+    double squared_m2 = 0;
+    std::size_t inliers = 0;
+    for (std::size_t begin = 0; begin < frames.size(); begin += batch) {
+      const std::size_t end = std::min(begin + batch, frames.size());
+      std::vector<FrameSums> sums(end - begin);
+      tbb::parallel_for(
+          tbb::blocked_range<std::size_t>(begin, end, 1), [&](const tbb::blocked_range<std::size_t>& range) {
+            for (std::size_t k = range.begin(); k < range.end() && !run.cancelled(); ++k) {
+              const auto poses = grid_over(out.path, frames[k]);
+              for (const auto& p : frames[k].features.edges)
+                add_to_frame(out.path, frames[k], poses, p, true, maps.edges, settings, sums[k - begin]);
+              for (const auto& p : frames[k].features.planes)
+                add_to_frame(out.path, frames[k], poses, p, false, maps.planes, settings, sums[k - begin]);
+            }
+          });
+      part.check_cancel();
+      part.report(static_cast<double>(end) / static_cast<double>(frames.size()), "adjusting the path");
+      for (const auto& s : sums) add_to_system(s, system), squared_m2 += s.squared_m2, inliers += s.inliers;
+    }
+    add_smoothness(out.path, settings, system);
+    // The map hangs on the first pose.
+    system.block(0, 0).diagonal().array() += 1e10;
+
+    const auto steps = system.solve();
+    if (out.stopped = objection(steps); !out.stopped.empty()) break;
+    double squared_step = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      Pose T = out.path.nodes()[i].T_target_sensor;
+      T.linear() = so3_exp(steps[i].head<3>()).toRotationMatrix() * T.linear();
+      T.translation() += steps[i].tail<3>();
+      out.path.set_pose(i, T);
+      squared_step += steps[i].tail<3>().squaredNorm();
+    }
+    out.path.update_velocities();
+    out.rms_m.push_back(inliers ? std::sqrt(squared_m2 / static_cast<double>(inliers)) : 0);
+    out.step_m.push_back(std::sqrt(squared_step / static_cast<double>(steps.size())));
+  }
+  return out;
+}
+
+}  // namespace bole::slam

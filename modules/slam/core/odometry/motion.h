@@ -1,0 +1,67 @@
+// How the sensor moves while a frame is taken, and points brought into map axes with it.
+#pragma once
+
+#include <array>
+
+#include "base/transform.h"
+
+namespace bole::slam {
+
+// Motion over one frame: rotation by slerp, translation linear.
+struct FrameMotion {
+  Pose T_map_begin = Pose::Identity();
+  Pose T_map_end = Pose::Identity();
+
+  Pose at(double s) const { return interpolate(T_map_begin, T_map_end, s); }
+  // The motion over the frame in the axes of its begin.
+  Pose delta() const { return T_map_begin.inverse() * T_map_end; }
+};
+
+// Even motion of `span_s` about the middle of a frame; velocity (turn rad/s, shift m/s) in the axes of the sensor.
+inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) {
+  return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity)};
+}
+
+// Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Between grid
+// poses the transformed points are blended; with 32 steps and 10 deg of turning in a frame that is exact to 0.01 mm at
+// 20 m.
+class PoseGrid {
+ public:
+  static constexpr int steps = 32;
+
+  PoseGrid() = default;
+  explicit PoseGrid(const FrameMotion& motion) : PoseGrid([&](double s) { return motion.at(s); }) {}
+  template <class PoseAt>
+  requires requires(PoseAt f) { Pose(f(0.0)); }
+  explicit PoseGrid(const PoseAt& pose_at) {
+    for (int i = 0; i <= steps; ++i) {
+      const Pose T = pose_at(static_cast<double>(i) / steps);
+      rotations_[static_cast<std::size_t>(i)] = T.linear();
+      translations_[static_cast<std::size_t>(i)] = T.translation();
+    }
+  }
+
+  // The point turned into map axes but not moved (the lever arm about the sensor), for s in [0, 1].
+  Eigen::Vector3d turned(const Eigen::Vector3f& point, float s) const {
+    const auto [i, f] = locate(s);
+    const Eigen::Vector3d p = point.cast<double>();
+    return (1 - f) * (rotations_[i] * p) + f * (rotations_[i + 1] * p);
+  }
+  Eigen::Vector3d translation(float s) const {
+    const auto [i, f] = locate(s);
+    return (1 - f) * translations_[i] + f * translations_[i + 1];
+  }
+  const Eigen::Matrix3d& rotation(float s) const { return rotations_[locate(s).first]; }
+  Eigen::Vector3d in_map(const Eigen::Vector3f& point, float s) const { return turned(point, s) + translation(s); }
+
+ private:
+  static std::pair<std::size_t, double> locate(float s) {
+    const double x = static_cast<double>(s) * steps;
+    const int i = x < 0 ? 0 : (x >= steps ? steps - 1 : static_cast<int>(x));
+    return {static_cast<std::size_t>(i), x - i};
+  }
+  std::array<Eigen::Matrix3d, steps + 1> rotations_;
+  std::array<Eigen::Vector3d, steps + 1> translations_;
+};
+
+}  // namespace bole::slam

@@ -1,0 +1,148 @@
+#include "stems/core/detect/ray_test.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bole::stems {
+namespace {
+
+constexpr double lowest_m = 0.6, highest_m = 2.4, beyond_m = 0.3;
+constexpr std::size_t most_rays = 3'000'000;
+
+double core_radius(const Stem& s) { return std::min(0.6 * s.radius, s.radius - 0.02); }
+
+// Which stems stand in each square of the plot.
+class StemSquares {
+ public:
+  explicit StemSquares(const std::vector<Stem>& stems) {
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const auto& s : stems)
+      low = low.cwiseMin(s.breast_height.head<2>()), high = high.cwiseMax(s.breast_height.head<2>());
+    corner_ = low.array() - 2;
+    cell_ = std::max(0.5, (high - low).maxCoeff() / 2000);
+    nx_ = static_cast<int>((high.x() + 2 - corner_.x()) / cell_) + 1,
+    ny_ = static_cast<int>((high.y() + 2 - corner_.y()) / cell_) + 1;
+    squares_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
+    for (std::uint32_t k = 0; k < stems.size(); ++k) {
+      const auto& s = stems[k];
+      const double rise = s.breast_height.z() - s.ground_z, along = std::max(rise, highest_m - rise);
+      const double reach = s.radius + along * s.direction.head<2>().norm() / s.direction.z();
+      for (int iy = clamp_y(s.breast_height.y() - reach); iy <= clamp_y(s.breast_height.y() + reach); ++iy)
+        for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix)
+          square(ix, iy).push_back(k);
+    }
+  }
+
+  // Calls f(stem) for stems along the ground track of the segment; a stem may be met more than once in a row of
+  // squares.
+  template <class F>
+  void along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, F&& f) const {
+    const Eigen::Vector2d d = to - from;
+    double t0 = 0, t1 = 1;
+    for (int k = 0; k < 2; ++k) {  // clip to the squares
+      const double low = corner_[k], high = corner_[k] + (k == 0 ? nx_ : ny_) * cell_;
+      if (std::abs(d[k]) < 1e-12) {
+        if (from[k] < low || from[k] > high) return;
+        continue;
+      }
+      const double a = (low - from[k]) / d[k], b = (high - from[k]) / d[k];
+      t0 = std::max(t0, std::min(a, b)), t1 = std::min(t1, std::max(a, b));
+    }
+    if (t0 >= t1) return;
+    const int steps = static_cast<int>(d.norm() * (t1 - t0) / (0.5 * cell_)) + 1;
+    int last_x = -1, last_y = -1;
+    for (int i = 0; i <= steps; ++i) {
+      const Eigen::Vector2d p = from + d * (t0 + (t1 - t0) * i / steps);
+      const int ix = clamp_x(p.x()), iy = clamp_y(p.y());
+      if (ix == last_x && iy == last_y) continue;
+      last_x = ix, last_y = iy;
+      for (const auto k :
+           squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)])
+        f(k);
+    }
+  }
+
+ private:
+  int clamp_x(double x) const { return static_cast<int>(std::clamp((x - corner_.x()) / cell_, 0.0, nx_ - 1.0)); }
+  int clamp_y(double y) const { return static_cast<int>(std::clamp((y - corner_.y()) / cell_, 0.0, ny_ - 1.0)); }
+  std::vector<std::uint32_t>& square(int ix, int iy) {
+    return squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)];
+  }
+
+  Eigen::Vector2d corner_;
+  double cell_ = 0.5;
+  int nx_ = 0, ny_ = 0;
+  std::vector<std::vector<std::uint32_t>> squares_;
+};
+
+enum class Meeting { none, through, stopped };
+
+Meeting meet(const Stem& s, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const double core = core_radius(s);
+  // Nearest approach of the ray to the axis line.
+  const Eigen::Vector3d d = to - from, w = from - s.breast_height;
+  const double da = d.dot(s.direction);
+  const Eigen::Vector3d d_across = d - da * s.direction, w_across = w - w.dot(s.direction) * s.direction;
+  const double length2 = d_across.squaredNorm();
+  if (length2 < 1e-6) return Meeting::none;
+  const double t = -w_across.dot(d_across) / length2, length = std::sqrt(length2);
+  if (t <= 0 || (w_across + t * d_across).norm() > core) return Meeting::none;
+  const double height = (from + t * d).z() - s.ground_z;
+  if (height < lowest_m || height > highest_m) return Meeting::none;
+  const double past = (1 - t) * length;  // how far beyond the axis the ray ends, across it
+  if (past > s.radius + beyond_m) return Meeting::through;
+  return past > -s.radius - 0.10 ? Meeting::stopped : Meeting::none;
+}
+
+}  // namespace
+
+std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of,
+                                 const Run& run) {
+  std::vector<RayCount> none(stems.size());
+  if (stems.empty()) return none;
+  const StemSquares squares(stems);
+  const std::size_t stride = points.size() / most_rays + 1, rays = points.size() / stride;
+  auto counts = tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, rays, 4096), none,
+      [&](const tbb::blocked_range<std::size_t>& block, std::vector<RayCount> sum) {
+        if (run.cancelled()) return sum;
+        std::vector<std::uint32_t> met;
+        for (auto r = block.begin(); r != block.end(); ++r) {
+          const auto i = r * stride;
+          const auto sensor = sensor_of(i);
+          const auto& p = points.positions()[i];
+          if (!sensor || !p.allFinite() || !sensor->allFinite()) continue;
+          const Eigen::Vector3d from = sensor->cast<double>(), to = p.cast<double>();
+          met.clear();
+          // One step further, so that a ray stopped at the near side meets the stem's square.
+          const Eigen::Vector2d direction = (to - from).head<2>().normalized();
+          squares.along(from.head<2>(), to.head<2>() + 0.5 * direction, [&](std::uint32_t k) {
+            if (std::ranges::find(met, k) != met.end()) return;
+            met.push_back(k);
+            const auto meeting = meet(stems[k], from, to);
+            if (meeting == Meeting::through) ++sum[k].through;
+            if (meeting == Meeting::stopped) ++sum[k].stopped;
+          });
+        }
+        return sum;
+      },
+      [](std::vector<RayCount> a, const std::vector<RayCount>& b) {
+        for (std::size_t k = 0; k < a.size(); ++k) a[k].through += b[k].through, a[k].stopped += b[k].stopped;
+        return a;
+      });
+  run.check_cancel();
+  return counts;
+}
+
+double share_through(const RayCount& count) {
+  constexpr std::int64_t enough = 20;
+  const auto all = count.through + count.stopped;
+  return all < enough ? std::numeric_limits<double>::quiet_NaN()
+                      : static_cast<double>(count.through) / static_cast<double>(all);
+}
+
+}  // namespace bole::stems

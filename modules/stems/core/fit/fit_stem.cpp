@@ -1,0 +1,334 @@
+#include "stems/core/fit/fit_stem.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/statistics.h"
+#include "stems/core/detect/ring_density.h"
+#include "stems/core/fit/circle_fit.h"
+#include "stems/core/fit/contour.h"
+#include "stems/core/fit/stem_points.h"
+#include "stems/core/fit/stem_sections.h"
+
+namespace bole::stems {
+namespace {
+
+// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
+// an even choice. A first look tells what stems share, and needs fewer.
+constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
+
+// Robust standard deviation.
+double spread_of(std::vector<double> values) {
+  const double middle = median_of(values);
+  for (auto& v : values) v = std::abs(v - middle);
+  return 1.4826 * median_of(values);
+}
+
+// Lasers and good poses measure too far by a few millimetres, the same everywhere. What goes beyond is blur of the map,
+// which differs from stem to stem: a good part of it is not known.
+double blur_sd(double range_offset_m) {
+  constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
+  return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
+}
+
+// Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
+// leaves; what lies inside had to pass through bark.
+class ContraryArc {
+ public:
+  void add(double bearing_rad, double inside_m, bool on) {
+    auto& s =
+        sectors_[static_cast<std::size_t>(std::floor((bearing_rad / (2 * std::numbers::pi) + 1) * count)) % count];
+    if (on)
+      ++s.on;
+    else if (inside_m > 0)
+      s.inside.push_back(inside_m);
+  }
+  // By how much the mean radius would shrink if the points inside were the bark, and the arc where they lie.
+  void judge(double& shrink_m, double& arc_rad) {
+    double depth = 0;
+    int contrary = 0, seen = 0;
+    for (auto& s : sectors_) {
+      const bool against = s.inside.size() >= least && s.inside.size() > 2 * s.on;
+      if (s.on >= least || against) ++seen;
+      if (against) ++contrary, depth += median_of(s.inside);
+    }
+    shrink_m = seen > 0 ? depth / seen : 0, arc_rad = 2 * std::numbers::pi * contrary / count;
+  }
+
+ private:
+  static constexpr std::size_t count = 18, least = 3;
+  struct Sector {
+    std::size_t on = 0;
+    std::vector<double> inside;
+  };
+  std::array<Sector, count> sectors_;
+};
+
+struct Attempt {
+  StemAxes axes;
+  std::vector<BarkPoint> points;
+  std::vector<MeasuredSection> sections;
+  SectionLine line;
+  int passes = 1;
+};
+
+class StemFitter {
+ public:
+  StemFitter(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+             const Eigen::Vector3d& origin, double breast_height, const ProjectPriors& priors,
+             const MeasureOptions& options, const Run& run)
+      : candidate_(candidate),
+        layer_(layer),
+        rays_(rays),
+        dem_(dem),
+        origin_(origin),
+        breast_height_(breast_height),
+        priors_(priors),
+        options_(options),
+        run_(run) {}
+
+  // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
+  StemFitResult first() const {
+    AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z),
+                  Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
+                  candidate_.taper};
+    StemFitResult result;
+    auto attempt = prepare(axis);
+    if (!has_sections(attempt, result)) return result;
+    auto fit = surface_fit(attempt, used_points(attempt, most_first_points));
+    if (!fit) return no_cylinder();
+    attempt = prepare(line_of(attempt.axes, fit->cylinder));
+    if (!has_sections(attempt, result)) return result;
+    const auto points = used_points(attempt, most_first_points);
+    fit = surface_fit(attempt, points);
+    if (!fit) return no_cylinder();
+    if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
+    result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
+    return result;
+  }
+
+  StemFitResult again(const Stem& before) const {
+    StemFitResult result;
+    const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
+    const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
+    if (!has_sections(attempt, result)) return result;
+    const auto points = used_points(attempt, most_fit_points);
+    auto fit =
+        before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
+    if (!fit) return no_cylinder();
+    result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
+    return result;
+  }
+
+ private:
+  double ground_at(const AxisLine& axis) const {
+    double z = candidate_.ground_z;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d base = axis.at_z(z);
+      const double found =
+          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == "uphill");
+      if (!std::isfinite(found)) break;
+      z = found;
+    }
+    return z;
+  }
+
+  Attempt prepare(const AxisLine& axis) const {
+    Attempt a;
+    const double ground = ground_at(axis);
+    const Eigen::Vector3d base = axis.at_z(ground);
+    a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
+    const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
+    GatherOptions gather;
+    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
+    gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
+    gather.highest = options_.search_top_m - breast_height_;
+    a.points = gather_bark(layer_, rays_, a.axes, gather, run_);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_), run_);
+    const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
+    number_sections(a.points, step);
+    a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
+    a.line = join_sections(a.sections, options_);
+    return a;
+  }
+
+  bool has_sections(const Attempt& a, StemFitResult& result) const {
+    if (a.line.sections >= options_.min_sections) return true;
+    result.rejected = fmt::format(
+        "only {} of {} sections show a circle of at least {:.0f} deg and {} points; needed: {}", a.line.sections,
+        a.sections.size(), options_.min_arc_deg, options_.min_section_points, options_.min_sections);
+    return false;
+  }
+
+  static StemFitResult no_cylinder() { return {std::nullopt, "no cylinder fits its points"}; }
+
+  static std::vector<BarkPoint> used_points(const Attempt& a, std::size_t most) {
+    std::vector<BarkPoint> used;
+    for (const auto& p : a.points)
+      if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
+    if (const std::size_t stride = used.size() / most + 1; stride > 1) {
+      for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
+      used.resize((used.size() - 1) / stride + 1);
+    }
+    return used;
+  }
+
+  CylinderFitOptions fit_options() const {
+    CylinderFitOptions o;
+    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate,
+    o.cancel = run_.cancel;
+    return o;
+  }
+
+  std::optional<CylinderFit> surface_fit(const Attempt& a, const std::vector<BarkPoint>& used) const {
+    const TaperedCylinder start{a.line.x, a.line.y, a.line.slope_x, a.line.slope_y, a.line.radius, a.line.taper, {}};
+    return fit_tapered_cylinder(used, start, 0.03, fit_options());
+  }
+
+  // Nothing when rays are not known or disagree widely with the start.
+  std::optional<CylinderFit> ray_fit(const std::vector<BarkPoint>& used, const TaperedCylinder& start) const {
+    if (!fits_along_rays(rays_, options_)) return std::nullopt;
+    auto o = fit_options();
+    o.along_rays = true, o.range_offset = priors_.range_offset;
+    auto fit = fit_tapered_cylinder(used, start, 0.02, o);
+    if (fit && std::abs(fit->cylinder.radius - start.radius) < 0.03 + 0.3 * start.radius) return fit;
+    return std::nullopt;
+  }
+
+  static AxisLine line_of(const StemAxes& axes, const TaperedCylinder& c) {
+    return {axes.to_cloud(Eigen::Vector3d(c.x, c.y, 0)), axes.rotation.transpose() * c.direction(), c.radius, c.taper};
+  }
+
+  Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
+  std::vector<PassSeen> seen_from(const Attempt& a) const;
+
+  const StemCandidate& candidate_;
+  const StemLayer& layer_;
+  const CloudRays& rays_;
+  const Raster& dem_;
+  const Eigen::Vector3d& origin_;
+  double breast_height_;
+  const ProjectPriors& priors_;
+  const MeasureOptions& options_;
+  const Run& run_;
+};
+
+Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const {
+  Stem s;
+  s.candidate = candidate_;
+  s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
+  s.along_rays = fit.along_rays;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
+  s.rays_known = rays_.has_sensor(), s.passes = a.passes;
+  s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
+  s.pass_seen = seen_from(a);
+  for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
+
+  std::vector<double> errors, angles, unaligned;
+  std::vector<OutlinePoint> outline;
+  TaperedCylinder as_one = fit.cylinder;
+  as_one.view_offset.clear();
+  const CylinderResiduals of(fit.cylinder), together(as_one);
+  int inside = 0, on = 0;
+  RingDensity density(s.radius);
+  ContraryArc contrary;
+  for (const auto& p : a.points) {
+    const auto* section = find_section(a.sections, p.section);
+    if (!section || !section->section.used) continue;
+    const auto e = of.surface(p, false);
+    if (!e.usable) continue;
+    density.add(e.value);
+    unaligned.push_back(together.surface(p, false).value);
+    const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
+    const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
+    contrary.add(bearing, -e.value, std::abs(e.value) < reach);
+    if (std::abs(e.value) < reach) {
+      ++on, errors.push_back(std::abs(e.value)), angles.push_back(bearing);
+      if (!fit.along_rays)
+        outline.push_back({bearing, e.value});
+      else if (const auto r = of.along_ray(p, options_.ray_gate, false); r.usable)
+        // Measured too far along the ray is too near to the axis by the cosine of incidence.
+        outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
+    } else if (e.value < 0) {
+      ++inside;
+    }
+  }
+  double shrink = 0;
+  contrary.judge(shrink, s.contrary_arc_rad);
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
+               half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
+  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
+  s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
+  s.contrast = density.contrast();
+  s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
+  s.sigma_m = 1.4826 * median_of(errors);
+  s.wall_m = spread_of(unaligned);
+  if (const auto contour = fit_contour(outline, s.radius)) s.girth_m = contour->girth_m, s.ovality = contour->ovality;
+  s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;
+  for (const auto& m : a.sections) {
+    s.sections.push_back(m.section);
+    if (!m.section.used) continue;
+    ++s.sections_used, s.lowest = std::min(s.lowest, m.section.height),
+                       s.highest = std::max(s.highest, m.section.height);
+  }
+  return s;
+}
+
+std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
+  std::vector<PassSeen> seen(static_cast<std::size_t>(a.passes));
+  for (const auto& p : a.points) {
+    if (const auto* m = find_section(a.sections, p.section); !m || !m->section.used) continue;
+    auto& s = seen[static_cast<std::size_t>(p.pass)];
+    if (rays_.pass) s.pass = (*rays_.pass)[p.source];
+    if (rays_.time)
+      s.time_s += ((*rays_.time)[p.source] - s.time_s) / ++s.points;
+    else
+      ++s.points;
+  }
+  return seen;
+}
+
+// What is no number would pass every limit.
+StemFitResult checked(StemFitResult result) {
+  if (const auto& s = result.stem;
+      s && !(s->breast_height.allFinite() && s->direction.allFinite() && std::isfinite(s->ground_z) &&
+             std::isfinite(s->radius + s->taper) && !std::isnan(s->radius_high)))
+    return {std::nullopt, "the fit failed: it gives no number"};
+  return result;
+}
+
+}  // namespace
+
+bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
+  return rays.has_sensor() && options.model != "surface";
+}
+
+StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                       const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
+                       const MeasureOptions& options, const Run& run) {
+  try {
+    return checked(
+        StemFitter(candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run).first());
+  } catch (const std::exception& e) {
+    return {std::nullopt, std::string("the fit failed: ") + e.what()};
+  }
+}
+
+StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const CloudRays& rays, const Raster& dem,
+                         const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
+                         const MeasureOptions& options, const Run& run) {
+  try {
+    const StemFitter fitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run);
+    return checked(fitter.again(before));
+  } catch (const std::exception& e) {
+    return {std::nullopt, std::string("the fit failed: ") + e.what()};
+  }
+}
+
+}  // namespace bole::stems

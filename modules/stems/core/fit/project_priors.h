@@ -1,0 +1,22 @@
+// What the stems of a project say together about errors that they share: the second round of fits takes it as known.
+#pragma once
+
+#include <vector>
+
+#include "base/run.h"
+#include "stems/core/fit/cylinder_fit.h"
+
+namespace bole::stems {
+
+inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the range offset is not estimated
+
+// The spreads of passes and views that make the evidence of all stems likeliest.
+DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run);
+
+// Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean of
+// bounded influence, drawn to zero by what is expected of a sensor: Student's distribution of three degrees of freedom
+// and scale `expected_sd_m`. Offsets of a few millimetres, which a common error of shape can feign, count little, those
+// of centimetres nearly in full.
+RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m);
+
+}  // namespace bole::stems

@@ -1,0 +1,101 @@
+#include "stems/core/fit/stem_quality.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace bole::stems {
+namespace {
+constexpr double to_deg = 180 / std::numbers::pi;
+constexpr int most_doubts = 4;          // a fit with as many is no stem
+constexpr double most_widening = 0.02;  // of the radius per metre: 4 cm of diameter
+constexpr double widest_gap_m = 0.45;   // between used sections, that breast height may lie in unmarked
+
+// Heights of the nearest used sections below and above.
+std::pair<double, double> sections_beside(const Stem& s, double height) {
+  double below = s.lowest, above = s.highest;
+  for (const auto& m : s.sections) {
+    if (!m.used) continue;
+    if (m.height <= height) below = std::max(below, m.height);
+    if (m.height >= height) above = std::min(above, m.height);
+  }
+  return {below, above};
+}
+
+// Many sections, seen nearly all round, that stop the rays: a stem stands here however blurred the map of it is. Leaves
+// let rays through.
+bool certainly_stands(const Stem& s) {
+  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.15;
+}
+}  // namespace
+
+void judge(Stem& s, double breast_height_m) {
+  s.reasons.clear();
+  int doubts = 0, blurs = 0;  // whether it is a stem; how well its bark is mapped
+  const auto fault = [&](int weight, std::string text) { doubts += weight, s.reasons.push_back(std::move(text)); };
+  const auto blur = [&](int weight, std::string text) { blurs += weight, s.reasons.push_back(std::move(text)); };
+  const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * to_deg;
+  if (arc_deg < 150)
+    fault(arc_deg < 100 ? 2 : 1, fmt::format("only {:.0f} deg of the bark seen", arc_deg));
+  else if (!s.rays_known && arc_deg < 200)
+    fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
+  if (half_cm > std::max(1.0, 16 * s.radius))
+    blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
+    fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
+  else if (const auto [below, above] = sections_beside(s, breast_height_m); above - below > widest_gap_m)
+    fault(1, fmt::format("breast height hidden: interpolated between {:.1f} and {:.1f} m", below, above));
+  else if (s.sections_used < 5)
+    fault(1, fmt::format("only {} sections", s.sections_used));
+  if (s.inside_share > 0.10)
+    blur(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
+  if (s.contrary_arc_rad > 0)
+    blur(1, fmt::format("on {:.0f} deg of the bark the points lie inside the circle", s.contrary_arc_rad * to_deg));
+  if (s.contrast < 6)
+    blur(s.contrast < 3 ? 2 : 1,
+         fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));
+  if (s.sigma_m > 0.02)
+    blur(s.sigma_m > 0.03 ? 2 : 1, fmt::format("rough or blurred bark: {:.1f} cm", 100 * s.sigma_m));
+  if (s.pass_spread_m > 0.05) blur(1, fmt::format("passes disagree by {:.0f} cm", 100 * s.pass_spread_m));
+  if (s.taper > 0.01) blur(1, "wider above than below");
+  if (s.ray_through > 0.1)
+    fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
+  if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15)
+    s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
+  s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
+  // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
+  const int faults = doubts + blurs + (s.taper > most_widening ? 1 : 0);
+  s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
+  s.state = faults >= 2 ? "check" : "auto";
+}
+
+std::optional<std::string> objection(const Stem& s, const MeasureOptions& options) {
+  if (s.ray_through > options.max_ray_through)
+    return fmt::format("{:.0f} % of the rays towards its core pass through; bark lets none (limit {:.0f} %)",
+                       100 * s.ray_through, 100 * options.max_ray_through);
+  if (200 * s.radius < options.min_dbh_cm)
+    return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, options.min_dbh_cm);
+  if (200 * s.radius > options.max_dbh_cm)
+    return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, options.max_dbh_cm);
+  if (s.arc_rad * to_deg < options.min_arc_deg)
+    return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg,
+                       options.min_arc_deg);
+  if (s.unbroken_arc_rad * to_deg < options.min_arc_deg)
+    return fmt::format(
+        "separate clumps, not bark: no part of the circle longer than {:.0f} deg is without a gap (min_arc is {:.0f} "
+        "deg)",
+        s.unbroken_arc_rad * to_deg, options.min_arc_deg);
+  if (s.inside_share > 0.5)
+    return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
+  if (s.doubts >= most_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
+  if (s.radius_high - s.radius_low > 1.2 * s.radius)
+    return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
+                       200 * s.radius_high);
+  return std::nullopt;
+}
+
+}  // namespace bole::stems

@@ -1,0 +1,17 @@
+// What a fitted stem is worth, in words.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stems/core/fit/fit_stem.h"
+
+namespace bole::stems {
+
+// Sets quality (good, fair, poor), reasons and state (auto, check).
+void judge(Stem& stem, double breast_height_m);
+
+// Why a fit is no stem; nothing when it is one.
+std::optional<std::string> objection(const Stem& stem, const MeasureOptions& options);
+
+}  // namespace bole::stems
