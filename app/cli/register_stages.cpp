@@ -11,7 +11,7 @@ namespace bole::cli {
 void register_stages() {
   pipeline::register_all_stages(pipeline::StageRegistry::global());
 #ifdef BOLE_WITH_VTK
-  register_report_stages(pipeline::StageRegistry::global());
+  report::register_stages(pipeline::StageRegistry::global());
 #endif
 }
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 inline constexpr double rad_per_deg = std::numbers::pi / 180;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
@@ -15,4 +16,5 @@ constexpr double degrees(double angle_rad) { return angle_rad * 180 / std::numbe
 // The same direction in [-pi, pi].
 inline double wrapped(double angle_rad) { return std::remainder(angle_rad, 2 * std::numbers::pi); }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::span<const ArrayInfo> array_vocabulary() {
   using namespace arrays;
@@ -37,4 +38,5 @@ std::string_view array_type_name(ArrayType type) {
   return "";
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

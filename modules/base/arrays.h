@@ -7,7 +7,8 @@
 
 #include "base/units.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 enum class ArrayType { uint8, uint16, int32, float32, float64 };
 
@@ -74,4 +75,5 @@ const ArrayInfo* find_array(std::string_view name);
 
 std::string_view array_type_name(ArrayType type);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -7,7 +7,8 @@
 
 #include "base/error.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +77,5 @@ void write_text_file(const fs::path& path, std::string_view text) {
   file.commit();
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -6,7 +6,8 @@
 #include <functional>
 #include <string_view>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // Lets `write` make the file under a temporary name in the same folder (created when missing, same extension) and
 // renames it to `path` when it returns; removes it when it throws. Throws Error{failed} when that cannot be done.
@@ -34,4 +35,5 @@ class AtomicFile {
 
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

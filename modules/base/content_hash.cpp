@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 struct ContentHash::State {
   XXH3_state_t xxh;
@@ -38,4 +39,5 @@ std::string content_hash(std::span<const std::byte> bytes) {
   return hash.hex();
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

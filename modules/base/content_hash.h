@@ -8,7 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 class ContentHash {
  public:
@@ -34,4 +35,5 @@ class ContentHash {
 
 std::string content_hash(std::span<const std::byte> bytes);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

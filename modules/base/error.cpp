@@ -2,7 +2,8 @@
 
 #include <utility>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 std::string Error::compose(const Parts& p) {
   std::string text = p.place.empty() ? p.found : p.place + ": " + p.found;
   if (!p.needed.empty()) text += "; needed: " + p.needed;
@@ -41,4 +42,5 @@ Error failure(std::string found, std::string needed, std::string hint) {
   return Error(ErrorKind::failed, std::move(found), std::move(needed), std::move(hint));
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 enum class ErrorKind {
   failed,     // the work itself went wrong: exit code 1
@@ -44,4 +45,5 @@ class Error : public std::runtime_error {
 Error bad_input(std::string found, std::string needed = {}, std::string hint = {});
 Error failure(std::string found, std::string needed = {}, std::string hint = {});
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -14,7 +14,8 @@
 #include <mutex>
 #include <utility>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -168,4 +169,5 @@ void leave_memory(const void* begin, std::size_t bytes) {
   }
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -8,7 +8,8 @@
 
 #include "base/run.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // A stretch of memory that is known to be pages of a file, for as long as this object lives. It must be gone before the
 // memory is: declare it behind the owner.
@@ -56,4 +57,5 @@ bool lies_on_file(const void* begin, std::size_t bytes);
 // other memory stays as it is, so that any range may be given.
 void leave_memory(const void* begin, std::size_t bytes);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

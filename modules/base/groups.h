@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 class Groups {
  public:
@@ -36,4 +37,5 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -1,6 +1,7 @@
 #include "base/markup.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -27,4 +28,5 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -2,7 +2,8 @@
 
 #include <sys/resource.h>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 double peak_resident_mib() {
   rusage usage{};
@@ -10,4 +11,5 @@ double peak_resident_mib() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

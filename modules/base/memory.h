@@ -1,8 +1,10 @@
 #pragma once
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // The most memory that this process has held so far, in MiB.
 double peak_resident_mib();
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

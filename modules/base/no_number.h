@@ -3,8 +3,10 @@
 
 #include <limits>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

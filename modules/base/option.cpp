@@ -7,7 +7,8 @@
 
 #include "base/option_text.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::string_view tier_name(Tier tier) {
   switch (tier) {
@@ -232,4 +233,5 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
   return question.empty() ? question : question + "?";
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -33,7 +33,8 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 enum class Tier { basic, advanced, expert };
 std::string_view tier_name(Tier tier);
@@ -383,4 +384,5 @@ OptionTable make_option_table(std::vector<OptionEntry<S>> entries, std::function
   return table;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -8,7 +8,8 @@
 
 #include "base/option.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // What number_text() wrote, in whatever language the program runs; nothing where `text` is not a number as a whole.
 std::optional<double> number_from_text(std::string_view text);
@@ -22,4 +23,5 @@ bool is_input_path(const OptionSpec& spec, const OptionValue& value);
 // "Did you mean slam or slice?", or nothing when no name is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& names);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

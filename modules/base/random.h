@@ -7,7 +7,8 @@
 #include <cstdint>
 #include <numbers>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 constexpr std::uint64_t mix64(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15ull;
@@ -46,4 +47,5 @@ class Random {
   std::uint64_t state_;
 };
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -8,7 +8,8 @@
 
 #include "base/units.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 enum class Status { ok, finished_early, warning };
 
@@ -33,4 +34,5 @@ struct Report {
   }
 };
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

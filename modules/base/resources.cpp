@@ -7,7 +7,8 @@
 
 #include "base/error.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 namespace {
 
@@ -38,4 +39,5 @@ std::filesystem::path resource_path(std::string_view relative) {
   return path;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

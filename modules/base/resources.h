@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // The resources folder: the environment variable BOLE_RESOURCE_DIR when set, else that of the build or installation.
 std::filesystem::path resource_dir();
@@ -13,4 +14,5 @@ std::filesystem::path resource_dir();
 // absent.
 std::filesystem::path resource_path(std::string_view relative);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -2,7 +2,8 @@
 
 #include "base/error.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 void Run::check_cancel() const {
   if (cancelled()) throw Error(ErrorKind::cancelled, "cancelled on request", {}, "Nothing was changed");
@@ -17,4 +18,5 @@ Run Run::part(double begin, double end) const {
   return inner;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

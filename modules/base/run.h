@@ -11,11 +11,14 @@
 
 #include "base/report.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 class Preview;  // cloud/preview.h
 }
+}  // namespace bole
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // What ran before in the same pipeline, for the stages that tell about it (report, summary).
 struct OptionRecord {
@@ -59,4 +62,5 @@ struct Run {
   Run part(double begin, double end) const;
 };
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -5,7 +5,8 @@
 #include <limits>
 #include <numeric>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 double median(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -26,4 +27,5 @@ double student_975(double freedom) {
   return boost::math::quantile(boost::math::students_t(freedom), 0.975);
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

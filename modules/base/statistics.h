@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 // The middle value, of an even number the mean of the two in the middle; NaN without any. Values must be numbers.
 double median(std::vector<double> values);
@@ -18,4 +19,5 @@ inline double upper_median(std::vector<double>&& values) { return upper_median(s
 // one degree of freedom, 1.96 for many. NaN unless `freedom` is above zero.
 double student_975(double freedom);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

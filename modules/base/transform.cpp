@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
   Eigen::Matrix3d m;
@@ -69,4 +70,5 @@ Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vecto
   return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

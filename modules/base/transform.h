@@ -3,7 +3,8 @@
 
 #include <Eigen/Geometry>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 using Pose = Eigen::Isometry3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
@@ -28,4 +29,5 @@ Eigen::Matrix3d rotation_from_rpy(double roll_rad, double pitch_rad, double yaw_
 // The rotation of least angle that takes the direction `from` to the direction `to`.
 Eigen::Matrix3d rotation_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

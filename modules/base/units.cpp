@@ -1,6 +1,7 @@
 #include "base/units.h"
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::string_view unit_symbol(Unit unit) {
   switch (unit) {
@@ -44,4 +45,5 @@ std::string_view unit_symbol(Unit unit) {
   return "";
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -4,7 +4,8 @@
 
 #include <string_view>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 enum class Unit {
   none,
@@ -30,4 +31,5 @@ enum class Unit {
 // The symbol printed after a number ("m", "deg", ...); empty for Unit::none.
 std::string_view unit_symbol(Unit unit);
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::string_view version() { return BOLE_VERSION; }
 
@@ -20,4 +21,5 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   return list;
 }
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
-namespace bole::inline base {
+namespace bole {
+inline namespace base {
 
 std::string_view version();
 
 // Name and version of the libraries that the build used.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole

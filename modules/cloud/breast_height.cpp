@@ -5,7 +5,8 @@
 #include "base/error.h"
 #include "base/option.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 constexpr char fact[] = "breast_height_m";
@@ -27,4 +28,5 @@ double breast_height_m(const Table& stems) {
 
 void set_breast_height_m(Table& stems, double height_m) { stems.facts[fact] = number_text(height_m); }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -3,7 +3,8 @@
 
 #include "cloud/table.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 constexpr double usual_breast_height_m = 1.3;  // 1.37 in North America, 1.4 in New Zealand
 
@@ -12,4 +13,5 @@ constexpr double usual_breast_height_m = 1.3;  // 1.37 in North America, 1.4 in 
 double breast_height_m(const Table& stems);
 void set_breast_height_m(Table& stems, double height_m);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -2,7 +2,8 @@
 
 #include <array>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 std::string_view data_kind_name(DataKind kind) {
   constexpr std::array<std::string_view, 6> names{"none", "cloud", "table", "raster", "trajectory", "frames"};
@@ -19,4 +20,5 @@ Error DataSet::missing(std::string_view port) {
                    "the output of an earlier stage");
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -13,7 +13,8 @@
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // In the order of the variant below.
 enum class DataKind { none, cloud, table, raster, trajectory, frames };
@@ -56,4 +57,5 @@ class DataSet {
   std::map<std::string, Data, std::less<>> data_;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

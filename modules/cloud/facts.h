@@ -6,8 +6,10 @@
 #include <map>
 #include <string>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 using Facts = std::map<std::string, std::string, std::less<>>;
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

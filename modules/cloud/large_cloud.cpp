@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 // The pages go first, then the memory that they describe.
@@ -85,4 +86,5 @@ void leave_memory(const PointCloud& cloud, std::size_t first, std::size_t count)
   for (const auto& [name, column] : cloud.columns()) leave_memory(*column, first, count);
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -11,7 +11,8 @@
 #include "base/file_pages.h"
 #include "cloud/point_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // Clouds with more bytes of columns than this lie on file, each column of at least least_file_bytes. Positions do not
 // count: every stage goes through them again and again, and they always stay in memory.
@@ -37,4 +38,5 @@ void leave_memory(const PointCloud& cloud, std::size_t first, std::size_t count)
 inline void leave_memory(const PointCloud& cloud) { leave_memory(cloud, 0, cloud.size()); }
 void leave_memory(const Column& column, std::size_t first, std::size_t count);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -8,7 +8,8 @@
 #include "base/error.h"
 #include "base/option_text.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 using Eigen::Vector2d;
@@ -189,4 +190,5 @@ CountingRule counting_rule(const Table& table) {
   return rule;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

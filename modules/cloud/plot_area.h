@@ -7,7 +7,8 @@
 
 #include "cloud/table.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // In the axes of the stems; all metres are horizontal.
 struct PlotArea {
@@ -54,4 +55,5 @@ struct CountingRule {
 Table to_table(const CountingRule& rule);
 CountingRule counting_rule(const Table& table);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -5,7 +5,8 @@
 
 #include "cloud/large_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 std::size_t column_size(const Column& column) {
   return std::visit([](const auto& v) { return v.size(); }, column);
@@ -100,4 +101,5 @@ Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i) {
   return out;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

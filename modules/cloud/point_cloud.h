@@ -14,7 +14,8 @@
 #include "base/error.h"
 #include "cloud/facts.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // The types of ArrayType, in its order.
 using Column = std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>, std::vector<std::int32_t>,
@@ -97,4 +98,5 @@ class PointCloud {
 // apart.
 Eigen::Vector3d exact_position(const PointCloud& cloud, std::size_t i);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -3,7 +3,8 @@
 
 #include "cloud/data.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // A stage that has something to look at before it is done (Run::preview) asks wants() now and then, and makes and shows
 // a snapshot only when somebody takes it: an unwatched run pays one comparison with null. Nothing comes back from
@@ -20,4 +21,5 @@ class Preview {
   virtual void show(DataSet snapshot) = 0;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

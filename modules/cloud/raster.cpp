@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 double Raster::sample(double x, double y) const {
   const double u = (x - origin.x()) / cell_m, v = (y - origin.y()) / cell_m;
@@ -18,4 +19,5 @@ double Raster::sample(double x, double y) const {
          term(jx, jy, fx * fy);
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -9,7 +9,8 @@
 
 #include "cloud/point_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // Cell (ix, iy) has its centre at origin + ((ix + 0.5) cell, (iy + 0.5) cell); ix runs east, iy north. Missing: NaN.
 struct Raster {
@@ -34,4 +35,5 @@ struct Raster {
   double sample(double x, double y) const;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

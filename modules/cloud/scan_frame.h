@@ -10,7 +10,8 @@
 #include "base/run.h"
 #include "cloud/facts.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // Structure of arrays, all of one length. Points are in sensor axes at their own firing time (rolling shutter, not
 // de-skewed): x forward at azimuth 0, y left, z up. Range is positions[i].norm().
@@ -46,4 +47,5 @@ class FrameSource {
   virtual std::string locator() const = 0;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -6,7 +6,8 @@
 
 #include "cloud/large_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 using nlohmann::json;
@@ -302,4 +303,5 @@ std::vector<std::string> stored_blobs(std::string_view text) {
   return ids;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

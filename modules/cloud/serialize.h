@@ -14,7 +14,8 @@
 
 #include "cloud/data.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // Bytes by content. An implementation checks what it reads: get() throws Error{failed} when bytes are gone or changed.
 class BlobStore {
@@ -45,4 +46,5 @@ Data load_data(std::string_view json, const BlobStore& store, const FrameOpener&
 // The ids of the arrays that a stored text refers to.
 std::vector<std::string> stored_blobs(std::string_view json);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

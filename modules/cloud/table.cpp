@@ -8,7 +8,8 @@
 #include "base/error.h"
 #include "base/option.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 const Table::Values* Table::find(std::string_view name) const {
   const auto it = std::ranges::find(columns_, name, &NamedColumn::name);
@@ -89,4 +90,5 @@ Table Table::subset(const std::vector<std::size_t>& indices) const {
   return out;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -9,7 +9,8 @@
 
 #include "cloud/facts.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 class Table {
  public:
@@ -47,4 +48,5 @@ class Table {
   std::vector<NamedColumn> columns_;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -5,7 +5,8 @@
 
 #include "base/option.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 Pose Trajectory::at(double time_s, double most_extrapolation_s) const {
   if (poses.size() < 2) throw bad_input("the trajectory has " + std::to_string(poses.size()) + " poses", "at least 2");
@@ -28,4 +29,5 @@ double Trajectory::length_m() const {
   return sum;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

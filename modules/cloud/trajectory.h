@@ -8,7 +8,8 @@
 #include "cloud/facts.h"
 #include "cloud/point_cloud.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 struct StampedPose {
   double time_s = 0;
@@ -27,4 +28,5 @@ struct Trajectory {
   double length_m() const;
 };
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

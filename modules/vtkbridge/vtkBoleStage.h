@@ -15,16 +15,20 @@
 #include "vtkAlgorithm.h"
 #include "vtkBoleBridgeModule.h"  // for export macro
 
-namespace bole::inline base {
+#ifndef __VTK_WRAP__  // the parser of VTK's wrappers does not know inline namespaces
+namespace bole {
+inline namespace base {
 class OptionSet;
 struct Report;
-}  // namespace bole::inline base
+}  // namespace base
+}  // namespace bole
 namespace bole::pipeline {
 struct StageType;
 }
 namespace bole::vtkbridge {
 struct StageControl;
 }
+#endif
 
 class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
  public:

@@ -388,7 +388,7 @@ TEST(Evaluation, NamesForPeople) {
 
 TEST(ReportStage, IsRegistered) {
   pipeline::StageRegistry registry;
-  register_report_stages(registry);
+  report::register_stages(registry);
   const auto& type = registry.at("report.plot");
   EXPECT_TRUE(type.writes_files);
   EXPECT_NE(type.input("reference_trajectory"), nullptr);
