@@ -157,7 +157,7 @@ TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
 
 TEST(FrameFolder, TimesAreReadWithAPointInEveryLanguage) {
   const CommaLocale comma;
-  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  ASSERT_TRUE(comma) << "localedef of glibc is needed";
   const TempDir dir;
   for (const char* name : {"0.bin", "1.bin"}) write_file(dir / name, bin_of({{3, 0, 0}, {0, 4, 0}}));
   write_file(dir / "times.txt", "2011-09-26 13:02:25.750000000\n2011-09-26 13:02:26.250000000\n");

@@ -53,7 +53,7 @@ PointCloud tube_frame(unsigned seed, double pitch_deg) {
   return level(frame, tilt);
 }
 
-TEST(render::Frame, EveryStepKeepsWhatItShould) {
+TEST(Frame, EveryStepKeepsWhatItShould) {
   PointCloud cloud(PointCloud::Positions{{0, 1, 0}, {0.01F, 1.01F, 0.01F}, {5, 1, 0}, {0, 13, 0}, {0, 2, 2}});
   EXPECT_EQ(cut_region(cloud, {}).size(), 2U);
   VoxelOptions voxel;
@@ -67,7 +67,7 @@ TEST(render::Frame, EveryStepKeepsWhatItShould) {
 }
 
 // The whole chain on the tubes: eight centres, and rows within the paper's own error.
-TEST(render::Frame, TheTubesOfThePaperAreFound) {
+TEST(Frame, TheTubesOfThePaperAreFound) {
   double worst_m = 0, worst_deg = 0, mean_deg = 0;
   int rows_seen = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {

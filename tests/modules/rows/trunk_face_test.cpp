@@ -70,7 +70,7 @@ TEST(TrunkFace, AnUprightStripIsFoundBesideACloudOfLeaves) {
   EXPECT_FALSE(fit_trunk_face({}, centre, 0.1, 0.02));
 }
 
-TEST(render::Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
+TEST(Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
   PointCloud frame(PointCloud::Positions{{0, 5, 0}, {0, 5, 0}, {0, 5, 0}});
   frame.set_column("time", std::vector<double>{0, 0.5, 1});
   Table attitude;
@@ -90,7 +90,7 @@ TEST(render::Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
   EXPECT_THROW(level(frame, {}, &attitude), Error);
 }
 
-TEST(render::Frame, TheFaceNeedsTheDenseFrame) {
+TEST(Frame, TheFaceNeedsTheDenseFrame) {
   PointCloud plants(PointCloud::Positions{{0, 5, 0}});
   plants.set_column(plant_column, std::vector<std::int32_t>{1});
   TrunkOptions o;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "real_data.h"
 #include "slam/core/odometry/features.h"
 #include "slam/core/odometry/keyframes.h"
 #include "slam/core/odometry/registration.h"
@@ -33,7 +34,7 @@ std::vector<T> read_values(const fs::path& file) {
 // against the de-skewed one, as if that were the map; then every point must lie where the reference has it.
 TEST(RealScans, TheDeskewedSweepsOfNewerCollegeAreReproduced) {
   const fs::path folder = data / "GTSAMPOINTS/newer_06";
-  if (!fs::exists(folder)) GTEST_SKIP() << "shared data: no folder GTSAMPOINTS/newer_06";
+  BOLE_NEEDS_REAL(folder);
   // What an even motion between two poses leaves when it is fitted to the points themselves: hands do not move evenly.
   const std::array<double, 3> best_distance{0.053, 0.018, 0.081};
   for (std::size_t k = 0; k < best_distance.size(); ++k) {
@@ -123,7 +124,7 @@ std::vector<Pose> read_poses(const fs::path& file) {
 // the height.
 TEST(RealScans, TrunksAloneGiveTheMotionBetweenForestScans) {
   const fs::path folder = data / "SLOAM_forest_scans";
-  if (!fs::exists(folder)) GTEST_SKIP() << "shared data: no folder SLOAM_forest_scans";
+  BOLE_NEEDS_REAL(folder);
   const auto poses = read_poses(folder / "poses.txt");
   ASSERT_EQ(poses.size(), 2u);
   const Pose T_0_1 = poses[0].inverse() * poses[1];
