@@ -83,7 +83,14 @@ def keep_state(folder, **state):
 
 
 def fingerprint_of_program(bole):
-    return hashlib.sha256(bole.read_bytes()).hexdigest()
+    """Of the program and of the libraries of its build."""
+    ldd = subprocess.run(["ldd", str(bole)], capture_output=True, text=True, check=False)
+    libraries = [pathlib.Path(p) for p in re.findall(r"=> (/\S+)", ldd.stdout)]
+    own = sorted(p.resolve() for p in libraries if bole.parents[1] in p.resolve().parents)
+    whole = hashlib.sha256()
+    for path in [bole, *own]:
+        whole.update(hashlib.sha256(path.read_bytes()).digest())
+    return whole.hexdigest()
 
 
 def executed(words, folder):
