@@ -1,7 +1,8 @@
 """Reads what a run leaves in its folder as tables, with the standard library alone.
 
-read_table_file(path) -> {layer: {column: values}}; values are a list of text or an array of numbers, one entry per row. A file
-without layers has the one layer "". Tables keep the text of the file, so that two of them can be compared digit for digit.
+reader_of(path)(path) -> {layer: {column: values}}; values are a list of text, an array of numbers or a PointField, one entry per row,
+and values_of() makes the list or array of each. A file without layers has the one layer "". Tables keep the text of the file, so that
+two of them can be compared digit for digit.
 """
 
 import array
@@ -9,6 +10,7 @@ import csv
 import hashlib
 import json
 import math
+import mmap
 import sqlite3
 import struct
 import sys
@@ -146,9 +148,32 @@ def las_extra_fields(data, header_size, record_count):
     return fields
 
 
+class PointField:
+    """One field of all points; it is decoded when it is asked for, so that no more than a field is in memory."""
+
+    def __init__(self, points, size, offset, kind):
+        self.points, self.size, self.offset, self.kind = points, size, offset, kind
+
+    def __len__(self):
+        return len(self.points) // self.size
+
+    def values(self):
+        column = array.array(self.kind)
+        raw = bytearray(len(self) * column.itemsize)
+        for k in range(column.itemsize):
+            raw[k::column.itemsize] = self.points[self.offset + k::self.size]
+        column.frombytes(raw)
+        return column
+
+
+def values_of(column):
+    return column.values() if isinstance(column, PointField) else column
+
+
 def read_las(path):
     """The point records, field by field; the header only as far as it places the points."""
-    data = path.read_bytes()
+    with open(path, "rb") as file:
+        data = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
     if data[:4] != b"LASF":
         raise ValueError(f"{path} is no LAS file")
     header_size, begin, variable_records, point_format, size, count = struct.unpack_from("<HIIBHI", data, 94)
@@ -163,13 +188,8 @@ def read_las(path):
     columns = {}
     offset = 0
     for name, kind in fields:
-        column = array.array(kind)
-        raw = bytearray(count * column.itemsize)
-        for k in range(column.itemsize):
-            raw[k::column.itemsize] = points[offset + k::size]
-        column.frombytes(raw)
-        columns[name] = column
-        offset += column.itemsize
+        columns[name] = PointField(points, size, offset, kind)
+        offset += array.array(kind).itemsize
     if offset != size:
         raise ValueError(f"{path} has records of {size} bytes, of which {offset} are described")
     placing = struct.unpack_from("<6d", data, 131)

@@ -242,7 +242,7 @@ def compare_layers(file, before, after, renames, reworded, findings):
                 findings.changed.append(f"{where}: {name}: {len(old[name])} rows -> {len(new[name])}")
             elif name in reworded and same_but_reworded(old[name], new[name]):
                 continue
-            elif text := difference(old[name], new[name]):
+            elif text := difference(result_tables.values_of(old[name]), result_tables.values_of(new[name])):
                 findings.changed.append(f"{where}: {name}: {text}")
 
 
@@ -295,7 +295,7 @@ def print_findings(name, findings, allow_added):
 
 
 def compare_one(arguments, name, folders, read):
-    """'equal', 'different' or 'absent', printed."""
+    """'equal', 'different', 'absent' or 'missing', printed."""
     states = [state_of(f)["state"] for f in folders]
     if states == ["done", "done"]:
         findings = compare_folders(*folders, read, arguments.renamed, arguments.reworded)
@@ -304,7 +304,7 @@ def compare_one(arguments, name, folders, read):
         print(f"{name:<24} NOT COMPARED: its data was absent in both runs ({', '.join(state_of(folders[0])['missing'])})")
         return "absent"
     print(f"{name:<24} NOT COMPARED: {states[0]} before, {states[1]} after")
-    return "different"
+    return "missing"
 
 
 def compare(arguments):
@@ -323,8 +323,8 @@ def compare(arguments):
     if others:
         print(f"files that were not compared: {', '.join(sorted(others))}")
     print(f"{len(names)} pipelines and {len(outcomes) - len(names)} recordings: {count['equal']} equal, {count['different']} different, "
-          f"{count['absent']} not compared because their data is absent")
-    return 1 if count["different"] else 0
+          f"{count['missing']} without a result, {count['absent']} not compared because their data is absent")
+    return 1 if count["different"] or count["missing"] else 0
 
 
 def assignments(words):
