@@ -84,7 +84,7 @@ std::shared_ptr<const Column> load_column(const json& j, std::size_t size, bool 
       [&]<class T>(std::vector<T>& values) {
         values = get_vector<T>(j.at("blob"), size, store);
         const std::size_t bytes = size * sizeof(T);
-        if (on_file && bytes >= least_file_bytes)
+        if (on_file && bytes >= min_file_bytes)
           pages = lay_on_file(values.data(), bytes, Content::keep, scratch_folders());
       },
       column);

@@ -74,6 +74,7 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType t;
   t.name = "evaluation.plot";
+  t.vtk_class = "vtkBoleEvaluatePlot";
   t.title = "Evaluate a plot";
   t.help =
       "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and "

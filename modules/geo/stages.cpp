@@ -7,6 +7,7 @@ namespace bole::geo {
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "geo.project";
+  type.vtk_class = "vtkBoleProjectTable";
   type.title = "Project positions";
   type.help =
       "Turns latitude and longitude of a table into metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, "

@@ -27,6 +27,7 @@ pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options,
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "ground.model";
+  type.vtk_class = "vtkBoleGroundModel";
   type.title = "Model the ground";
   type.help =
       "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "

@@ -162,6 +162,7 @@ std::string stages_json(const StageRegistry& registry) {
     }
     list.push_back({{"type", type->name},
                     {"title", type->title},
+                    {"vtk_class", type->vtk_class},
                     {"help", type->help},
                     {"source", type->source},
                     {"version", type->version},

@@ -31,6 +31,9 @@ struct StageResult {
 
 struct StageType {
   std::string name;    // "stems.fit": module, dot, verb or noun
+  // "vtkBoleFitStems": the class that the build writes for this stage, in C++ and Python. Stands right after the name,
+  // as a literal: the build reads both from the registration (resources/cmake/BoleStageClasses.cmake).
+  std::string vtk_class;
   std::string title;   // "Fit stems"
   std::string help;    // a paragraph: what it does and by which method
   std::string source;  // paper and equation, or "Bole"

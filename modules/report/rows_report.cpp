@@ -211,6 +211,7 @@ pipeline::StageResult write_rows_report(const DataSet& inputs, const RowsReportO
 pipeline::StageType rows_report_stage() {
   pipeline::StageType type;
   type.name = "report.rows";
+  type.vtk_class = "vtkBoleRowsReport";
   type.title = "Write the rows";
   type.help =
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "

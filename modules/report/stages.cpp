@@ -10,6 +10,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   if (!registry.first_time("report")) return;
   pipeline::StageType type;
   type.name = "report.plot";
+  type.vtk_class = "vtkBolePlotReport";
   type.version = 2;
   type.title = "Write the report";
   type.help =

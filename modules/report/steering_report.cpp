@@ -215,6 +215,7 @@ pipeline::StageResult write_steering_report(const DataSet& inputs, const Steerin
 pipeline::StageType steering_report_stage() {
   pipeline::StageType type;
   type.name = "report.steering";
+  type.vtk_class = "vtkBoleSteeringReport";
   type.title = "Write the steering test";
   type.help =
       "Writes the errors of a steering test by speed, pass and fix, the log, the tuning, and the error curves as PNG, "

@@ -1,7 +1,4 @@
 // Registers the stages of the module rows.
-#include <fstream>
-#include <sstream>
-
 #include "base/error.h"
 #include "pipeline/stage.h"
 #include "rows/core/edits/apply_row_edits.h"
@@ -16,6 +13,7 @@ namespace {
 pipeline::StageType from_stems() {
   pipeline::StageType type;
   type.name = "rows.from_stems";
+  type.vtk_class = "vtkBoleRowsFromStems";
   type.title = "Find plant rows";
   type.help =
       "Strings stems together into plant rows: any number of rows, straight or curved, with gaps, in several blocks of "
@@ -47,9 +45,14 @@ constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 
 
 // A step that takes points and gives points.
 template <class Options, class Step>
-pipeline::StageType point_step(const char* name, const char* title, const char* help, Step step) {
+pipeline::StageType point_step(const char* name, const char* vtk_class, const char* title, const char* help,
+                               Step step) {
   pipeline::StageType type;
-  type.name = name, type.title = title, type.help = help, type.source = paper;
+  type.name = name;
+  type.vtk_class = vtk_class;
+  type.title = title;
+  type.help = help;
+  type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points of a frame: y ahead, z up, origin in the sensor.", false, {}}};
   type.outputs = {{"points", DataKind::cloud, "The points after this step.", false, {}}};
   type.options = &option_table(static_cast<const Options*>(nullptr));
@@ -68,7 +71,7 @@ pipeline::StageType point_step(const char* name, const char* title, const char* 
 
 pipeline::StageType level_stage() {
   auto type = point_step<LevelOptions>(
-      "rows.level", "Level a frame",
+      "rows.level", "vtkBoleLevelFrame", "Level a frame",
       "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every point "
       "is "
       "turned by that of its own time; else the frame takes one attitude.",
@@ -88,6 +91,7 @@ pipeline::StageType level_stage() {
 pipeline::StageType trunks() {
   pipeline::StageType type;
   type.name = "rows.trunks";
+  type.vtk_class = "vtkBoleFrameTrunks";
   type.title = "Find trunk centres";
   type.help =
       "Cuts every plant into horizontal layers and keeps those that are no wider than a trunk, so that leaves and "
@@ -112,6 +116,7 @@ pipeline::StageType trunks() {
 pipeline::StageType hedges() {
   pipeline::StageType type;
   type.name = "rows.hedges";
+  type.vtk_class = "vtkBoleHedgeRows";
   type.title = "Find hedge rows";
   type.help =
       "Finds rows whose canopy hides the trunks (vines, fruit walls, hedges): the peaks of the points' profile across "
@@ -134,6 +139,7 @@ pipeline::StageType hedges() {
 pipeline::StageType place() {
   pipeline::StageType type;
   type.name = "rows.place";
+  type.vtk_class = "vtkBolePlaceStems";
   type.title = "Place stems on the map";
   type.help =
       "Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position and "
@@ -152,27 +158,10 @@ pipeline::StageType place() {
   return type;
 }
 
-std::vector<RowEdit> edits_of(const RowEditOptions& options) {
-  std::vector<RowEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::ostringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_row_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_row_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
-
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "rows.edit";
+  t.vtk_class = "vtkBoleEditRows";
   t.title = "Edit rows";
   t.help =
       "Applies what a person decided about rows: move (the ends), add, delete, split, merge, renumber and note, each "
@@ -195,7 +184,7 @@ pipeline::StageType edit_stage() {
     FoundRows found;
     found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
-    auto edited = apply_row_edits(found, edits_of(options), options, run);
+    auto edited = apply_row_edits(found, edits_of(options.file, options.edits, parse_row_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("rows", std::move(edited.found.rows));
     result.outputs.set("plants", std::move(edited.found.plants));
@@ -212,21 +201,22 @@ void add_frame_steps(pipeline::StageRegistry& registry) {
   using namespace rows;
   registry.add(level_stage());
   registry.add(point_step<RegionOptions>(
-      "rows.region", "Cut a region", "Pass-through filter: keeps the points inside a box.",
+      "rows.region", "vtkBoleFrameRegion", "Cut a region", "Pass-through filter: keeps the points inside a box.",
       [](const PointCloud& c, const RegionOptions& o, const Run&) { return cut_region(c, o); }));
   registry.add(point_step<VoxelOptions>(
-      "rows.voxel", "Thin by voxels", "Replaces the points of each voxel by their centroid.",
+      "rows.voxel", "vtkBoleVoxelGrid", "Thin by voxels", "Replaces the points of each voxel by their centroid.",
       [](const PointCloud& c, const VoxelOptions& o, const Run&) { return voxel_centroids(c, o); }));
   registry.add(point_step<RayGroundOptions>(
-      "rows.remove_ground", "Remove the ground",
+      "rows.remove_ground", "vtkBoleRemoveGround", "Remove the ground",
       "Ray ground filter: in narrow sectors about the sensor, by range, a point is ground while it rises less than the "
       "local slope from the last ground point and stays within the general slope. Ground is dropped.",
       [](const PointCloud& c, const RayGroundOptions& o, const Run& run) { return remove_ground(c, o, run); }));
   registry.add(point_step<RadiusOptions>(
-      "rows.radius_filter", "Drop lone points", "Drops points that have too few neighbours within a radius.",
+      "rows.radius_filter", "vtkBoleRadiusFilter", "Drop lone points",
+      "Drops points that have too few neighbours within a radius.",
       [](const PointCloud& c, const RadiusOptions& o, const Run& run) { return radius_filter(c, o, run); }));
   registry.add(point_step<MeanShiftOptions>(
-      "rows.mean_shift", "Cluster into plants",
+      "rows.mean_shift", "vtkBoleMeanShift", "Cluster into plants",
       "Mean shift in plan: points that climb to the same place are a plant; the column plant numbers them, 0 for none.",
       [](const PointCloud& c, const MeanShiftOptions& o, const Run& run) { return mean_shift(c, o, run); }));
   registry.add(trunks());

@@ -6,6 +6,7 @@ namespace bole::slam {
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "slam.run";
+  type.vtk_class = "vtkBoleSlam";
   type.title = "Simultaneous localization and mapping";
   type.help =
       "Finds the sensor's path from the frames alone and maps all returns with it. Features of each frame are "

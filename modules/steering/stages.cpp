@@ -12,6 +12,7 @@ constexpr const char* paper = "SPEC E: satellite-based auto-steering";
 pipeline::StageType simulate_stage() {
   pipeline::StageType t;
   t.name = "steering.simulate";
+  t.vtk_class = "vtkBoleSimulateSteering";
   t.title = "Simulate a steering test";
   t.help =
       "Drives a simulated tractor along a line, turns, and drives the neighbouring line back, at several speeds: a "
@@ -35,6 +36,7 @@ pipeline::StageType simulate_stage() {
 pipeline::StageType errors_stage() {
   pipeline::StageType t;
   t.name = "steering.errors";
+  t.vtk_class = "vtkBoleSteeringErrors";
   t.title = "Measure steering errors";
   t.help =
       "Finds the passes of a log along a line and its neighbours and measures straight-line and adjacent-row errors "
@@ -66,6 +68,7 @@ pipeline::StageType errors_stage() {
 pipeline::StageType tune_stage() {
   pipeline::StageType t;
   t.name = "steering.tune";
+  t.vtk_class = "vtkBoleTuneSteering";
   t.title = "Tune the steering";
   t.help =
       "The paper's tuning by trial: preview distance down to slight oscillation and one metre back, P up to slight "

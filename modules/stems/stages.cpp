@@ -1,6 +1,3 @@
-#include <fstream>
-#include <sstream>
-
 #include "cloud/known_facts.h"
 #include "pipeline/stage.h"
 #include "stems/core/breast_height_slice.h"
@@ -13,6 +10,7 @@ namespace {
 pipeline::StageType slice_stage() {
   pipeline::StageType t;
   t.name = "stems.slice";
+  t.vtk_class = "vtkBoleBreastHeightSlice";
   t.title = "Breast-height slice";
   t.help =
       "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for "
@@ -43,6 +41,7 @@ double breast_height_of(const DataSet& in) {
 pipeline::StageType measure_stage() {
   pipeline::StageType t;
   t.name = "stems.measure";
+  t.vtk_class = "vtkBoleMeasureStems";
   t.title = "Measure stems";
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
@@ -91,27 +90,10 @@ pipeline::StageType measure_stage() {
   return t;
 }
 
-std::vector<StemEdit> edits_of(const EditOptions& options) {
-  std::vector<StemEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::stringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_stem_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_stem_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
-
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "stems.edit";
+  t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
       "Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
@@ -134,7 +116,7 @@ pipeline::StageType edit_stage() {
     if (in.has("sections")) inputs.sections = &in.table("sections");
     if (in.has("points")) inputs.points = &in.cloud("points");
     if (in.has("slice")) inputs.slice = &in.cloud("slice");
-    auto edited = apply_stem_edits(inputs, edits_of(options), options, run);
+    auto edited = apply_stem_edits(inputs, edits_of(options.file, options.edits, parse_stem_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("stems", std::move(edited.stems));
     result.outputs.set("sections", std::move(edited.sections));

@@ -45,6 +45,7 @@ pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, 
 void register_frame(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.frame";
+  type.vtk_class = "vtkBoleSurveyFrame";
   type.title = "Find the plot frame";
   type.help =
       "Moves a map into the axes of the plot: x east, y north, z up, origin on the ground below the centre target. The "
@@ -67,6 +68,7 @@ void register_frame(pipeline::StageRegistry& registry) {
 void register_plot(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.plot";
+  type.vtk_class = "vtkBoleSurveyPlot";
   type.title = "Say which trees count";
   type.help =
       "The boundary of the plot and the least diameter, for all stages that count trees: a tree counts when its centre "

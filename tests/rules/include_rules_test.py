@@ -130,15 +130,6 @@ class Repository(unittest.TestCase):
             self.skipTest("this is no checkout")
         self.assertEqual({p.split("/")[0] for p in listing.stdout.split("\0") if p} - self.TOP_LEVEL, set())
 
-    def test_every_thin_class_is_known_to_paraview(self):
-        found = {}
-        for p in sources(MODULES):
-            if p.parent.name == "vtk" and (stage := re.search(r'SetStageType\("([^"]+)"\)', p.read_text())):
-                found[stage.group(1)] = p.stem
-        table = dict(re.findall(r'\{"([\w.]+)",\s*"(vtkBole\w+)"\}', (MODULES / "pipeline" / "paraview_xml.cpp").read_text()))
-        self.assertGreater(len(found), 20, "no classes found: the test looks in the wrong way")
-        self.assertEqual(table, found)
-
     # printf and its like ask the language of the system for the decimal point; files have one point in every language.
     SPEAKS_A_LANGUAGE = re.compile(r"\b(strto[dfl]d?|sto[df]|stold|atof)\s*\(|\b\w*(printf|scanf)\s*\([^;]*%[-+ #0-9.*]*l?[aefgAEFG]\b")
 

@@ -275,7 +275,7 @@ TEST(LasReader, CancelsAndReports) {
 
 // A cloud whose columns are larger than memory should hold comes out the same, with its large columns on file.
 TEST(LasReader, LargeColumnsLieOnFile) {
-  constexpr std::size_t points = least_file_bytes / sizeof(double) + 4321;
+  constexpr std::size_t points = min_file_bytes / sizeof(double) + 4321;
   LasFile file;
   for (std::size_t i = 0; i < points; ++i) {
     std::uint8_t* p = file.add(static_cast<std::int32_t>(i), 5, static_cast<std::int32_t>(i % 1000));

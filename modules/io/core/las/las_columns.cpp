@@ -83,7 +83,7 @@ void ColumnBuilder::expect(std::size_t count, std::size_t max_bytes, const std::
   folders_ = folders;
   for_each_column([&](auto& values) {
     const std::size_t size = count * sizeof(values[0]);
-    if (size < least_file_bytes) return;
+    if (size < min_file_bytes) return;
     if (auto pages = lay_on_file(values.data(), size, Content::undefined, folders_))
       pages_[values.data()] = std::move(pages);
     else
