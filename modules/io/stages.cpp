@@ -57,9 +57,9 @@ std::string file_help(std::string_view noun, FileContent content) {
   return std::string(noun) + " to read: " + format_list(content) + ".";
 }
 
-pipeline::StageType new_type(FileContent content, std::string_view vtk_class, std::string_view title) {
+pipeline::StageType new_type(const char* name, const char* vtk_class, const char* title) {
   pipeline::StageType type;
-  type.name = stage_of(content);
+  type.name = name;
   type.vtk_class = vtk_class;
   type.title = title;
   return type;
@@ -68,7 +68,7 @@ pipeline::StageType new_type(FileContent content, std::string_view vtk_class, st
 pipeline::StageType read_scan() {
   static const std::string help = file_help("Scan", FileContent::scan);
   static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(help);
-  auto type = new_type(FileContent::scan, "vtkBoleReadScan", "Read a scan");
+  auto type = new_type("io.read_scan", "vtkBoleReadScan", "Read a scan");
   type.help =
       "Opens the recording of a spinning LiDAR and gives it frame by frame. Frames are decoded when they are needed, "
       "so "
@@ -93,7 +93,7 @@ pipeline::StageType read_scan() {
 pipeline::StageType read_cloud_stage() {
   static const std::string help = file_help("Point cloud", FileContent::cloud);
   static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(help);
-  auto type = new_type(FileContent::cloud, "vtkBoleReadCloud", "Read a point cloud");
+  auto type = new_type("io.read_cloud", "vtkBoleReadCloud", "Read a point cloud");
   type.help =
       "Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are "
       "given "
@@ -122,7 +122,7 @@ pipeline::StageType read_table_stage() {
   static const std::string help = file_help("Table", FileContent::table);
   static const OptionTable table = make_option_table<ReadTableOptions>({Option<ReadTableOptions, std::string>{
       "file", &ReadTableOptions::file, TextKind::input_path, {}, Tier::basic, help}});
-  auto type = new_type(FileContent::table, "vtkBoleReadTable", "Read a table");
+  auto type = new_type("io.read_table", "vtkBoleReadTable", "Read a table");
   type.help =
       "Reads a table, for instance reference trees measured in the field. Columns of numbers become numbers, and empty "
       "cells are missing values. A line that does not fit the header is an error that names the line.";
@@ -145,7 +145,7 @@ pipeline::StageType read_table_stage() {
 pipeline::StageType read_track_stage() {
   static const std::string help = file_help("Track", FileContent::track);
   static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(help);
-  auto type = new_type(FileContent::track, "vtkBoleReadTrack", "Read a track");
+  auto type = new_type("io.read_track", "vtkBoleReadTrack", "Read a track");
   type.help =
       "Reads the positions of a GNSS receiver: NMEA 0183 sentences (GGA, RMC, VTG, GST, HDT), also between binary "
       "messages; CSV with time_s and latitude_deg, longitude_deg or x_m, y_m; or columns of numbers such as UTM "
@@ -175,7 +175,7 @@ pipeline::StageType read_trajectory_stage() {
                                                  "Format of the file. auto decides by the number of values in a line."},
       Option<S, Axes>{"axes", &S::axes, Tier::advanced, "Coordinate system of the poses."},
   });
-  auto type = new_type(FileContent::trajectory, "vtkBoleReadTrajectory", "Read a trajectory");
+  auto type = new_type("io.read_trajectory", "vtkBoleReadTrajectory", "Read a trajectory");
   type.help =
       "Reads the trajectory of a sensor, for instance the true one of a simulation. Quaternions are normalised. KITTI "
       "poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.";

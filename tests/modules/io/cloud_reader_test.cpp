@@ -309,6 +309,29 @@ TEST(WriteCloud, ComesBackEqual) {
   EXPECT_THAT(error_of([&] { write_cloud("/proc/nowhere/a.ply", cloud); }), HasSubstr("cannot write"));
 }
 
+TEST(WriteCloud, FactsComeBackFromPly) {
+  const TempDir dir;
+  PointCloud cloud({{1, 2, 3}, {4, 5, 6}});
+  write_cloud(dir / "plain.ply", cloud);
+  EXPECT_TRUE(read_cloud(dir / "plain.ply").cloud.facts.empty());
+  cloud.facts = {{"sensor", "Dôme \"64\"\nend_header"}, {"range_noise_m", "0.005"}};
+  write_cloud(dir / "cloud.ply", cloud);
+  const auto back = read_cloud(dir / "cloud.ply");
+  EXPECT_EQ(back.cloud.facts, cloud.facts);
+  EXPECT_EQ(back.cloud.positions(), cloud.positions());
+  EXPECT_TRUE(back.report.warnings.empty());
+}
+
+TEST(ReadPly, DamagedFactsAreLeftOutWithAWarning) {
+  const auto r = read(
+      "ply\nformat ascii 1.0\ncomment Bole facts {\"sensor\":\"VL\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n1 2 3\n",
+      "a.ply");
+  EXPECT_EQ(r.cloud.size(), 1U);
+  EXPECT_TRUE(r.cloud.facts.empty());
+  EXPECT_THAT(r.report.warnings, testing::ElementsAre(HasSubstr("the facts of the file are damaged")));
+}
+
 TEST(WriteCloud, TheSensorIsTurnedAndScaledWithThePoints) {
   const TempDir dir;
   const auto cloud = sample_cloud();

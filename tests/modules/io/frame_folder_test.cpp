@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/known_facts.h"
 #include "io/core/scans/frame_estimates.h"
 #include "io_test_tools.h"
 #include "synthetic/comma_locale.h"
@@ -109,6 +110,10 @@ TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   const auto source = open_frame_source(dir.path());
   EXPECT_EQ(source->sensor_model(), "os1_64");
   EXPECT_EQ(source->rings(), 64);
+  const auto facts = source->facts();
+  EXPECT_EQ(facts.at("sensor"), sensor::load_sensor_model("os1_64").name);
+  EXPECT_EQ(facts.at("clock"), "file");
+  EXPECT_EQ(fact_number(facts, facts::beam_divergence), 2.27);
   ScanFrame frame;
   source->read(1, frame);
   EXPECT_EQ(frame.start_time_s, 100.75);
@@ -119,6 +124,22 @@ TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   write_file(dir / "000001.time", "abc");
   EXPECT_THAT(error_of([&] { source->read(1, frame); }), HasSubstr("frame 1"));
   EXPECT_THAT(error_of([&] { source->read(1, frame); }), HasSubstr("3 bytes"));
+}
+
+// A sensor of the user's own: its description lies beside the frames.
+TEST(FrameFolder, TheDescriptionOfASensorBesideTheFramesIsTaken) {
+  const TempDir dir;
+  write_file(dir / "000000.bin", bin_of({{3, 0, 0}, {0, 4, 0}}));
+  EXPECT_EQ(fact_number(open_frame_source(dir.path())->facts(), facts::range_noise), std::nullopt);
+  EXPECT_EQ(open_frame_source(dir.path())->facts().at("clock"), "assumed");
+  std::ifstream own(std::filesystem::path(BOLE_SOURCE_DIR) / "tests/bench/stems/dome_64.json");
+  write_file(dir / "sensor.json", {std::istreambuf_iterator<char>(own), {}});
+  const auto source = open_frame_source(dir.path());
+  EXPECT_EQ(source->sensor_model(), "Dome-64");
+  EXPECT_EQ(source->rings(), 64);
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_divergence), 0.5);
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_aperture), 0.005);
+  EXPECT_EQ(fact_number(source->facts(), facts::range_noise), 0.005);
 }
 
 TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
@@ -136,7 +157,7 @@ TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
 
 TEST(FrameFolder, TimesAreReadWithAPointInEveryLanguage) {
   const CommaLocale comma;
-  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  ASSERT_TRUE(comma) << "localedef of glibc is needed";
   const TempDir dir;
   for (const char* name : {"0.bin", "1.bin"}) write_file(dir / name, bin_of({{3, 0, 0}, {0, 4, 0}}));
   write_file(dir / "times.txt", "2011-09-26 13:02:25.750000000\n2011-09-26 13:02:26.250000000\n");

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "io/core/las/las_facts.h"
 #include "io/core/las/las_reader.h"
 #include "modules/io/las_file.h"
 
@@ -160,6 +161,49 @@ TEST_F(LasWriter, OlderProgramsGetLas12) {
   write_las(path(), cloud, {.version = "1.2"});
   EXPECT_EQ(las_info(path()).point_format, 3);
   EXPECT_EQ(read_las(path()).values<std::uint16_t>(arrays::red)[3], 7);
+}
+
+TEST_F(LasWriter, FactsComeBackAndAForeignFileHasNone) {
+  auto cloud = mapped_cloud(10, Eigen::Vector3d::Zero());
+  write_las(path("plain.las"), cloud);
+  Report report;
+  EXPECT_TRUE(read_las(path("plain.las"), {}, {}, &report).facts.empty());
+  EXPECT_EQ(las::find_vlr(las_info(path("plain.las")), las::facts_user, las::facts_record), nullptr);
+
+  cloud.facts = {
+      {"sensor", "Dôme \"64\""}, {"beam_divergence_mrad", "0.5"}, {"poses", "estimated"}, {"operator", "A. S."}};
+  LasWriteOptions old;
+  old.version = "1.2";
+  for (const auto& options : {LasWriteOptions(), old}) {
+    write_las(path(), cloud, options);
+    const auto back = read_las(path(), {}, {}, &report);
+    EXPECT_EQ(back.facts, cloud.facts);
+    EXPECT_EQ(back.positions(), read_las(path("plain.las")).positions());
+  }
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+// The points count, whatever became of the facts.
+TEST_F(LasWriter, DamagedFactsAreLeftOutWithAWarning) {
+  auto cloud = mapped_cloud(10, Eigen::Vector3d::Zero());
+  cloud.facts = {{"range_noise_m", "0.005"}, {"sensor", "Dome-64"}};
+  write_las(path(), cloud);
+  const auto vlr = *las::find_vlr(las_info(path()), las::facts_user, las::facts_record);
+  const auto whole = bytes_of(path());
+  const auto read_with = [&](std::size_t at, char c, Report& report) {
+    auto bytes = whole;
+    bytes[vlr.offset + at] = static_cast<std::uint8_t>(c);
+    const auto back = read_las(bytes, {}, {}, &report);
+    EXPECT_EQ(back.size(), 10U);
+    return back.facts;
+  };
+  Report no_json, no_number;
+  EXPECT_TRUE(read_with(0, 'x', no_json).empty());
+  EXPECT_THAT(no_json.warnings, testing::ElementsAre(HasSubstr("the facts of the file are damaged")));
+  const std::string text(whole.begin() + static_cast<std::ptrdiff_t>(vlr.offset),
+                         whole.begin() + static_cast<std::ptrdiff_t>(vlr.offset + vlr.length));
+  EXPECT_EQ(read_with(text.find("0.005"), 'x', no_number), (Facts{{"sensor", "Dome-64"}}));
+  EXPECT_THAT(no_number.warnings, testing::ElementsAre(HasSubstr("range_noise_m")));
 }
 
 TEST_F(LasWriter, HeaderTellsTheBoxAndTheSystem) {
