@@ -36,10 +36,13 @@ void take_ids(const Table& t, std::vector<ListedTree>& trees) {
   std::int64_t last = 0;
   std::vector<std::size_t> nameless;
   for (std::size_t i = 0; i < trees.size(); ++i)
-    if (const auto id = whole_number(t, "tree_id", i))
-      trees[i].id = *id, last = std::max(last, *id);
-    else
-      trees[i].name = t.text("tree_id", i), nameless.push_back(i);
+    if (const auto id = whole_number(t, "tree_id", i)) {
+      trees[i].id = *id;
+      last = std::max(last, *id);
+    } else {
+      trees[i].name = t.text("tree_id", i);
+      nameless.push_back(i);
+    }
   for (const auto i : nameless) trees[i].id = ++last;
 }
 

@@ -21,7 +21,9 @@ Frame frame_for(const ChartSize& size, const Interval& x, const Interval& y) {
 
 Figure sheet(const std::string& name, const ChartSize& size) {
   Figure figure;
-  figure.name = name, figure.width_mm = size.width_mm, figure.height_mm = size.height_mm;
+  figure.name = name;
+  figure.width_mm = size.width_mm;
+  figure.height_mm = size.height_mm;
   return figure;
 }
 
@@ -152,7 +154,8 @@ LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, st
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (kind[i] == "matched" && std::isfinite(dbh[i] + field[i] + ids[i])) {
         dots.push_back({static_cast<std::int64_t>(ids[i]), field[i], dbh[i], ink::primary, false});
-        estimate.push_back(dbh[i]), reference.push_back(field[i]);
+        estimate.push_back(dbh[i]);
+        reference.push_back(field[i]);
       }
   }
   LinkedChart chart{sheet("estimated_over_field", size), {}};

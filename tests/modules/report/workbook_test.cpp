@@ -60,7 +60,8 @@ TEST_F(Workbooks, HoldTheSurveyAsNumbers) {
   survey_.stems.set("dbh_cm", dbh);
   auto* book = written();
   ASSERT_NE(book, nullptr);
-  EXPECT_THAT(sheets(*book), ElementsAre("Plot", "Plot values", "Classes", "Height curve", "Trees", "Sections", "Rejected"));
+  EXPECT_THAT(sheets(*book),
+              ElementsAre("Plot", "Plot values", "Classes", "Height curve", "Trees", "Sections", "Rejected"));
   auto* trees = book->GetLayerByName("Trees");
   ASSERT_EQ(trees->GetFeatureCount(), static_cast<GIntBig>(survey_.stems.rows()));
   trees->ResetReading();
