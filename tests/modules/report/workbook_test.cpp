@@ -86,7 +86,9 @@ TEST_F(Workbooks, PlotValuesAreThoseOfTheStage) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::unique_ptr<OGRFeature> row(sheet->GetNextFeature());
     EXPECT_EQ(row->GetFieldAsString("measure"), plot_values_.texts("measure")[i]);
-    if (std::isfinite(value[i])) EXPECT_NEAR(row->GetFieldAsDouble("value"), value[i], 1e-12);
+    if (std::isfinite(value[i])) {
+      EXPECT_NEAR(row->GetFieldAsDouble("value"), value[i], 1e-12);
+    }
   }
 }
 
