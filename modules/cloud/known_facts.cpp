@@ -9,7 +9,8 @@
 #include "base/option.h"
 #include "base/option_text.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 Error damaged_fact(const FactInfo& info, const std::string& text, const std::string& needed) {
@@ -42,9 +43,9 @@ std::optional<double> fact_number(const Facts& facts, const FactInfo& info) {
   if (!text) return std::nullopt;
   const auto number = number_from_text(*text);
   if (!number || !(*number >= info.min && *number <= info.max))
-    throw damaged_fact(info, *text,
-                  "a number from " + number_text(info.min) + " to " + number_text(info.max) + " " +
-                      std::string(info.unit));
+    throw damaged_fact(
+        info, *text,
+        "a number from " + number_text(info.min) + " to " + number_text(info.max) + " " + std::string(info.unit));
   return number;
 }
 
@@ -61,7 +62,9 @@ std::optional<PoseOrigin> pose_origin(const Facts& facts) {
 void set_fact(Facts& facts, const FactInfo& info, std::string_view text) {
   facts.insert_or_assign(std::string(info.key), std::string(text));
 }
-void set_fact(Facts& facts, const FactInfo& info, double number) { set_fact(facts, info, fmt::format("{:.9g}", number)); }
+void set_fact(Facts& facts, const FactInfo& info, double number) {
+  set_fact(facts, info, fmt::format("{:.9g}", number));
+}
 void set_fact(Facts& facts, PoseOrigin origin) { set_fact(facts, facts::poses, choice_name(origin)); }
 void set_fact(Facts& facts, Clock clock) { set_fact(facts, facts::clock, choice_name(clock)); }
 
@@ -91,4 +94,5 @@ Facts facts_from_json(std::string_view text, std::vector<std::string>& warnings)
   return facts;
 }
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

@@ -12,7 +12,8 @@
 
 #include "cloud/facts.h"
 
-namespace bole::inline cloud {
+namespace bole {
+inline namespace cloud {
 
 // The key of a number ends with its unit, as in the columns of tables. A number outside [min, max] is damaged.
 struct FactInfo {
@@ -68,4 +69,5 @@ std::string facts_to_json(const Facts& facts);
 // out, with a warning for each.
 Facts facts_from_json(std::string_view json, std::vector<std::string>& warnings);
 
-}  // namespace bole::inline cloud
+}  // namespace cloud
+}  // namespace bole

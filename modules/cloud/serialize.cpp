@@ -42,12 +42,8 @@ Eigen::Vector3d get_vector3(const json& j) {
 }
 
 json store_cloud(const PointCloud& cloud, BlobStore& store) {
-  json j{{"size", cloud.size()},
-         {"origin", put_vector3(cloud.origin)},
-         {"axes", axes_name(cloud.axes)},
-         {"crs", cloud.crs_wkt},
-         {"scale", put_vector3(cloud.scale)},
-         {"facts", cloud.facts}};
+  json j{{"size", cloud.size()}, {"origin", put_vector3(cloud.origin)}, {"axes", axes_name(cloud.axes)},
+         {"crs", cloud.crs_wkt}, {"scale", put_vector3(cloud.scale)},   {"facts", cloud.facts}};
   j["positions"] = put_vector(cloud.positions(), store);
   j["columns"] = json::object();
   for (const auto& [name, column] : cloud.columns()) {
@@ -84,7 +80,7 @@ std::shared_ptr<const Column> load_column(const json& j, std::size_t size, bool 
       [&]<class T>(std::vector<T>& values) {
         values = get_vector<T>(j.at("blob"), size, store);
         const std::size_t bytes = size * sizeof(T);
-        if (on_file && bytes >= least_file_bytes)
+        if (on_file && bytes >= min_file_bytes)
           pages = lay_on_file(values.data(), bytes, Content::keep, scratch_folders());
       },
       column);
@@ -214,7 +210,10 @@ json store_trajectory(const Trajectory& trajectory, BlobStore& store) {
     Eigen::Map<Eigen::Matrix<double, 3, 4>>(row.data() + 1) = pose.T_target_sensor.affine();
     rows.push_back(row);
   }
-  return {{"size", rows.size()}, {"axes", axes_name(trajectory.axes)}, {"facts", trajectory.facts}, {"poses", put_vector(rows, store)}};
+  return {{"size", rows.size()},
+          {"axes", axes_name(trajectory.axes)},
+          {"facts", trajectory.facts},
+          {"poses", put_vector(rows, store)}};
 }
 
 std::shared_ptr<const Trajectory> load_trajectory(const json& j, const BlobStore& store) {

@@ -101,6 +101,8 @@ void register_stages(pipeline::StageRegistry& registry) {
   t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
                {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}, true}};
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
+  t.main_numbers = {"ate_rmse",    "ate_max",  "drift",    "completeness",
+                    "correctness", "dbh_bias", "dbh_rmse", "height_bias"};
   t.run = evaluate_plot;
   registry.add(std::move(t));
 }

@@ -1,6 +1,3 @@
-#include <fstream>
-#include <sstream>
-
 #include "cloud/known_facts.h"
 #include "pipeline/stage.h"
 #include "stems/core/breast_height_slice.h"
@@ -78,6 +75,7 @@ pipeline::StageType measure_stage() {
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
                {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
+  t.main_numbers = {"stems"};
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
@@ -91,24 +89,6 @@ pipeline::StageType measure_stage() {
     return result;
   };
   return t;
-}
-
-std::vector<StemEdit> edits_of(const EditOptions& options) {
-  std::vector<StemEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::stringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_stem_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_stem_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
 }
 
 pipeline::StageType edit_stage() {
@@ -137,7 +117,7 @@ pipeline::StageType edit_stage() {
     if (in.has("sections")) inputs.sections = &in.table("sections");
     if (in.has("points")) inputs.points = &in.cloud("points");
     if (in.has("slice")) inputs.slice = &in.cloud("slice");
-    auto edited = apply_stem_edits(inputs, edits_of(options), options, run);
+    auto edited = apply_stem_edits(inputs, edits_of(options.file, options.edits, parse_stem_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("stems", std::move(edited.stems));
     result.outputs.set("sections", std::move(edited.sections));

@@ -69,17 +69,17 @@ void register_plot(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.plot";
   type.vtk_class = "vtkBoleSurveyPlot";
-  type.title = "Say which trees count";
+  type.title = "Plot boundary and minimum diameter";
   type.help =
-      "The boundary of the plot and the least diameter, for all stages that count trees: a tree counts when its centre "
+      "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre "
       "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
       "horizontal.";
   type.source = "SPEC A13";
-  type.inputs = {{"points", DataKind::cloud, "The map; tells the axes for shape auto.", true, {}},
-                 {"stems", DataKind::table, "Stems; tell the axes where no map is connected.", true, {}},
+  type.inputs = {{"points", DataKind::cloud, "The map; its axes decide shape auto.", true, {}},
+                 {"stems", DataKind::table, "Stems; their axes decide where no map is connected.", true, {}},
                  {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};
   type.outputs = {
-      {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and least diameter are facts.", false, {}}};
+      {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and minimum diameter are facts.", false, {}}};
   type.options = &option_table(static_cast<const PlotOptions*>(nullptr));
   type.run = run_plot;
   registry.add(std::move(type));

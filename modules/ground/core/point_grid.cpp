@@ -53,7 +53,7 @@ GridShape grid_over(const PointCloud& cloud, double cell_m) {
                         number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " +
                         number_text(cell_m) + " m",
                     "at most 100 million cells",
-                    "Crop the cloud (one stray point far away is enough to widen it) or raise cell_m");
+                    "Crop the cloud (one stray point far away is enough to widen it) or raise cell");
   }
   shape.nx = static_cast<int>(cells[0]), shape.ny = static_cast<int>(cells[1]);
   return shape;

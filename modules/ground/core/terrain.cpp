@@ -40,8 +40,8 @@ class TerrainFitter {
         gather(ix, iy, low, high, near, window);
         const bool own = !near[local(ix, iy - low)].empty();
         if (window.empty() || (!own && !surrounded(window))) continue;
-        const auto fit = fit_ground_band(window, options_.band_m);
-        if (fit.height > options_.roughness_m) continue;  // only leaves, stones or bark are seen here
+        const auto fit = fit_ground_band(window, options_.band);
+        if (fit.height > options_.roughness) continue;  // only leaves, stones or bark are seen here
         height[cell] = prior_[cell] + static_cast<float>(fit.height);
         sigma[cell] = static_cast<float>(fit.sigma);
       }
@@ -70,7 +70,7 @@ class TerrainFitter {
     const auto cell = shape_.index(ix, iy);
     if (std::isnan(prior_[cell])) return;
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const auto band = static_cast<float>(options_.band_m);
+    const auto band = static_cast<float>(options_.band);
     const auto& positions = cloud_.positions();
     for (const auto i : grid_.points(cell)) {
       const auto& p = positions[i];
@@ -87,7 +87,7 @@ class TerrainFitter {
               std::vector<BandPoint>& window) const {
     window.clear();
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band_m);
+    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band);
     for (int jy = std::max(low, iy - 1); jy <= std::min(high - 1, iy + 1); ++jy)
       for (int jx = std::max(0, ix - 1); jx <= std::min(shape_.nx - 1, ix + 1); ++jx)
         for (const auto& p : near[local(jx, jy - low)]) {

@@ -134,8 +134,7 @@ class Survey {
 
   void detect() {
     run_.report(0, "stem layer");
-    layer_ =
-        make_stem_layer(points_, std::max(0.05, options_.search_bottom - 0.3), options_.search_top + 0.3, run_);
+    layer_ = make_stem_layer(points_, std::max(0.05, options_.search_bottom - 0.3), options_.search_top + 0.3, run_);
     const auto upright =
         upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom, slabs_top_m(options_), run_);
     const auto circles = find_slab_circles(layer_, upright, options_, run_.part(0.05, 0.30));

@@ -7,6 +7,7 @@
 #include <map>
 #include <vector>
 
+#include "base/statistics.h"
 #include "survey/core/robust.h"
 
 namespace bole::survey {
@@ -30,7 +31,7 @@ Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double 
     if (settled) break;
     std::vector<double> off;
     for (const auto& p : points) off.push_back(std::abs(p.z() - plane.dot(Eigen::Vector3d(1, p.x(), p.y()))));
-    const double cut = 4.685 * std::max(least_sigma_m, 1.4826 * median(off));
+    const double cut = 4.685 * std::max(least_sigma_m, 1.4826 * upper_median(std::vector(off)));
     for (std::size_t i = 0; i < points.size(); ++i)
       weights[i] = off[i] >= cut ? 0.0 : std::pow(1 - off[i] * off[i] / (cut * cut), 2);
   }
@@ -66,7 +67,7 @@ GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   run.check_cancel();
   GroundPlane out;
   if (points.empty()) return out;
-  const Eigen::Vector2d middle(median(xs), median(ys));
+  const Eigen::Vector2d middle(upper_median(std::move(xs)), upper_median(std::move(ys)));
   std::erase_if(points,
                 [&](const Eigen::Vector3d& p) { return (p.head<2>() - middle).cwiseAbs().maxCoeff() > reach_m; });
   const auto low = lowest_per_cell(std::move(points), cell_m);

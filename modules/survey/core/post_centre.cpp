@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "survey/core/robust.h"
 
 namespace bole::survey {
@@ -50,7 +51,7 @@ PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<d
   for (int it = 0; it < iterations; ++it) {
     std::vector<double> off;
     for (const auto& p : points) off.push_back(std::abs((p - circle.head<2>()).norm() - circle.z()));
-    fit.residual_m = std::max(least_sigma_m, 1.4826 * median(off));
+    fit.residual_m = std::max(least_sigma_m, 1.4826 * upper_median(std::vector(off)));
     const double cut = 4.685 * fit.residual_m;
     Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
     Eigen::Vector3d right = Eigen::Vector3d::Zero();

@@ -6,8 +6,6 @@
 
 namespace bole::survey {
 
-double median(std::vector<double> values);  // NaN when empty
-
 struct RobustMean {
   Eigen::VectorXd mean;
   double sigma = 0;            // scatter of the inliers per axis

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.h"
 #include "base/transform.h"
 #include "survey/core/robust.h"
 #include "survey/core/voxels.h"
@@ -162,7 +163,7 @@ StemAxis fit_axis(Chain chain) {
     for (const double d : off) squares += d * d;
     axis.residual_m = std::sqrt(squares / static_cast<double>(off.size()));
     axis.length_m = chain.back().z() - chain.front().z();
-    const double most = std::max(0.03, 3 * median(off));
+    const double most = std::max(0.03, 3 * upper_median(std::vector(off)));
     Chain kept;
     for (std::size_t i = 0; i < chain.size(); ++i)
       if (off[i] <= most) kept.push_back(chain[i]);

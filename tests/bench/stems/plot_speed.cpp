@@ -204,7 +204,8 @@ int run(int argc, char** argv) {
   });
   clock.time("slice", n, [&] { return stems::breast_height_slice(points, {}, {}); });
   const auto measure = [&](const Run& run) {
-    return stems::measure_stems(points, usual_breast_height_m, model.dem, nullptr, options.as<stems::MeasureOptions>(), run);
+    return stems::measure_stems(points, usual_breast_height_m, model.dem, nullptr, options.as<stems::MeasureOptions>(),
+                                run);
   };
   const auto start = std::chrono::steady_clock::now();
   const auto survey = clock.time("stems", n, [&] { return measure({}); });

@@ -48,7 +48,8 @@ BENCHMARK(slice)->Unit(benchmark::kMillisecond);
 
 void measure(benchmark::State& state) {
   std::size_t stems = 0;
-  for (auto _ : state) stems = stems::measure_stems(plot().points, usual_breast_height_m, plot().dem, nullptr, {}, {}).stems.size();
+  for (auto _ : state)
+    stems = stems::measure_stems(plot().points, usual_breast_height_m, plot().dem, nullptr, {}, {}).stems.size();
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(plot().points.size()));
   state.counters["stems"] = static_cast<double>(stems);
 }

@@ -73,7 +73,8 @@ TEST(KnownFacts, DamagedJsonIsLeftOutWithWarnings) {
   warnings.clear();
   const auto some = facts_from_json(R"({"sensor":"X","range_noise_m":"much","poses":"guessed","note":3})", warnings);
   EXPECT_EQ(some, (Facts{{"sensor", "X"}}));
-  EXPECT_THAT(warnings, testing::UnorderedElementsAre(HasSubstr("range_noise_m"), HasSubstr("poses"), HasSubstr("note")));
+  EXPECT_THAT(warnings,
+              testing::UnorderedElementsAre(HasSubstr("range_noise_m"), HasSubstr("poses"), HasSubstr("note")));
 }
 
 TEST(KnownFacts, TravelWithASubset) {

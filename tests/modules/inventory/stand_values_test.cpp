@@ -11,6 +11,7 @@
 #include "cloud/plot_area.h"
 #include "inventory/core/plot_values.h"
 #include "io/core/tables/table_file.h"
+#include "real_data.h"
 
 namespace bole::inventory {
 namespace {
@@ -125,7 +126,7 @@ TEST(StandValues, ASampleOfARandomStandHoldsItsDensity) {
 // Real field lists: 16 circular plots of 20 m; stem counts and basal areas as sums over the list.
 TEST(Rioja, PlotValuesOfTheFieldLists) {
   const auto file = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "tables_rioja" / "rioja_tree.field.csv";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
+  BOLE_NEEDS_REAL(file);
   const auto list = io::read_table(file);
   const CountingRule rule{circle_area({0, 0}, 20), 7.5};
   std::size_t all = 0;

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/angles.h"
+
 namespace bole::stems {
 namespace {
 
@@ -256,7 +258,7 @@ std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab,
     for (auto k = first; k < last; k += stride) {
       auto circle = best_circle_at(slab, near, slab[k], options,
                                    Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
-      if (circle.score <= 0 || circle.arc_rad < options.min_arc_deg * std::numbers::pi / 180) continue;
+      if (circle.score <= 0 || circle.arc_rad < radians(options.min_arc_deg)) continue;
       circle.slab = number;
       found.push_back(circle);
     }

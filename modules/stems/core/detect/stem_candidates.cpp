@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
+
+#include "base/angles.h"
 
 namespace bole::stems {
 namespace {
@@ -55,7 +56,7 @@ class Linker {
   Linker(const std::vector<SlabCircle>& circles, const MeasureOptions& options)
       : circles_(circles),
         taken_(circles.size(), false),
-        most_slope_(std::tan(options.max_lean_deg * std::numbers::pi / 180)),
+        most_slope_(std::tan(radians(options.max_lean_deg))),
         grid_(circles, (options.search_top - options.search_bottom) * most_slope_ * 0.5 + 0.5) {}
 
   // The best axis through circle `i` and one of its neighbours.

@@ -7,14 +7,9 @@
 #include <limits>
 #include <numbers>
 
-namespace bole::stems {
+#include "base/statistics.h"
 
-double median_of(std::vector<double>& values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+namespace bole::stems {
 
 double tukey_weight(double scaled_residual) {
   const double u = scaled_residual / 4.685;
@@ -138,7 +133,7 @@ class Ring {
     errors_.clear();
     for (const double distance : distance_)
       if (const double e = std::abs(distance - circle.radius); e < reach) errors_.push_back(e);
-    return 1.4826 * median_of(errors_);
+    return 1.4826 * upper_median(errors_);
   }
 
   const std::vector<double>& distance() const { return distance_; }

@@ -36,9 +36,6 @@ double covered_arc_rad(const std::vector<double>& angles_rad);
 // The longest run of such sectors, where one empty sector does not end a run.
 double unbroken_arc_rad(const std::vector<double>& angles_rad);
 
-// Median; reorders `values`. NaN when empty.
-double median_of(std::vector<double>& values);
-
 // Tukey's biweight for a residual in units of its scale (constant 4.685: 95 % efficiency for normal residuals).
 double tukey_weight(double scaled_residual);
 

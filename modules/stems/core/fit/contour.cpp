@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -38,7 +39,7 @@ std::optional<Contour> fit_contour(const std::vector<OutlinePoint>& points, doub
     if (values.size() < least_points) continue;
     ++seen;
     const Terms b = basis((k + 0.5) * 2 * std::numbers::pi / sectors);
-    normal += b * b.transpose(), rhs += median_of(values) * b;
+    normal += b * b.transpose(), rhs += upper_median(values) * b;
   }
   if (seen < least_sectors) return std::nullopt;
   const Terms series = normal.ldlt().solve(rhs);

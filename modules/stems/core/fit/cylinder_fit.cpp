@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -254,7 +255,7 @@ class JointFit {
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (const auto& e = values_[i]; active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
-    return 1.4826 * median_of(errors);
+    return 1.4826 * upper_median(errors);
   }
 
   const std::vector<BarkPoint>& points_;

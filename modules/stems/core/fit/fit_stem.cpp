@@ -25,9 +25,9 @@ constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {
-  const double middle = median_of(values);
+  const double middle = upper_median(values);
   for (auto& v : values) v = std::abs(v - middle);
-  return 1.4826 * median_of(values);
+  return 1.4826 * upper_median(values);
 }
 
 // Lasers and good poses measure too far by a few millimetres, the same everywhere. What goes beyond is blur of the map,
@@ -56,7 +56,7 @@ class ContraryArc {
     for (auto& s : sectors_) {
       const bool against = s.inside.size() >= least && s.inside.size() > 2 * s.on;
       if (s.on >= least || against) ++seen;
-      if (against) ++contrary, depth += median_of(s.inside);
+      if (against) ++contrary, depth += upper_median(s.inside);
     }
     shrink_m = seen > 0 ? depth / seen : 0, arc_rad = 2 * std::numbers::pi * contrary / count;
   }
@@ -131,8 +131,8 @@ class StemFitter {
     double z = candidate_.ground_z;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d base = axis.at_z(z);
-      const double found =
-          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == BreastHeightFrom::uphill);
+      const double found = ground_around(dem_, origin_, base.head<2>(), axis.radius,
+                                         options_.breast_height_from == BreastHeightFrom::uphill);
       if (!std::isfinite(found)) break;
       z = found;
     }
@@ -273,7 +273,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
-  s.sigma_m = 1.4826 * median_of(errors);
+  s.sigma_m = 1.4826 * upper_median(errors);
   s.wall_m = spread_of(unaligned);
   if (const auto contour = fit_contour(outline, s.radius)) s.girth_m = contour->girth_m, s.ovality = contour->ovality;
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -60,7 +61,7 @@ RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, doubl
   constexpr double between_m = 0.003, shared_m = 0.0035, least_spread_m = 0.0005, weak_m = 0.05;
   std::vector<double> values;
   for (const auto& e : stems) values.push_back(e.value_m);
-  double mean = values.empty() ? 0 : median_of(values), variance = weak_m * weak_m;
+  double mean = values.empty() ? 0 : upper_median(values), variance = weak_m * weak_m;
   for (int round = 0; round < 10; ++round) {
     double weight = 1 / (weak_m * weak_m), moment = 0;
     for (const auto& e : stems) {

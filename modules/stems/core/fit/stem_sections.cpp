@@ -3,15 +3,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 constexpr double least_contrast = 2;  // of a section with bark; leaves alone have about 1
 
@@ -26,7 +24,7 @@ void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, co
   m.section.centre = axes.to_cloud(Eigen::Vector3d(m.x, m.y, m.z));
   m.section.radius = fit.circle.radius, m.section.sigma = fit.sigma, m.section.arc_rad = fit.arc_rad,
   m.section.inliers = fit.inliers;
-  m.good = fit.inliers >= options.min_section_points && fit.arc_rad >= options.min_arc_deg * degree - 1e-9;
+  m.good = fit.inliers >= options.min_section_points && fit.arc_rad >= options.min_arc_deg * rad_per_deg - 1e-9;
 }
 
 }  // namespace

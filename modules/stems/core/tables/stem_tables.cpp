@@ -5,21 +5,20 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
 #include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 
 namespace bole::stems {
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
-
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, "; ")); }
 
-double lean_deg(const Stem& s) { return std::acos(std::clamp(s.direction.z(), -1.0, 1.0)) * to_deg; }
+double lean_deg(const Stem& s) { return std::acos(std::clamp(s.direction.z(), -1.0, 1.0)) * deg_per_rad; }
 
 // Clockwise from north, the direction that the stem leans towards.
 double lean_azimuth_deg(const Stem& s) {
-  const double a = std::atan2(s.direction.x(), s.direction.y()) * to_deg;
+  const double a = std::atan2(s.direction.x(), s.direction.y()) * deg_per_rad;
   return a < 0 ? a + 360 : a;
 }
 
@@ -77,7 +76,7 @@ Table stem_table(const StemSurvey& survey) {
   numbers(t, "lean_deg", stems, lean_deg);
   numbers(t, "lean_azimuth_deg", stems, lean_azimuth_deg);
   numbers(t, "taper_cm_per_m", stems, [](const Stem& s) { return -200 * s.taper; });
-  numbers(t, "arc_deg", stems, [](const Stem& s) { return s.arc_rad * to_deg; });
+  numbers(t, "arc_deg", stems, [](const Stem& s) { return s.arc_rad * deg_per_rad; });
   integers(t, "passes", stems, [](const Stem& s) { return s.passes; });
   numbers(t, "pass_spread_cm", stems, [](const Stem& s) { return 100 * s.pass_spread_m; });
   numbers(t, "sigma_cm", stems, [](const Stem& s) { return 100 * s.sigma_m; });
@@ -117,7 +116,7 @@ Table section_table(const StemSurvey& survey) {
   numbers(t, "z_m", rows, [&](const Row& r) { return o.z() + r.section.centre.z(); });
   numbers(t, "diameter_cm", rows, [](const Row& r) { return 200 * r.section.radius; });
   numbers(t, "sigma_cm", rows, [](const Row& r) { return 100 * r.section.sigma; });
-  numbers(t, "arc_deg", rows, [](const Row& r) { return r.section.arc_rad * to_deg; });
+  numbers(t, "arc_deg", rows, [](const Row& r) { return r.section.arc_rad * deg_per_rad; });
   integers(t, "inliers", rows, [](const Row& r) { return r.section.inliers; });
   integers(t, "used", rows, [](const Row& r) { return r.section.used; });
   integers(t, "curve", rows, [](const Row& r) { return r.section.curve; });
