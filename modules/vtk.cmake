@@ -5,6 +5,7 @@ bole_note_version(VTK ${VTK_VERSION})
 # Our own .cxx files of a VTK module are held to our warnings; the wrapper code that VTK generates is not.
 function(bole_vtk_sources target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:bole_build>)
+  bole_precompile(${target})
 endfunction()
 
 include(BoleStageClasses)

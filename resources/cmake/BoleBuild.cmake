@@ -40,6 +40,7 @@ if(BOLE_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
 endif()
 # Wider vectors must not change Eigen's alignment, or objects shared with PCL and Ceres, which are built for the baseline, would be laid out differently.
 target_compile_definitions(bole_build INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+target_link_libraries(bole_build INTERFACE fmt::fmt) # all agree on how it is linked, since it is in the precompiled headers
 if(BOLE_SANITIZE)
   # Without the second a finding of the undefined-behaviour sanitizer is printed and the test passes.
   add_compile_options(-fsanitize=${BOLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -51,12 +52,15 @@ if(BOLE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [STAGES])
+include(BolePrecompiled)
+
+# bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [OPTIONS option...] [STAGES])
 #   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp apart). Headers are included
 #   as "NAME/..." or "NAME/core/...". PUBLIC are libraries seen in headers, PRIVATE those of .cpp files only.
+#   OPTIONS are compile options of this module alone.
 #   STAGES: modules/NAME/stages.cpp defines `void bole::NAME::register_stages(pipeline::StageRegistry&)`; it goes into bole_stages.
 function(bole_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE;OPTIONS")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/*.cpp)
   list(APPEND sources ${core_sources})
@@ -68,6 +72,12 @@ function(bole_module name)
   target_link_libraries(bole_${name} PUBLIC Eigen3::Eigen ${arg_DEPENDS} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:bole_build>)
   # Headers of ours use Eigen: whoever includes them must agree on its alignment.
   target_compile_definitions(bole_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  if(arg_OPTIONS)
+    target_compile_options(bole_${name} PRIVATE ${arg_OPTIONS})
+    bole_precompile(bole_${name} OWN)
+  else()
+    bole_precompile(bole_${name})
+  endif()
   install(TARGETS bole_${name})
   if(arg_STAGES)
     set_property(GLOBAL APPEND PROPERTY BOLE_STAGE_MODULES ${name})
@@ -91,6 +101,7 @@ function(bole_stages_library)
   add_library(bole_stages SHARED ${sources} ${CMAKE_BINARY_DIR}/generated/register_all_stages.cpp)
   add_library(bole::stages ALIAS bole_stages)
   target_link_libraries(bole_stages PUBLIC bole::pipeline PRIVATE ${modules} $<BUILD_INTERFACE:bole_build>)
+  bole_precompile(bole_stages)
   install(TARGETS bole_stages)
 endfunction()
 
@@ -105,6 +116,7 @@ function(bole_tests name)
   target_include_directories(${name}_tests PRIVATE ${CMAKE_SOURCE_DIR}/tests)
   target_link_libraries(${name}_tests PRIVATE ${arg_LINK} GTest::gmock_main bole_build)
   target_compile_definitions(${name}_tests PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
+  bole_precompile(${name}_tests TEST)
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 
