@@ -18,9 +18,9 @@ usage="usage: ./do build | demo | test | bench | format | lint | docs"
 case "${1:-help}" in
   build) install_packages; cmake --workflow --preset build ;;
   demo) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target demo ;;
-  test) install_packages; cmake --workflow --preset ci; cmake --workflow --preset fuzz ;;
+  test) install_packages; cmake --workflow --preset ci; cmake --workflow --preset fuzz; cmake --build --preset summary ;;
   bench) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target bench ;;
-  format | lint | docs) install_packages; cmake --preset headless; cmake --build --preset headless --target "$1" ;;
+  format | lint | docs) install_packages; cmake --preset ci; cmake --build --preset ci --target "$1" ;;
   help) echo "$usage" ;;
   *) echo "$usage" >&2; exit 2 ;;
 esac

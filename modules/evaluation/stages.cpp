@@ -89,8 +89,10 @@ void register_stages(pipeline::StageRegistry& registry) {
               {"reference_stems", DataKind::table, "Reference trees: tree_id, x_m, y_m, dbh_cm.", true, {}},
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};
   t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
-               {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}}};
+               {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}, true}};
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
+  t.main_numbers = {"ate_rmse",    "ate_max",  "drift",    "completeness",
+                    "correctness", "dbh_bias", "dbh_rmse", "height_bias"};
   t.run = evaluate_plot;
   registry.add(std::move(t));
 }

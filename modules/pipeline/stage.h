@@ -22,6 +22,8 @@ struct Port {
   bool optional = false;
   // Inputs: arrays the cloud must have. Outputs: arrays the stage adds to the cloud.
   std::vector<ArrayInfo> arrays;
+  // Outputs: a table of results, written into summary.json with all its rows.
+  bool in_summary = false;
 };
 
 struct StageResult {
@@ -42,6 +44,8 @@ struct StageType {
   std::vector<Port> outputs;
   const OptionTable* options = nullptr;
   bool writes_files = false;  // a sink: writes into Run::output_dir
+  // Keys of the report by which a run is judged, the most telling first: for headlines and comparisons.
+  std::vector<std::string> main_numbers{};
   // The options with everything filled in that a run fills in ("as the preset says"); null: they are complete as given.
   std::function<OptionSet(const OptionSet& options)> in_force;
   std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;

@@ -75,6 +75,7 @@ pipeline::StageType measure_stage() {
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
                {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
+  t.main_numbers = {"stems"};
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;

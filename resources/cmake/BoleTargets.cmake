@@ -1,27 +1,10 @@
 # The targets behind the verbs of ./do that are neither build nor test.
-find_program(BOLE_CLANG_FORMAT NAMES clang-format clang-format-14)
-find_program(BOLE_RUN_CLANG_TIDY NAMES run-clang-tidy run-clang-tidy-14)
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-set(patterns "")
-foreach(folder IN ITEMS app modules tests)
-  foreach(suffix IN ITEMS h cpp cxx)
-    list(APPEND patterns ${CMAKE_SOURCE_DIR}/${folder}/*.${suffix})
-  endforeach()
-endforeach()
-file(GLOB_RECURSE bole_sources CONFIGURE_DEPENDS ${patterns})
-if(BOLE_CLANG_FORMAT)
-  add_custom_target(format COMMAND ${BOLE_CLANG_FORMAT} -i ${bole_sources} VERBATIM COMMENT "Formatting")
-endif()
-
-# lint: format is checked, then clang-tidy on our own sources (generated wrapper code left out). The compile commands are GCC's: clang-tidy
-# does not know all of its warnings.
-if(BOLE_CLANG_FORMAT AND BOLE_RUN_CLANG_TIDY)
-  add_custom_target(
-    lint
-    COMMAND ${BOLE_CLANG_FORMAT} --dry-run -Werror ${bole_sources}
-    COMMAND ${BOLE_RUN_CLANG_TIDY} -quiet -p ${CMAKE_BINARY_DIR} -extra-arg=-Wno-unknown-warning-option "${CMAKE_SOURCE_DIR}/(app|modules)/.*\\.(cpp|cxx)$"
-    VERBATIM USES_TERMINAL)
-endif()
+# lint: format and clang-tidy on the sources that git tracks; generated code (VTK wrappers) is none of them.
+set(lint ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/rules/lint.py --build ${CMAKE_BINARY_DIR})
+add_custom_target(format COMMAND ${lint} --format VERBATIM COMMENT "Formatting")
+add_custom_target(lint COMMAND ${lint} VERBATIM USES_TERMINAL)
 
 if(TARGET bole AND BOLE_VTK)
   add_custom_target(docs COMMAND bole stages --markdown --out ${CMAKE_SOURCE_DIR}/docs/stages VERBATIM COMMENT "Printing docs/stages")

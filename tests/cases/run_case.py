@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Runs one case: simulates a scan when asked, runs a pipeline on it, and holds numbers of summary.json against bounds.
+"""Runs one case: simulates a scan when asked, runs a pipeline on it, and compares what it writes with what is expected.
 
-An expectation reads STAGE.NAME OP NUMBER, where NAME is a metric or a count of the stage: 'evaluate.dbh_rmse<=1.0'.
+--expect  STAGE.NAME OP NUMBER, where NAME is a metric or a count of the stage in summary.json: 'evaluate.dbh_rmse<=1.0'
+--table   a table of the run and an expected one, column by column (compare_tables.py):
+          'stems.csv = {scan}/trees.csv, nearest x_m y_m within 0.5, dbh_cm 1.5'
 """
 
 import argparse
@@ -12,7 +14,10 @@ import shutil
 import subprocess
 import sys
 
+from compare_tables import SpecError, compare
+
 SKIPPED = 77  # what ctest takes for a skipped test
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
 OPERATORS = {"<=": lambda a, b: a <= b, ">=": lambda a, b: a >= b, "==": lambda a, b: a == b}
 
 
@@ -48,19 +53,29 @@ def check(summary, expectation):
     return good
 
 
+def check_table(line, out, scan):
+    try:
+        complaints, told = compare(line, out, scan=scan, source=SOURCE, real=SOURCE.parent / "shared/data")
+    except SpecError as e:
+        sys.exit(f"{e}")
+    print("\n".join(told + [f"FAIL {c}" for c in complaints]))
+    return not complaints
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bole", required=True)
     parser.add_argument("--work", required=True, type=pathlib.Path)
     parser.add_argument("--simulate", nargs=argparse.REMAINDER, help="arguments of bole simulate, to the end of the line; {scan} in --set is its folder")
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
+    parser.add_argument("--table", action="append", default=[], help="{scan} is the folder of --simulate, {source} that of the repository, {real} that of the real files")
     parser.add_argument("--needs", type=pathlib.Path, help="a real file; the case is skipped where it is absent")
     args = parser.parse_args()
 
     if args.needs and not args.needs.exists():
-        print(f"SKIPPED: {args.needs} is absent")
+        print(f"SKIPPED: for want of ../shared/data: {args.needs}")
         return SKIPPED
     shutil.rmtree(args.work, ignore_errors=True)
     scan = args.work / "scan"
@@ -71,7 +86,7 @@ def main():
         command += ["--set", assignment.replace("{scan}", str(scan))]
     run(command)
     summary = json.loads((args.work / "out" / "summary.json").read_text())
-    good = [check(summary, e) for e in args.expect]
+    good = [check(summary, e) for e in args.expect] + [check_table(t, args.work / "out", scan) for t in args.table]
     if all(good):
         shutil.rmtree(args.work, ignore_errors=True)  # recordings are large; a failed case keeps its own
     return 0 if all(good) else 1

@@ -15,7 +15,7 @@ namespace bole::sensor {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
-constexpr std::size_t most_channels = 256;
+constexpr std::size_t max_channels = 256;
 
 double number(const nlohmann::json& json, const char* key, double min, double max) {
   const auto it = json.find(key);
@@ -39,10 +39,10 @@ std::vector<double> numbers(const nlohmann::json& json, const char* key, std::si
   const auto it = json.find(key);
   if (it == json.end() || !it->is_array())
     throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
-  if (count == 0 ? it->empty() || it->size() > most_channels : it->size() != count)
+  if (count == 0 ? it->empty() || it->size() > max_channels : it->size() != count)
     throw bad_input(
         "'" + std::string(key) + "' has " + std::to_string(it->size()) + " entries",
-        count == 0 ? "1 to " + std::to_string(most_channels) : std::to_string(count) + ", as elevation_deg has");
+        count == 0 ? "1 to " + std::to_string(max_channels) : std::to_string(count) + ", as elevation_deg has");
   std::vector<double> values;
   for (const auto& v : *it) {
     if (!v.is_number() || !(v.get<double>() >= min && v.get<double>() <= max))

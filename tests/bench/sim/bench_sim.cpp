@@ -21,7 +21,7 @@ void scan_plot(benchmark::State& state, const char* plot, const char* sensor_nam
       plan_route(survey_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;
   parameters.stand_still_s = 0;
-  parameters.most_s = 2;
+  parameters.max_s = 2;
   const Walk walk(route, forest.terrain, parameters, 1);
   ScanStatistics statistics;
   std::int64_t pulses = 0;

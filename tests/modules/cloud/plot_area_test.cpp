@@ -95,7 +95,7 @@ TEST(CountingRule, NoRuleMeansEveryTree) {
 
 TEST(CountingRule, SpeaksNoLanguage) {
   const CommaLocale comma;
-  if (!comma) GTEST_SKIP() << "no locale with a decimal comma is installed";
+  ASSERT_TRUE(comma) << "localedef of glibc is needed";
   CountingRule rule{rectangle_area({0.25, -1.5}, 12.5, 40.75, 0.5), 7.5};
   const auto back = counting_rule(to_table(rule));
   EXPECT_EQ(back.min_dbh_cm, 7.5);

@@ -10,6 +10,7 @@
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "io/core/tables/table_file.h"
+#include "real_data.h"
 
 namespace bole::evaluation {
 namespace {
@@ -90,7 +91,7 @@ TEST(AlignTrees, AnotherOriginAndNorthAreFound) {
 // its origin up to 2.5 m.
 TEST(Rioja, TheTlsListsAreBroughtOntoTheFieldLists) {
   const auto folder = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "tables_rioja";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  BOLE_NEEDS_REAL(folder);
   const auto tls = io::read_table(folder / "rioja_tree.tls.csv"),
              field = io::read_table(folder / "rioja_tree.field.csv");
   struct Plot {

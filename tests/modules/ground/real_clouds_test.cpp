@@ -9,6 +9,7 @@
 
 #include "ground/core/model_ground.h"
 #include "io/core/las/las_reader.h"
+#include "real_data.h"
 
 namespace bole::ground {
 namespace {
@@ -44,7 +45,7 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
 
 #define NEED_FOLDER(folder)                                                           \
   const std::string data_folder = std::string(BOLE_SHARED_DATA_DIR) + "/" + (folder); \
-  if (!std::filesystem::exists(data_folder)) GTEST_SKIP() << "the folder " << data_folder << " is absent"
+  BOLE_NEEDS_REAL(data_folder)
 
 GroundOptions airborne() {
   GroundOptions o;

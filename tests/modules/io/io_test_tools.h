@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "io/core/bytes/mapped_file.h"
+#include "real_data.h"
 
 namespace bole::testing_io {
 
@@ -21,9 +22,7 @@ inline std::filesystem::path shared(const std::string& relative) {
 }
 
 // Skips the test when a folder of real files is absent.
-#define BOLE_NEEDS_SHARED(folder)                                 \
-  if (!std::filesystem::exists(bole::testing_io::shared(folder))) \
-  GTEST_SKIP() << "the real files of shared/data/" << (folder) << " are absent"
+#define BOLE_NEEDS_SHARED(folder) BOLE_NEEDS_REAL(bole::testing_io::shared(folder))
 
 // A folder of its own that goes away with the object.
 class TempDir {
@@ -48,7 +47,7 @@ class TempDir {
   std::filesystem::path path_;
 };
 
-inline Bytes bytes_of(const std::string& text) {
+inline io::Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/core/las/las_reader.h"
+#include "real_data.h"
 
 namespace bole::io {
 namespace {
@@ -23,13 +24,14 @@ class LasSample : public testing::TestWithParam<Sample> {};
 
 TEST_P(LasSample, CountBoxAndClasses) {
   const auto path = data / GetParam().path;
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+  BOLE_NEEDS_REAL(path);
   const PointCloud cloud = read_las(path);
   ASSERT_EQ(cloud.size(), GetParam().points);
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = exact_position(cloud, i);
-    low = low.cwiseMin(p), high = high.cwiseMax(p);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
   EXPECT_LT((low - GetParam().min).cwiseAbs().maxCoeff(), 0.0011) << low.transpose();
   EXPECT_LT((high - GetParam().max).cwiseAbs().maxCoeff(), 0.0011) << high.transpose();
@@ -59,15 +61,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(LasSamples, EmptyFileIsAnEmptyCloud) {
   const auto path = data / "readers/PDAL/no-points.las";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+  BOLE_NEEDS_REAL(path);
   EXPECT_EQ(read_las(path).size(), 0U);
 }
 
 TEST(LasSamples, CompressedEqualsUncompressed) {
   for (const std::string name : {"readers/loaders.gl/ripple", "readers/loaders.gl/pdrf6-1.4", "readers/PDAL/simple"}) {
-    if (!std::filesystem::exists(data / (name + ".las")))
-      GTEST_SKIP() << data / "readers"
-                   << " is absent";
+    BOLE_NEEDS_REAL(data / (name + ".las"));
     const PointCloud plain = read_las(data / (name + ".las")), packed = read_las(data / (name + ".laz"));
     EXPECT_EQ(plain.positions(), packed.positions()) << name;
     EXPECT_EQ(plain.origin, packed.origin) << name;
@@ -78,7 +78,7 @@ TEST(LasSamples, CompressedEqualsUncompressed) {
 
 TEST(LasSamples, UserDefinedGeoTiffKeysBecomeWkt) {
   const auto path = data / "readers/PDAL/autzen_trim.laz";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is absent";
+  BOLE_NEEDS_REAL(path);
   const LasInfo info = las_info(path);
   EXPECT_THAT(info.crs_wkt, testing::HasSubstr("PROJCS"));
   EXPECT_THAT(info.crs_wkt, testing::HasSubstr("Lambert_Conformal_Conic"));

@@ -51,8 +51,11 @@ PointCloud mapped_cloud(std::size_t count, const Eigen::Vector3d& origin) {
   std::vector<double> time(count);
   std::vector<std::uint16_t> ring(count);
   for (std::size_t i = 0; i < count; ++i) {
-    tree[i] = static_cast<int>(i % 50), pass[i] = static_cast<int>(i % 3);
-    range[i] = uniform(random), height[i] = uniform(random), sensor[i] = uniform(random);
+    tree[i] = static_cast<int>(i % 50);
+    pass[i] = static_cast<int>(i % 3);
+    range[i] = uniform(random);
+    height[i] = uniform(random);
+    sensor[i] = uniform(random);
     intensity[i] = static_cast<float>(i % 256), time[i] = 1e9 + 1e-4 * static_cast<double>(i),
     ring[i] = static_cast<std::uint16_t>(i % 32);
   }
@@ -102,7 +105,9 @@ TEST_F(LasWriter, AUtmCloudComesBackWithAllItsColumns) {
 
 TEST_F(LasWriter, GridOfTheSourceIsKeptToTheLastStep) {
   test::LasFile file;
-  file.minor = 4, file.format = 7, file.scale = 0.001;
+  file.minor = 4;
+  file.format = 7;
+  file.scale = 0.001;
   file.offset = {4512345.0, 5400000, 0};
   std::mt19937 random(4);
   std::uniform_int_distribution<std::int32_t> wide(-4'000'000, 4'000'000);

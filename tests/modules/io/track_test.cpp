@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "io/core/tables/nmea_reader.h"
+#include "real_data.h"
 
 namespace bole::io {
 namespace {
@@ -84,7 +85,7 @@ struct RealLog {
 // Counts of ../shared/data/nmea/nmea_counts.csv.
 TEST(Nmea, RealLogsHaveTheirCounts) {
   const std::filesystem::path folder = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "nmea";
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is absent";
+  BOLE_NEEDS_REAL(folder);
   for (const RealLog& real :
        {RealLog{"AMOD_AGL3080_20121104_134730.txt", 622, 614, 603, 2, 0},
         RealLog{"TrimbleR2SampleData.txt", 34, 34, 34, 0, 0}, RealLog{"gpsd_hemi.log", 215, 215, 0, 0, 194},
@@ -104,13 +105,13 @@ TEST(Nmea, RealLogsHaveTheirCounts) {
   EXPECT_EQ(rtk.report.counts.at("quality_4"), 18);
   EXPECT_GE(rtk.report.counts.at("gaps"), 1);
   TrackOptions fixed;
-  fixed.quality_min = 4;
+  fixed.min_quality = 4;
   EXPECT_EQ(read_track(folder / "gpsd_nmea-rtk.log", fixed).table.rows(), 18U);
 }
 
-TEST(slam::Track, TheOrchardTrackIsReadInUtm) {
+TEST(Track, TheOrchardTrackIsReadInUtm) {
   const auto file = std::filesystem::path(BOLE_SHARED_DATA_DIR) / "orchard_apple_mtls/gnss_track_first_pass.txt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is absent";
+  BOLE_NEEDS_REAL(file);
   const auto track = read_track(file, {});
   EXPECT_EQ(track.report.facts.at("format"), "columns");
   EXPECT_NEAR(track.table.numbers("x_m")[0], 288334.55, 1e-6);
@@ -120,7 +121,7 @@ TEST(slam::Track, TheOrchardTrackIsReadInUtm) {
   EXPECT_LT(track.report.metrics.at("longest_step").value, 5);  // no jumps of 40 at the minutes
 }
 
-TEST(slam::Track, AnEmptyQualityIsUnknown) {
+TEST(Track, AnEmptyQualityIsUnknown) {
   const auto track = read_track(bytes_of("time_s,x_m,y_m,quality\n0,1,2,4\n1,2,2,\n2,3,2,5\n3,4,2,4\n"), "t.csv", {});
   EXPECT_EQ(track.table.rows(), 4U);
   EXPECT_EQ(track.report.counts.at("quality_4"), 2);
@@ -135,7 +136,7 @@ TEST(slam::Track, AnEmptyQualityIsUnknown) {
   }
 }
 
-TEST(slam::Track, TablesAndErrors) {
+TEST(Track, TablesAndErrors) {
   const std::string csv = "time_s,x_m,y_m\n0,1,2\n1,2,2\n0.5,9,9\n2,3,2\n";
   const auto track = read_track(bytes_of(csv), "t", {});
   EXPECT_EQ(track.table.rows(), 3U);

@@ -64,7 +64,7 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
     const Recorder recorder{sensor::load_sensor_model(name)};
     const auto path = write_pcap(dir / (std::string(name) + ".pcap"), recorder.packets(1.05));
     FrameSourceOptions options;
-    options.cut_angle = 90;
+    options.cut_angle_deg = 90;
     const VelodynePcapSource source(path, options, {});
     EXPECT_EQ(source.sensor_model(), name);
     const auto model = sensor::load_sensor_model(name);
@@ -233,7 +233,7 @@ TEST(VelodynePcap, OptionsAreObeyedAndTheLocatorNamesThem) {
   const Recorder recorder{sensor::load_sensor_model("vlp16")};
   FrameSourceOptions options;
   options.max_range = 9.5;
-  options.cut_angle = 10.5;
+  options.cut_angle_deg = 10.5;
   const auto source = open_frame_source(write_pcap(dir / "a.pcap", recorder.packets(0.5)), options);
   ScanFrame frame;
   source->read(0, frame);

@@ -53,13 +53,13 @@ PointCloud tube_frame(unsigned seed, double pitch_deg) {
   return level(frame, tilt);
 }
 
-TEST(render::Frame, EveryStepKeepsWhatItShould) {
+TEST(Frame, EveryStepKeepsWhatItShould) {
   PointCloud cloud(PointCloud::Positions{{0, 1, 0}, {0.01F, 1.01F, 0.01F}, {5, 1, 0}, {0, 13, 0}, {0, 2, 2}});
   EXPECT_EQ(cut_region(cloud, {}).size(), 2U);
   VoxelOptions voxel;
   EXPECT_EQ(voxel_centroids(cloud, voxel).size(), 4U);
   RadiusOptions radius;
-  radius.neighbours_min = 1;
+  radius.min_neighbours = 1;
   EXPECT_EQ(radius_filter(cloud, radius, bole::Run{}).size(), 2U);
   LevelOptions turn;
   turn.yaw_deg = 90;
@@ -67,7 +67,7 @@ TEST(render::Frame, EveryStepKeepsWhatItShould) {
 }
 
 // The whole chain on the tubes: eight centres, and rows within the paper's own error.
-TEST(render::Frame, TheTubesOfThePaperAreFound) {
+TEST(Frame, TheTubesOfThePaperAreFound) {
   double worst_m = 0, worst_deg = 0, mean_deg = 0;
   int rows_seen = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -82,7 +82,9 @@ TEST(render::Frame, TheTubesOfThePaperAreFound) {
     const auto centres = trunk_centres(frame, nullptr, {}, report);
     ASSERT_EQ(centres.rows(), 8U) << "seed " << seed;
     PlaceOptions place;  // the frame's x axis points south
-    place.x = sensor.x(), place.y = sensor.y(), place.yaw_deg = -90;
+    place.x = sensor.x();
+    place.y = sensor.y();
+    place.yaw_deg = -90;
     const auto stems = place_stems(centres, place);
     for (std::size_t i = 0; i < 8; ++i) {
       const Eigen::Vector2d p(stems.numbers("x_m")[i], stems.numbers("y_m")[i]);
@@ -93,8 +95,11 @@ TEST(render::Frame, TheTubesOfThePaperAreFound) {
     const auto found = find_rows(stems, {}, run);
     ASSERT_EQ(found.rows.rows(), 2U) << "seed " << seed;
     const auto angle = found.rows.numbers("angle_deg");
-    for (const double error : {std::abs(angle[0] + 0.69), std::abs(angle[1] - 1.60)})
-      worst_deg = std::max(worst_deg, error), mean_deg += error, ++rows_seen;
+    for (const double error : {std::abs(angle[0] + 0.69), std::abs(angle[1] - 1.60)}) {
+      worst_deg = std::max(worst_deg, error);
+      mean_deg += error;
+      ++rows_seen;
+    }
   }
   mean_deg /= rows_seen;
   printf("centres within %.3f m; row angles off by %.2f deg on average, %.2f at most (published 0.79, 1.49)\n", worst_m,

@@ -64,7 +64,8 @@ TEST(Tape, reads_an_ellipse_as_ramanujan_does) {
 
 TEST(Tape, counts_breast_height_from_the_uphill_ground) {
   TerrainRecipe recipe;
-  recipe.slope_deg = 20, recipe.aspect_deg = 270;  // falls to the west
+  recipe.slope_deg = 20;
+  recipe.aspect_deg = 270;  // falls to the west
   recipe.undulation_m = recipe.micro_relief_m = 0;
   const Terrain slope(recipe, 1);
   EXPECT_GT(slope.height(1, 0), slope.height(-1, 0));
@@ -75,7 +76,7 @@ TEST(Tape, counts_breast_height_from_the_uphill_ground) {
   EXPECT_NEAR(taped.centre.z(), taped.ground_z_m + 1.3, 1e-9);
 }
 
-TEST(render::StemShape, a_section_is_perpendicular_to_the_axis) {
+TEST(StemShape, a_section_is_perpendicular_to_the_axis) {
   render::StemShape stem = plain_stem(0.3);
   stem.lean = {0.1, -0.05};
   stem.bow = {0.2, 0.1};
@@ -84,7 +85,7 @@ TEST(render::StemShape, a_section_is_perpendicular_to_the_axis) {
       EXPECT_NEAR((stem.surface(h, theta) - stem.axis(h)).dot(stem.tangent(h)), 0, 1e-12);
 }
 
-TEST(render::StemShape, flare_widens_the_foot_alone) {
+TEST(StemShape, flare_widens_the_foot_alone) {
   render::StemShape stem = plain_stem(0.3);
   stem.flare = 0.3;
   EXPECT_GT(stem.mean_radius(0), 1.3 * 0.15);

@@ -12,14 +12,14 @@
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/clouds/ply_reader.h"
 #include "io/core/clouds/sensor_arrays.h"
-#include "io/core/las/las_writer.h"
+#include "io/core/formats.h"
 
 namespace bole::io {
 namespace {
 
 constexpr std::size_t points_per_write = 1 << 14;
 
-// Every value is a byte times 257, as colours read from a byte are.
+// Every value is a byte times 257, as in colours that were read from bytes.
 bool fits_byte(const Column& column) {
   const auto* values = std::get_if<std::vector<std::uint16_t>>(&column);
   return values != nullptr && std::ranges::all_of(*values, [](std::uint16_t v) { return v % 257 == 0; });
@@ -36,7 +36,7 @@ struct PlyColumn {
   }
 };
 
-// What is added to the values of a column, so that the sensor's position is in the axes of the points.
+// Added to the values of a column, so that the sensor position is in the axes of the points.
 double origin_of(const std::string& column, const PointCloud& cloud) {
   const int axis = axis_of_sensor(column);
   return axis < 0 ? 0 : cloud.origin[axis];
@@ -144,12 +144,7 @@ void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud,
 }
 
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) {
-  const auto extension = path.extension();
-  if (extension == ".ply") return write_ply(path, cloud, run);
-  if (extension == ".csv") return write_csv_cloud(path, cloud, 4, run);
-  if (extension == ".xyz" || extension == ".txt") return write_xyz_cloud(path, cloud, 4, run);
-  if (extension == ".las") return write_las(path, cloud, {}, run);
-  throw bad_input("a cloud cannot be written as '" + extension.string() + "'", ".las, .ply, .csv, .xyz or .txt");
+  std::get<CloudAccess>(written_format(FileContent::cloud, path).access).write(path, cloud, run);
 }
 
 }  // namespace bole::io

@@ -12,7 +12,7 @@
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_properties = 1024;
+constexpr std::size_t max_properties = 1024;
 
 struct Property {
   SourceField field;                     // for a list: the type of its entries
@@ -78,7 +78,7 @@ Header read_header(Bytes file) {
       if (!parse_number(words[2], element.count)) throw wrong("element NAME COUNT");
       header.elements.push_back(std::move(element));
     } else if (words[0] == "property" && words.size() >= 3 && !header.elements.empty()) {
-      if (++properties > most_properties) throw wrong("at most " + std::to_string(most_properties) + " properties");
+      if (++properties > max_properties) throw wrong("at most " + std::to_string(max_properties) + " properties");
       auto& into = header.elements.back().properties;
       if (words[1] == "list") {
         if (words.size() < 5) throw wrong("property list COUNT_TYPE TYPE NAME");
@@ -102,12 +102,12 @@ std::vector<SourceField> scalar_fields(const Element& vertex) {
   return fields;
 }
 
-// Walks through binary records; a record that does not end within the file stops it.
+// Reads binary records and stops at a record that goes beyond the end of the file.
 class BinaryWalker {
  public:
   BinaryWalker(Bytes data, bool swap) : data_(data), swap_(swap) {}
 
-  // Reads one record; scalars go to `row` in order. False when it goes beyond the end.
+  // Reads one record, and its scalars into `row`. False when the record goes beyond the end.
   bool read(const Element& element, std::vector<double>* row) {
     std::size_t at = at_, scalar = 0;
     for (const auto& p : element.properties) {
@@ -129,7 +129,7 @@ class BinaryWalker {
     return true;
   }
 
-  // Passes over a whole element. False when it goes beyond the end.
+  // Skips a whole element. False when it goes beyond the end.
   bool skip(const Element& element, const Run& run) {
     const bool lists =
         std::ranges::any_of(element.properties, [](const Property& p) { return p.list_count.has_value(); });
@@ -155,7 +155,7 @@ class BinaryWalker {
   std::size_t at_ = 0;
 };
 
-std::size_t smallest_record(const Element& element) {
+std::size_t min_record(const Element& element) {
   std::size_t bytes = 0;
   for (const auto& p : element.properties) bytes += source_type_bytes(p.list_count.value_or(p.field.type));
   return bytes;
@@ -172,8 +172,7 @@ CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_in
     if (!walker.skip(header.elements[e], run))
       throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points",
                       "the whole file");
-  builder.reserve(
-      static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / smallest_record(vertex))));
+  builder.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / min_record(vertex))));
   std::vector<double> row(fields.size());
   std::uint64_t read = 0;
   while (read < vertex.count && walker.read(vertex, &row)) {
@@ -186,7 +185,7 @@ CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_in
   return out;
 }
 
-// The scalars of a line, lists passed over. False when there are too few words or one is no number.
+// The scalars of a line, without its lists. False where there are too few words or one is not a number.
 bool read_words(const std::vector<std::string_view>& words, const Element& element, std::vector<double>& row) {
   std::size_t word = 0, scalar = 0;
   for (const auto& p : element.properties) {
@@ -236,8 +235,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   }
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
-  if (bad > 0)
-    out.report.warn(std::to_string(bad) + " lines that do not hold the properties of a vertex were left out");
+  if (bad > 0) out.report.warn(std::to_string(bad) + " lines without the properties of a vertex were skipped");
   warn_cut_off(out.report, vertex.count, read);
   return out;
 }

@@ -1,5 +1,5 @@
 // Facts of a cloud in a LAS file: a variable length record of the user "Bole", record 1, whose data are a JSON object
-// of texts ({"sensor":"VLP-32C"}). Other programs pass over it.
+// of texts ({"sensor":"VLP-32C"}). Other programs ignore it.
 #pragma once
 
 #include <string>

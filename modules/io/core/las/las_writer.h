@@ -1,4 +1,4 @@
-// Point clouds into LAS files.
+// Writes point clouds as LAS.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ const OptionTable& option_table(const LasWriteOptions*);
 // (1.2). Facts go to a record of Bole's own (las_facts.h).
 //
 // Coordinates lie on the cloud's own grid (PointCloud::scale) when it has one, so that a cloud read from LAS comes back
-// exactly; else they are rounded to `scale_m`. Values that a field cannot hold are held at its ends, with a warning.
+// exactly; else they are rounded to `scale_m`. Values beyond the range of a field are clamped, with a warning.
 //
 // The file appears under its name only when it is whole. Throws Error{bad_input} when a coordinate is not finite or too
 // far away for the grid, Error{failed} when the file cannot be written, Error{cancelled}.

@@ -12,12 +12,12 @@
 
 namespace bole::io {
 
-// The capture is read once to find where each frame starts (a few dozen bytes per frame are kept); frames are decoded
-// when they are asked for. A frame is one turn of the rotor from the cut angle on; it also ends where the recording
-// breaks off for so long that the rotor passed the cut angle, or where the sensor's clock was set.
+// The capture is read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are decoded
+// when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the recording is
+// interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
 class VelodynePcapSource : public FrameSource {
  public:
-  // Throws Error{bad_input} when there is no Velodyne data packet or the sensor is not known.
+  // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
   VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
   VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
 

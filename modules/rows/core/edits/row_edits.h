@@ -20,7 +20,7 @@ struct RowEdit : EditRecord {
   std::optional<Eigen::Vector2d> from, to;       // move, add: the ends
   std::vector<Eigen::Vector2d> with;             // merge: places on the other rows
   std::string row_id;                            // renumber; add where given
-  std::optional<double> was_angle_deg;           // what the person saw: a changed row is told
+  std::optional<double> was_angle_deg;           // what the person saw; a changed row is reported
   std::string text;                              // note
 };
 

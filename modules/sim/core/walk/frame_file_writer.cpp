@@ -49,8 +49,12 @@ void FrameFileWriter::add(const FiringSequence& s) {
                azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
   const bool round = azimuth < last_azimuth_rad_ || (s.time_s - last_time_s_) * s.turn_rad_s > two_pi;
   if (open_ && round) finish_frame();
-  last_azimuth_rad_ = azimuth, last_time_s_ = s.time_s;
-  if (!open_) frame_starts_s_.push_back(s.time_s), open_ = true;
+  last_azimuth_rad_ = azimuth;
+  last_time_s_ = s.time_s;
+  if (!open_) {
+    frame_starts_s_.push_back(s.time_s);
+    open_ = true;
+  }
   for (std::size_t c = 0; c < s.echoes.size(); ++c) {
     const auto& echo = s.echoes[c];
     if (!(echo.range_m > 0)) continue;
@@ -79,7 +83,9 @@ void FrameFileWriter::finish_frame() {
   write("bin", points_);
   write("time", point_times_s_);
   write("ring", rings_);
-  points_.clear(), point_times_s_.clear(), rings_.clear();
+  points_.clear();
+  point_times_s_.clear();
+  rings_.clear();
   open_ = false;
 }
 

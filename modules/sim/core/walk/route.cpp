@@ -52,7 +52,10 @@ class CostGrid {
     int best = -1;
     double distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_ * n_; ++i)
-      if (const double d = (point(i) - p).squaredNorm(); is_free(i) && d < distance) best = i, distance = d;
+      if (const double d = (point(i) - p).squaredNorm(); is_free(i) && d < distance) {
+        best = i;
+        distance = d;
+      }
     return best;
   }
 

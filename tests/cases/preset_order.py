@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""One small simulated plot by `loam`, `forest` and `best`: each must be clearly better than the one before it.
+
+All three see the same frames. docs/dev/slam.md has the figures of whole plots. Whoever changes a preset looks at more seeds:
+
+  preset_order.py --bole build/headless/bin/bole --work DIR --seeds 1 2 3 4
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import shutil
+import statistics
+import subprocess
+import sys
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+PRESETS = ["loam", "forest", "best"]
+
+# How many times as large a figure of one preset is at least as that of the next: about half of what the worst of four seeds shows.
+FACTORS = {
+    "ate_cm": {"loam": 2.0, "forest": 1.5},
+    "wall_mm": {"loam": 1.2, "forest": 1.02},
+    "dbh_rmse_cm": {"loam": 1.5, "forest": 1.1},
+}
+
+
+def run(command):
+    print("+", " ".join(map(str, command)), flush=True)
+    result = subprocess.run([str(c) for c in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if result.returncode != 0:
+        sys.exit(f"{result.stdout}\nexit code {result.returncode}")
+
+
+def rows(path):
+    with open(path, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def measured(bole, scan, out, settings):
+    """Figures of one run of the forest pipeline."""
+    shutil.rmtree(out, ignore_errors=True)
+    settings = {"scan.file": scan / "walk.pcap", "reference_trees.file": scan / "trees.csv",
+                "reference_path.file": scan / "trajectory.tum", "plot.width": 16, "plot.length": 16,
+                "report.figures": "false", "report.cloud": "false", **settings}
+    run([bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--out", out, "--no-cache",
+         *(word for key, value in settings.items() for word in ("--set", f"{key}={value}"))])
+    summary = json.loads((out / "summary.json").read_text())
+    stages = {s["id"]: s for s in summary["stages"]}
+    evaluated = {name: m["value"] for name, m in stages["evaluate"]["metrics"].items()}
+    matched = {r["tree_id"] for r in rows(out / "matches.csv") if r["kind"] == "matched"}
+    walls = [float(r["wall_cm"]) for r in rows(out / "stems.csv") if r["tree_id"] in matched and r["wall_cm"]]
+    return {"frames": stages["slam"]["counts"]["frames"], "ate_cm": 100 * evaluated["ate_rmse"],
+            "wall_mm": 10 * statistics.median(walls), "dbh_rmse_cm": evaluated["dbh_rmse"], "trees": len(matched),
+            "seconds": stages["slam"]["seconds"]}
+
+
+def disorder(figures):
+    """What is not in order; each pair of neighbours is told with its factor."""
+    complaints = []
+    if len({f["frames"] for f in figures.values()}) > 1:
+        complaints.append("the presets mapped different numbers of frames")
+    for measure, factors in FACTORS.items():
+        for worse, better in zip(PRESETS, PRESETS[1:]):
+            factor = figures[worse][measure] / figures[better][measure]
+            print(f"  {measure}: {worse} has {factor:.2f} times that of {better} (at least {factors[worse]} expected)")
+            if not factor >= factors[worse]:
+                complaints.append(f"{measure}: {worse} {figures[worse][measure]:.4g} and {better} {figures[better][measure]:.4g} "
+                                  f"are not {factors[worse]} times apart")
+    return complaints
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bole", required=True, type=pathlib.Path)
+    parser.add_argument("--work", required=True, type=pathlib.Path)
+    parser.add_argument("--plot", default="demo")
+    parser.add_argument("--seeds", type=int, nargs="+", default=[1])
+    parser.add_argument("--seconds", type=float, default=40, help="length of the walk")
+    args = parser.parse_args()
+    complaints = []
+    for seed in args.seeds:
+        scan = args.work / f"scan-{seed}"
+        run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--most-time", args.seconds, "--out", scan])
+        figures = {}
+        for name in PRESETS:
+            figures[name] = measured(args.bole, scan, args.work / "out", {"slam.preset": name})
+            print(f"seed {seed}, {name}:", ", ".join(f"{k} {v:.4g}" for k, v in figures[name].items()), flush=True)
+        complaints += [f"seed {seed}: {c}" for c in disorder(figures)]
+        shutil.rmtree(scan, ignore_errors=True)
+    shutil.rmtree(args.work / "out", ignore_errors=True)
+    print("\n".join(complaints))
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
