@@ -10,7 +10,7 @@ inline namespace cloud {
 namespace {
 
 constexpr char fact[] = "breast_height_m";
-constexpr double least_m = 0.1, most_m = 5;
+constexpr double min_m = 0.1, max_m = 5;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ double breast_height_m(const Table& stems) {
   const std::string& text = it->second;
   double height = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), height);
-  if (error != std::errc() || end != text.data() + text.size() || !(height >= least_m && height <= most_m))
+  if (error != std::errc() || end != text.data() + text.size() || !(height >= min_m && height <= max_m))
     throw bad_input("the stem table says \"" + text + "\" for its breast height", "metres from 0.1 to 5",
                     "Measure the stems anew, or take the fact breast_height_m away");
   return height;

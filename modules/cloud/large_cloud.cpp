@@ -47,8 +47,8 @@ std::shared_ptr<const Column> column_with_pages(Column column, FilePages pages) 
 }
 
 std::size_t lay_columns_on_file(PointCloud& cloud, const std::vector<std::filesystem::path>& folders,
-                                std::size_t most_bytes) {
-  if (columns_bytes(cloud) <= most_bytes) return 0;
+                                std::size_t max_bytes) {
+  if (columns_bytes(cloud) <= max_bytes) return 0;
   std::size_t left = 0;
   const auto columns = cloud.columns();
   for (const auto& [name, column] : columns) {

@@ -24,11 +24,11 @@ std::size_t column_bytes(const Column& column);
 // A column and the pages that it lies on, as a column that clouds share.
 std::shared_ptr<const Column> column_with_pages(Column column, FilePages pages);
 
-// Lays the columns of a cloud with more than `most_bytes` of them on file, in one of the folders (scratch_folders()).
+// Lays the columns of a cloud with more than `max_bytes` of them on file, in one of the folders (scratch_folders()).
 // Their addresses and values do not change; other clouds that share them gain as well. The bytes
 // that should lie on file and for which there was no room.
 std::size_t lay_columns_on_file(PointCloud& cloud, const std::vector<std::filesystem::path>& folders,
-                                std::size_t most_bytes = large_columns_bytes);
+                                std::size_t max_bytes = large_columns_bytes);
 
 // What to tell a person then.
 std::string no_room_for_scratch(std::size_t bytes);

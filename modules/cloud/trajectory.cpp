@@ -8,9 +8,9 @@
 namespace bole {
 inline namespace cloud {
 
-Pose Trajectory::at(double time_s, double most_extrapolation_s) const {
+Pose Trajectory::at(double time_s, double max_extrapolation_s) const {
   if (poses.size() < 2) throw bad_input("the trajectory has " + std::to_string(poses.size()) + " poses", "at least 2");
-  if (!(time_s >= poses.front().time_s - most_extrapolation_s && time_s <= poses.back().time_s + most_extrapolation_s))
+  if (!(time_s >= poses.front().time_s - max_extrapolation_s && time_s <= poses.back().time_s + max_extrapolation_s))
     throw bad_input(
         "no pose near time " + number_text(time_s) + " s",
         "a time from " + number_text(poses.front().time_s) + " to " + number_text(poses.back().time_s) + " s",

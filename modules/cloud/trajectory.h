@@ -22,9 +22,9 @@ struct Trajectory {
   Facts facts;
 
   bool empty() const { return poses.empty(); }
-  // The pose at a time, interpolated on the manifold; held constant in velocity for up to `most_extrapolation_s` beyond
+  // The pose at a time, interpolated on the manifold; held constant in velocity for up to `max_extrapolation_s` beyond
   // the ends. Throws Error{bad_input} further out or when there are fewer than two poses.
-  Pose at(double time_s, double most_extrapolation_s = 0.2) const;
+  Pose at(double time_s, double max_extrapolation_s = 0.2) const;
   double length_m() const;
 };
 

@@ -15,6 +15,7 @@
 #include <random>
 #include <set>
 
+#include "base/statistics.h"
 #include "cloud/raster.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/gdal/gdal_writer.h"
@@ -116,7 +117,7 @@ std::vector<int> match(const std::vector<Tree>& trees, const Table& stems) {
         dx.push_back(x[static_cast<std::size_t>(s)] - trees[t].x),
             dy.push_back(y[static_cast<std::size_t>(s)] - trees[t].y);
     }
-    if (!dx.empty()) shift_x = stems::median_of(dx), shift_y = stems::median_of(dy);
+    if (!dx.empty()) shift_x = upper_median(dx), shift_y = upper_median(dy);
   }
   return found;
 }
