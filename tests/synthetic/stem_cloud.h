@@ -163,7 +163,9 @@ class StemCloudMaker {
       out_.points.set_column(arrays::range, std::move(range_));
     }
     if (o_.time) out_.points.set_column(arrays::time, std::move(time_));
-    out_.dem.cell_m = 0.25, out_.dem.nx = out_.dem.ny = 120, out_.dem.origin = origin.head<2>().array() - 15.0;
+    out_.dem.cell_m = 0.25;
+    out_.dem.nx = out_.dem.ny = 120;
+    out_.dem.origin = origin.head<2>().array() - 15.0;
     out_.dem.values.resize(120 * 120);
     for (int iy = 0; iy < 120; ++iy)
       for (int ix = 0; ix < 120; ++ix)

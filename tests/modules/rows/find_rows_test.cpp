@@ -118,7 +118,8 @@ Score score(const PlantField& field, const FoundRows& found) {
   std::map<int, int> size;
   Score s;
   for (const auto& p : field.plants) p.row >= 0 ? (void)++size[p.row] : (void)++s.strays;
-  s.rows = static_cast<int>(field.rows.size()), s.found = static_cast<int>(votes.size());
+  s.rows = static_cast<int>(field.rows.size());
+  s.found = static_cast<int>(votes.size());
   for (const auto& [row_id, count] : votes) {
     int all = 0, best = -1, shared = 0;
     for (const auto& [row, n] : count) {

@@ -171,7 +171,7 @@ UprightStrip find_upright(const std::vector<Eigen::Vector3d>& points, double max
       }
       if (std::pair(strip.layers, count) <= std::pair(best.layers, best_points)) continue;
       strip.at = sum / static_cast<double>(count);
-      strip.low_m = static_cast<double>(low) * layer_height,
+      strip.low_m = static_cast<double>(low) * layer_height;
       strip.high_m = static_cast<double>(high + 1) * layer_height;
       strip.filled = static_cast<double>(strip.layers) / static_cast<double>(high - low + 1);
       best = strip;

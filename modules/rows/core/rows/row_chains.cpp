@@ -184,8 +184,11 @@ class Grower {
         const Eigen::Vector2d back_u = lead_of(other, +1).u;
         if (back_u.dot(lead.u) > -std::cos(turn_limit)) continue;
         const double angle_there = std::atan2(-back_u.y(), -back_u.x());
-        if (const double c = cost(lead, first, angle_there, chains[a].size()); c < best_cost)
-          best = static_cast<int>(b), best_cost = c, reversed = back;
+        if (const double c = cost(lead, first, angle_there, chains[a].size()); c < best_cost) {
+          best = static_cast<int>(b);
+          best_cost = c;
+          reversed = back;
+        }
       }
     }
     return best;

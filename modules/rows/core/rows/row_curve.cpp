@@ -77,7 +77,7 @@ RowCurve RowCurve::fit_degree(const Points2& in_order, int degree, std::vector<d
       t[i] = foot.t_m;
       across.push_back(std::abs(foot.across_m));
     }
-    curve.sigma_m_ = 1.4826 * upper_median(across);
+    curve.sigma_m_ = 1.4826 * upper_median(std::vector<double>(across));  // a copy: the order matters below
     if (n < min_for_weights) continue;
     for (Eigen::Index i = 0; i < n; ++i) {
       const double r = across[static_cast<std::size_t>(i)] / (tukey * std::max(curve.sigma_m_, 1e-9));

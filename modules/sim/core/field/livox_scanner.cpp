@@ -40,7 +40,8 @@ Echo strongest(std::array<RayHit, rays>& hits) {
            (next == first || hits[next].range_m - hits[next - 1].range_m < static_cast<float>(blend_m));
          ++next) {
       const double e = hits[next].range_m > 0 ? energy(hits[next]) : 0;
-      sum += e, moment += e * static_cast<double>(hits[next].range_m);
+      sum += e;
+      moment += e * static_cast<double>(hits[next].range_m);
       if (e > peak) {
         peak = e;
         tree = hits[next].tree_id;
@@ -88,8 +89,10 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   for (std::size_t i = 0; i < rays; ++i) {
     const double u = kh * quantiles[static_cast<std::size_t>(shuffled[i])], v = kv * quantiles[i];
     const Eigen::Vector3d d = (axis + u * right + v * up).normalized();
-    for (int k = 0; k < 3; ++k)
-      bundle.origin[k][i] = static_cast<float>(T.translation()[k]), bundle.direction[k][i] = static_cast<float>(d[k]);
+    for (int k = 0; k < 3; ++k) {
+      bundle.origin[k][i] = static_cast<float>(T.translation()[k]);
+      bundle.direction[k][i] = static_cast<float>(d[k]);
+    }
   }
   std::array<RayHit, rays> hits;
   scene_.intersect(bundle, hits.data());

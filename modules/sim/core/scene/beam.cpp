@@ -114,8 +114,10 @@ sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_
     const Eigen::Vector3d direction =
         (axis + u * sensor_.beam_divergence_horizontal_rad * right + v * sensor_.beam_divergence_vertical_rad * up)
             .normalized();
-    for (int d = 0; d < 3; ++d)
-      bundle.origin[d][i] = static_cast<float>(origin[d]), bundle.direction[d][i] = static_cast<float>(direction[d]);
+    for (int d = 0; d < 3; ++d) {
+      bundle.origin[d][i] = static_cast<float>(origin[d]);
+      bundle.direction[d][i] = static_cast<float>(direction[d]);
+    }
   }
   RayHit hits[rays];
   scene_.intersect(bundle, hits);
