@@ -17,8 +17,10 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "document/file_kinds.h"
 #include "document/new_document.h"
 #include "document/stage_operations.h"
+#include "io/core/formats.h"
 #include "look/theme.h"
 #include "messages.h"
 #include "panels/pipeline_panel.h"
@@ -235,6 +237,25 @@ class ShellTest : public QObject {
     QCOMPARE(window.stems().model()->rowCount(), 9);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.pdf"), Error);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.json"), Error);
+  }
+
+  void the_window_opens_everything_that_info_reads() {
+    const auto dialog = all_endings().split(' ');
+    for (const auto& format : io::formats()) {
+      if (format.content() > io::FileContent::cloud || format.folder) continue;
+      const auto kind = format.content() == io::FileContent::scan ? FileKind::scan : FileKind::cloud;
+      for (const auto ending : format.endings) {
+        const QString name = "plot" + QString::fromStdString(std::string(ending));
+        QCOMPARE(kind_of_file("/nowhere/" + name.toUpper()), kind);
+        QVERIFY2(dialog.contains("*" + name.mid(4)), qPrintable(name));
+      }
+    }
+    QFile nameless(folder_.filePath("points"));
+    QVERIFY(nameless.open(QIODevice::WriteOnly));
+    nameless.write("1 2 3\n");
+    nameless.close();
+    QCOMPARE(kind_of_file(folder_.filePath("points")), FileKind::cloud);
+    QVERIFY(!document_for_file(folder_.filePath("points")).stages().empty());
   }
 
   void an_empty_window_says_where_to_begin() {

@@ -3,38 +3,22 @@
 #include <QFileInfo>
 #include <QStringList>
 
+#include "io/core/formats.h"
+
 namespace bole::desktop {
-namespace {
-
-struct Endings {
-  FileKind kind;
-  QStringList endings;
-};
-
-const std::vector<Endings>& all_kinds() {
-  static const std::vector<Endings> kinds{
-      {FileKind::pipeline, {"json"}},
-      {FileKind::cloud, {"las", "laz", "ply", "pcd", "xyz", "txt", "csv", "asc", "pts"}},
-      {FileKind::scan, {"pcap"}}};
-  return kinds;
-}
-
-}  // namespace
 
 FileKind kind_of_file(const QString& path) {
-  const QFileInfo info(path);
-  if (info.isDir()) return FileKind::scan;
-  for (const auto& [kind, endings] : all_kinds())
-    if (endings.contains(info.suffix().toLower())) return kind;
-  return FileKind::unknown;
+  if (QFileInfo(path).suffix().compare("json", Qt::CaseInsensitive) == 0) return FileKind::pipeline;
+  const auto* format = io::find_format(path.toStdString());
+  if (format == nullptr) return FileKind::unknown;
+  return format->content() == io::FileContent::scan ? FileKind::scan : FileKind::cloud;
 }
 
 QString pipeline_endings() { return "*.json"; }
 
 QString all_endings() {
-  QStringList patterns;
-  for (const auto& [kind, endings] : all_kinds())
-    for (const auto& ending : endings) patterns << "*." + ending;
+  QStringList patterns{pipeline_endings()};
+  for (const auto& pattern : io::file_patterns(io::scans_and_clouds)) patterns << QString::fromStdString(pattern);
   return patterns.join(' ');
 }
 

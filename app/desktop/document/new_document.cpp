@@ -8,6 +8,7 @@
 #include "base/resources.h"
 #include "document/file_kinds.h"
 #include "document/session.h"
+#include "io/core/formats.h"
 #include "look/resources.h"
 #include "sim/core/plot/simulate.h"
 
@@ -75,8 +76,8 @@ pipeline::PipelineDocument shipped_pipeline(const QString& name) {
 pipeline::PipelineDocument document_for_file(const QString& path) {
   const auto kind = kind_of_file(path);
   if (kind != FileKind::cloud && kind != FileKind::scan)
-    throw bad_input("'" + path.toStdString() + "' is no pipeline, cloud or scan",
-                    "a file like " + all_endings().toStdString() + ", or a folder of frames");
+    throw bad_input("'" + path.toStdString() + "' is not a pipeline, scan or point cloud",
+                    "a pipeline (.json), or " + io::format_list(io::scans_and_clouds));
   auto document = shipped_pipeline(kind == FileKind::cloud ? "stem_map_from_cloud.json" : "forest_plot.json");
   document.set("scan.file", QFileInfo(path).absoluteFilePath().toStdString());
   return document;
