@@ -110,7 +110,7 @@ TEST(PoseGraph, WithoutASolutionTheKeyFramesStayAndItIsTold) {
   const auto graph = optimise_pose_graph(keyframes, {l}, {});
   EXPECT_FALSE(graph.solved);
   ASSERT_EQ(graph.warnings.size(), 1u);
-  EXPECT_NE(graph.warnings[0].find("the loops could not be adjusted and none is used"), std::string::npos);
+  EXPECT_NE(graph.warnings[0].find("the loop closures could not be adjusted and none is used"), std::string::npos);
   EXPECT_TRUE(kept_loops({l}, graph).empty());
   ASSERT_EQ(graph.T_map_keyframe.size(), keyframes.size());
   for (std::size_t k = 0; k < keyframes.size(); ++k)

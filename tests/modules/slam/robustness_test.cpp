@@ -236,7 +236,7 @@ TEST(Robustness, WherePlacesAreAlikeAGapEndsTheMap) {
   auto result = run_slam(source, options, {});
   EXPECT_LT(worst_m(result.trajectory, source), 0.15);
   EXPECT_EQ(result.report.facts["lost_at_frame"], "14") << testing::PrintToString(result.report.warnings);
-  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("two places fit alike 3 s after")));
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("two places fit equally well 3 s after")));
 }
 
 TEST(Robustness, ASectorMayBeMissing) {

@@ -29,9 +29,8 @@ void Path::update_velocities() {
   std::vector<Vector6d> pieces(n - 1);
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const double dt = nodes_[i + 1].time_s - nodes_[i].time_s;
-    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt;
-
-    (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
+    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt,
+        (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
   }
   velocities_.assign(n, Vector6d::Zero());
   velocities_.front() = pieces.front();

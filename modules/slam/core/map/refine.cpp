@@ -136,13 +136,11 @@ void add_smoothness(const Path& path, const RefineSettings& settings, BandedSyst
     const Pose &A = nodes[i - 1].T_target_sensor, &B = nodes[i].T_target_sensor, &C = nodes[i + 1].T_target_sensor;
     Vector6d error;
     error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after -
-                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before;
-
-    (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
+                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
+        (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
     Vector6d w;
-    w << Eigen::Vector3d::Constant(std::pow(settings.angular_acceleration_sigma * mean, -2));
-
-    Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma * mean, -2));
+    w << Eigen::Vector3d::Constant(std::pow(settings.angular_acceleration_sigma * mean, -2)),
+        Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma * mean, -2));
     const std::array<double, 3> share{1 / before, -1 / before - 1 / after, 1 / after};
     for (std::size_t a = 0; a < 3; ++a) {
       system.gradient(i - 1 + a) += share[a] * w.cwiseProduct(error);

@@ -78,8 +78,7 @@ void add(const Witness& w, const RegistrationSettings& settings, Information& to
   const auto e =
       pose_equations(as_target(w.surface, w.line, settings.sigma), w.in_map, w.lever, settings.kernel_sigmas);
   Eigen::Matrix<double, 3, 6> J;
-  J << -skew(w.lever);
-  Eigen::Matrix3d::Identity();
+  J << -skew(w.lever), Eigen::Matrix3d::Identity();
   to.signal += e.H;
   to.noise += e.weight * J.transpose() * tilt_covariance(w.surface, w.line) * J;
   ++to.points;

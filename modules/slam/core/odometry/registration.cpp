@@ -70,12 +70,7 @@ void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, c
 // Planes keep the turn about x and y and the shift along z, lines the others.
 void keep_own_unknowns(bool line, PoseEquations& e) {
   Vector6d own;
-  own << 1;
-  1;
-  0;
-  0;
-  0;
-  1;
+  own << 1, 1, 0, 0, 0, 1;
   if (line) own = Vector6d::Ones() - own;
   e.H = (own.asDiagonal() * e.H * own.asDiagonal()).eval();
   e.g = e.g.cwiseProduct(own);
@@ -129,14 +124,11 @@ class FrameEquations {
     sums.H_data += e.H;
     const auto [at_begin, at_end] = shares(settings_.model, p.s);
     if (at_begin != 0) {
-      sums.H.topLeftCorner < 6;
-      6 > () += at_begin * at_begin * e.H;
-      sums.H.topRightCorner < 6;
-      6 > () += at_begin * at_end * e.H;
+      sums.H.topLeftCorner<6, 6>() += at_begin * at_begin * e.H;
+      sums.H.topRightCorner<6, 6>() += at_begin * at_end * e.H;
       sums.g.head<6>() += at_begin * e.g;
     }
-    sums.H.bottomRightCorner < 6;
-    6 > () += at_end * at_end * e.H;
+    sums.H.bottomRightCorner<6, 6>() += at_end * at_end * e.H;
     sums.g.tail<6>() += at_end * e.g;
   }
 
@@ -148,8 +140,7 @@ class FrameEquations {
 
 Vector6d pose_difference(const Pose& from, const Pose& to) {
   Vector6d d;
-  d << so3_log(Eigen::Quaterniond(to.linear() * from.linear().transpose()));
-  to.translation() - from.translation();
+  d << so3_log(Eigen::Quaterniond(to.linear() * from.linear().transpose())), to.translation() - from.translation();
   return d;
 }
 
@@ -162,8 +153,7 @@ Pose moved(const Pose& T, const Vector6d& turn_shift) {
 
 Vector6d inverse_variances(double sigma_rad, double sigma) {
   Vector6d w;
-  w << Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad));
-  Eigen::Vector3d::Constant(1 / (sigma * sigma));
+  w << Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad)), Eigen::Vector3d::Constant(1 / (sigma * sigma));
   return w;
 }
 
@@ -177,12 +167,9 @@ void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const R
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin),
                  ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
-  sums.H.topLeftCorner < 6;
-  6 > () += (wb + wm).asDiagonal();
-  sums.H.bottomRightCorner < 6;
-  6 > () += wm.asDiagonal();
-  sums.H.topRightCorner < 6;
-  6 > () -= wm.asDiagonal();
+  sums.H.topLeftCorner<6, 6>() += (wb + wm).asDiagonal();
+  sums.H.bottomRightCorner<6, 6>() += wm.asDiagonal();
+  sums.H.topRightCorner<6, 6>() -= wm.asDiagonal();
   sums.g.head<6>() += wb.cwiseProduct(eb) - wm.cwiseProduct(em);
   sums.g.tail<6>() += wm.cwiseProduct(em);
 }
@@ -192,9 +179,7 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   Vector12d step = Vector12d::Zero();
   if (model == MotionModel::elastic) {
     Matrix12d H = sums.H;
-    H.bottomLeftCorner < 6;
-    6 > () = H.topRightCorner < 6;
-    6 > ().transpose();
+    H.bottomLeftCorner<6, 6>() = H.topRightCorner<6, 6>().transpose();
     step = -H.ldlt().solve(sums.g);
     if (!step.allFinite()) return Vector12d::Constant(std::nan(""));
     motion.T_map_begin = moved(motion.T_map_begin, step.head<6>());
@@ -272,15 +257,13 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   out.weight = weight;
   if (!line) {
     Vector6d a;
-    a << lever.cross(target.axis);
-    target.axis;
+    a << lever.cross(target.axis), target.axis;
     out.H.noalias() = weight * a * a.transpose();
     out.g = weight * along * a;
     return out;
   }
   Eigen::Matrix<double, 3, 6> J;
-  J << -skew(lever);
-  Eigen::Matrix3d::Identity();
+  J << -skew(lever), Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - target.axis * target.axis.transpose();
   const Eigen::Matrix<double, 6, 3> Jw = weight * J.transpose() * across;
   out.H.noalias() = Jw * J;

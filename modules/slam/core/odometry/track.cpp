@@ -371,8 +371,7 @@ void report_frames(const FirstPass& pass, double min_observability, Report& repo
     if (!f.ok) continue;
     ++good;
     sigma0 += f.sigma0;
-    variance += f.covariance.bottomRightCorner < 3;
-    3 > ().trace();
+    variance += f.covariance.bottomRightCorner<3, 3>().trace();
     squared += f.rms * f.rms;
     overlap += f.overlap;
     iterations += f.iterations;
