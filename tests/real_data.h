@@ -5,7 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
 
-#define BOLE_NEEDS_REAL(path)         \
-  if (!std::filesystem::exists(path)) \
-  GTEST_SKIP() << "for want of ../shared/data: " << std::filesystem::path(path).lexically_normal().string()
+namespace bole {
+
+inline std::string want_of(const std::filesystem::path& real) {
+  return "for want of ../shared/data: " + real.lexically_normal().string();
+}
+
+}  // namespace bole
+
+#define BOLE_NEEDS_REAL(real) \
+  if (!std::filesystem::exists(real)) GTEST_SKIP() << ::bole::want_of(real)

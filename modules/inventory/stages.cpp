@@ -39,14 +39,21 @@ void register_stages(pipeline::StageRegistry& registry) {
       "from the stem curves, else from diameter and height. Where too few tops were seen, heights and volumes are "
       "left out. Without a plot there are no values per hectare.";
   type.source = "Näslund (1936); van Laar and Akça (2007); volumes by form and intervals: Bole";
-  type.inputs = {
-      {"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
-      {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}}};
+  type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
+                 {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}}};
   type.outputs = {
-      {"plot_values", DataKind::table, "A row per measure: measure, value, unit, lo, hi, half, sampled_half.", false,
-       {}, true},
+      {"plot_values",
+       DataKind::table,
+       "A row per measure: measure, value, unit, lo, hi, half, sampled_half.",
+       false,
+       {},
+       true},
       {"diameter_classes", DataKind::table, "Stems, basal area and mean height by diameter class.", false, {}, true},
-      {"height_curve", DataKind::table, "Coefficients of the height curve; no row where there is none.", false, {},
+      {"height_curve",
+       DataKind::table,
+       "Coefficients of the height curve; no row where there is none.",
+       false,
+       {},
        true}};
   type.options = &option_table(static_cast<const PlotValueOptions*>(nullptr));
   type.run = run_plot_values;

@@ -15,11 +15,11 @@
 namespace bole::report {
 
 struct FigureOutput {
-  double dpi = 300;       // of the PNG
-  bool vectors = true;    // SVG and PDF files too, where the figure can be vector
-  bool on_page = true;    // kept for the page
-  bool as_pixels = false; // on the page even where the figure could be vector
-  bool wide = true;       // on the page: over its whole width
+  double dpi = 300;        // of the PNG
+  bool vectors = true;     // SVG and PDF files too, where the figure can be vector
+  bool on_page = true;     // kept for the page
+  bool as_pixels = false;  // on the page even where the figure could be vector
+  bool wide = true;        // on the page: over its whole width
 };
 
 class ReportWriter {

@@ -16,7 +16,8 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
-      "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
+      "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, "
+      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
       "stems as solids (OBJ, PLY, VTP), figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
       "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
       "with every option and the time and memory of each stage. Inputs that are not connected are left out.";

@@ -10,8 +10,8 @@
 namespace bole::report {
 namespace {
 
-using Member = std::variant<const Table* SurveyData::*, const PointCloud* SurveyData::*, const Raster* SurveyData::*,
-                            const Trajectory* SurveyData::*>;
+using Member = std::variant<const Table * SurveyData::*, const PointCloud * SurveyData::*, const Raster * SurveyData::*,
+                            const Trajectory * SurveyData::*>;
 
 struct Input {
   const char* port;
@@ -57,7 +57,7 @@ DataKind kind_of(const Member& member) {
 }
 
 template <class T>
-void take(const DataSet& inputs, const char* port, const T* SurveyData::* member, SurveyData& data) {
+void take(const DataSet& inputs, const char* port, const T* SurveyData::*member, SurveyData& data) {
   data.*member = inputs.get<T>(port).get();
 }
 
@@ -84,9 +84,7 @@ std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule
 }  // namespace
 
 bool SurveyData::poses_given() const {
-  const auto given = [](const auto* data) {
-    return data != nullptr && pose_origin(data->facts) == PoseOrigin::given;
-  };
+  const auto given = [](const auto* data) { return data != nullptr && pose_origin(data->facts) == PoseOrigin::given; };
   return given(trajectory) || given(points) || given(stems);
 }
 

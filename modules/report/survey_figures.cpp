@@ -66,7 +66,8 @@ void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::
   constexpr double dpi = hero_width_px / hero_width_mm * mm_per_inch;
   plans.push_back(
       {.name = "hero",
-       .make = [source] { return std::vector<render::Figure>{render::hero_figure(source->data(), hero_width_mm, dpi)}; },
+       .make =
+           [source] { return std::vector<render::Figure>{render::hero_figure(source->data(), hero_width_mm, dpi)}; },
        .kind = FigureKind::map,
        .on_page = false,
        .dpi = dpi});

@@ -74,7 +74,7 @@ void note_first_error(RunOutcome& outcome, int exit_code, const std::string& err
 }
 
 std::map<std::string, std::shared_ptr<const Table>> summary_tables(const pipeline::StageType& type,
-                                                                    vtkBoleStage& stage) {
+                                                                   vtkBoleStage& stage) {
   std::map<std::string, std::shared_ptr<const Table>> tables;
   for (int i = 0; i < static_cast<int>(type.outputs.size()); ++i) {
     const auto& port = type.outputs[static_cast<std::size_t>(i)];

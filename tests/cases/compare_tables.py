@@ -6,7 +6,7 @@ A comparison is one line of clauses with commas between them:
   stems.csv = {scan}/trees.csv, nearest x_m y_m within 0.5, dbh_cm 1.5, height_m=total_height_m 5%, missing 1, extra 0
 
   FOUND = EXPECTED           two CSV files; {name} is filled in by who calls
-  key COLUMN...              rows belong together that have the same values there, or
+  key COLUMN...              rows belong together that have the same values there (COLUMN=OTHER as below), or
   nearest COLUMN... within D rows belong together that are nearest to one another, at most D apart
   COLUMN TOLERANCE           largest difference allowed, absolute or in % of what is expected; 0 for words;
                              COLUMN=OTHER where the expected table has another name for it
@@ -37,12 +37,17 @@ class Column:
 class Comparison:
     found: str
     expected: str
-    pair: list
+    pair: list  # (found, expected) names of columns
     within: float | None  # None: by key
     columns: list
     where: tuple = ()
     missing: int = 0
     extra: int = 0
+
+
+def both_names(word):
+    found, _, expected = word.partition("=")
+    return found, expected or found
 
 
 def parsed(line):
@@ -53,18 +58,18 @@ def parsed(line):
     comparison = Comparison(head[0], head[2], [], None, [])
     for words in clauses[1:]:
         if words[:1] == ["key"] and len(words) > 1:
-            comparison.pair = words[1:]
+            comparison.pair = [both_names(w) for w in words[1:]]
         elif words[:1] == ["nearest"] and words[-2:-1] == ["within"] and len(words) > 3:
-            comparison.pair, comparison.within = words[1:-2], float(words[-1])
+            comparison.pair, comparison.within = [both_names(w) for w in words[1:-2]], float(words[-1])
         elif len(words) == 2 and words[0] == "where" and "=" in words[1]:
             comparison.where = tuple(words[1].split("=", 1))
         elif len(words) == 2 and words[0] in ("missing", "extra"):
             setattr(comparison, words[0], int(words[1]))
         elif len(words) == 2 and re.fullmatch(r"\d+(\.\d+)?%?", words[1]):
-            found, _, expected = words[0].partition("=")
+            found, expected = both_names(words[0])
             share = words[1].endswith("%")
             tolerance = float(words[1].rstrip("%")) / (100 if share else 1)
-            comparison.columns.append(Column(found, expected or found, tolerance, share))
+            comparison.columns.append(Column(found, expected, tolerance, share))
         else:
             raise SpecError(f"cannot read '{' '.join(words)}' in '{line}'")
     if not comparison.pair:
@@ -94,25 +99,29 @@ def number(text):
 
 
 def by_key(found, expected, columns):
-    def keys(rows):
+    def keys(rows, names):
+        """Rows by key; one with an empty cell there has no partner."""
         seen = {}
         for i, row in enumerate(rows):
-            key = tuple(number(row[c]) if number(row[c]) is not None else row[c] for c in columns)
+            key = tuple(row[c] if number(row[c]) is None else number(row[c]) for c in names)
+            if "" in key:
+                continue
             if key in seen:
                 raise SpecError(f"two rows have the key {key}")
             seen[key] = i
         return seen
 
-    ours, theirs = keys(found), keys(expected)
+    ours, theirs = keys(found, [c[0] for c in columns]), keys(expected, [c[1] for c in columns])
     return [(ours[k], theirs[k]) for k in theirs if k in ours]
 
 
 def by_distance(found, expected, columns, within):
-    def places(rows):
-        return [tuple(number(row[c]) for c in columns) for row in rows]
+    def places(rows, names):
+        return [tuple(number(row[c]) for c in names) for row in rows]
 
-    pairs = [(math.dist(p, q), i, j) for i, p in enumerate(places(found)) for j, q in enumerate(places(expected))
-             if None not in p and None not in q]
+    theirs = places(expected, [c[1] for c in columns])
+    pairs = [(math.dist(p, q), i, j) for i, p in enumerate(places(found, [c[0] for c in columns]))
+             for j, q in enumerate(theirs) if None not in p and None not in q]
     taken, used, result = set(), set(), []
     for distance, i, j in sorted(pairs):
         if distance <= within and i not in taken and j not in used:
@@ -139,9 +148,9 @@ def compare(line, found_folder=".", **names):
     found_columns, found = read_table(pathlib.Path(found_folder) / comparison.found)
     expected_columns, expected = read_table(comparison.expected.format(**names))
     for asked, there, which in (
-        (comparison.pair + [c.found for c in comparison.columns], found_columns, comparison.found),
-        (comparison.pair + [c.expected for c in comparison.columns] + [*comparison.where[:1]], expected_columns,
-         comparison.expected),
+        ([p[0] for p in comparison.pair] + [c.found for c in comparison.columns], found_columns, comparison.found),
+        ([p[1] for p in comparison.pair] + [c.expected for c in comparison.columns] + [*comparison.where[:1]],
+         expected_columns, comparison.expected),
     ):
         absent = [c for c in asked if c not in there]
         if absent:
@@ -168,7 +177,7 @@ def compare(line, found_folder=".", **names):
             share, off = difference(found[i][column.found], expected[j][column.expected], column)
             largest = max(largest, off or 0.0)
             if share > 1 + 1e-9:  # both are decimal text: a difference of exactly the tolerance is within it
-                where = ", ".join(f"{c} {expected[j][c]}" for c in comparison.pair)
+                where = ", ".join(f"{c} {expected[j][c]}" for _, c in comparison.pair)
                 complaints.append(f"{comparison.found}: {column.found} is {found[i][column.found] or 'empty'} in place of "
                                   f"{expected[j][column.expected] or 'nothing'} at {where}")
         allowed = f"{100 * column.tolerance:g}%" if column.relative else f"{column.tolerance:g}"

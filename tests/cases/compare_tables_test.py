@@ -94,6 +94,13 @@ class Tables(unittest.TestCase):
         self.agrees(TREES, KEY + "dbh_cm=diameter 0", expected)
         self.differs(TREES, KEY + "dbh_cm=diameter 0", "dbh_cm is 20", expected.replace("20", "21"))
 
+    def test_a_key_may_have_another_name_and_be_empty(self):
+        found = TREES.replace("tree,", "ref,") + ",9,9,40,false\n,8,8,41,false\n"
+        line = "found.csv = {truth}, key ref=tree, dbh_cm 0, "
+        self.differs(found, line + "missing 0", "2 rows extra")
+        self.agrees(found, line + "extra 2")
+        self.differs(found.replace("5,0,30", "5,0,31"), line + "extra 2", "dbh_cm is 31 in place of 30 at tree 2")
+
     def test_what_is_not_there_is_an_error(self):
         for line, text in ((KEY + "height_m 1", "found.csv has no column height_m"), (KEY, "cannot read ''"),
                            ("found.csv = {truth}, dbh_cm 1", "which rows belong together"),
@@ -108,7 +115,7 @@ class Tables(unittest.TestCase):
     def test_a_line_is_read(self):
         comparison = parsed("stems.csv = a/b.csv, nearest x_m y_m within 0.5, dbh_cm=d 5%, missing 2")
         self.assertEqual((comparison.pair, comparison.within, comparison.missing, comparison.extra),
-                         (["x_m", "y_m"], 0.5, 2, 0))
+                         ([("x_m", "x_m"), ("y_m", "y_m")], 0.5, 2, 0))
         self.assertEqual((comparison.columns[0].expected, comparison.columns[0].tolerance), ("d", 0.05))
 
 

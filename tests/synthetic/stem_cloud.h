@@ -36,7 +36,7 @@ struct StemCloudOptions {
   double pass_step = 0.25;                          // sensor positions along each pass, metres
   double azimuth_step = 0.2, elevation_step = 1.0;  // degrees
   double lowest_elevation = -25, highest_elevation = 15;
-  double most_range = 15;
+  double max_range = 15;
   double ground_slope = 0;            // dz/dx
   int shrub_points = 0;               // scattered in balls around random places
   double outlier_share = 0;           // of returns, moved uniformly by up to +-0.3 m along the ray
@@ -110,7 +110,7 @@ class StemCloudMaker {
       for (double elevation = o_.lowest_elevation; elevation <= o_.highest_elevation; elevation += o_.elevation_step) {
         const double az = azimuth * degree, el = elevation * degree;
         const Eigen::Vector3d d(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
-        double nearest = o_.most_range;
+        double nearest = o_.max_range;
         bool any = false;
         for (const auto& s : out_.stems)
           if (const auto t = hit(s, ground(s.base), sensor, d); t && *t < nearest) {

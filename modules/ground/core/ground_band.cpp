@@ -12,7 +12,7 @@
 namespace bole::ground {
 namespace {
 
-constexpr double least_sigma_m = 0.005;
+constexpr double min_sigma_m = 0.005;
 
 // The lowest peak of the smoothed histogram that is at least half as high as the highest.
 double lowest_strong_peak(std::span<const BandPoint> points, double half_band_m) {
@@ -42,7 +42,7 @@ double scale_from_below(std::span<const BandPoint> points, const Eigen::Vector3d
                      plane.dot(Eigen::Vector3d(1, static_cast<double>(p.dx), static_cast<double>(p.dy)));
     if (r <= 0 && r > -most) below.push_back(-r);
   }
-  return below.empty() ? least_sigma_m : std::clamp(1.4826 * upper_median(below), least_sigma_m, most / 3);
+  return below.empty() ? min_sigma_m : std::clamp(1.4826 * upper_median(below), min_sigma_m, most / 3);
 }
 
 }  // namespace

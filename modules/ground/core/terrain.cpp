@@ -11,8 +11,8 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::size_t most_points_per_cell = 60;
-constexpr std::size_t least_points = 8;  // of the neighbours, for a cell that has none itself
+constexpr std::size_t max_points_per_cell = 60;
+constexpr std::size_t min_points = 8;  // of the neighbours, for a cell that has none itself
 
 // Points of a cell near the rough surface.
 struct NearGround {
@@ -77,10 +77,10 @@ class TerrainFitter {
       const float surface = prior_[cell] + slope.dot(p.head<2>() - centre);
       if (std::abs(p.z() - surface) <= band) out.push_back({p.x(), p.y(), p.z()});
     }
-    if (out.size() <= most_points_per_cell) return;
-    for (std::size_t k = 0; k < most_points_per_cell; ++k)
-      out[k] = out[(2 * k + 1) * out.size() / (2 * most_points_per_cell)];
-    out.resize(most_points_per_cell);
+    if (out.size() <= max_points_per_cell) return;
+    for (std::size_t k = 0; k < max_points_per_cell; ++k)
+      out[k] = out[(2 * k + 1) * out.size() / (2 * max_points_per_cell)];
+    out.resize(max_points_per_cell);
   }
 
   void gather(int ix, int iy, int low, int high, const std::vector<std::vector<NearGround>>& near,
@@ -99,7 +99,7 @@ class TerrainFitter {
 
   // Whether the neighbours' points lie on several sides, so that the fit interpolates.
   bool surrounded(const std::vector<BandPoint>& window) const {
-    if (window.size() < least_points) return false;
+    if (window.size() < min_points) return false;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto& p : window) mean += Eigen::Vector2d(static_cast<double>(p.dx), static_cast<double>(p.dy));
     return (mean / static_cast<double>(window.size())).norm() < 0.4 * shape_.cell_m;

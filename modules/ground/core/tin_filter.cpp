@@ -60,8 +60,8 @@ class TinFilter {
 
   // Joins, cell by cell, the lowest candidate that fits the triangulation; repeats while that extends it.
   void densify(double cell_m) {
-    constexpr int most_rounds = 6;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 6;
+    for (int round = 0; round < max_rounds; ++round) {
       triangulate();
       const auto fitting = find_fitting(cell_m);
       for (const auto i : fitting) accepted_[i] = 1;
@@ -94,8 +94,8 @@ class TinFilter {
   double longest_edge(const Triangle& t) const;
   bool prune_once();
   void prune() {
-    constexpr int most_rounds = 12;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 12;
+    for (int round = 0; round < max_rounds; ++round) {
       triangulate();
       if (!prune_once()) return;
     }

@@ -39,7 +39,8 @@ void take_dominant_height(std::vector<SizedStem> stems, PlotValues& m) {
   m.dominant_stems = std::min(
       stems.size(),
       std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(dominant_per_ha * m.area_m2 / m2_per_ha))));
-  std::stable_sort(stems.begin(), stems.end(), [](const SizedStem& a, const SizedStem& b) { return a.dbh_cm > b.dbh_cm; });
+  std::stable_sort(stems.begin(), stems.end(),
+                   [](const SizedStem& a, const SizedStem& b) { return a.dbh_cm > b.dbh_cm; });
   stems.resize(m.dominant_stems);
   std::erase_if(stems, [](const SizedStem& s) { return !std::isfinite(s.height_m); });
   m.dominant_tops = stems.size();

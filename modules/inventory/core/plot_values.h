@@ -21,11 +21,11 @@ struct DiameterClass {
 
 // NaN where a number cannot be given: per-hectare values without a plot area, heights where too few tops were seen.
 struct PlotValues {
-  double area_m2 = 0;        // horizontal
+  double area_m2 = 0;             // horizontal
   double min_counted_dbh_cm = 0;  // thinner stems are not counted
-  std::size_t stems = 0;     // centre at breast height inside the plot, thick enough, not rejected
-  std::size_t outside = 0;   // measured stems that lie outside
-  std::size_t too_thin = 0;  // inside, below the minimum diameter
+  std::size_t stems = 0;          // centre at breast height inside the plot, thick enough, not rejected
+  std::size_t outside = 0;        // measured stems that lie outside
+  std::size_t too_thin = 0;       // inside, below the minimum diameter
   double stems_per_ha = 0;
   double basal_area_m2 = 0;  // sum of pi/4 dbh^2
   double basal_area_m2_per_ha = 0;

@@ -41,8 +41,7 @@ std::string evaluation_section(const SurveyData& d) {
 std::string slam_section(const ReportContent& c, Report& told) {
   std::string body;
   if (c.record != nullptr)
-    for (const auto& stage : c.record->stages)
-      body += slam_html(stage, c.data.loops, c.data.odometry, told);
+    for (const auto& stage : c.record->stages) body += slam_html(stage, c.data.loops, c.data.odometry, told);
   return body.empty() ? std::string() : section("slam", "SLAM", body);
 }
 

@@ -124,12 +124,10 @@ class Section {
                      {"Found by"}},
                     {},
                     true};
-    const auto start = odometry_ != nullptr && odometry_->rows() > 0
-                           ? numbers_or_nan(*odometry_, "time_s").front()
-                           : numbers_or_nan(*loops_, "from_time_s").front();
+    const auto start = odometry_ != nullptr && odometry_->rows() > 0 ? numbers_or_nan(*odometry_, "time_s").front()
+                                                                     : numbers_or_nan(*loops_, "from_time_s").front();
     const auto from = numbers_or_nan(*loops_, "from_time_s"), to = numbers_or_nan(*loops_, "to_time_s"),
-               way = numbers_or_nan(*loops_, "way_m"),
-               correction = numbers_or_nan(*loops_, "correction_m"),
+               way = numbers_or_nan(*loops_, "way_m"), correction = numbers_or_nan(*loops_, "correction_m"),
                overlap = numbers_or_nan(*loops_, "overlap");
     const auto by = texts_or_empty(*loops_, "found_by");
     for (std::size_t i = 0; i < loops_->rows(); ++i)

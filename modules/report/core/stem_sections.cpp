@@ -173,7 +173,7 @@ std::string stems_section(const SurveyData& d, Report& told) {
   told.counts["stems_outside"] = std::ssize(seen) - std::ssize(rows);
   return section("stems", "Stems",
                  paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") +
-                     stem_table(*d.stems, rows).html() + uncounted_note(c, rows) +
+                     stem_table(*d.stems, rows).html() + uncounted_note(d, rows) +
                      outside_note(d.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
 }
 

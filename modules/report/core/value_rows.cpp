@@ -71,9 +71,8 @@ std::vector<ValueRow> stand_rows(const PlotValues& v, const Table* curve) {
                               : "tops are lacking and no height curve can be fitted"});
     return rows;
   }
-  std::string how =
-      v.count("volumes_by_stem_curve") +
-      " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
+  std::string how = v.count("volumes_by_stem_curve") +
+                    " by their stem curve, the others as stems between paraboloid and cone through DBH and top";
   if (v.value("volumes_by_stem_curve") < v.value("stems"))
     how += ", their form unsure by " + number_text(v.value("form_sd")) + " % (standard deviation)";
   rows.push_back({"Stem volume", v.text("volume", 3), "m³", how + intervals(v.at("volume"), 3)});
@@ -115,15 +114,15 @@ std::vector<ValueRow> value_rows(const PlotValues& v, const Table* height_curve)
   std::vector<ValueRow> rows;
   if (bounded) rows.push_back({"Plot area", v.text("area", 1), "m²", "horizontal"});
   rows.push_back({"Breast height", number_text(v.value("breast_height")), "m", "above ground, where DBH is measured"});
-  rows.push_back({"Stems", v.count("stems"), "",
-                  (min_dbh_cm > 0 ? "DBH of at least " + v.text("min_counted_dbh", 1) + " cm" : "of every DBH") +
-                      (bounded ? " and centre at breast height inside the plot; " + v.count("stems_outside") +
-                                     " outside, "
-                               : "; ") +
-                      v.count("stems_too_thin") + " thinner"});
+  rows.push_back(
+      {"Stems", v.count("stems"), "",
+       (min_dbh_cm > 0 ? "DBH of at least " + v.text("min_counted_dbh", 1) + " cm" : "of every DBH") +
+           (bounded ? " and centre at breast height inside the plot; " + v.count("stems_outside") + " outside, "
+                    : "; ") +
+           v.count("stems_too_thin") + " thinner"});
   if (bounded)
-    rows.push_back({"Stem density", v.text("stem_density", 0), "1/ha",
-                    "stems / area" + intervals(v.at("stem_density"), 0)});
+    rows.push_back(
+        {"Stem density", v.text("stem_density", 0), "1/ha", "stems / area" + intervals(v.at("stem_density"), 0)});
   rows.push_back({"Basal area", v.text("basal_area", 3), "m²",
                   "sum of π/4 · DBH²" + intervals(v.at("basal_area"), 3) + without_interval(v)});
   if (bounded)

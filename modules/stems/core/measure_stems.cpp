@@ -24,10 +24,10 @@ namespace bole::stems {
 namespace {
 
 constexpr double all_round_rad = 6.0;
-constexpr double least_drift_to_align_m = 0.01;
-constexpr int most_alignments = 2;
+constexpr double min_drift_to_align_m = 0.01;
+constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
-constexpr int least_sighting = 20;                 // points of a pass that tell where it sees a stem
+constexpr int min_sighting = 20;                   // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -59,7 +59,7 @@ class Survey {
   StemSurvey measure() {
     options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
     auto priors = search();
-    for (int round = 0; round < most_alignments && align_passes(priors); ++round) priors = search();
+    for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     if (priors.learnt) refit_all(priors);
     accept();
     label();
@@ -84,7 +84,7 @@ class Survey {
   // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
   // were found all the same. False when there is nothing to gain.
   bool align_passes(const ProjectPriors& priors) {
-    if (!priors.learnt || priors.drift.pass_sd_m < least_drift_to_align_m) return false;
+    if (!priors.learnt || priors.drift.pass_sd_m < min_drift_to_align_m) return false;
     std::vector<PassSighting> sightings;
     for (std::size_t k = 0; k < fitted_.size(); ++k) {
       const auto& s = fitted_[k];
@@ -92,12 +92,12 @@ class Survey {
       const Eigen::Matrix3d to_plan = rotation_between(Eigen::Vector3d::UnitZ(), s.direction);
       const auto offsets = likeliest_offsets(s.drift, priors.drift);
       for (std::size_t i = 0; i < std::min(offsets.size(), s.pass_seen.size()); ++i)
-        if (const auto& seen = s.pass_seen[i]; seen.points >= least_sighting)
+        if (const auto& seen = s.pass_seen[i]; seen.points >= min_sighting)
           sightings.push_back({static_cast<int>(k), seen.pass, seen.time_s,
                                (to_plan * Eigen::Vector3d(offsets[i].x(), offsets[i].y(), 0)).head<2>()});
     }
     const PassAlignment alignment(sightings);
-    if (alignment.rms_m() < least_drift_to_align_m / 3) return false;
+    if (alignment.rms_m() < min_drift_to_align_m / 3) return false;
     if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
     points_ = aligned(points_, alignment, run_);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
@@ -111,7 +111,7 @@ class Survey {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < std::min(s.pass_offset.size(), s.pass_seen.size()); ++i) {
       const auto& seen = s.pass_seen[i];
-      if (seen.points < least_sighting) continue;
+      if (seen.points < min_sighting) continue;
       offset.push_back(s.pass_offset[i]);
       for (const auto& a : alignments_) offset.back() += a.at(seen.pass, seen.time_s);
       mean += offset.back();
@@ -305,8 +305,8 @@ class Survey {
   // Circles above breast height that stand beside the stem they join below: its limbs.
   void note_fork(Stem& trunk, const StemCandidate& limb) const {
     constexpr double above_m = 0.25;
-    constexpr int least_sections = 4;  // twigs make a circle or three
-    if (limb.sections < least_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
+    constexpr int min_limb_sections = 4;  // twigs make a circle or three
+    if (limb.sections < min_limb_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
       return;
     const double z = limb.ground_z + 0.5 * (limb.lowest + limb.highest);
     const Eigen::Vector2d at_limb =

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double link_cell_m = 0.1;  // points of touching cells belong together: gaps of 0.1 to 0.2 m are bridged
 constexpr double view_cell_m = 1.0;
-constexpr std::size_t most_strong_points = 20'000'000;
+constexpr std::size_t max_strong_points = 20'000'000;
 
 struct SensorPositions {
   const std::vector<float>*x = nullptr, *y = nullptr, *z = nullptr;
@@ -104,8 +104,8 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
     samples.emplace_back(cloud.positions()[points[k]].cast<double>());
     out.weights.push_back(1.0 / by_view.at(views[k]).second);
   }
-  constexpr double least_sigma_m = 0.02;
-  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, out.weights, least_sigma_m).mean);
+  constexpr double min_sigma_m = 0.02;
+  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, out.weights, min_sigma_m).mean);
   return out;
 }
 
@@ -125,7 +125,7 @@ RetroSearch find_retro_clusters(const PointCloud& cloud, const FrameOptions& opt
   const auto points = strong_points(cloud, options.min_intensity, run);
   RetroSearch out;
   out.strong_points = points.size();
-  out.too_many = points.size() > most_strong_points || (points.size() > 1000 && points.size() * 4 > cloud.size());
+  out.too_many = points.size() > max_strong_points || (points.size() > 1000 && points.size() * 4 > cloud.size());
   if (out.too_many) return out;
   const SensorPositions sensor(cloud);
   for (const auto& group : group_points(cloud, points)) {

@@ -9,7 +9,7 @@
 namespace bole::survey {
 
 RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
-                       double least_sigma) {
+                       double min_sigma) {
   const auto dims = samples.front().size();
   RobustMean out;
   out.mean.resize(dims);
@@ -24,7 +24,7 @@ RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::v
     for (const auto& s : samples) distances.push_back((s - out.mean).norm());
     // The median distance of a normal sample is 0.674, 1.177, 1.538 sigma in one, two, three dimensions.
     const double per_sigma = dims == 1 ? 0.674 : dims == 2 ? 1.177 : 1.538;
-    out.sigma = std::max(least_sigma, upper_median(std::vector(distances)) / per_sigma);
+    out.sigma = std::max(min_sigma, upper_median(std::vector(distances)) / per_sigma);
     const double cut = 4.685 * out.sigma;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(dims);
     double total = 0, squares = 0, scatter = 0;

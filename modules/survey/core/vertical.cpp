@@ -31,9 +31,9 @@ MeanDirection mean_direction(const std::vector<StemAxis>& axes, const Eigen::Vec
     samples.emplace_back(d.head<2>() / d.z());
     weights.push_back(std::min(a.length_m, 6.0));
   }
-  constexpr double least_sigma_rad = 0.2 * rad_per_deg;
+  constexpr double min_sigma_rad = 0.2 * rad_per_deg;
   MeanDirection out;
-  out.spread = robust_mean(samples, weights, least_sigma_rad);
+  out.spread = robust_mean(samples, weights, min_sigma_rad);
   out.direction = R.transpose() * Eigen::Vector3d(out.spread.mean(0), out.spread.mean(1), 1.0).normalized();
   return out;
 }

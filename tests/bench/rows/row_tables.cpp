@@ -96,26 +96,26 @@ void compare(const sim::FieldScan& scan, const Table& stems, const ChainSettings
     for (std::size_t i = 0; i < tx.size(); ++i) {
       if (trow[i] != static_cast<std::int64_t>(r) + 1 || scan.plants.texts("state")[i] != "present" || !in_view[i])
         continue;
-      double least = 0.3;
+      double nearest = 0.3;
       std::int64_t best = 0;
       for (std::size_t j = 0; j < x.size(); ++j)
-        if (found.plants.texts("state")[j] == "present" && std::hypot(x[j] - tx[i], y[j] - ty[i]) < least) {
-          least = std::hypot(x[j] - tx[i], y[j] - ty[i]);
+        if (found.plants.texts("state")[j] == "present" && std::hypot(x[j] - tx[i], y[j] - ty[i]) < nearest) {
+          nearest = std::hypot(x[j] - tx[i], y[j] - ty[i]);
           best = row[j];
         }
       if (best > 0) {
         ++votes[best];
-        errors.centre_m.push_back(least);
-        nearest_all += least;
+        errors.centre_m.push_back(nearest);
+        nearest_all += nearest;
       }
     }
-    const auto most = std::ranges::max_element(votes, {}, [](const auto& v) { return v.second; });
-    if (most == votes.end() || most->second < 3) {
+    const auto best_row = std::ranges::max_element(votes, {}, [](const auto& v) { return v.second; });
+    if (best_row == votes.end() || best_row->second < 3) {
       ++errors.lost;
       continue;
     }
     for (std::size_t k = 0; k < listed.size(); ++k)
-      if (listed[k] == most->first)
+      if (listed[k] == best_row->first)
         errors.angle_deg.push_back(row_angle_difference(angle[k] * rad_per_deg, true_angle[r]) / rad_per_deg);
   }
 }
@@ -222,8 +222,37 @@ void run_fields(const std::string& title, const std::vector<std::string>& fields
   std::fflush(stdout);
 }
 
-// Vineyard: no trunk can be told from the leaves, the canopy is followed. Rows that show five plants or more, against
-// the line through these.
+RegionOptions hedge_region() {
+  RegionOptions region;
+  region.min_x = -4;
+  region.max_x = 4;
+  region.min_y = 1;
+  region.max_y = 14;
+  region.min_z = -1;
+  region.max_z = 1.8;
+  return region;
+}
+
+// Points in the middle of the canopy, in navigation axes.
+Table hedge_points(const sim::FieldScan& scan, const RegionOptions& region) {
+  VoxelOptions voxel;
+  voxel.size = 0.05;
+  RayGroundOptions ground;  // slopes of 6 degrees, and weeds
+  ground.sensor_height = 0.6;
+  ground.max_local_slope_deg = 15;
+  ground.max_general_slope_deg = 9;
+  ground.height_threshold = 0.35;
+  HedgeOptions hedges;
+  hedges.direction_deg = 90;
+  hedges.width = 0.8;
+  Report report;
+  auto canopy = voxel_centroids(cut_region(level(scan.frames[0], {}, &scan.attitude), region), voxel);
+  canopy = radius_filter(remove_ground(canopy, ground, {}), {}, {});
+  return place_stems(hedge_rows(canopy, hedges, {}, report), true_place(scan));
+}
+
+// Vineyard: the leaves hide the trunks, so the canopy is followed. Rows that show five plants or more are compared with
+// the line through these plants.
 void run_hedges(const std::string& field, int first, int seeds, double integration) {
   Errors errors;
   for (int seed = first; seed < first + seeds; ++seed) {
@@ -232,27 +261,8 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
     o.seed = seed;
     o.integration = integration;
     const auto scan = sim::simulate_field(o, {});
-    RegionOptions region;
-    region.min_x = -4;
-    region.max_x = 4;
-    region.min_y = 1;
-    region.max_y = 14;
-    region.min_z = -1;
-    region.max_z = 1.8;
-    VoxelOptions voxel;
-    voxel.size = 0.05;
-    RayGroundOptions ground;  // slopes of 6 degrees, and weeds
-    ground.sensor_height = 0.6;
-    ground.max_local_slope_deg = 15;
-    ground.max_general_slope_deg = 9;
-    ground.height_threshold = 0.35;
-    HedgeOptions hedges;
-    hedges.direction_deg = 90;
-    hedges.width = 0.8;
-    Report report;
-    auto canopy = voxel_centroids(cut_region(level(scan.frames[0], {}, &scan.attitude), region), voxel);
-    canopy = radius_filter(remove_ground(canopy, ground, {}), {}, {});
-    const auto points = place_stems(hedge_rows(canopy, hedges, {}, report), true_place(scan));
+    const auto region = hedge_region();
+    const auto points = hedge_points(scan, region);
     const auto found = find_rows(points, {}, {});
     const auto angle = found.rows.numbers("angle_deg"), x0 = found.rows.numbers("x0_m"),
                y0 = found.rows.numbers("y0_m");

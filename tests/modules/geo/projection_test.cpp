@@ -5,7 +5,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "geo/core/local_frame.h"
+#include "geo/core/local_axes.h"
 #include "geo/core/project_table.h"
 #include "geo/core/utm.h"
 
@@ -181,18 +181,18 @@ TEST(Utm, KnowsItsZonesAndRoundTrips) {
   EXPECT_THROW(from_utm({61, true, 500'000, 0}), Error);
 }
 
-TEST(LocalFrame, HasTrueLengthsAndRoundTrips) {
+TEST(LocalAxes, HasTrueLengthsAndRoundTrips) {
   const GeodeticPoint origin{23.16, 113.35, 12};
-  const LocalFrame frame(origin, grs80());
-  EXPECT_LT(frame.to_enu(origin).norm(), 1e-9);
+  const LocalAxes axes(origin, grs80());
+  EXPECT_LT(axes.to_enu(origin).norm(), 1e-9);
   // One second of latitude is 30.76 m at 23 degrees (M = a (1 - e^2) / (1 - e^2 sin^2 B)^1.5).
   const double s = std::sin(23.16 * M_PI / 180), e2 = grs80().first_eccentricity_squared();
   const double meridian_radius_m = 6378137.0 * (1 - e2) / std::pow(1 - e2 * s * s, 1.5);
-  const auto north = frame.to_enu({23.16 + 1 / 3600.0, 113.35, 12});
+  const auto north = axes.to_enu({23.16 + 1 / 3600.0, 113.35, 12});
   EXPECT_NEAR(north.y(), (meridian_radius_m + 12) * M_PI / 180 / 3600, 1e-5);
   EXPECT_NEAR(north.x(), 0, 1e-9);
   const Eigen::Vector3d enu(812.5, -430.25, 3.75);
-  EXPECT_LT((frame.to_enu(frame.to_geodetic(enu)) - enu).norm(), 1e-8);
+  EXPECT_LT((axes.to_enu(axes.to_geodetic(enu)) - enu).norm(), 1e-8);
 }
 
 TEST(ProjectTable, GoesThereAndBackAndCarriesThePlane) {

@@ -171,6 +171,8 @@ TEST_F(MakeReport, SlamIsTold) {
   slam.id = "slam", slam.type = "slam.run";
   slam.report.counts = {{"frames", 2}, {"frames_failed", 1}, {"loops", 1}, {"loop_candidates", 3}};
   slam.report.metrics = {{"sigma0", {0.93, Unit::none}},
+                         {"weakest_observability", {2.84, Unit::none}},
+                         {"open_below", {2.3, Unit::none}},
                          {"registration_per_frame", {12.34, Unit::millisecond}},
                          {"loops_per_frame", {10, Unit::millisecond}}};
   slam.report.facts["lost_at_frame"] = "77";
@@ -181,8 +183,9 @@ TEST_F(MakeReport, SlamIsTold) {
   EXPECT_EQ(io::read_table(dir_ / "odometry.csv").rows(), 3u);
   const auto html = contents(dir_ / "report.html");
   const auto section = html.substr(html.find("<section id=\"slam\">"));
-  for (const char* text : {"<h2>SLAM</h2>", "Frames that failed", "Track lost at frame", ">77<", ">0.93<", ">12.3<",
-                           "Loops and pose graph", ">10.0<", ">22.3<", "context", ">30.5<", ">4.2<", "Failed frames"})
+  for (const char* text :
+       {"<h2>SLAM</h2>", "Frames that failed", "(below 2.3: open)", ">2.8<", "Track lost at frame", ">77<", ">0.93<",
+        ">12.3<", "Loops and pose graph", ">10.0<", ">22.3<", "context", ">30.5<", ">4.2<", "Failed frames"})
     EXPECT_THAT(section, HasSubstr(text));
 
   // With poses from a file there is nothing to tell.

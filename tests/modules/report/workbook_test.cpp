@@ -60,7 +60,8 @@ TEST_F(Workbooks, HoldTheSurveyAsNumbers) {
   survey_.stems.set("dbh_cm", dbh);
   auto* book = written();
   ASSERT_NE(book, nullptr);
-  EXPECT_THAT(sheets(*book), ElementsAre("Plot", "Plot values", "Classes", "Height curve", "Trees", "Sections", "Rejected"));
+  EXPECT_THAT(sheets(*book),
+              ElementsAre("Plot", "Plot values", "Classes", "Height curve", "Trees", "Sections", "Rejected"));
   auto* trees = book->GetLayerByName("Trees");
   ASSERT_EQ(trees->GetFeatureCount(), static_cast<GIntBig>(survey_.stems.rows()));
   trees->ResetReading();
@@ -85,7 +86,9 @@ TEST_F(Workbooks, PlotValuesAreThoseOfTheStage) {
   for (std::size_t i = 0; i < value.size(); ++i) {
     const std::unique_ptr<OGRFeature> row(sheet->GetNextFeature());
     EXPECT_EQ(row->GetFieldAsString("measure"), plot_values_.texts("measure")[i]);
-    if (std::isfinite(value[i])) EXPECT_NEAR(row->GetFieldAsDouble("value"), value[i], 1e-12);
+    if (std::isfinite(value[i])) {
+      EXPECT_NEAR(row->GetFieldAsDouble("value"), value[i], 1e-12);
+    }
   }
 }
 

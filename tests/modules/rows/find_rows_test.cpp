@@ -120,17 +120,17 @@ Score score(const PlantField& field, const FoundRows& found) {
   for (const auto& p : field.plants) p.row >= 0 ? (void)++size[p.row] : (void)++s.strays;
   s.rows = static_cast<int>(field.rows.size()), s.found = static_cast<int>(votes.size());
   for (const auto& [row_id, count] : votes) {
-    int all = 0, best = -1, most = 0;
+    int all = 0, best = -1, shared = 0;
     for (const auto& [row, n] : count) {
       all += n;
-      if (row >= 0 && n > most) {
+      if (row >= 0 && n > shared) {
         best = row;
-        most = n;
+        shared = n;
       }
     }
-    if (best >= 0 && most >= 0.9 * all && most >= 0.9 * size[best]) {
+    if (best >= 0 && shared >= 0.9 * all && shared >= 0.9 * size[best]) {
       ++s.matched;
-      s.assigned += most;
+      s.assigned += shared;
     }
   }
   s.plants = std::accumulate(size.begin(), size.end(), 0, [](int a, const auto& b) { return a + b.second; });

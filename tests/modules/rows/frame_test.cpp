@@ -66,11 +66,12 @@ TEST(Frame, EveryStepKeepsWhatItShould) {
   EXPECT_LT((level(cloud, turn).position(2) - Eigen::Vector3d(-1, 5, 0)).norm(), 1e-5);
 }
 
-// The whole chain on the tubes: eight centres, and rows within the paper's own error.
+// The whole chain on the tubes: eight centres and their rows. Over these 40 seeds the centres are within 4.8 cm, the
+// angles off by 0.28 deg on average and by 1.34 deg at most; the bounds leave a quarter and, for the mean, 0.12 deg.
 TEST(Frame, TheTubesOfThePaperAreFound) {
   double worst_m = 0, worst_deg = 0, mean_deg = 0;
   int rows_seen = 0;
-  for (unsigned seed = 1; seed <= 10; ++seed) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
     LevelOptions attitude;
     attitude.pitch_deg = 3;
     const bole::Run run;
@@ -105,8 +106,8 @@ TEST(Frame, TheTubesOfThePaperAreFound) {
   printf("centres within %.3f m; row angles off by %.2f deg on average, %.2f at most (published 0.79, 1.49)\n", worst_m,
          mean_deg, worst_deg);
   EXPECT_LT(worst_m, 0.06);
-  EXPECT_LT(mean_deg, 0.79);
-  EXPECT_LT(worst_deg, 1.5);
+  EXPECT_LT(mean_deg, 0.4);
+  EXPECT_LT(worst_deg, 1.49);
 }
 
 }  // namespace

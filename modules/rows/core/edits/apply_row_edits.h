@@ -13,7 +13,7 @@ struct RowEditOptions {
   double match_distance = 1.0;
   double reach = 0.6;
   double angle_tolerance_deg = 2;
-  LineFitMethod fit = LineFitMethod::least_squares;
+  LineFitMethod fit = LineFitMethod::ordinary;
 };
 
 const OptionTable& option_table(const RowEditOptions*);

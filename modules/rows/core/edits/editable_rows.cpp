@@ -25,9 +25,10 @@ double from_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
 }
 
 double distance_from(const Points2& course, const Vector2d& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < course.size(); ++i) least = std::min(least, from_segment(p, course[i - 1], course[i]));
-  return least;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < course.size(); ++i)
+    nearest = std::min(nearest, from_segment(p, course[i - 1], course[i]));
+  return nearest;
 }
 
 Vector2d chord_of(const EditableRow& row) { return row.course.back() - row.course.front(); }
@@ -92,10 +93,10 @@ class Change {
   }
 
   std::string free_id() const {
-    long most = 0;
+    long largest = 0;
     for (const auto& row : rows_)
-      if (is_whole_number(row.id)) most = std::max(most, std::stol(row.id));
-    return std::to_string(most + 1);
+      if (is_whole_number(row.id)) largest = std::max(largest, std::stol(row.id));
+    return std::to_string(largest + 1);
   }
 
   void refuse_taken(const std::string& id) const {

@@ -17,10 +17,10 @@ namespace {
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_of(const Eigen::Vector3d& p, double size) {
-  constexpr double most = 1e15;  // beyond, neighbouring cells cannot be told apart anyway
+  constexpr double limit = 1e15;  // beyond, neighbouring cells cannot be told apart anyway
   Cell c{};
   for (int i = 0; i < 3; ++i)
-    c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::clamp(std::floor(p[i] / size), -most, most));
+    c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::clamp(std::floor(p[i] / size), -limit, limit));
   return c;
 }
 

@@ -45,12 +45,12 @@ double sharpness(const Points2& points, double angle_rad) {
 }
 
 double sharpest_angle(const Points2& points, const Run& run) {
-  double best = 0, most = -1;
+  double best = 0, sharpest = -1;
   const auto scan = [&](double from, double to, double step) {
     for (double a = from; a <= to; a += step) {
       run.check_cancel();
-      if (const double s = sharpness(points, a); s > most) {
-        most = s;
+      if (const double s = sharpness(points, a); s > sharpest) {
+        sharpest = s;
         best = a;
       }
     }

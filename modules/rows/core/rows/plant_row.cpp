@@ -131,11 +131,11 @@ class Assembler {
   bool drop_one_of_a_place() {
     if (placed_.size() < 4) return false;
     std::size_t nearest = 0;
-    double least = same_place * spacing_m_;
+    double smallest = same_place * spacing_m_;
     for (std::size_t i = 1; i < placed_.size(); ++i)
-      if (const double d = placed_[i].t_m - placed_[i - 1].t_m; d < least) {
+      if (const double d = placed_[i].t_m - placed_[i - 1].t_m; d < smallest) {
         nearest = i;
-        least = d;
+        smallest = d;
       }
     if (nearest == 0) return false;
     drop(misfit(nearest) >= misfit(nearest - 1) ? nearest : nearest - 1);
@@ -147,16 +147,16 @@ class Assembler {
     if (placed_.size() < 6 || scatter_m_ > even_limit * spacing_m_) return false;
     const double limit = std::max(off_sigmas * scatter_m_, off_place * spacing_m_);
     std::size_t worst = 0;
-    double most = limit;
+    double largest = limit;
     for (std::size_t i = 1; i + 1 < placed_.size(); ++i) {
       const double whole = placed_[i + 1].t_m - placed_[i - 1].t_m, left = placed_[i].t_m - placed_[i - 1].t_m;
       const int k = places(whole, spacing_m_);
       const double place = whole / k;
       if (k < 2 || std::abs(place - spacing_m_) > off_place * spacing_m_ / 2) continue;
       const double off = std::abs(left - place * std::clamp(static_cast<int>(std::round(left / place)), 1, k - 1));
-      if (off > most) {
+      if (off > largest) {
         worst = i;
-        most = off;
+        largest = off;
       }
     }
     if (worst == 0) return false;

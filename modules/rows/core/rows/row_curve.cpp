@@ -11,7 +11,7 @@ namespace bole::rows {
 namespace {
 
 constexpr int plants_per_coefficient = 4;  // fewer would let a curve follow the scatter of the planting
-constexpr Eigen::Index least_for_weights = 5;
+constexpr Eigen::Index min_for_weights = 5;
 constexpr double tukey = 4.7;   // sigmas beyond which a plant has no weight
 constexpr int refinements = 2;  // of the lengths along the row by the fitted curve
 
@@ -44,12 +44,12 @@ RowCurve::Foot RowCurve::foot(const Eigen::Vector2d& p) const {
 
 double RowCurve::sagitta_m() const {
   const Eigen::Vector2d a = at(0), u = (at(length_m_) - a).normalized();
-  double most = 0;
+  double largest = 0;
   for (int i = 1; i < 32; ++i) {
     const Eigen::Vector2d d = at(length_m_ * i / 32) - a;
-    most = std::max(most, std::abs(u.x() * d.y() - u.y() * d.x()));
+    largest = std::max(largest, std::abs(u.x() * d.y() - u.y() * d.x()));
   }
-  return most;
+  return largest;
 }
 
 // One degree: solve, measure the lengths and distances anew by the curve, and again with Tukey's weights.
@@ -78,7 +78,7 @@ RowCurve RowCurve::fit_degree(const Points2& in_order, int degree, std::vector<d
       across.push_back(std::abs(foot.across_m));
     }
     curve.sigma_m_ = 1.4826 * upper_median(across);
-    if (n < least_for_weights) continue;
+    if (n < min_for_weights) continue;
     for (Eigen::Index i = 0; i < n; ++i) {
       const double r = across[static_cast<std::size_t>(i)] / (tukey * std::max(curve.sigma_m_, 1e-9));
       weight[i] = r < 1 ? 1 - r * r : 0;

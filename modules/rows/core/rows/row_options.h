@@ -9,7 +9,8 @@
 
 namespace bole::rows {
 
-enum class LineFitMethod { least_squares, orthogonal };
+// ordinary: least squares of y = a x + b; orthogonal: of the distances across the line.
+enum class LineFitMethod { ordinary, orthogonal };
 constexpr std::array<std::string_view, 2> choice_names(LineFitMethod) { return {"least_squares", "orthogonal"}; }
 
 // as_found: rows that are clearly curved get a curve.
@@ -18,7 +19,7 @@ constexpr std::array<std::string_view, 2> choice_names(RowShape) { return {"auto
 
 // What is left open is found from the plants.
 struct RowOptions {
-  LineFitMethod fit = LineFitMethod::least_squares;
+  LineFitMethod fit = LineFitMethod::ordinary;
   std::optional<double> plant_spacing;
   std::optional<double> row_spacing;
   std::optional<double> direction_deg;

@@ -34,15 +34,15 @@ Echo strongest(std::array<RayHit, rays>& hits) {
   double best_light = 0;
   for (std::size_t first = 0; first < hits.size();) {
     std::size_t next = first;
-    double sum = 0, moment = 0, most = 0;
+    double sum = 0, moment = 0, peak = 0;
     int tree = 0;
     for (; next < hits.size() &&
            (next == first || hits[next].range_m - hits[next - 1].range_m < static_cast<float>(blend_m));
          ++next) {
       const double e = hits[next].range_m > 0 ? energy(hits[next]) : 0;
       sum += e, moment += e * static_cast<double>(hits[next].range_m);
-      if (e > most) {
-        most = e;
+      if (e > peak) {
+        peak = e;
         tree = hits[next].tree_id;
       }
     }

@@ -198,11 +198,11 @@ class FieldSimulator {
       const Eigen::Vector3d nav =
           T.translation() + rotation_from_rpy(0, 0, robot_.heading_rad() - std::numbers::pi / 2) * places[i];
       Eigen::Vector3d seen = T.linear().transpose() * (nav - T.translation());
-      const double most = scanner_.model().range_sigma_m * o_.noise / 4;
+      const double range_sigma = scanner_.model().range_sigma_m * o_.noise / 4;
       const Eigen::Vector3d off(0.03 * rad_per_deg * random.normal(), 0.03 * rad_per_deg * random.normal(),
                                 0.03 * rad_per_deg * random.normal());
       seen += seen.cross(off);
-      seen *= 1 + most * random.normal() / seen.norm();
+      seen *= 1 + range_sigma * random.normal() / seen.norm();
       const Eigen::Vector3d levelled = level * seen;
       name.emplace_back(1, static_cast<char>('E' + i));
       x.push_back(nav.x() + o_.mark_noise * random.normal());
@@ -244,35 +244,42 @@ const OptionTable& option_table(const FieldSimulationOptions*) {
                              TextKind::plain,
                              {},
                              Tier::basic,
-                             "Field: tubes1, tubes2, tubes3, metasequoia, vineyard, apple, or the path of a recipe."},
-      Option<S, int>{
-          "seed", &S::seed, Unit::none, {0, 2'000'000'000}, Tier::basic, "Number that everything random follows from."},
-      Option<S, double>{
-          "integration", &S::integration, Unit::second, {0.01, 10}, Tier::basic, "Time that a frame collects points."},
-      Option<S, int>{
-          "frames", &S::frames, Unit::none, {1, 1000}, Tier::basic, "Number of frames, one after the other."},
-      Option<S, double>{"speed",
-                        &S::speed,
-                        Unit::metre_per_second,
-                        {0, 5},
+                             "Field recipe: a name in resources/fields or the path of a recipe file."},
+      Option<S, int>{"seed",
+                     &S::seed,
+                     Unit::none,
+                     {0, 2'000'000'000},
+                     Tier::basic,
+                     "Seed of all randomness. The same seed gives the same data."},
+      Option<S, double>{"integration",
+                        &S::integration,
+                        Unit::second,
+                        {0.01, 10},
                         Tier::basic,
-                        "Speed of the robot along its heading; 0: it stands."},
+                        "Integration time of a frame. A longer time gives more points."},
+      Option<S, int>{"frames", &S::frames, Unit::none, {1, 1000}, Tier::basic, "Number of consecutive frames."},
+      Option<S, double>{
+          "speed", &S::speed, Unit::metre_per_second, {0, 5}, Tier::basic, "Speed of the robot along its heading."},
       Option<S, double>{"tilt",
                         &S::tilt,
                         Unit::degree,
                         {0, 10},
                         Tier::advanced,
-                        "Scatter (1 sigma) of the constant roll and pitch of the robot where it stands."},
+                        "Standard deviation of the constant roll and pitch of the robot."},
       Option<S, double>{
-          "sway", &S::sway, Unit::degree, {0, 10}, Tier::advanced, "Size of the swaying of roll and pitch."},
-      Option<S, double>{
-          "imu_noise", &S::imu_noise, Unit::degree, {0, 5}, Tier::advanced, "Scatter of a roll or pitch from the IMU."},
+          "sway", &S::sway, Unit::degree, {0, 10}, Tier::advanced, "Amplitude of the sway in roll and pitch."},
+      Option<S, double>{"imu_noise",
+                        &S::imu_noise,
+                        Unit::degree,
+                        {0, 5},
+                        Tier::advanced,
+                        "Standard deviation of a single roll or pitch of the IMU."},
       Option<S, double>{"imu_bias",
                         &S::imu_bias,
                         Unit::degree,
                         {0, 5},
                         Tier::advanced,
-                        "Scatter of the constant error of the IMU's roll and pitch."},
+                        "Standard deviation of the constant roll and pitch error of the IMU."},
       Option<S, double>{
           "noise", &S::noise, Unit::none, {0, 10}, Tier::advanced, "Factor on the range noise of the sensor."},
       Option<S, double>{"mark_noise",
@@ -280,7 +287,7 @@ const OptionTable& option_table(const FieldSimulationOptions*) {
                         Unit::metre,
                         {0, 1},
                         Tier::advanced,
-                        "Scatter of the receiver's positions of the antennas used for resection."},
+                        "Standard deviation of the antenna positions used for resection."},
   });
   return table;
 }

@@ -275,7 +275,7 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   run.report(0.02, "planning the walk");
   const auto way_points = !options.walk.empty()  ? read_way_points(options.walk)
                           : recipe.is_vineyard() ? vineyard_pattern(recipe.vineyard)
-                                                 : survey_pattern(recipe.size_m, options.line_spacing);
+                                                 : walk_pattern(recipe.size_m, options.line_spacing);
   const auto route = plan_route(way_points, forest, scene.vegetation.obstacles, Walk::step_m);
   const Walk walk(route, forest.terrain,
                   {options.speed, options.sensor_height, options.gait, options.stand_still, options.max_time,

@@ -21,7 +21,7 @@ void write_bytes(const fs::path& file, const void* data, std::size_t size) {
 }
 
 // A sensor of the user's own: the folder is read without naming it.
-void copy_file(const fs::path& from, const fs::path& to) {
+void copy_description(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
   if (error) throw failure("cannot copy " + from.string() + " to " + to.string() + ": " + error.message());
@@ -97,7 +97,7 @@ void FrameFileWriter::close() {
   if (sensor_.file.empty())
     write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
   else
-    copy_file(sensor_.file, folder_ / "sensor.json");
+    copy_description(sensor_.file, folder_ / "sensor.json");
 }
 
 }  // namespace bole::sim

@@ -361,7 +361,7 @@ void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& 
 }
 
 // Means over the good frames and minima over all.
-void report_frames(const FirstPass& pass, Report& report) {
+void report_frames(const FirstPass& pass, double min_observability, Report& report) {
   double squared = 0, sigma0 = 0, variance = 0, overlap = 0, iterations = 0, weakest = 1,
          min_seen = std::numeric_limits<double>::infinity();
   std::size_t good = 0;
@@ -388,6 +388,8 @@ void report_frames(const FirstPass& pass, Report& report) {
   report.metrics["pose_sigma"] = {1000 * std::sqrt(variance / n), Unit::millimetre};
   report.metrics["registration_iterations"] = {iterations / n, Unit::none};
   report.metrics["weakest_conditioning"] = {weakest, Unit::none};
+  // Motions that are observed less are left open; reports name the limit beside the weakest one.
+  report.metrics["open_below"] = {min_observability, Unit::none};
   report.metrics["weakest_observability"] = {std::isfinite(min_seen) ? min_seen : 0, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
 }
@@ -413,7 +415,7 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   for (const auto& f : pass.frames)
     if (f.ok) track.frames.push_back({f.index, f.motion});
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
-  report_frames(pass, report);
+  report_frames(pass, options.min_observability, report);
   return track;
 }
 

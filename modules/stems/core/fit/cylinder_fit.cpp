@@ -14,7 +14,7 @@ namespace bole::stems {
 namespace {
 
 constexpr double smallest_sigma = 0.001;
-constexpr double most_gate = 1.2;  // of rays that were let in at the start of a step
+constexpr double max_gate = 1.2;  // of rays that were let in at the start of a step
 
 double square(double v) { return v * v; }
 
@@ -131,12 +131,12 @@ class JointFit {
   }
 
   PointResidual residual(const CylinderResiduals& of, const BarkPoint& p, bool derivatives) const {
-    return options_.along_rays ? of.along_ray(p, most_gate, derivatives) : of.surface(p, derivatives);
+    return options_.along_rays ? of.along_ray(p, max_gate, derivatives) : of.surface(p, derivatives);
   }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
-    constexpr double most_per_patch = 8;
+    constexpr double max_per_patch = 8;
     std::vector<std::tuple<int, int, int>> patches;
     patches.reserve(points_.size());
     for (const auto& p : points_)
@@ -146,7 +146,7 @@ class JointFit {
     const auto repeated = std::ranges::unique(patches);
     patches.erase(repeated.begin(), repeated.end());
     return std::min(
-        1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
+        1.0, max_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
 
   // Tukey's loss of a squared residual in units of its cut-off, as a share of its highest value.

@@ -21,7 +21,7 @@ namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
 // an even choice. A first look tells what stems share, and needs fewer.
-constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
+constexpr std::size_t max_fit_points = 8000, max_first_points = 2500;
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {
@@ -33,8 +33,8 @@ double spread_of(std::vector<double> values) {
 // Lasers and good poses measure too far by a few millimetres, the same everywhere. What goes beyond is blur of the map,
 // which differs from stem to stem: a good part of it is not known.
 double blur_sd(double range_offset_m) {
-  constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
-  return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
+  constexpr double max_offset_of_a_good_map_m = 0.005, unknown_share = 0.3;
+  return unknown_share * std::max(0.0, std::abs(range_offset_m) - max_offset_of_a_good_map_m);
 }
 
 // Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
@@ -101,11 +101,11 @@ class StemFitter {
     StemFitResult result;
     auto attempt = prepare(axis);
     if (!has_sections(attempt, result)) return result;
-    auto fit = surface_fit(attempt, used_points(attempt, most_first_points));
+    auto fit = surface_fit(attempt, used_points(attempt, max_first_points));
     if (!fit) return no_cylinder();
     attempt = prepare(line_of(attempt.axes, fit->cylinder));
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt, most_first_points);
+    const auto points = used_points(attempt, max_first_points);
     fit = surface_fit(attempt, points);
     if (!fit) return no_cylinder();
     if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
@@ -118,7 +118,7 @@ class StemFitter {
     const double radius = before.radius - (before.along_rays ? options_.bark_relief : 0);
     const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt, most_fit_points);
+    const auto points = used_points(attempt, max_fit_points);
     auto fit =
         before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
     if (!fit) return no_cylinder();

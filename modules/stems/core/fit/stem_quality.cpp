@@ -11,9 +11,9 @@
 
 namespace bole::stems {
 namespace {
-constexpr int most_doubts = 4;          // a fit with as many is no stem
-constexpr double most_widening = 0.02;  // of the radius per metre: 4 cm of diameter
-constexpr double widest_gap_m = 0.45;   // between used sections, that breast height may lie in unmarked
+constexpr int max_doubts = 4;          // a fit with as many is no stem
+constexpr double max_widening = 0.02;  // of the radius per metre: 4 cm of diameter
+constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
 
 // Heights of the nearest used sections below and above.
 std::pair<double, double> sections_beside(const Stem& s, double height) {
@@ -69,7 +69,7 @@ void judge(Stem& s, double breast_height_m) {
     s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
   s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
   // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
-  const int faults = doubts + blurs + (s.taper > most_widening ? 1 : 0);
+  const int faults = doubts + blurs + (s.taper > max_widening ? 1 : 0);
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
   s.state = faults >= 2 ? "check" : "auto";
 }
@@ -92,7 +92,7 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
         s.unbroken_arc_rad * deg_per_rad, options.min_arc_deg);
   if (s.inside_share > 0.5)
     return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
-  if (s.doubts >= most_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
+  if (s.doubts >= max_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
   if (s.radius_high - s.radius_low > 1.2 * s.radius)
     return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
                        200 * s.radius_high);

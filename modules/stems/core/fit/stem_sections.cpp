@@ -11,7 +11,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr double least_contrast = 2;  // of a section with bark; leaves alone have about 1
+constexpr double min_contrast = 2;  // of a section with bark; leaves alone have about 1
 
 double contrast_of(const std::vector<Eigen::Vector2d>& ring, const Circle& circle) {
   RingDensity density(circle.radius);
@@ -46,7 +46,7 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
     if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma)) {
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;
-      if (m.good && contrast_of(ring, fit->circle) < least_contrast) m.good = false;
+      if (m.good && contrast_of(ring, fit->circle) < min_contrast) m.good = false;
       out.push_back(std::move(m));
     }
   }

@@ -10,12 +10,12 @@
 namespace bole::geo {
 
 // Cartesian axes at `origin`: x east, y north, z up along the ellipsoid's normal. True lengths, no projection.
-class LocalFrame {
+class LocalAxes {
  public:
-  explicit LocalFrame(const GeodeticPoint& origin, const Ellipsoid& ellipsoid = wgs84());  // throws Error{bad_input}
-  ~LocalFrame();
-  LocalFrame(LocalFrame&&) noexcept;
-  LocalFrame& operator=(LocalFrame&&) noexcept;
+  explicit LocalAxes(const GeodeticPoint& origin, const Ellipsoid& ellipsoid = wgs84());  // throws Error{bad_input}
+  ~LocalAxes();
+  LocalAxes(LocalAxes&&) noexcept;
+  LocalAxes& operator=(LocalAxes&&) noexcept;
 
   Eigen::Vector3d to_enu(const GeodeticPoint& point) const;  // metres
   GeodeticPoint to_geodetic(const Eigen::Vector3d& enu) const;
