@@ -39,14 +39,14 @@ TEST_P(LasSample, CountBoxAndClasses) {
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(classes, 2)), GetParam().ground);
 }
 
-const Eigen::Vector3d simple_min(635619.85, 848899.7, 406.59), simple_max(638982.55, 853535.43, 586.38);
+const Eigen::Vector3d min_simple(635619.85, 848899.7, 406.59), max_simple(638982.55, 853535.43, 586.38);
 INSTANTIATE_TEST_SUITE_P(
     Manifest, LasSample,
     testing::Values(
-        Sample{"readers/PDAL/simple.las", 1065, simple_min, simple_max, 276},
-        Sample{"readers/PDAL/simple.laz", 1065, simple_min, simple_max, 276},
-        Sample{"readers/PDAL/extrabytes.las", 1065, simple_min, simple_max, 276},
-        Sample{"readers/PDAL/1.2-with-color.copc.laz", 1065, simple_min, simple_max, 276},
+        Sample{"readers/PDAL/simple.las", 1065, min_simple, max_simple, 276},
+        Sample{"readers/PDAL/simple.laz", 1065, min_simple, max_simple, 276},
+        Sample{"readers/PDAL/extrabytes.las", 1065, min_simple, max_simple, 276},
+        Sample{"readers/PDAL/1.2-with-color.copc.laz", 1065, min_simple, max_simple, 276},
         Sample{"readers/PDAL/test1_4.las",
                1000,
                {1694038.446, 1816492.706, 5592.75},
