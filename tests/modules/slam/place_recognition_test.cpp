@@ -102,33 +102,33 @@ TEST(PlaceRecognition, KaistStreet) {
   }
   ASSERT_GT((at.back() - at.front()).norm(), 20);
 
-  for (unsigned seed = 0; seed <= 20; ++seed) {  // 0: the scans as they are
+  // Seed 0: the scans as they are. The same place: within 5 m. Seen over 20 seeds, and on the scans as they are:
+  // below 0.2 no wrong pair and a recall of 0.57 to 0.64, 0.73; below 0.25 a precision of 0.91 to 0.99, 0.87, and a
+  // recall of 0.87 to 0.94, 0.97. Each bound is the worst of these less what three pairs (of 70) make. The paper's tau
+  // of 0.5 takes the whole street for one place: it only bounds what registration has to look at.
+  for (unsigned seed = 0; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
     std::vector<Place> places;
-    for (std::size_t k = 0; k < scans.size(); ++k)
-      places.push_back(
-          {make_scan_context(seed == 0 ? scans[k] : disturbed(scans[k], 100 * seed + static_cast<unsigned>(k)), shape),
-           at[k]});
-    // The look that is nearest to a scan's own belongs to a place next to it.
-    int near = 0;
-    double far_m = 0, furthest = 0;
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+      const auto points = seed == 0 ? scans[k] : disturbed(scans[k], 100 * seed + static_cast<unsigned>(k));
+      places.push_back({make_scan_context(points, shape), at[k]});
+    }
+    // The look that is nearest to a scan's own belongs to a place next to it, 0.17 from it at most in 20 seeds.
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::size_t best = i;
       double least = 2;
       for (std::size_t j = 0; j < places.size(); ++j)
         if (const double d = match_polar(places[i].context, places[j].context).distance; j != i && d < least)
           best = j, least = d;
-      near += (places[i].at - places[best].at).norm() <= 3;
-      far_m = std::max(far_m, (places[i].at - places[best].at).norm());
-      furthest = std::max(furthest, least);
+      EXPECT_LE((places[i].at - places[best].at).norm(), 3) << i;
+      EXPECT_LT(least, 0.22) << i;
     }
-    for (const double most : {0.15, 0.175, 0.2, 0.225, 0.25, 0.3}) {
-      const auto c = judged(places, most, 5);
-      printf("seed %u most %.3f right %d wrong %d missed %d precision %.3f recall %.3f\n", seed, most, c.right, c.wrong,
-             c.missed, c.precision(), c.recall());
-    }
-    printf("seed %u near %d far %.2f nearest at most %.3f missed at tau %d\n", seed, near, far_m, furthest,
-           judged(places, tau, 5).missed);
+    const auto strict = judged(places, 0.2, 5), loose = judged(places, 0.25, 5);
+    EXPECT_EQ(strict.wrong, 0);
+    EXPECT_GE(strict.recall(), seed == 0 ? 0.68 : 0.53);
+    EXPECT_GE(loose.precision(), seed == 0 ? 0.84 : 0.87);
+    EXPECT_GE(loose.recall(), seed == 0 ? 0.92 : 0.83);
+    EXPECT_EQ(judged(places, tau, 5).missed, 0);
   }
 }
 
