@@ -7,6 +7,8 @@ function(bole_vtk_sources target)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:bole_build>)
 endfunction()
 
+include(BoleStageClasses)
+
 file(GLOB bole_vtk_module_files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/vtkbridge/vtk.module ${CMAKE_CURRENT_SOURCE_DIR}/*/vtk/vtk.module)
 vtk_module_scan(
   MODULE_FILES ${bole_vtk_module_files}

@@ -3,29 +3,27 @@
 
 #include <QApplication>
 #include <QFileInfo>
-#include <QSettings>
 #include <QSurfaceFormat>
 #include <clocale>
 
 #include "base/error.h"
 #include "base/version.h"
-#include "main_window.h"
+#include "look/language.h"
+#include "look/theme.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
-#include "shell/language.h"
 #include "shell/layouts.h"
+#include "shell/main_window.h"
+#include "shell/restart.h"
 #include "shell/startup_time.h"
-#include "shell/theme.h"
 
 namespace {
 
 using bole::desktop::MainWindow;
 
-// What the command line names, else what was open before the language was changed.
+// The file of the command line, else the one that was open before the language was changed.
 bool open_first(MainWindow& window, const QString& file) {
-  QSettings settings;
-  const QString before = settings.value("reopen").toString();
-  settings.remove("reopen");
+  const QString before = bole::desktop::take_file_to_reopen();
   try {
     if (!file.isEmpty())
       window.open(file);

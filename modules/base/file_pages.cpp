@@ -122,7 +122,7 @@ FilePages& FilePages::operator=(FilePages&& other) noexcept {
 
 FilePages lay_on_file(void* data, std::size_t bytes, Content content, const std::vector<fs::path>& folders) {
   const auto [begin, size] = whole_pages(data, bytes);
-  if (bytes < least_file_bytes) return {};
+  if (bytes < min_file_bytes) return {};
   for (const auto& folder : folders) {
     const ScratchFile file(folder, size);
     if (!file.is_open() || (content == Content::keep && !file.write(begin, size))) continue;

@@ -37,12 +37,12 @@ enum class Content { keep, undefined };
 
 // Blocks of at least this size have pages of their own and go back to the system when they are freed (the C library's
 // largest threshold for that, mallopt(3)); smaller ones may share pages with others.
-inline constexpr std::size_t least_file_bytes = std::size_t{33} << 20;
+inline constexpr std::size_t min_file_bytes = std::size_t{33} << 20;
 
 // Puts a scratch file without a name under the memory at `data`, the whole of a block from the heap, but for the ends
 // that are no whole pages. Addresses stay as they are, and with Content::keep values too. The memory is freed as
 // always, which frees the file. Nothing may write to it meanwhile. Gives nothing, and leaves the memory alone, when the
-// block is smaller than least_file_bytes or none of the folders has the room.
+// block is smaller than min_file_bytes or none of the folders has the room.
 FilePages lay_on_file(void* data, std::size_t bytes, Content content,
                       const std::vector<std::filesystem::path>& folders);
 

@@ -24,7 +24,7 @@ auto with_bytes(const Column& column, F&& f) {
 }
 
 bool should_move(const Column& column) {
-  return column_bytes(column) >= least_file_bytes &&
+  return column_bytes(column) >= min_file_bytes &&
          !with_bytes(column, [&](const void* data, std::size_t) { return lies_on_file(data, column_bytes(column)); });
 }
 

@@ -14,7 +14,7 @@
 namespace bole {
 inline namespace cloud {
 
-// Clouds with more bytes of columns than this lie on file, each column of at least least_file_bytes. Positions do not
+// Clouds with more bytes of columns than this lie on file, each column of at least min_file_bytes. Positions do not
 // count: every stage goes through them again and again, and they always stay in memory.
 inline constexpr std::size_t large_columns_bytes = std::size_t{1} << 30;
 

@@ -1,8 +1,9 @@
 #include "cloud/point_cloud.h"
 
-#include <array>
 #include <cmath>
 
+#include "base/option.h"
+#include "cloud/axes_choice.h"
 #include "cloud/large_cloud.h"
 
 namespace bole {
@@ -34,15 +35,12 @@ Column make_column(ArrayType type, std::size_t size) {
   return std::vector<double>(size);
 }
 
-namespace {
-constexpr std::array<std::string_view, 5> axes_names{"unknown", "sensor", "map", "plot", "global"};
-}
-
-std::string_view axes_name(Axes axes) { return axes_names[static_cast<std::size_t>(axes)]; }
+std::string_view axes_name(Axes axes) { return choice_name(axes); }
 
 Axes axes_from_name(std::string_view name) {
-  for (std::size_t i = 0; i < axes_names.size(); ++i)
-    if (axes_names[i] == name) return static_cast<Axes>(i);
+  constexpr auto names = choice_names(Axes{});
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return static_cast<Axes>(i);
   throw bad_input("axes '" + std::string(name) + "'", "unknown, sensor, map, plot or global");
 }
 
@@ -73,7 +71,7 @@ void PointCloud::remove_column(std::string_view name) {
 
 PointCloud PointCloud::subset(const std::vector<std::uint32_t>& indices) const {
   PointCloud out;
-  out.origin = origin, out.axes = axes, out.crs_wkt = crs_wkt, out.scale = scale;
+  out.origin = origin, out.axes = axes, out.crs_wkt = crs_wkt, out.scale = scale, out.facts = facts;
   Positions kept;
   kept.reserve(indices.size());
   for (const auto i : indices) kept.push_back((*positions_)[i]);

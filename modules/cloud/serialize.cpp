@@ -42,11 +42,8 @@ Eigen::Vector3d get_vector3(const json& j) {
 }
 
 json store_cloud(const PointCloud& cloud, BlobStore& store) {
-  json j{{"size", cloud.size()},
-         {"origin", put_vector3(cloud.origin)},
-         {"axes", axes_name(cloud.axes)},
-         {"crs", cloud.crs_wkt},
-         {"scale", put_vector3(cloud.scale)}};
+  json j{{"size", cloud.size()}, {"origin", put_vector3(cloud.origin)}, {"axes", axes_name(cloud.axes)},
+         {"crs", cloud.crs_wkt}, {"scale", put_vector3(cloud.scale)},   {"facts", cloud.facts}};
   j["positions"] = put_vector(cloud.positions(), store);
   j["columns"] = json::object();
   for (const auto& [name, column] : cloud.columns()) {
@@ -83,7 +80,7 @@ std::shared_ptr<const Column> load_column(const json& j, std::size_t size, bool 
       [&]<class T>(std::vector<T>& values) {
         values = get_vector<T>(j.at("blob"), size, store);
         const std::size_t bytes = size * sizeof(T);
-        if (on_file && bytes >= least_file_bytes)
+        if (on_file && bytes >= min_file_bytes)
           pages = lay_on_file(values.data(), bytes, Content::keep, scratch_folders());
       },
       column);
@@ -99,6 +96,7 @@ std::shared_ptr<const PointCloud> load_cloud(const json& j, const BlobStore& sto
   cloud->scale = get_vector3(j.at("scale"));
   cloud->axes = axes_from_name(j.at("axes").get<std::string>());
   cloud->crs_wkt = j.at("crs").get<std::string>();
+  cloud->facts = j.at("facts").get<Facts>();
   const auto size = j.at("size").get<std::size_t>();
   const auto id = j.at("positions").get<std::string>();
   auto positions = std::static_pointer_cast<const PointCloud::Positions>(store.recall(id, positions_tag));
@@ -212,12 +210,16 @@ json store_trajectory(const Trajectory& trajectory, BlobStore& store) {
     Eigen::Map<Eigen::Matrix<double, 3, 4>>(row.data() + 1) = pose.T_target_sensor.affine();
     rows.push_back(row);
   }
-  return {{"size", rows.size()}, {"axes", axes_name(trajectory.axes)}, {"poses", put_vector(rows, store)}};
+  return {{"size", rows.size()},
+          {"axes", axes_name(trajectory.axes)},
+          {"facts", trajectory.facts},
+          {"poses", put_vector(rows, store)}};
 }
 
 std::shared_ptr<const Trajectory> load_trajectory(const json& j, const BlobStore& store) {
   auto trajectory = std::make_shared<Trajectory>();
   trajectory->axes = axes_from_name(j.at("axes").get<std::string>());
+  trajectory->facts = j.at("facts").get<Facts>();
   for (const auto& row : get_vector<PoseRow>(j.at("poses"), j.at("size").get<std::size_t>(), store)) {
     StampedPose pose{row[0], Pose::Identity()};
     pose.T_target_sensor.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4>>(row.data() + 1);

@@ -1,3 +1,4 @@
+#include "cloud/known_facts.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "pipeline/stage.h"
@@ -9,11 +10,17 @@ namespace {
 Table stacked(const Table& a, const Table& b) {
   auto measure = a.texts("measure"), unit = a.texts("unit"), published = a.texts("published");
   auto value = a.numbers("value");
-  for (std::size_t i = 0; i < b.rows(); ++i)
-    measure.push_back(b.texts("measure")[i]), unit.push_back(b.texts("unit")[i]),
-        published.push_back(b.texts("published")[i]), value.push_back(b.numbers("value")[i]);
+  for (std::size_t i = 0; i < b.rows(); ++i) {
+    measure.push_back(b.texts("measure")[i]);
+    unit.push_back(b.texts("unit")[i]);
+    published.push_back(b.texts("published")[i]);
+    value.push_back(b.numbers("value")[i]);
+  }
   Table t;
-  t.set("measure", measure), t.set("value", value), t.set("unit", unit), t.set("published", published);
+  t.set("measure", measure);
+  t.set("value", value);
+  t.set("unit", unit);
+  t.set("published", published);
   return t;
 }
 
@@ -37,20 +44,21 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
   // The columns that options name are those of the tables that are connected, not of this empty one.
   const Table none = in.table("stems").subset({});
   Table matches = evaluate_stems(none, none, {}, rule).matches;
-  Table summary = SummaryRows("none").table();
+  Table summary = SummaryRows(PublishedPlot::none).table();
   std::string message;
   if (in.has("reference_stems")) {
     auto stems = evaluate_stems(in.table("stems"), in.table("reference_stems"), options, rule);
     auto& r = result.report;
-    r.counts["matched"] = static_cast<std::int64_t>(stems.matched),
-    r.counts["missed"] = static_cast<std::int64_t>(stems.missed),
+    r.counts["matched"] = static_cast<std::int64_t>(stems.matched);
+    r.counts["missed"] = static_cast<std::int64_t>(stems.missed);
     r.counts["false"] = static_cast<std::int64_t>(stems.extra);
     message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " +
               std::to_string(stems.extra) + " false";
     if (stems.matched == 0)
       r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
     for (auto& w : stems.warnings) r.warn(std::move(w));
-    matches = std::move(stems.matches), summary = std::move(stems.summary);
+    matches = std::move(stems.matches);
+    summary = std::move(stems.summary);
   }
   run.check_cancel();
   if (in.has("reference_trajectory")) {
@@ -61,6 +69,8 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
         evaluate_trajectory(in.trajectory("trajectory"), in.trajectory("reference_trajectory"), options);
     message += (message.empty() ? "" : "; ") + std::to_string(trajectory.poses) + " poses compared";
     summary = stacked(summary, trajectory.summary);
+    if (const auto poses = fact_text(in.trajectory("trajectory").facts, facts::poses))
+      result.report.facts[std::string(facts::poses.key)] = *poses;
   }
   copy_metrics(summary, result.report);
   result.report.message = message.empty() ? "nothing to compare with: no reference is connected" : message;
@@ -74,6 +84,7 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType t;
   t.name = "evaluation.plot";
+  t.vtk_class = "vtkBoleEvaluatePlot";
   t.title = "Evaluate a plot";
   t.help =
       "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and "
@@ -88,8 +99,10 @@ void register_stages(pipeline::StageRegistry& registry) {
               {"reference_stems", DataKind::table, "Reference trees: tree_id, x_m, y_m, dbh_cm.", true, {}},
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};
   t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
-               {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}}};
+               {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}, true}};
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
+  t.main_numbers = {"ate_rmse",    "ate_max",  "drift",    "completeness",
+                    "correctness", "dbh_bias", "dbh_rmse", "height_bias"};
   t.run = evaluate_plot;
   registry.add(std::move(t));
 }

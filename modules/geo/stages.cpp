@@ -7,11 +7,12 @@ namespace bole::geo {
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "geo.project";
+  type.vtk_class = "vtkBoleProjectTable";
   type.title = "Project positions";
   type.help =
-      "Turns latitude and longitude of a table into metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, "
-      "UTM, or any transverse Mercator plane, by the exact projection. The plane's definition goes with the table, so "
-      "that exports carry it.";
+      "Converts latitude and longitude of a table to metres of a plane or back: Gauss-Krueger zones of 3 and 6 "
+      "degrees, UTM, or any transverse Mercator plane, with the exact projection. The definition of the plane "
+      "stays with the table, so exports contain it.";
   type.source = "SPEC E1; Lee (1976), Karney (2011) through GeographicLib";
   type.inputs = {{"table", DataKind::table, "Positions: latitude_deg and longitude_deg, or x_m and y_m.", false, {}}};
   type.outputs = {{"table", DataKind::table, "The same rows with the other kind of coordinates added.", false, {}}};

@@ -27,13 +27,14 @@ pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options,
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "ground.model";
+  type.vtk_class = "vtkBoleGroundModel";
   type.title = "Model the ground";
   type.help =
       "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "
       "groups of points of small cells are taken into a triangulation step by step; "
       "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
       "middle of the band and not along its lower edge or the top of the grass. "
-      "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance_m from any "
+      "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any "
       "ground point the model has no value and points there have no height (NaN).";
   type.source =
       "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, "

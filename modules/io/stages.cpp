@@ -1,6 +1,7 @@
-// The stages of the module io: what brings files into a pipeline.
+// The stages of the module io: they read files into a pipeline.
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/clouds/memory_advice.h"
+#include "io/core/formats.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/track_file.h"
@@ -28,11 +29,11 @@ struct ReadTableOptions {
 
 struct ReadTrajectoryOptions {
   std::string file;
-  std::string format = "auto";
-  std::string axes = "plot";
+  std::optional<TrajectoryFormat> format;  // open: by the content
+  Axes axes = Axes::plot;
 };
 
-// The table of a reader's options behind the option `file`, for a struct that adds `file` to them.
+// The options of a reader, with the option `file` in front of them.
 template <class S, class Base>
 OptionTable with_file(std::string_view help) {
   auto table =
@@ -51,18 +52,28 @@ OptionTable with_file(std::string_view help) {
   return table;
 }
 
-pipeline::StageType read_scan() {
-  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(
-      "Scan to read: a pcap or pcapng file of a Velodyne sensor, or a folder with one .bin (KITTI) or .pcd file per "
-      "frame.");
+// "Point cloud to read: LAZ, LAS, ...": the formats come from the table.
+std::string file_help(std::string_view noun, FileContent content) {
+  return std::string(noun) + " to read: " + format_list(content) + ".";
+}
+
+pipeline::StageType new_type(const char* name, const char* vtk_class, const char* title) {
   pipeline::StageType type;
-  type.name = "io.read_scan";
-  type.title = "Read a scan";
+  type.name = name;
+  type.vtk_class = vtk_class;
+  type.title = title;
+  return type;
+}
+
+pipeline::StageType read_scan() {
+  static const std::string help = file_help("Scan", FileContent::scan);
+  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(help);
+  auto type = new_type("io.read_scan", "vtkBoleReadScan", "Read a scan");
   type.help =
-      "Opens the recording of a spinning LiDAR and offers it frame by frame; frames are decoded when they are asked "
-      "for, so that long recordings need little memory. "
-      "Every return keeps its ring and its own time. Lost, damaged and disordered packets are counted, and a recording "
-      "that is cut off is read as far as it goes.";
+      "Opens the recording of a spinning LiDAR and gives it frame by frame. Frames are decoded when they are needed, "
+      "so "
+      "that long recordings take little memory. Every return keeps its ring and its own time. Packets that are lost, "
+      "damaged or out of order are counted. A recording that is cut off is read as far as it goes.";
   type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
   type.outputs = {{"frames",
                    DataKind::frames,
@@ -80,18 +91,17 @@ pipeline::StageType read_scan() {
 }
 
 pipeline::StageType read_cloud_stage() {
-  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(
-      "Point cloud to read: PLY, PCD, LAS, LAZ or text (XYZ, CSV, TXT, PTS, PTX).");
-  pipeline::StageType type;
-  type.name = "io.read_cloud";
-  type.title = "Read a point cloud";
+  static const std::string help = file_help("Point cloud", FileContent::cloud);
+  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(help);
+  auto type = new_type("io.read_cloud", "vtkBoleReadCloud", "Read a point cloud");
   type.help =
-      "Reads a point cloud of any common format, recognised by its content. Coordinates come out in metres with z up; "
-      "large ones are kept exactly as offsets from an origin. "
-      "Fields of the file become arrays of the common vocabulary (intensity, time, ring, return_number, "
-      "classification, red, ...); others keep their names. "
-      "Points whose coordinates are not numbers are dropped and counted; a file that is cut off gives the points it "
-      "holds.";
+      "Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are "
+      "given "
+      "in metres with z up; large ones are kept exactly, as offsets from an origin. Fields of the file become arrays "
+      "with Bole's names (intensity, time, ring, return_number, classification, red, ...); other fields keep their "
+      "names. Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives the "
+      "points "
+      "it holds.";
   type.source = "Bole";
   type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
   type.options = &table;
@@ -109,19 +119,13 @@ pipeline::StageType read_cloud_stage() {
 }
 
 pipeline::StageType read_table_stage() {
-  static const OptionTable table = make_option_table<ReadTableOptions>(
-      {Option<ReadTableOptions, std::string>{"file",
-                                             &ReadTableOptions::file,
-                                             TextKind::input_path,
-                                             {},
-                                             Tier::basic,
-                                             "Table to read: CSV with a header line."}});
-  pipeline::StageType type;
-  type.name = "io.read_table";
-  type.title = "Read a table";
+  static const std::string help = file_help("Table", FileContent::table);
+  static const OptionTable table = make_option_table<ReadTableOptions>({Option<ReadTableOptions, std::string>{
+      "file", &ReadTableOptions::file, TextKind::input_path, {}, Tier::basic, help}});
+  auto type = new_type("io.read_table", "vtkBoleReadTable", "Read a table");
   type.help =
-      "Reads a CSV table, for instance reference trees measured in the field. Columns of numbers become numbers, empty "
-      "cells are missing values; lines that do not fit the header are named.";
+      "Reads a table, for instance reference trees measured in the field. Columns of numbers become numbers, and empty "
+      "cells are missing values. A line that does not fit the header is an error that names the line.";
   type.source = "RFC 4180";
   type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
   type.options = &table;
@@ -139,19 +143,17 @@ pipeline::StageType read_table_stage() {
 }
 
 pipeline::StageType read_track_stage() {
-  static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(
-      "Track to read: the NMEA log of a receiver, CSV with named columns, or columns of numbers.");
-  pipeline::StageType type;
-  type.name = "io.read_track";
-  type.title = "Read a track";
+  static const std::string help = file_help("Track", FileContent::track);
+  static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(help);
+  auto type = new_type("io.read_track", "vtkBoleReadTrack", "Read a track");
   type.help =
-      "Reads where a receiver was: NMEA 0183 (GGA, RMC, VTG, GST, HDT), also in between binary messages, CSV with "
-      "time_s and latitude_deg, longitude_deg or x_m, y_m, or columns of numbers such as UTM coordinates. Sentences "
-      "with "
-      "a wrong checksum, without one or with unreadable fields, positions without a fix, gaps and steps back in time "
-      "are counted and passed over.";
+      "Reads the positions of a GNSS receiver: NMEA 0183 sentences (GGA, RMC, VTG, GST, HDT), also between binary "
+      "messages; CSV with time_s and latitude_deg, longitude_deg or x_m, y_m; or columns of numbers such as UTM "
+      "coordinates. Sentences with a wrong or missing checksum or unreadable fields, positions without a fix, gaps and "
+      "steps back in time are counted and skipped.";
   type.source = "NMEA 0183";
-  type.outputs = {{"track", DataKind::table, "time_s, positions, quality and what else the file has.", false, {}}};
+  type.outputs = {
+      {"track", DataKind::table, "time_s, positions, quality and the other columns of the file.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadTrackOptions>();
@@ -166,32 +168,17 @@ pipeline::StageType read_track_stage() {
 
 pipeline::StageType read_trajectory_stage() {
   using S = ReadTrajectoryOptions;
+  static const std::string help = file_help("Trajectory", FileContent::trajectory);
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"file",
-                             &S::file,
-                             TextKind::input_path,
-                             {},
-                             Tier::basic,
-                             "Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)."},
-      Option<S, std::string>{"format",
-                             &S::format,
-                             TextKind::choice,
-                             {"auto", "tum", "kitti"},
-                             Tier::advanced,
-                             "Format of the file; auto tells them apart by the number of values per line."},
-      Option<S, std::string>{"axes",
-                             &S::axes,
-                             TextKind::choice,
-                             {"unknown", "map", "plot", "global"},
-                             Tier::advanced,
-                             "Axes that the poses are in."},
+      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help},
+      Option<S, std::optional<TrajectoryFormat>>{"format", &S::format, "auto", Tier::advanced,
+                                                 "Format of the file. auto decides by the number of values in a line."},
+      Option<S, Axes>{"axes", &S::axes, Tier::advanced, "Coordinate system of the poses."},
   });
-  pipeline::StageType type;
-  type.name = "io.read_trajectory";
-  type.title = "Read a trajectory";
+  auto type = new_type("io.read_trajectory", "vtkBoleReadTrajectory", "Read a trajectory");
   type.help =
-      "Reads the path of a sensor, for instance the true one of a simulation. Quaternions are normalised; KITTI poses "
-      "have no times and get 0, 1, 2, ... Lines that cannot be used are named.";
+      "Reads the trajectory of a sensor, for instance the true one of a simulation. Quaternions are normalised. KITTI "
+      "poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.";
   type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
   type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
   type.options = &table;
@@ -199,7 +186,7 @@ pipeline::StageType read_trajectory_stage() {
     const auto& o = options.as<S>();
     pipeline::StageResult result;
     auto trajectory = read_trajectory(o.file, o.format);
-    trajectory.axes = axes_from_name(o.axes);
+    trajectory.axes = o.axes;
     result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
     result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
     result.report.message = std::to_string(trajectory.poses.size()) + " poses";

@@ -11,22 +11,6 @@
 namespace bole::pipeline {
 namespace {
 
-using Row = std::pair<std::string_view, std::string_view>;
-// The classes in modules/*/vtk; a test of the rules holds this list against them.
-constexpr std::array<Row, 24> thin_classes{
-    Row{"evaluation.plot", "vtkBoleEvaluatePlot"}, {"geo.project", "vtkBoleProjectTable"},
-    {"ground.model", "vtkBoleGroundModel"},        {"io.read_cloud", "vtkBoleReadCloud"},
-    {"io.read_scan", "vtkBoleReadScan"},           {"io.read_table", "vtkBoleReadTable"},
-    {"io.read_track", "vtkBoleReadTrack"},         {"io.read_trajectory", "vtkBoleReadTrajectory"},
-    {"report.plot", "vtkBolePlotReport"},          {"report.rows", "vtkBoleRowsReport"},
-    {"report.steering", "vtkBoleSteeringReport"},  {"rows.edit", "vtkBoleEditRows"},
-    {"rows.from_stems", "vtkBoleRowsFromStems"},   {"rows.level", "vtkBoleLevelFrame"},
-    {"rows.trunks", "vtkBoleFrameTrunks"},         {"slam.run", "vtkBoleSlam"},
-    {"steering.errors", "vtkBoleSteeringErrors"},  {"steering.simulate", "vtkBoleSimulateSteering"},
-    {"steering.tune", "vtkBoleTuneSteering"},      {"stems.edit", "vtkBoleEditStems"},
-    {"stems.measure", "vtkBoleMeasureStems"},      {"stems.slice", "vtkBoleBreastHeightSlice"},
-    {"survey.frame", "vtkBoleSurveyFrame"},        {"survey.plot", "vtkBoleSurveyPlot"}};
-
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + escaped(value) + "\"";
 }
@@ -94,7 +78,7 @@ std::string input_property(const Port& port, std::size_t index) {
 }
 
 std::string proxy(const StageType& type) {
-  const std::string class_name = vtk_class_of_stage(type.name);
+  const std::string class_name = type.vtk_class.empty() ? "vtkBoleStage" : type.vtk_class;
   std::string name = "Bole_" + type.name;
   std::ranges::replace(name, '.', '_');
   std::string xml = "    <SourceProxy" + attribute("name", name) + attribute("class", class_name) +
@@ -117,11 +101,6 @@ std::string proxy(const StageType& type) {
 }
 
 }  // namespace
-
-std::string vtk_class_of_stage(std::string_view stage_type) {
-  const auto it = std::ranges::find(thin_classes, stage_type, &Row::first);
-  return it == thin_classes.end() ? "vtkBoleStage" : std::string(it->second);
-}
 
 std::string paraview_xml(const StageRegistry& registry) {
   std::string sources, filters;

@@ -8,9 +8,6 @@
 
 namespace bole::pipeline {
 
-// The thin VTK class that names this stage, or vtkBoleStage, which is told the type.
-std::string vtk_class_of_stage(std::string_view stage_type);
-
 std::string paraview_xml(const StageRegistry& registry);
 
 }  // namespace bole::pipeline

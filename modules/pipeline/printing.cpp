@@ -71,6 +71,39 @@ std::string options_markdown(const OptionTable& table) {
   return text;
 }
 
+// What a stage uses in place of options that are left open.
+OptionSet in_force(const StageType& type, const OptionSet& options) {
+  return type.in_force ? type.in_force(options) : options;
+}
+
+// A choice that decides options left open with its name as their word ("preset"): a table of the values that each of
+// its words stands for. Empty where there is none.
+std::string presets_markdown(const StageType& type) {
+  if (!type.in_force) return {};
+  std::string text;
+  for (const auto& preset : type.options->specs) {
+    std::vector<const OptionSpec*> decided;
+    for (const auto& o : type.options->specs)
+      if (o.unset == preset.name) decided.push_back(&o);
+    if (decided.empty() || preset.text_kind != TextKind::choice) continue;
+    text += fmt::format("## Values by {}\n\n| option | `{}` |\n|---|{}\n", preset.name,
+                        fmt::join(preset.choices, "` | `"), fmt::join(std::vector(preset.choices.size(), "---|"), ""));
+    std::vector<OptionSet> values;
+    for (const auto& choice : preset.choices) {
+      OptionSet options(*type.options);
+      options.set(preset.name, choice);
+      values.push_back(in_force(type, options));
+    }
+    for (const auto* o : decided) {
+      text += fmt::format("| `{}` |", o->name);
+      for (const auto& v : values) text += fmt::format(" {} |", option_text(v.get(o->name)));
+      text += "\n";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 ordered_json option_schema(const OptionSpec& o) {
   ordered_json s{
       {"description", o.full_help() + (unit_symbol(o.unit).empty() ? "" : fmt::format(" ({})", unit_symbol(o.unit)))},
@@ -109,7 +142,8 @@ std::string stage_markdown(const StageType& type) {
   if (!type.source.empty()) text += fmt::format("Source: {}\n\n", type.source);
   if (!type.inputs.empty()) text += "## Inputs\n\n" + ports_markdown(type.inputs, true) + "\n";
   if (!type.outputs.empty()) text += "## Outputs\n\n" + ports_markdown(type.outputs, false) + "\n";
-  if (!type.options->specs.empty()) text += "## Options\n\n" + options_markdown(*type.options) + "\n";
+  if (!type.options->specs.empty())
+    text += "## Options\n\n" + options_markdown(*type.options) + "\n" + presets_markdown(type);
   text += "Printed by `bole stages --markdown`; change the declaration of the stage, not this page.\n";
   return text;
 }
@@ -162,6 +196,7 @@ std::string stages_json(const StageRegistry& registry) {
     }
     list.push_back({{"type", type->name},
                     {"title", type->title},
+                    {"vtk_class", type->vtk_class},
                     {"help", type->help},
                     {"source", type->source},
                     {"version", type->version},
@@ -219,6 +254,18 @@ std::string options_text(const OptionTable& table) {
   for (const auto& g : condition_groups(table))
     text += fmt::format("  {}: {}\n", g.condition, fmt::join(g.options, ", "));
   return text;
+}
+
+std::string values_in_force_text(const StageType& type, const OptionSet& options) {
+  const OptionSet used = in_force(type, options), usual = in_force(type, OptionSet(*type.options));
+  std::string text;
+  for (const auto& o : type.options->specs) {
+    const auto value = option_text(used.get(o.name)), default_value = option_text(usual.get(o.name));
+    text +=
+        fmt::format("{} {:<24} {}{}{}\n", value == default_value ? ' ' : '*', o.name, value.empty() ? "(empty)" : value,
+                    unit_symbol(o.unit).empty() || value.empty() ? "" : " ", value.empty() ? "" : unit_symbol(o.unit));
+  }
+  return text + "Options marked with * differ from the default.\n";
 }
 
 }  // namespace bole::pipeline

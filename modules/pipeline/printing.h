@@ -19,5 +19,8 @@ std::string stages_json(const StageRegistry& registry);
 std::string document_schema(const StageRegistry& registry);
 // A table of options for the terminal.
 std::string options_text(const OptionTable& table);
+// The values that a run with these options uses, for the terminal; those that a run with default options does not use
+// are marked.
+std::string values_in_force_text(const StageType& type, const OptionSet& options);
 
 }  // namespace bole::pipeline

@@ -22,6 +22,8 @@ struct Port {
   bool optional = false;
   // Inputs: arrays the cloud must have. Outputs: arrays the stage adds to the cloud.
   std::vector<ArrayInfo> arrays;
+  // Outputs: a table of results, written into summary.json with all its rows.
+  bool in_summary = false;
 };
 
 struct StageResult {
@@ -31,6 +33,9 @@ struct StageResult {
 
 struct StageType {
   std::string name;    // "stems.fit": module, dot, verb or noun
+  // "vtkBoleFitStems": the class that the build writes for this stage, in C++ and Python. Stands right after the name,
+  // as a literal: the build reads both from the registration (resources/cmake/BoleStageClasses.cmake).
+  std::string vtk_class;
   std::string title;   // "Fit stems"
   std::string help;    // a paragraph: what it does and by which method
   std::string source;  // paper and equation, or "Bole"
@@ -39,6 +44,8 @@ struct StageType {
   std::vector<Port> outputs;
   const OptionTable* options = nullptr;
   bool writes_files = false;  // a sink: writes into Run::output_dir
+  // Keys of the report by which a run is judged, the most telling first: for headlines and comparisons.
+  std::vector<std::string> main_numbers{};
   // The options with everything filled in that a run fills in ("as the preset says"); null: they are complete as given.
   std::function<OptionSet(const OptionSet& options)> in_force;
   std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;

@@ -60,6 +60,9 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
           {file, [table](const auto& path, const Run&, Report&) { io::write_table(path, *table, table_decimals()); }});
   };
   add_table("stems.csv", d.stems);
+  add_table("plot_values.csv", d.plot_values);
+  add_table("diameter_classes.csv", d.diameter_classes);
+  add_table("height_curve.csv", d.height_curve);
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);
@@ -79,7 +82,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_raster("chm.tif", d.canopy);
   if (o.tables)
     exports.push_back(
-        {"survey.xlsx", [&d, &o](const auto& path, const Run& run, Report&) { write_workbook(path, d, o, run); }});
+        {"survey.xlsx", [&d](const auto& path, const Run& run, Report&) { write_workbook(path, d, run); }});
   if (o.tables)
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
   if (o.tables && d.stems->rows() > 0) {

@@ -6,20 +6,6 @@ const OptionTable& option_table(const ReportOptions*) {
   using S = ReportOptions;
   static const OptionTable table = make_option_table<S>({
       Option<S, std::string>{"title", &S::title, TextKind::plain, {}, Tier::basic, "Title of the report."},
-      Option<S, double>{"class_width",
-                        &S::class_width,
-                        Unit::centimetre,
-                        {0.5, 50},
-                        Tier::advanced,
-                        "Width of the diameter classes in tables and charts."},
-      Option<S, double>{"form_sd",
-                        &S::form_sd,
-                        Unit::percent,
-                        {0, 50},
-                        Tier::advanced,
-                        "How unsure the stem form is that volumes rest on where no stem curve was measured: a standard "
-                        "deviation that all stems of the plot share, and that widens the interval of the volume. Set "
-                        "it lower where the form is known to suit the species."},
       Option<S, double>{"figure_width",
                         &S::figure_width,
                         Unit::millimetre,

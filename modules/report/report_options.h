@@ -4,14 +4,11 @@
 #include <string>
 
 #include "base/option.h"
-#include "report/core/stand_values.h"
 
 namespace bole::report {
 
 struct ReportOptions {
   std::string title = "Forest plot survey";
-  double class_width = 4;
-  double form_sd = usual_form_sd_pct;
   double figure_width = 180;
   double dpi = 300;
   int point_budget = 2'500'000;

@@ -11,6 +11,7 @@
 #include "render/charts/row_map.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
+#include "report/report_writer.h"
 
 namespace bole::report {
 
@@ -53,7 +54,11 @@ io::VectorLayer guidance_layer(const Table& rows, const Table& lines, const std:
   std::string last;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const auto id = lines.text("row_id", i);
-    if (layer.shapes.empty() || id != last) layer.shapes.emplace_back(), picked.push_back(row_of.at(id)), last = id;
+    if (layer.shapes.empty() || id != last) {
+      layer.shapes.emplace_back();
+      picked.push_back(row_of.at(id));
+      last = id;
+    }
     layer.shapes.back().emplace_back(x[i], y[i], 0);
   }
   layer.attributes = rows.subset(picked);
@@ -67,7 +72,8 @@ io::VectorLayer ab_layer(const Table& rows, const std::string& crs) {
   std::vector<std::size_t> picked;
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     if (!(std::hypot(x1[i] - x0[i], y1[i] - y0[i]) > 0)) continue;  // a plant alone leads nowhere
-    layer.shapes.push_back({{x0[i], y0[i], 0}, {x1[i], y1[i], 0}}), picked.push_back(i);
+    layer.shapes.push_back({{x0[i], y0[i], 0}, {x1[i], y1[i], 0}});
+    picked.push_back(i);
   }
   Table attributes;
   const Table kept = rows.subset(picked);
@@ -77,62 +83,46 @@ io::VectorLayer ab_layer(const Table& rows, const std::string& crs) {
   return layer;
 }
 
-class Writer {
+class RowsReport {
  public:
-  Writer(const DataSet& inputs, const RowsReportOptions& options, const Run& run)
+  RowsReport(const DataSet& inputs, const RowsReportOptions& options, const Run& run)
       : rows_(inputs.table("rows")),
         plants_(inputs.table("plants")),
         lines_(inputs.table("lines")),
         strays_(inputs.has("strays") ? &inputs.table("strays") : nullptr),
         edits_(inputs.has("edits") ? &inputs.table("edits") : nullptr),
         o_(options),
-        run_(run) {}
+        run_(run),
+        writer_(run) {}
 
   pipeline::StageResult write() {
-    attempt("rows.csv", [&](const auto& path) { io::write_table(path, rows_, decimals()); });
-    attempt("plants.csv", [&](const auto& path) { io::write_table(path, plants_, decimals()); });
-    if (strays_ != nullptr)
-      attempt("strays.csv", [&](const auto& path) { io::write_table(path, *strays_, decimals()); });
-    if (edits_ != nullptr && edits_->rows() > 0)
-      attempt("edits.csv", [&](const auto& path) { io::write_table(path, *edits_, decimals()); });
+    add_table("rows.csv", rows_);
+    add_table("plants.csv", plants_);
+    if (strays_ != nullptr) add_table("strays.csv", *strays_);
+    if (edits_ != nullptr && edits_->rows() > 0) add_table("edits.csv", *edits_);
     const std::string crs = fact(rows_, "crs");
     const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
-    attempt("rows.gpkg", [&](const auto& path) {
+    writer_.write("rows.gpkg", [&](const auto& path) {
       std::vector<io::VectorLayer> layers{guidance, ab, io::point_layer("plants", plants_, crs)};
       if (strays_ != nullptr && strays_->rows() > 0) layers.push_back(io::point_layer("strays", *strays_, crs));
       io::write_geopackage(path, layers);
     });
-    attempt("rows.geojson", [&](const auto& path) { io::write_geojson(path, guidance); });
-    attempt("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, ab); });
-    if (o_.figures) draw();
+    writer_.write("rows.geojson", [&](const auto& path) { io::write_geojson(path, guidance); });
+    writer_.write("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, ab); });
+    if (o_.figures) writer_.attempt("row map", [&] { draw(); });
     write_page();
-    auto& r = result_.report;
-    r.counts["files"] = files_;
-    r.message = fmt::format("{} files in {}", files_, run_.output_dir.string());
-    return std::move(result_);
+    return writer_.finish();
   }
 
  private:
-  template <class Part>
-  void attempt(const std::string& file, Part part) {
-    run_.check_cancel();
-    try {
-      part(run_.output_dir / file);
-      ++files_;
-    } catch (const std::exception& e) {
-      result_.report.warn(file + ": " + e.what());
-    }
+  void add_table(const std::string& file, const Table& table) {
+    writer_.write(file, [&](const auto& path) { io::write_table(path, table, decimals()); });
   }
 
   void draw() {
     const auto axes = fact(rows_, "axes");
     const bool north_known = axes.empty() || axes == "plot" || axes == "global";
-    const auto figure = render::row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width);
-    attempt("figures/row_map.png",
-            [&](const auto& path) { write_text_file(path, render::figure_png(figure, o_.dpi)); });
-    attempt("figures/row_map.svg", [&](const auto& path) { write_text_file(path, render::figure_svg(figure)); });
-    attempt("figures/row_map.pdf", [&](const auto& path) { write_text_file(path, render::figure_pdf(figure)); });
-    page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", render::figure_svg(figure), true});
+    writer_.save(render::row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width), {.dpi = o_.dpi});
   }
 
   void write_page() {
@@ -179,8 +169,9 @@ class Writer {
                                {"time", "time"},
                                {"reason", "reason"}},
                               2});
-    page_.warnings = page_warnings(run_.record.get(), result_.report);
-    attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+    page_.pictures = writer_.pictures();
+    page_.warnings = page_warnings(run_.record.get(), writer_.report());
+    writer_.write("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 
   Table missing_plants() const {
@@ -195,22 +186,20 @@ class Writer {
   const Table *strays_, *edits_;
   const RowsReportOptions& o_;
   const Run& run_;
-  pipeline::StageResult result_;
+  ReportWriter writer_;
   SimplePage page_;
-  std::int64_t files_ = 0;
 };
 
 }  // namespace
 
 pipeline::StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run) {
-  if (run.output_dir.empty())
-    throw bad_input("there is no folder to write the rows into", "an output folder", "Give --out DIR");
-  return Writer(inputs, options, run).write();
+  return RowsReport(inputs, options, run).write();
 }
 
 pipeline::StageType rows_report_stage() {
   pipeline::StageType type;
   type.name = "report.rows";
+  type.vtk_class = "vtkBoleRowsReport";
   type.title = "Write the rows";
   type.help =
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "

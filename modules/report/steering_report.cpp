@@ -12,6 +12,7 @@
 #include "render/charts/steering_charts.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
+#include "report/report_writer.h"
 
 namespace bole::report {
 
@@ -84,51 +85,32 @@ const Columns& spread_columns() {
   return columns;
 }
 
-class Writer {
+class SteeringReport {
  public:
-  Writer(const DataSet& inputs, const SteeringReportOptions& options, const Run& run)
-      : inputs_(inputs), o_(options), run_(run) {}
+  SteeringReport(const DataSet& inputs, const SteeringReportOptions& options, const Run& run)
+      : inputs_(inputs), o_(options), run_(run), writer_(run) {}
 
   pipeline::StageResult write() {
     for (const auto& file : files)
       if (inputs_.has(file.port))
-        attempt(file.name, [&](const auto& path) {
+        writer_.write(file.name, [&](const auto& path) {
           const auto& table = inputs_.table(file.port);
           io::write_table(path, table, decimals_of(table));
         });
-    if (o_.figures && inputs_.has("errors")) draw();
-    if (written_ == 0 && result_.report.warnings.empty())
+    if (o_.figures && inputs_.has("errors")) writer_.attempt("error curves", [&] { draw(); });
+    if (writer_.files().empty() && writer_.report().warnings.empty())
       throw bad_input("report.steering has no input",
                       "at least one of summary, passes, errors, log, parameters, steps");
     write_page();
-    result_.report.counts["files"] = written_;
-    result_.report.message = fmt::format("{} files in {}", written_, run_.output_dir.string());
-    return std::move(result_);
+    return writer_.finish();
   }
 
  private:
-  template <class Part>
-  void attempt(const std::string& file, Part part) {
-    run_.check_cancel();
-    try {
-      part(run_.output_dir / file);
-      ++written_;
-    } catch (const std::exception& e) {
-      result_.report.warn(file + ": " + e.what());
-    }
-  }
-
   void draw() {
     const auto& errors = inputs_.table("errors");
-    std::vector<render::Figure> figures{render::tracking_error_curves(errors, o_.figure_width)};
-    if (has_numbers(errors, "adjacent_m")) figures.push_back(render::adjacent_error_curves(errors, o_.figure_width));
-    for (const auto& figure : figures) {
-      const auto stem = "figures/" + figure.name;
-      attempt(stem + ".png", [&](const auto& path) { write_text_file(path, render::figure_png(figure, o_.dpi)); });
-      attempt(stem + ".svg", [&](const auto& path) { write_text_file(path, render::figure_svg(figure)); });
-      attempt(stem + ".pdf", [&](const auto& path) { write_text_file(path, render::figure_pdf(figure)); });
-      page_.pictures.push_back({figure.title, figure.caption, "image/svg+xml", render::figure_svg(figure), true});
-    }
+    writer_.save(render::tracking_error_curves(errors, o_.figure_width), {.dpi = o_.dpi});
+    if (has_numbers(errors, "adjacent_m"))
+      writer_.save(render::adjacent_error_curves(errors, o_.figure_width), {.dpi = o_.dpi});
   }
 
   void add_table(std::string title, std::string note, const Table& table, Columns first, const Columns& more,
@@ -190,31 +172,30 @@ class Writer {
         for (const auto& c : shown.columns()) columns.emplace_back(c.name, c.name);
         add_table(title, "", inputs_.table(port), std::move(columns), {}, 3);
       }
-    page_.warnings = page_warnings(run_.record.get(), result_.report);
-    attempt("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+    page_.pictures = writer_.pictures();
+    page_.warnings = page_warnings(run_.record.get(), writer_.report());
+    writer_.write("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 
   const DataSet& inputs_;
   const SteeringReportOptions& o_;
   const Run& run_;
-  pipeline::StageResult result_;
+  ReportWriter writer_;
   SimplePage page_;
   std::vector<std::unique_ptr<Table>> tables_;  // those of the page
-  std::int64_t written_ = 0;
 };
 
 }  // namespace
 
 pipeline::StageResult write_steering_report(const DataSet& inputs, const SteeringReportOptions& options,
                                             const Run& run) {
-  if (run.output_dir.empty())
-    throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
-  return Writer(inputs, options, run).write();
+  return SteeringReport(inputs, options, run).write();
 }
 
 pipeline::StageType steering_report_stage() {
   pipeline::StageType type;
   type.name = "report.steering";
+  type.vtk_class = "vtkBoleSteeringReport";
   type.title = "Write the steering test";
   type.help =
       "Writes the errors of a steering test by speed, pass and fix, the log, the tuning, and the error curves as PNG, "

@@ -35,7 +35,8 @@ Tube tube_of(const render::StemShape& s) {
     }
   std::vector<std::size_t> foot, top;
   for (std::size_t k = 0; k < sides; ++k) foot.push_back(sides - 1 - k), top.push_back((s.axis.size() - 1) * sides + k);
-  t.faces.push_back(std::move(foot)), t.faces.push_back(std::move(top));
+  t.faces.push_back(std::move(foot));
+  t.faces.push_back(std::move(top));
   return t;
 }
 
@@ -56,9 +57,11 @@ struct Cells {
   std::size_t count = 0, vertices = 0, indices = 0;
   void add(const std::vector<std::size_t>& cell, std::size_t first, std::int64_t id) {
     for (const auto i : cell) fmt::format_to(std::back_inserter(connectivity), "{} ", first + i);
-    indices += cell.size(), ++count;
+    indices += cell.size();
+    ++count;
     connectivity += '\n';
-    fmt::format_to(std::back_inserter(offsets), "{} ", indices), fmt::format_to(std::back_inserter(ids), "{} ", id);
+    fmt::format_to(std::back_inserter(offsets), "{} ", indices);
+    fmt::format_to(std::back_inserter(ids), "{} ", id);
   }
 };
 
@@ -101,7 +104,8 @@ std::string stems_ply(const std::vector<render::StemShape>& stems) {
     for (const auto& face : t.faces) {
       fmt::format_to(std::back_inserter(faces), "{}", face.size());
       for (const auto i : face) fmt::format_to(std::back_inserter(faces), " {}", first + i);
-      fmt::format_to(std::back_inserter(faces), " {}\n", t.tree_id), ++count;
+      fmt::format_to(std::back_inserter(faces), " {}\n", t.tree_id);
+      ++count;
     }
     first += t.points.size();
   }
@@ -129,7 +133,8 @@ std::string stem_curves_vtp(const std::vector<render::StemShape>& stems) {
   for (const auto& s : stems) {
     std::vector<std::size_t> line;
     for (std::size_t i = 0; i < s.axis.size(); ++i) {
-      line.push_back(i), add_point(c.points, s.axis[i]);
+      line.push_back(i);
+      add_point(c.points, s.axis[i]);
       fmt::format_to(std::back_inserter(radii), "{:.4f} ", s.radius_m[i]);
     }
     if (line.size() < 2) continue;

@@ -1,19 +1,68 @@
 #include "report/survey_data.h"
 
 #include <algorithm>
+#include <variant>
 
-#include "report/core/plot_metrics.h"
+#include "base/option_text.h"
+#include "cloud/known_facts.h"
+#include "cloud/stem_rows.h"
 
 namespace bole::report {
 namespace {
 
+using Member = std::variant<const Table * SurveyData::*, const PointCloud * SurveyData::*, const Raster * SurveyData::*,
+                            const Trajectory * SurveyData::*>;
+
+struct Input {
+  const char* port;
+  Member member;
+  const char* help;
+  bool optional = true;
+};
+
+const std::vector<Input>& survey_inputs() {
+  using S = SurveyData;
+  static const std::vector<Input> all{
+      {"stems", &S::stems, "Stems with x_m, y_m and dbh_cm.", false},
+      {"plot", &S::plot, "Which trees count, from survey.plot; all of them when absent."},
+      {"plot_values", &S::plot_values, "Values of the plot, from inventory.plot_values."},
+      {"diameter_classes", &S::diameter_classes, "Values by diameter class, from inventory.plot_values."},
+      {"height_curve", &S::height_curve, "Height curve, from inventory.plot_values."},
+      {"points", &S::points, "The map, coloured by height_above_ground, intensity and tree_id where it has them."},
+      {"slice", &S::slice, "Points around breast height, for the slice sheet."},
+      {"dem", &S::dem, "Terrain model."},
+      {"slope", &S::slope, "Slope of the terrain."},
+      {"canopy", &S::canopy, "Canopy height model."},
+      {"trajectory", &S::trajectory, "The trajectory of the scanner."},
+      {"reference_trajectory", &S::reference_trajectory, "The true trajectory, in the same axes."},
+      {"sections", &S::sections, "Fitted cross-sections."},
+      {"rejected", &S::rejected, "Candidates that are no stems, with their reasons."},
+      {"edits", &S::edits, "What a person changed, from stems.edit."},
+      {"targets", &S::targets, "Reflective targets of the plot frame."},
+      {"matches", &S::matches, "Stems matched with a reference."},
+      {"summary", &S::summary, "Measures of the evaluation beside published ones."},
+      {"loops", &S::loops, "Loop closures, from slam.run."},
+      {"odometry", &S::odometry, "What slam.run found for each frame."}};
+  return all;
+}
+
+DataKind kind_of(const Member& member) {
+  struct Kind {
+    DataKind operator()(const Table* SurveyData::*) const { return DataKind::table; }
+    DataKind operator()(const PointCloud* SurveyData::*) const { return DataKind::cloud; }
+    DataKind operator()(const Raster* SurveyData::*) const { return DataKind::raster; }
+    DataKind operator()(const Trajectory* SurveyData::*) const { return DataKind::trajectory; }
+  };
+  return std::visit(Kind{}, member);
+}
+
 template <class T>
-const T* optional_input(const DataSet& inputs, std::string_view port) {
-  return inputs.has(port) ? inputs.get<T>(port).get() : nullptr;
+void take(const DataSet& inputs, const char* port, const T* SurveyData::*member, SurveyData& data) {
+  data.*member = inputs.get<T>(port).get();
 }
 
 Axes axes_of(const SurveyData& data) {
-  if (const auto it = data.stems->facts.find("axes"); it != data.stems->facts.end()) return axes_from_name(it->second);
+  if (const auto axes = fact_text(data.stems->facts, facts::axes)) return axes_from_name(*axes);
   return data.points != nullptr ? data.points->axes : Axes::unknown;
 }
 
@@ -26,7 +75,7 @@ std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule
   const auto columns = {"x_m", "y_m", "dbh_cm"};
   if (!std::ranges::all_of(columns, [&](const char* c) { return has_numbers(stems, c); })) return nullptr;
   std::vector<std::int64_t> counted(stems.rows(), 0);
-  for (const auto i : counted_stems(stems, rule)) counted[i] = 1;
+  for (const auto i : counted_rows(stems, rule)) counted[i] = 1;
   auto out = std::make_shared<Table>(stems);
   out->set("counted", std::move(counted));
   return out;
@@ -34,43 +83,42 @@ std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule
 
 }  // namespace
 
-Table SurveyData::kept_stems() const {
-  const auto* state = std::get_if<std::vector<std::string>>(stems->find("state"));
-  if (state == nullptr) return *stems;
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < state->size(); ++i)
-    if ((*state)[i] != "rejected") kept.push_back(i);
-  return stems->subset(kept);
+bool SurveyData::poses_given() const {
+  const auto given = [](const auto* data) { return data != nullptr && pose_origin(data->facts) == PoseOrigin::given; };
+  return given(trajectory) || given(points) || given(stems);
+}
+
+Table SurveyData::kept_stems() const { return stems->subset(kept_rows(*stems)); }
+
+double SurveyData::class_width_cm() const {
+  constexpr double usual = 4;
+  if (plot_values == nullptr) return usual;
+  const auto it = plot_values->facts.find("class_width_cm");
+  return it == plot_values->facts.end() ? usual : number_from_text(it->second).value_or(usual);
 }
 
 std::string SurveyData::crs_wkt() const {
   if (axes != Axes::global) return {};
   if (points != nullptr && !points->crs_wkt.empty()) return points->crs_wkt;
-  const auto fact = stems->facts.find("crs");
-  return fact != stems->facts.end() ? fact->second : std::string();
+  return fact_text(stems->facts, facts::crs).value_or("");
+}
+
+std::vector<pipeline::Port> survey_ports() {
+  std::vector<pipeline::Port> ports;
+  for (const auto& input : survey_inputs())
+    ports.push_back({input.port, kind_of(input.member), input.help, input.optional, {}});
+  return ports;
 }
 
 SurveyData survey_data(const DataSet& inputs) {
   SurveyData data;
-  data.stems = &inputs.table("stems");
-  data.points = optional_input<PointCloud>(inputs, "points");
-  data.slice = optional_input<PointCloud>(inputs, "slice");
-  data.dem = optional_input<Raster>(inputs, "dem");
-  data.slope = optional_input<Raster>(inputs, "slope");
-  data.canopy = optional_input<Raster>(inputs, "canopy");
-  data.trajectory = optional_input<Trajectory>(inputs, "trajectory");
-  data.reference_trajectory = optional_input<Trajectory>(inputs, "reference_trajectory");
-  data.sections = optional_input<Table>(inputs, "sections");
-  data.rejected = optional_input<Table>(inputs, "rejected");
-  data.edits = optional_input<Table>(inputs, "edits");
-  data.targets = optional_input<Table>(inputs, "targets");
-  data.matches = optional_input<Table>(inputs, "matches");
-  data.summary = optional_input<Table>(inputs, "summary");
-  data.loops = optional_input<Table>(inputs, "loops");
-  data.odometry = optional_input<Table>(inputs, "odometry");
+  for (const auto& input : survey_inputs())
+    if (!input.optional || inputs.has(input.port))
+      std::visit([&](auto member) { take(inputs, input.port, member, data); }, input.member);
   data.axes = axes_of(data);
-  if (inputs.has("plot")) data.rule = counting_rule(inputs.table("plot"));
-  if ((data.own_stems = with_counted(*data.stems, data.rule))) data.stems = data.own_stems.get();
+  if (data.plot != nullptr) data.rule = counting_rule(*data.plot);
+  data.own_stems = with_counted(*data.stems, data.rule);
+  if (data.own_stems) data.stems = data.own_stems.get();
   return data;
 }
 

@@ -1,16 +1,24 @@
-// What the report is about: the connected inputs of the stage, and what follows from them and the options.
+// What the report is about: the connected inputs of the stage report.plot, and what follows from them.
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cloud/data.h"
 #include "cloud/plot_area.h"
+#include "pipeline/stage.h"
 
 namespace bole::report {
 
-// A null pointer where an input is not connected.
+// A null pointer where an input is not connected. A new input is a member here and a row of the table in
+// survey_data.cpp, which declares the port and fills the member.
 struct SurveyData {
   const Table* stems = nullptr;  // of survey_data(): with the column `counted`, 1 where plot values rest on the stem
+  const Table* plot = nullptr;
+  const Table* plot_values = nullptr;
+  const Table* diameter_classes = nullptr;
+  const Table* height_curve = nullptr;
   const PointCloud* points = nullptr;
   const PointCloud* slice = nullptr;
   const Raster* dem = nullptr;
@@ -24,18 +32,25 @@ struct SurveyData {
   const Table* targets = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;
-  const Table* loops = nullptr;  // of slam.run, as is odometry
+  const Table* loops = nullptr;
   const Table* odometry = nullptr;
 
-  CountingRule rule;
+  CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
   Axes axes = Axes::unknown;               // of the stems
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }
 
+  // The trajectory was an input of the run, not computed by it.
+  bool poses_given() const;
   // Those that a person did not reject: what figures and meshes show.
   Table kept_stems() const;
+  // Of diameter classes: that of the plot values, 4 cm where they are not connected.
+  double class_width_cm() const;
   std::string crs_wkt() const;  // of the stems; empty where their axes are not global
 };
+
+// The input ports of report.plot.
+std::vector<pipeline::Port> survey_ports();
 
 SurveyData survey_data(const DataSet& inputs);
 

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <memory>
 
+#include "cloud/stem_rows.h"
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_sheet.h"
 #include "render/charts/stem_map.h"
 #include "render/charts/trajectory_charts.h"
 #include "render/scene/map_figure.h"
-#include "report/core/plot_metrics.h"
 
 namespace bole::report {
 namespace {
 
-constexpr double map_share = 20, hero_width_mm = 240, hero_width_px = 1600, mm_per_inch = 25.4;
+constexpr double hero_width_mm = 240, hero_width_px = 1600, mm_per_inch = 25.4;
 
 // The data of all maps; their points are chosen when the first of them is drawn.
 class MapSource {
@@ -46,12 +46,16 @@ void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::
   const auto source = std::make_shared<MapSource>(d, o, run);
   const auto add = [&](const char* name, render::PointColor color, render::MapView view) {
     render::MapOptions map;
-    map.color = color, map.view = view, map.dpi = o.dpi, map.point_budget = static_cast<std::size_t>(o.point_budget);
-    plans.push_back({name,
-                     [source, map, width = o.figure_width] {
-                       return std::vector<render::Figure>{render::map_figure(source->data(), map, width)};
-                     },
-                     true, true, map_share});
+    map.color = color;
+    map.view = view;
+    map.dpi = o.dpi;
+    map.point_budget = static_cast<std::size_t>(o.point_budget);
+    plans.push_back({.name = name,
+                     .make =
+                         [source, map, width = o.figure_width] {
+                           return std::vector<render::Figure>{render::map_figure(source->data(), map, width)};
+                         },
+                     .kind = FigureKind::map});
   };
   add("map by height", render::PointColor::height, render::MapView::oblique);
   if (d.points->has(arrays::tree_id)) add("map by tree", render::PointColor::tree, render::MapView::oblique);
@@ -61,9 +65,12 @@ void add_maps(const SurveyData& d, const ReportOptions& o, const Run& run, std::
   if (!o.hero) return;
   constexpr double dpi = hero_width_px / hero_width_mm * mm_per_inch;
   plans.push_back(
-      {"hero",
-       [source] { return std::vector<render::Figure>{render::hero_figure(source->data(), hero_width_mm, dpi)}; }, true,
-       true, map_share, false, dpi});
+      {.name = "hero",
+       .make =
+           [source] { return std::vector<render::Figure>{render::hero_figure(source->data(), hero_width_mm, dpi)}; },
+       .kind = FigureKind::map,
+       .on_page = false,
+       .dpi = dpi});
 }
 
 bool has_matches(const SurveyData& d) {
@@ -88,12 +95,25 @@ Table stems_inside(const SurveyData& d) {
 
 }  // namespace
 
+double FigurePlan::share() const {
+  switch (kind) {
+    case FigureKind::map:
+      return 20;
+    case FigureKind::sheet:
+      return 5;
+    case FigureKind::chart:
+      return 1;
+  }
+  return 1;
+}
+
 std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions& o, const Run& run) {
   std::vector<FigurePlan> plans;
   const double wide = o.figure_width, half = 0.47 * o.figure_width;
   const auto add = [&](const char* name, bool is_wide, std::function<render::Figure()> make) {
-    plans.push_back(
-        {name, [make = std::move(make)] { return std::vector<render::Figure>{make()}; }, is_wide, false, 1});
+    plans.push_back({.name = name,
+                     .make = [make = std::move(make)] { return std::vector<render::Figure>{make()}; },
+                     .wide = is_wide});
   };
   const bool has_stems = d.kept_stems().rows() > 0;
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
@@ -102,14 +122,14 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
       const Table stems = d.kept_stems();
       return render::stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
     });
-    add("diameter distribution", false, [&d, half, width = o.class_width] {
-      return render::dbh_histogram(d.stems->subset(counted_stems(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
+    add("diameter distribution", false, [&d, half, width = d.class_width_cm()] {
+      return render::dbh_histogram(d.stems->subset(counted_rows(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
     });
   }
   if (has_matches(d)) {
     add("estimated against reference diameter", false, [&d, half] { return render::dbh_scatter(*d.matches, half); });
     add("diameter errors", false,
-        [&d, half, width = o.class_width] { return render::dbh_error_boxes(*d.matches, half, width); });
+        [&d, half, width = d.class_width_cm()] { return render::dbh_error_boxes(*d.matches, half, width); });
     add("position errors", false, [&d, half] { return render::position_errors(*d.matches, half); });
   }
   if (d.trajectory != nullptr && d.trajectory->poses.size() > 1)
@@ -120,8 +140,9 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
     add("errors of the walk", true, [both, wide] { return render::trajectory_error_chart(both, wide); });
   }
   if (has_stems && d.slice != nullptr)
-    plans.push_back({"breast-height slices",
-                     [&d, wide] { return render::slice_sheets(stems_inside(d), *d.slice, wide); }, true, true, 5});
+    plans.push_back({.name = "breast-height slices",
+                     .make = [&d, wide] { return render::slice_sheets(stems_inside(d), *d.slice, wide); },
+                     .kind = FigureKind::sheet});
   return plans;
 }
 

@@ -12,15 +12,20 @@
 
 namespace bole::report {
 
+// chart: lines and text, as vectors on the page too. sheet: drawings of many points, as pixels on the page. map: a 3-D
+// scene, as pixels; it needs something that can render.
+enum class FigureKind { chart, sheet, map };
+
 // A figure still to be made: making may take seconds (3-D maps) and may throw.
 struct FigurePlan {
   std::string name;                                   // for messages
   std::function<std::vector<render::Figure>()> make;  // one, or the pages of a sheet
-  bool wide = true;                                   // over the whole page of the report
-  bool picture = false;                               // embedded as pixels even where it could be vector
-  double share = 1;                                   // of the time that all figures take, about
-  bool on_page = true;                                // in report.html too
-  double dpi = 0;                                     // of the PNG where it is not that of the options
+  FigureKind kind = FigureKind::chart;
+  bool wide = true;     // over the whole page of the report
+  bool on_page = true;  // in report.html too
+  double dpi = 0;       // of the PNG; 0: that of the options
+
+  double share() const;  // of the time that all figures take, roughly
 };
 
 // Those that the connected inputs allow, in the order of the report. `data`, `options` and `run` must outlive the

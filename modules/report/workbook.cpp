@@ -11,7 +11,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/option_text.h"
-#include "report/core/plot_metrics.h"
+#include "report/core/value_rows.h"
 #include "report/table_decimals.h"
 
 namespace bole::report {
@@ -22,7 +22,9 @@ class Workbook {
   explicit Workbook(const std::filesystem::path& path) : book_(workbook_new(path.c_str())) {
     if (book_ == nullptr) throw failure("cannot begin the workbook " + path.string());
     head_ = workbook_add_format(book_);
-    format_set_bold(head_), format_set_bottom(head_, LXW_BORDER_THIN), format_set_text_wrap(head_);
+    format_set_bold(head_);
+    format_set_bottom(head_, LXW_BORDER_THIN);
+    format_set_text_wrap(head_);
   }
   ~Workbook() {
     if (book_ != nullptr) workbook_close(book_);
@@ -87,7 +89,10 @@ class Sheet {
     ++column_;
     return *this;
   }
-  void end_row() { ++row_, column_ = 0; }
+  void end_row() {
+    ++row_;
+    column_ = 0;
+  }
   void wide(std::size_t column, double characters) {
     worksheet_set_column(sheet_, static_cast<lxw_col_t>(column), static_cast<lxw_col_t>(column), characters, nullptr);
   }
@@ -128,29 +133,23 @@ void add_value(Sheet& sheet, std::string text) {
     sheet.text(text);
 }
 
-void add_metrics(Workbook& book, const PlotMetrics& metrics, double min_dbh_cm) {
+void add_plot(Workbook& book, const SurveyData& data) {
+  if (data.plot_values == nullptr) return;
   Sheet sheet(book, "Plot", {"Measure", "Value", "Unit", "How"});
-  sheet.wide(0, 28), sheet.wide(3, 80);
-  for (const auto& row : metric_rows(metrics, min_dbh_cm)) {
+  sheet.wide(0, 28);
+  sheet.wide(3, 80);
+  for (const auto& row : value_rows(PlotValues(*data.plot_values), data.height_curve)) {
     sheet.text(row.name);
     add_value(sheet, row.value);
     sheet.text(row.unit).text(row.how).end_row();
   }
 }
 
-void add_classes(Workbook& book, const PlotMetrics& metrics) {
-  if (metrics.classes.empty()) return;
-  Sheet sheet(book, "Classes",
-              {"from_cm", "to_cm", "stems", "stems_per_ha", "basal_area_m2", "basal_area_m2_per_ha", "mean_height_m"});
-  for (const auto& c : metrics.classes) {
-    sheet.number(c.lo_cm).number(c.hi_cm).number(static_cast<double>(c.stems)).number(c.stems_per_ha, 1);
-    sheet.number(c.basal_area_m2, 4).number(c.basal_area_m2_per_ha, 3).number(c.mean_height_m, 2).end_row();
-  }
-}
-
 void add_options(Workbook& book, const RunRecord& record) {
   Sheet sheet(book, "Options", {"Stage", "Type", "Option", "Value", "Unit", "Changed"});
-  sheet.wide(1, 20), sheet.wide(2, 24), sheet.wide(3, 32);
+  sheet.wide(1, 20);
+  sheet.wide(2, 24);
+  sheet.wide(3, 32);
   for (const auto& stage : record.stages)
     for (const auto& option : stage.options) {
       sheet.text(stage.id).text(stage.type).text(option.name);
@@ -161,13 +160,14 @@ void add_options(Workbook& book, const RunRecord& record) {
 
 }  // namespace
 
-void write_workbook(const std::filesystem::path& path, const SurveyData& data, const ReportOptions& options,
-                    const Run& run) {
+void write_workbook(const std::filesystem::path& path, const SurveyData& data, const Run& run) {
   write_atomically(path, [&](const std::filesystem::path& draft) {
     Workbook book(draft);
-    const auto metrics = plot_metrics(*data.stems, data.rule, options.class_width, options.form_sd);
-    add_metrics(book, metrics, data.rule.min_dbh_cm);
-    add_classes(book, metrics);
+    add_plot(book, data);
+    add_table(book, "Plot values", data.plot_values);
+    add_table(book, "Classes", data.diameter_classes);
+    if (data.height_curve != nullptr && data.height_curve->rows() > 0)
+      add_table(book, "Height curve", data.height_curve);
     add_table(book, "Trees", data.stems);
     run.check_cancel();
     add_table(book, "Sections", data.sections);

@@ -1,8 +1,4 @@
 // Registers the stages of the module rows.
-#include <fstream>
-#include <sstream>
-
-#include "base/error.h"
 #include "pipeline/stage.h"
 #include "rows/core/edits/apply_row_edits.h"
 #include "rows/core/frame/frame_filters.h"
@@ -16,12 +12,13 @@ namespace {
 pipeline::StageType from_stems() {
   pipeline::StageType type;
   type.name = "rows.from_stems";
+  type.vtk_class = "vtkBoleRowsFromStems";
   type.title = "Find plant rows";
   type.help =
-      "Strings stems together into plant rows: any number of rows, straight or curved, with gaps, in several blocks of "
-      "different direction; stems that fit no row are strays. Plants are numbered along their row and missing plants "
-      "listed. Rows are numbered block by block, from left to right looking along the rows. A column row_id fixes the "
-      "assignment. The direction of a row is the angle of its least-squares line with due east.";
+      "Finds plant rows in a table of stems: any number of rows, straight or curved, with gaps, in several blocks "
+      "of different direction. Stems that fit no row are strays. Plants are numbered along their row and missing "
+      "plants are listed. Rows are numbered block by block, from left to right looking along the rows. A column "
+      "row_id fixes the assignment. The direction of a row is the angle of its least-squares line with due east.";
   type.source = "Line fit: SPEC B6 (plant rows from a 3-D LiDAR); search for rows: Bole";
   type.inputs = {{"stems", DataKind::table, "Stems: x_m, y_m; row_id and tree_id where known.", false, {}}};
   type.outputs = {
@@ -47,9 +44,14 @@ constexpr const char* paper = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 
 
 // A step that takes points and gives points.
 template <class Options, class Step>
-pipeline::StageType point_step(const char* name, const char* title, const char* help, Step step) {
+pipeline::StageType point_step(const char* name, const char* vtk_class, const char* title, const char* help,
+                               Step step) {
   pipeline::StageType type;
-  type.name = name, type.title = title, type.help = help, type.source = paper;
+  type.name = name;
+  type.vtk_class = vtk_class;
+  type.title = title;
+  type.help = help;
+  type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points of a frame: y ahead, z up, origin in the sensor.", false, {}}};
   type.outputs = {{"points", DataKind::cloud, "The points after this step.", false, {}}};
   type.options = &option_table(static_cast<const Options*>(nullptr));
@@ -68,10 +70,9 @@ pipeline::StageType point_step(const char* name, const char* title, const char* 
 
 pipeline::StageType level_stage() {
   auto type = point_step<LevelOptions>(
-      "rows.level", "Level a frame",
-      "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every point "
-      "is "
-      "turned by that of its own time; else the frame takes one attitude.",
+      "rows.level", "vtkBoleLevelFrame", "Level a frame",
+      "Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every "
+      "point is turned by the attitude at its own time, otherwise the frame has one attitude.",
       [](const PointCloud& c, const LevelOptions& o, const Run&) { return level(c, o); });
   type.inputs.push_back({"attitude", DataKind::table, "time_s, roll_deg, pitch_deg, yaw_deg of the IMU.", true, {}});
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
@@ -88,12 +89,12 @@ pipeline::StageType level_stage() {
 pipeline::StageType trunks() {
   pipeline::StageType type;
   type.name = "rows.trunks";
+  type.vtk_class = "vtkBoleFrameTrunks";
   type.title = "Find trunk centres";
   type.help =
       "Cuts every plant into horizontal layers and keeps those that are no wider than a trunk, so that leaves and "
-      "branches do not move the centre, wherever on the plant they are. The mean of the trunk points in plan is the "
-      "centre of the plant; as the sensor sees one side only, that lies too near by most of a radius, which centre = "
-      "face makes good.";
+      "branches do not move the centre. The mean of the trunk points in plan is the centre of the plant. The "
+      "sensor sees one side only, so this centre lies too near by most of a radius; centre=face corrects that.";
   type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}},
                  {"dense", DataKind::cloud, "The levelled frame before it was thinned; for centre = face.", true, {}}};
@@ -112,13 +113,14 @@ pipeline::StageType trunks() {
 pipeline::StageType hedges() {
   pipeline::StageType type;
   type.name = "rows.hedges";
+  type.vtk_class = "vtkBoleHedgeRows";
   type.title = "Find hedge rows";
   type.help =
-      "Finds rows whose canopy hides the trunks (vines, fruit walls, hedges): the peaks of the points' profile across "
-      "the rows, whose direction is given or found as the one with the sharpest profile. Along each row every piece "
-      "gives a point in the middle of the canopy, and the window follows the row, so that it may bend. "
-      "rows.from_stems makes rows and guidance lines of the points. The points must be canopy only: cut the ground off "
-      "with rows.region or rows.remove_ground.";
+      "Finds rows whose canopy hides the trunks (vines, fruit walls, hedges) as peaks of the point profile across "
+      "the rows. The direction is given, or the one with the sharpest profile is taken. Along each row every "
+      "piece gives a point in the middle of the canopy, and the window follows the row, so the row may bend. "
+      "rows.from_stems makes rows and guidance lines of the points. The points must be canopy only: remove the "
+      "ground with rows.region or rows.remove_ground.";
   type.source = "Bole";
   type.inputs = {{"points", DataKind::cloud, "Canopy without the ground, z up.", false, {}}};
   type.outputs = {{"stems", DataKind::table, "Points of the hedges' lines: row_id, x_m, y_m, points.", false, {}}};
@@ -134,11 +136,11 @@ pipeline::StageType hedges() {
 pipeline::StageType place() {
   pipeline::StageType type;
   type.name = "rows.place";
+  type.vtk_class = "vtkBolePlaceStems";
   type.title = "Place stems on the map";
   type.help =
-      "Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position and "
-      "yaw "
-      "of the sensor.";
+      "Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position "
+      "and yaw of the sensor.";
   type.source = paper;
   type.inputs = {{"stems", DataKind::table, "Centres in frame axes: x_m, y_m.", false, {}}};
   type.outputs = {{"stems", DataKind::table, "The same in navigation axes.", false, {}}};
@@ -152,33 +154,16 @@ pipeline::StageType place() {
   return type;
 }
 
-std::vector<RowEdit> edits_of(const RowEditOptions& options) {
-  std::vector<RowEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::ostringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_row_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_row_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
-
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "rows.edit";
+  t.vtk_class = "vtkBoleEditRows";
   t.title = "Edit rows";
   t.help =
-      "Applies what a person decided about rows: move (the ends), add, delete, split, merge, renumber and note, each "
-      "with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied anew "
-      "after every run, by place. Rows whose plants changed are measured again. What no longer fits is a conflict: it "
-      "changes nothing and is listed.";
+      "Applies the edits of a person: move (the ends), add, delete, split, merge, renumber and note, each with "
+      "author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied after "
+      "every run, by place. Rows whose plants changed are measured again. An edit that no longer fits is a "
+      "conflict: it changes nothing and is listed.";
   t.source = "Bole";
   t.inputs = {{"rows", DataKind::table, "Rows as found.", false, {}},
               {"plants", DataKind::table, "Plants in their rows.", false, {}},
@@ -193,9 +178,11 @@ pipeline::StageType edit_stage() {
   t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
     const auto& options = set.as<RowEditOptions>();
     FoundRows found;
-    found.rows = in.table("rows"), found.plants = in.table("plants"), found.lines = in.table("lines");
+    found.rows = in.table("rows");
+    found.plants = in.table("plants");
+    found.lines = in.table("lines");
     if (in.has("strays")) found.strays = in.table("strays");
-    auto edited = apply_row_edits(found, edits_of(options), options, run);
+    auto edited = apply_row_edits(found, edits_of(options.file, options.edits, parse_row_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("rows", std::move(edited.found.rows));
     result.outputs.set("plants", std::move(edited.found.plants));
@@ -212,22 +199,25 @@ void add_frame_steps(pipeline::StageRegistry& registry) {
   using namespace rows;
   registry.add(level_stage());
   registry.add(point_step<RegionOptions>(
-      "rows.region", "Cut a region", "Pass-through filter: keeps the points inside a box.",
+      "rows.region", "vtkBoleFrameRegion", "Cut a region", "Keeps the points inside a box (pass-through filter).",
       [](const PointCloud& c, const RegionOptions& o, const Run&) { return cut_region(c, o); }));
   registry.add(point_step<VoxelOptions>(
-      "rows.voxel", "Thin by voxels", "Replaces the points of each voxel by their centroid.",
+      "rows.voxel", "vtkBoleVoxelGrid", "Thin by voxels", "Replaces the points of each voxel by their centroid.",
       [](const PointCloud& c, const VoxelOptions& o, const Run&) { return voxel_centroids(c, o); }));
   registry.add(point_step<RayGroundOptions>(
-      "rows.remove_ground", "Remove the ground",
-      "Ray ground filter: in narrow sectors about the sensor, by range, a point is ground while it rises less than the "
-      "local slope from the last ground point and stays within the general slope. Ground is dropped.",
+      "rows.remove_ground", "vtkBoleRemoveGround", "Remove the ground",
+      "Removes the ground with a ray ground filter. In narrow sectors around the sensor, in order of range, a "
+      "point is ground when it rises less than the local slope above the last ground point and stays within the "
+      "general slope.",
       [](const PointCloud& c, const RayGroundOptions& o, const Run& run) { return remove_ground(c, o, run); }));
   registry.add(point_step<RadiusOptions>(
-      "rows.radius_filter", "Drop lone points", "Drops points that have too few neighbours within a radius.",
+      "rows.radius_filter", "vtkBoleRadiusFilter", "Drop lone points",
+      "Removes points that have too few neighbours within a radius.",
       [](const PointCloud& c, const RadiusOptions& o, const Run& run) { return radius_filter(c, o, run); }));
   registry.add(point_step<MeanShiftOptions>(
-      "rows.mean_shift", "Cluster into plants",
-      "Mean shift in plan: points that climb to the same place are a plant; the column plant numbers them, 0 for none.",
+      "rows.mean_shift", "vtkBoleMeanShift", "Cluster into plants",
+      "Mean shift in plan. Points that converge to the same place are one plant. The column plant numbers the "
+      "plants; 0 is no plant.",
       [](const PointCloud& c, const MeanShiftOptions& o, const Run& run) { return mean_shift(c, o, run); }));
   registry.add(trunks());
   registry.add(place());

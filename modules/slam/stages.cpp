@@ -6,12 +6,13 @@ namespace bole::slam {
 void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "slam.run";
+  type.vtk_class = "vtkBoleSlam";
   type.title = "Simultaneous localization and mapping";
   type.help =
-      "Finds the sensor's path from the frames alone and maps all returns with it. Features of each frame are "
-      "registered against a local map of the nearest key frames, with the motion inside the frame taken out; "
-      "revisits close loops in a pose graph; a final adjustment fits the whole path to the whole map. Presets set the "
-      "options that differ between published systems. With a given trajectory only the map is made.";
+      "Estimates the trajectory of the sensor from the frames alone and maps all returns with it. Each frame is "
+      "de-skewed and registered against a local map of keyframes. Loop closures correct the drift in a pose graph, and "
+      "a final adjustment fits the whole trajectory to the whole map. A preset sets the options that differ between "
+      "published systems. With a given trajectory only the map is made.";
   type.source =
       "Zhang and Singh 2014 (LOAM); SPEC A 1-8 and D; Shan and Englot 2018 (LeGO-LOAM); Kim and Kim 2018 (Scan "
       "Context); Dellenbach et al. 2022 (elastic frames); Bole";
@@ -34,9 +35,17 @@ void register_stages(pipeline::StageRegistry& registry) {
        .help = "Per frame: agreement with the map, observability, sigma0 and standard deviations of the "
                "pose (SPEC A7); empty with a given trajectory.",
        .arrays = {}},
-      {.name = "loops", .kind = DataKind::table, .help = "Revisits that were accepted, by their times.", .arrays = {}}};
-  type.version = 2;
+      {.name = "loops", .kind = DataKind::table, .help = "Accepted loop closures, by their times.", .arrays = {}}};
+  type.version = 3;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
+  type.in_force = [](const OptionSet& options) {
+    const SlamOptions filled = filled_in(options.as<SlamOptions>());
+    OptionSet out = options;
+    for (const auto& spec : out.table().specs) out.set(spec.name, spec.get(&filled));
+    return out;
+  };
+  type.main_numbers = {"frames",      "frames_failed",    "keyframes", "loops",  "refused_loops",
+                       "path_length", "registration_rms", "overlap",   "points", "seconds"};
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
     auto result = run_slam(inputs.frames("frames"), options.as<SlamOptions>(), run);
     pipeline::StageResult out;

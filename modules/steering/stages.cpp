@@ -12,11 +12,13 @@ constexpr const char* paper = "SPEC E: satellite-based auto-steering";
 pipeline::StageType simulate_stage() {
   pipeline::StageType t;
   t.name = "steering.simulate";
+  t.vtk_class = "vtkBoleSimulateSteering";
   t.title = "Simulate a steering test";
   t.help =
-      "Drives a simulated tractor along a line, turns, and drives the neighbouring line back, at several speeds: a "
-      "receiver with noise, drift, jumps and outages, the position-velocity Kalman filter, the preview-follow PID with "
-      "the published gains, a bicycle with lag, limits and slip. The log holds the navigated and the true positions.";
+      "Drives a simulated tractor along a line, turns, and drives the neighbouring line back, at several speeds. "
+      "Simulated are a receiver with noise, drift, jumps and outages, the position-velocity Kalman filter, the "
+      "preview PID with the published gains, and a bicycle model with lag, limits and slip. The log holds the "
+      "navigated and the true positions.";
   t.source = paper;
   t.outputs = {{"log", DataKind::table, "A row per fix.", false, {}},
                {"lines", DataKind::table, "A and B of the first line.", false, {}}};
@@ -35,18 +37,18 @@ pipeline::StageType simulate_stage() {
 pipeline::StageType errors_stage() {
   pipeline::StageType t;
   t.name = "steering.errors";
+  t.vtk_class = "vtkBoleSteeringErrors";
   t.title = "Measure steering errors";
   t.help =
-      "Finds the passes of a log along a line and its neighbours and measures straight-line and adjacent-row errors "
-      "per "
-      "pass and speed. Where the true way is known, by a reference receiver or a simulation, the receiver's share is "
-      "told from the controller's.";
+      "Finds the passes of a log along a line and its neighbours. Measures straight-line and adjacent-row errors "
+      "by pass and by speed. Where the true positions are known, from a reference receiver or a simulation, the "
+      "error of the receiver is separated from that of the controller.";
   t.source = paper;
   t.inputs = {{"log", DataKind::table, "time_s, x_m, y_m; run, speed_km_h, ref_x_m, ref_y_m where known.", false, {}},
               {"lines", DataKind::table, "a_x_m, a_y_m, b_x_m, b_y_m; else the longest straight stretch.", true, {}},
               {"reference", DataKind::table, "time_s, x_m, y_m of a better receiver.", true, {}}};
   t.outputs = {{"passes", DataKind::table, "A row per pass.", false, {}},
-               {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}},
+               {"summary", DataKind::table, "A row per speed, the published figures beside.", false, {}, true},
                {"errors", DataKind::table, "A row per fix on a pass.", false, {}}};
   t.options = &option_table(static_cast<const ErrorOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
@@ -66,13 +68,14 @@ pipeline::StageType errors_stage() {
 pipeline::StageType tune_stage() {
   pipeline::StageType t;
   t.name = "steering.tune";
+  t.vtk_class = "vtkBoleTuneSteering";
   t.title = "Tune the steering";
   t.help =
-      "The paper's tuning by trial: preview distance down to slight oscillation and one metre back, P up to slight "
-      "oscillation, D up until it is gone, I up while nothing oscillates.";
+      "The tuning procedure of the paper by trial: reduce the preview distance to a slight oscillation and add "
+      "one metre, raise P to a slight oscillation, raise D until it stops, raise I while nothing oscillates.";
   t.source = paper;
   t.outputs = {{"steps", DataKind::table, "Every try and its lasting swing.", false, {}},
-               {"parameters", DataKind::table, "What was found, the published table beside.", false, {}}};
+               {"parameters", DataKind::table, "What was found, the published table beside.", false, {}, true}};
   t.options = &option_table(static_cast<const TuneOptions*>(nullptr));
   t.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     auto tuning = tune(options.as<TuneOptions>(), run);

@@ -1,6 +1,4 @@
-#include <fstream>
-#include <sstream>
-
+#include "cloud/known_facts.h"
 #include "pipeline/stage.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/edits/apply_edits.h"
@@ -12,14 +10,15 @@ namespace {
 pipeline::StageType slice_stage() {
   pipeline::StageType t;
   t.name = "stems.slice";
+  t.vtk_class = "vtkBoleBreastHeightSlice";
   t.title = "Breast-height slice";
   t.help =
       "Cuts the layer of points around breast height, by height above ground, for the stem measurement and for "
       "pictures of the sections.";
   t.source = "Bole";
   t.inputs = {{"points", DataKind::cloud, "A cloud with heights above ground.", false, {arrays::height_above_ground}}};
-  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {slice_height}}};
-  t.version = 2;
+  t.outputs = {{"slice", DataKind::cloud, "The points of the slice, with all their arrays.", false, {}}};
+  t.version = 3;
   t.options = &option_table(static_cast<const SliceOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
@@ -33,9 +32,16 @@ pipeline::StageType slice_stage() {
   return t;
 }
 
+// Of the slice where one is connected: of its facts, so that its points are not looked at.
+double breast_height_of(const DataSet& in) {
+  if (in.has("slice")) return slice_height(in.cloud("slice"));
+  return fact_number(in.cloud("points").facts, facts::breast_height).value_or(usual_breast_height_m);
+}
+
 pipeline::StageType measure_stage() {
   pipeline::StageType t;
   t.name = "stems.measure";
+  t.vtk_class = "vtkBoleMeasureStems";
   t.title = "Measure stems";
   t.help =
       "Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. "
@@ -46,14 +52,18 @@ pipeline::StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
-  t.version = 2;
+  t.version = 3;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,
                "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.",
                false,
                {arrays::height_above_ground}},
-              {"slice", DataKind::cloud, "The slice that sets breast height.", false, {arrays::height_above_ground}},
+              {"slice",
+               DataKind::cloud,
+               "The slice that sets breast height; without it 1.3 m, or as the points say.",
+               true,
+               {}},
               {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
               {"trajectory",
                DataKind::trajectory,
@@ -65,10 +75,11 @@ pipeline::StageType measure_stage() {
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
                {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
+  t.main_numbers = {"stems"};
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
-    auto survey = measure_stems(in.cloud("points"), in.cloud("slice"), in.raster("dem"), trajectory,
+    auto survey = measure_stems(in.cloud("points"), breast_height_of(in), in.raster("dem"), trajectory,
                                 options.as<MeasureOptions>(), run);
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
@@ -80,27 +91,10 @@ pipeline::StageType measure_stage() {
   return t;
 }
 
-std::vector<StemEdit> edits_of(const EditOptions& options) {
-  std::vector<StemEdit> edits;
-  if (!options.file.empty()) {
-    std::ifstream file(options.file);
-    if (!file) throw bad_input("cannot read " + options.file, "a file with a JSON list of edits");
-    std::stringstream text;
-    text << file.rdbuf();
-    try {
-      edits = parse_stem_edits(text.str());
-    } catch (const Error& e) {
-      throw e.at(options.file);
-    }
-  }
-  const auto more = parse_stem_edits(options.edits);
-  edits.insert(edits.end(), more.begin(), more.end());
-  return edits;
-}
-
 pipeline::StageType edit_stage() {
   pipeline::StageType t;
   t.name = "stems.edit";
+  t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
       "Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
@@ -123,7 +117,7 @@ pipeline::StageType edit_stage() {
     if (in.has("sections")) inputs.sections = &in.table("sections");
     if (in.has("points")) inputs.points = &in.cloud("points");
     if (in.has("slice")) inputs.slice = &in.cloud("slice");
-    auto edited = apply_stem_edits(inputs, edits_of(options), options, run);
+    auto edited = apply_stem_edits(inputs, edits_of(options.file, options.edits, parse_stem_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("stems", std::move(edited.stems));
     result.outputs.set("sections", std::move(edited.sections));

@@ -45,6 +45,7 @@ pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, 
 void register_frame(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.frame";
+  type.vtk_class = "vtkBoleSurveyFrame";
   type.title = "Find the plot frame";
   type.help =
       "Moves a map into the axes of the plot: x east, y north, z up, origin on the ground below the centre target. The "
@@ -67,17 +68,18 @@ void register_frame(pipeline::StageRegistry& registry) {
 void register_plot(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.plot";
-  type.title = "Say which trees count";
+  type.vtk_class = "vtkBoleSurveyPlot";
+  type.title = "Plot boundary and minimum diameter";
   type.help =
-      "The boundary of the plot and the least diameter, for all stages that count trees: a tree counts when its centre "
+      "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre "
       "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
       "horizontal.";
   type.source = "SPEC A13";
-  type.inputs = {{"points", DataKind::cloud, "The map; tells the axes for shape auto.", true, {}},
-                 {"stems", DataKind::table, "Stems; tell the axes where no map is connected.", true, {}},
+  type.inputs = {{"points", DataKind::cloud, "The map; its axes decide shape auto.", true, {}},
+                 {"stems", DataKind::table, "Stems; their axes decide where no map is connected.", true, {}},
                  {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};
   type.outputs = {
-      {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and least diameter are facts.", false, {}}};
+      {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and minimum diameter are facts.", false, {}}};
   type.options = &option_table(static_cast<const PlotOptions*>(nullptr));
   type.run = run_plot;
   registry.add(std::move(type));

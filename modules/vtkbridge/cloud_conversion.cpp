@@ -117,6 +117,7 @@ void to_vtk(const std::shared_ptr<const PointCloud>& cloud, vtkPolyData* out) {
       shared_array<vtkFloatArray>(cloud->positions().data(), cloud->size(), 3, cloud->shared_positions(), "Points"));
   out->SetPoints(points);
   for (const auto& [name, column] : cloud->columns()) out->GetPointData()->AddArray(column_to_vtk(name, column));
+  set_facts(out, cloud->facts);
   set_vector3(out, "origin", cloud->origin);
   set_text(out, "axes", std::string(axes_name(cloud->axes)));
   if (!cloud->crs_wkt.empty()) set_text(out, "crs", cloud->crs_wkt);
@@ -172,6 +173,7 @@ std::shared_ptr<const PointCloud> cloud_from_vtk(vtkPointSet* points) {
   cloud->scale = get_vector3(points, "scale").value_or(Eigen::Vector3d::Zero());
   cloud->axes = get_axes(points);
   cloud->crs_wkt = get_text(points, "crs").value_or("");
+  cloud->facts = get_facts(points, {"origin", "axes", "crs", "scale"});
   for (int a = 0; a < points->GetPointData()->GetNumberOfArrays(); ++a)
     if (auto* array = points->GetPointData()->GetArray(a)) add_columns(*cloud, array, a);
   return cloud;

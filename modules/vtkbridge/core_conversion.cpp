@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "vtkbridge/field_facts.h"
 #include "vtkbridge/lazy_data.h"
 
 namespace {
@@ -83,6 +84,7 @@ void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index) {
       ScanFrame frame;
       if (frame_index < source.size()) source.read(frame_index, frame);
       to_vtk(std::move(frame), require<vtkPolyData>(out, "vtkPolyData"));
+      set_facts(out, source.facts());
       break;
     }
   }

@@ -1,13 +1,15 @@
 // Core types as VTK data objects and back. Arrays whose layout agrees are shared, not copied: a VTK array keeps the
 // core object that it shows alive. Core objects never change once made; VTK filters do not change their inputs either.
 //
-//   PointCloud   vtkPolyData: points are float32 offsets; field data: origin (3 doubles), axes, crs, scale; columns are
-//                point-data arrays of their names. Rendering filters other than point mappers need vertices
+//   PointCloud   vtkPolyData: points are float32 offsets; field data: origin (3 doubles), axes, crs, scale, facts;
+//                columns are point-data arrays of their names. Rendering filters other than point mappers need vertices
 //                (add_vertices).
-//   Table        vtkTable: double, long long and string columns; facts are string arrays of the field data.
+//   Table        vtkTable: double, long long and string columns; field data: facts.
 //   Raster       vtkImageData: one point per cell, at its centre; a float array named after the quantity.
-//   Trajectory   vtkPolyData: a poly-line; point data: time (s), orientation (quaternion w, x, y, z).
-//   ScanFrame    vtkPolyData in sensor axes: time, range, ring, intensity, return_number.
+//   Trajectory   vtkPolyData: a poly-line; point data: time (s), orientation (quaternion w, x, y, z); field
+//                data: axes, facts.
+//   ScanFrame    vtkPolyData in sensor axes: time, range, ring, intensity, return_number; field data: facts.
+// A fact is a string array of one value.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,9 @@
 #include "base/atomic_file.h"
 #include "base/option_text.h"
 #include "vtkBoleStage.h"
+#include "vtkbridge/core_conversion.h"
 #include "vtkbridge/file_keys.h"
+#include "vtkbridge/lazy_data.h"
 #include "vtkbridge/stage_control.h"
 #include "vtkbridge/stage_execution.h"
 #include "vtkbridge/summary.h"
@@ -69,6 +71,19 @@ void note_first_error(RunOutcome& outcome, int exit_code, const std::string& err
   if (outcome.exit_code != 0) return;
   outcome.exit_code = exit_code;
   outcome.error = error;
+}
+
+std::map<std::string, std::shared_ptr<const Table>> summary_tables(const pipeline::StageType& type,
+                                                                   vtkBoleStage& stage) {
+  std::map<std::string, std::shared_ptr<const Table>> tables;
+  for (int i = 0; i < static_cast<int>(type.outputs.size()); ++i) {
+    const auto& port = type.outputs[static_cast<std::size_t>(i)];
+    if (!port.in_summary) continue;
+    if (const auto data = attached(stage.GetOutputDataObject(i)))
+      if (const auto held = data->get(); data_kind(held) == DataKind::table)
+        tables[port.name] = std::get<std::shared_ptr<const Table>>(held);
+  }
+  return tables;
 }
 
 std::string stamps_of_input(const OptionSet& options) {
@@ -198,6 +213,7 @@ StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, con
   outcome.record.report = vtk_stage->GetReport();
   for (auto& text : left_out) outcome.record.report.warn(std::move(text));
   outcome.files = vtk_stage->GetOutputFiles();
+  outcome.tables = summary_tables(*node.type, *vtk_stage);
   return outcome;
 }
 

@@ -44,6 +44,8 @@ struct StageOutcome {
   StageState state = StageState::skipped;
   std::string error;
   std::vector<std::string> files;  // that it wrote
+  // Its outputs that summary.json shows (Port::in_summary), by port.
+  std::map<std::string, std::shared_ptr<const Table>> tables = {};
 };
 
 struct RunOutcome {

@@ -6,6 +6,8 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
+
 namespace bole::vtkbridge {
 
 void set_text(vtkDataObject* object, std::string_view name, const std::string& text) {
@@ -36,6 +38,20 @@ std::optional<Eigen::Vector3d> get_vector3(vtkDataObject* object, std::string_vi
   for (int i = 0; i < 3; ++i)
     value[i] = array->GetComponent(array->GetNumberOfTuples() == 3 ? i : 0, array->GetNumberOfTuples() == 3 ? 0 : i);
   return value;
+}
+
+void set_facts(vtkDataObject* object, const Facts& facts) {
+  for (const auto& [key, fact] : facts) set_text(object, key, fact);
+}
+
+Facts get_facts(vtkDataObject* object, std::initializer_list<std::string_view> members) {
+  Facts facts;
+  for (int a = 0; a < object->GetFieldData()->GetNumberOfArrays(); ++a) {
+    const char* const key = object->GetFieldData()->GetAbstractArray(a)->GetName();
+    if (key == nullptr || std::ranges::find(members, std::string_view(key)) != members.end()) continue;
+    if (auto text = get_text(object, key)) facts.emplace(key, std::move(*text));
+  }
+  return facts;
 }
 
 Axes get_axes(vtkDataObject* object) {

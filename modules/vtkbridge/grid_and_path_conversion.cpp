@@ -80,6 +80,7 @@ void to_vtk(const Trajectory& trajectory, vtkPolyData* out) {
     lines->InsertNextCell(count, ids.data());
     out->SetLines(lines);
   }
+  set_facts(out, trajectory.facts);
   set_text(out, "axes", std::string(axes_name(trajectory.axes)));
 }
 
@@ -94,6 +95,7 @@ std::shared_ptr<const Trajectory> trajectory_from_vtk(vtkPointSet* path) {
     throw bad_input("the path has no array 'orientation'", "a quaternion (w, x, y, z) at every point");
   auto trajectory = std::make_shared<Trajectory>();
   trajectory->axes = get_axes(path);
+  trajectory->facts = get_facts(path, {"axes"});
   for (vtkIdType i = 0; i < count; ++i) {
     StampedPose pose{time->GetComponent(i, 0), Pose::Identity()};
     Eigen::Quaterniond q(orientation->GetComponent(i, 0), orientation->GetComponent(i, 1),

@@ -202,7 +202,7 @@ void ResultCache::remove(const std::string& key) {
   fs::remove(result_path(key), ignored);
 }
 
-std::uintmax_t ResultCache::prune(std::uintmax_t most_bytes) {
+std::uintmax_t ResultCache::prune(std::uintmax_t max_bytes) {
   struct Entry {
     fs::path path;
     fs::file_time_type used;
@@ -225,7 +225,7 @@ std::uintmax_t ResultCache::prune(std::uintmax_t most_bytes) {
     std::uintmax_t more = 0;
     for (const auto& id : entry.blobs)
       if (!kept.contains(id)) more += fs::exists(blob_path(id), ignored) ? fs::file_size(blob_path(id), ignored) : 0;
-    if (kept_bytes + more > most_bytes) {
+    if (kept_bytes + more > max_bytes) {
       fs::remove(entry.path, ignored);
       dropped.insert(entry.blobs.begin(), entry.blobs.end());
       continue;

@@ -63,8 +63,8 @@ class ResultCache : private BlobStore {
     return load_data(stored, *this, open_frames);
   }
 
-  // Removes the results not used for longest until the folder holds at most `most_bytes`. Returns the bytes removed.
-  std::uintmax_t prune(std::uintmax_t most_bytes);
+  // Removes the results not used for longest until the folder holds at most `max_bytes`. Returns the bytes removed.
+  std::uintmax_t prune(std::uintmax_t max_bytes);
 
  private:
   std::string put(std::span<const std::byte> bytes) override { return put(bytes, {}); }

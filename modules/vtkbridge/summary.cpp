@@ -2,12 +2,16 @@
 
 #include <vtkVersion.h>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/memory.h"
+#include "base/version.h"
 #include "pipeline/report_json.h"
 
 namespace bole::vtkbridge {
@@ -30,15 +34,45 @@ std::string now_utc() {
   return text;
 }
 
+ordered_json cell_json(const Table::Values& values, std::size_t row) {
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&values)) return (*texts)[row];
+  if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&values)) return (*whole)[row];
+  const double value = std::get<std::vector<double>>(values)[row];
+  return std::isfinite(value) ? ordered_json(value) : ordered_json();  // JSON has no NaN: null says "not known"
+}
+
+// A list of rows, each with its cells by column.
+ordered_json table_json(const Table& table) {
+  ordered_json rows = ordered_json::array();
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    ordered_json row = ordered_json::object();
+    for (const auto& column : table.columns()) row[column.name] = cell_json(column.values, i);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Every library that takes part, by its name in small letters.
+ordered_json versions_json() {
+  ordered_json j{{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}};
+  for (auto [name, version] : library_versions()) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    j.emplace(name, version);
+  }
+  return j;
+}
+
 ordered_json stage_json(const StageOutcome& stage) {
   ordered_json j{{"id", stage.record.id}, {"type", stage.record.type}, {"state", stage_state_name(stage.state)}};
   if (!stage.error.empty()) j["error"] = stage.error;
   j["from_cache"] = stage.record.from_cache;
   j["options"] = ordered_json::object();
+  j["defaults"] = ordered_json::object();
   for (const auto& option : stage.record.options)
-    if (!option.is_default) j["options"][option.name] = option.value;
+    j[option.is_default ? "defaults" : "options"][option.name] = option.value;
   if (stage.state == StageState::done || stage.state == StageState::from_cache)
     j.update(pipeline::report_to_json(stage.record.report));
+  for (const auto& [port, table] : stage.tables) j["tables"][port] = table_json(*table);
   return j;
 }
 
@@ -55,7 +89,7 @@ std::string axes_of(const RunOutcome& outcome) {
 std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
                          const std::filesystem::path& output_dir) {
   ordered_json j{{"bole", BOLE_VERSION},
-                 {"versions", {{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}}},
+                 {"versions", versions_json()},
                  {"finished_at", now_utc()},
                  {"exit_code", outcome.exit_code}};
   if (!outcome.error.empty()) j["error"] = outcome.error;

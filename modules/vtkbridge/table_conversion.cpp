@@ -66,16 +66,14 @@ void add_column(Table& table, vtkAbstractArray* array, int number) {
 void to_vtk(const std::shared_ptr<const Table>& table, vtkTable* out) {
   out->Initialize();
   for (const auto& column : table->columns()) out->AddColumn(column_to_vtk(column, table));
-  for (const auto& [name, fact] : table->facts) set_text(out, name, fact);
+  set_facts(out, table->facts);
 }
 
 std::shared_ptr<const Table> table_from_vtk(vtkTable* vtk_table) {
   auto table = std::make_shared<Table>();
   for (int c = 0; c < static_cast<int>(vtk_table->GetNumberOfColumns()); ++c)
     add_column(*table, vtk_table->GetColumn(c), c);
-  for (int a = 0; a < vtk_table->GetFieldData()->GetNumberOfArrays(); ++a)
-    if (const char* name = vtk_table->GetFieldData()->GetAbstractArray(a)->GetName())
-      if (auto fact = get_text(vtk_table, name)) table->facts[name] = *fact;
+  table->facts = get_facts(vtk_table);
   return table;
 }
 

@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 
+import report_numbers
 from compare_tables import SpecError, compare
 
 SKIPPED = 77  # what ctest takes for a skipped test
@@ -70,6 +71,7 @@ def main():
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
+    parser.add_argument("--report-numbers", action="store_true", help="every number of report.html must be in summary.json")
     parser.add_argument("--table", action="append", default=[], help="{scan} is the folder of --simulate, {source} that of the repository, {real} that of the real files")
     parser.add_argument("--needs", type=pathlib.Path, help="a real file; the case is skipped where it is absent")
     args = parser.parse_args()
@@ -87,6 +89,8 @@ def main():
     run(command)
     summary = json.loads((args.work / "out" / "summary.json").read_text())
     good = [check(summary, e) for e in args.expect] + [check_table(t, args.work / "out", scan) for t in args.table]
+    if args.report_numbers:
+        good.append(report_numbers.passes(args.work / "out"))
     if all(good):
         shutil.rmtree(args.work, ignore_errors=True)  # recordings are large; a failed case keeps its own
     return 0 if all(good) else 1

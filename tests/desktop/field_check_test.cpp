@@ -25,7 +25,7 @@ class FieldCheckTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     collect_complaints();
-    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
     // Of the nine stems eight were taped; one tree of the list was felled since.
     std::ofstream list(folder_.filePath("list.csv").toStdString());
@@ -74,7 +74,9 @@ class FieldCheckTest : public QObject {
       for (const auto& row : check.rows()) {
         if (row.kind != MatchKind::matched) continue;
         const double e = row.dbh_cm - row.field_dbh_cm;
-        sum += e, squares += e * e, ++n;
+        sum += e;
+        squares += e * e;
+        ++n;
       }
       return Errors{n, sum / std::max(n, 1), std::sqrt(squares / std::max(n, 1))};
     };
@@ -83,7 +85,7 @@ class FieldCheckTest : public QObject {
       QCoreApplication::processEvents();
     };
     const auto run = [&] {
-      action_of(window, "run_without_report")->trigger();
+      window.commands().trigger("run.without_files");
       QVERIFY(wait_for_run(window));
       const auto e = errors();
       qInfo("lesson: %d trees, bias %.2f cm, RMSE %.2f cm", e.trees, e.bias_cm, e.rmse_cm);

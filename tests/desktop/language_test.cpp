@@ -10,13 +10,14 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
-#include "main_window.h"
+#include "features/stem_review/stem_review.h"
+#include "look/language.h"
 #include "render/charts/linked_charts.h"
 #include "render/charts/stem_profile.h"
 #include "render/charts/stem_slice.h"
 #include "render/charts/trajectory_charts.h"
 #include "render/scene/view_furniture.h"
-#include "shell/language.h"
+#include "shell/main_window.h"
 #include "shell_test.h"
 #include "views/figure_picture.h"
 
@@ -99,29 +100,36 @@ class LanguageTest : public QObject {
       return shown.toStdString();
     };
     Table stems, matches;
-    stems.set("tree_id", std::vector<std::int64_t>{1, 2}), stems.set("dbh_cm", std::vector<double>{20, 31});
-    stems.set("height_m", std::vector<double>{15, 21}), stems.set("height_seen", std::vector<double>{1, 0});
+    stems.set("tree_id", std::vector<std::int64_t>{1, 2});
+    stems.set("dbh_cm", std::vector<double>{20, 31});
+    stems.set("height_m", std::vector<double>{15, 21});
+    stems.set("height_seen", std::vector<double>{1, 0});
     matches.set("kind", std::vector<std::string>{"matched", "matched"});
-    matches.set("tree_id", std::vector<double>{1, 2}), matches.set("dbh_cm", std::vector<double>{20, 31});
+    matches.set("tree_id", std::vector<double>{1, 2});
+    matches.set("dbh_cm", std::vector<double>{20, 31});
     matches.set("ref_dbh_cm", std::vector<double>{20.5, 30});
     Trajectory path;
     for (int i = 0; i < 3; ++i) {
       StampedPose pose;
-      pose.time_s = i, pose.T_target_sensor.translation().x() = i;
+      pose.time_s = i;
+      pose.T_target_sensor.translation().x() = i;
       path.poses.push_back(pose);
     }
     render::StemSliceData slice;
     render::StemProfileData profile;
-    std::vector<render::Figure> figures{render::diameter_histogram(stems, {}, {}).figure,
-                                        render::height_over_diameter(stems, {}, {}).figure,
-                                        render::estimated_over_field(matches, {}, {}).figure,
-                                        render::diameter_histogram(Table(stems.subset({})), {}, {}).figure,
-                                        render::estimated_over_field(Table(), {}, {}).figure,
-                                        render::stem_slice(slice, 80, 80),
-                                        render::stem_profile(profile, 60, 90),
+    std::vector<render::Figure> figures{render::stem_slice(slice, 80, 80), render::stem_profile(profile, 60, 90),
                                         render::trajectory_error_chart({&path, &path, nullptr}, 120)};
+    const Table no_stems = stems.subset({}), no_matches;
+    for (const auto& chart : render::linked_charts()) {
+      figures.push_back(chart.draw({&stems, &matches}, {}, {}).figure);
+      figures.push_back(chart.draw({&no_stems, &no_matches}, {}, {}).figure);
+      listening.words(chart.title);
+    }
     render::ViewFurniture furniture;
-    furniture.width_mm = 200, furniture.height_mm = 150, furniture.mm_per_metre = 5, furniture.grid_step_m = 2;
+    furniture.width_mm = 200;
+    furniture.height_mm = 150;
+    furniture.mm_per_metre = 5;
+    furniture.grid_step_m = 2;
     furniture.paint = render::PointPaint();
     furniture.paint->title = "tree id";
     for (auto& patch : render::furniture_patches(furniture)) figures.push_back(patch.figure);
@@ -149,8 +157,8 @@ class LanguageTest : public QObject {
 
   void plurals_are_english() {
     install_language(*QCoreApplication::instance(), "en");
-    QCOMPARE(MainWindow::tr("%n stem(s) to look at", nullptr, 1), QString("1 stem to look at"));
-    QCOMPARE(MainWindow::tr("%n stem(s) to look at", nullptr, 3), QString("3 stems to look at"));
+    QCOMPARE(StemReview::tr("%n stem(s) to look at", nullptr, 1), QString("1 stem to look at"));
+    QCOMPARE(StemReview::tr("%n stem(s) to look at", nullptr, 3), QString("3 stems to look at"));
   }
 };
 

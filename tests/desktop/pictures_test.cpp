@@ -10,13 +10,13 @@
 #include <QSettings>
 
 #include "features/field_check/field_check.h"
+#include "look/language.h"
+#include "look/theme.h"
 #include "messages.h"
 #include "panels/pipeline_panel.h"
 #include "panels/table_panel.h"
 #include "sample_window.h"
-#include "shell/language.h"
 #include "shell/modes.h"
-#include "shell/theme.h"
 #include "shell_test.h"
 #include "views/chart_view.h"
 #include "views/scene_view.h"
@@ -24,9 +24,9 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int blur = 8;                // pixels that are averaged: glyphs and single points may differ
-constexpr double most_mean = 0.02;     // mean difference of the blurred pictures, of 1
-constexpr double most_changed = 0.03;  // share of blurred pixels that differ by more than `clear`
+constexpr int blur = 8;               // pixels that are averaged: glyphs and single points may differ
+constexpr double max_mean = 0.02;     // mean difference of the blurred pictures, of 1
+constexpr double max_changed = 0.03;  // share of blurred pixels that differ by more than `clear`
 constexpr double clear = 0.12;
 
 QString picture_path(const QString& name) {
@@ -91,7 +91,7 @@ class PicturesTest : public QObject {
     QCOMPARE(difference(a, b).mean, 0.0);
     for (int y = 0; y < 80; ++y)
       for (int x = 0; x < 80; ++x) b.setPixelColor(x, y, Qt::black);
-    QVERIFY(difference(a, b).changed > most_changed && difference(a, b).mean > most_mean);
+    QVERIFY(difference(a, b).changed > max_changed && difference(a, b).mean > max_mean);
   }
 
   void window() { compare("window", window_.get()); }
@@ -103,13 +103,13 @@ class PicturesTest : public QObject {
   }
   void field_check() {
     window_->docks().raise("field_check");
-    window_->chart().show_kind(ChartView::Kind::field);
+    window_->chart().show_chart("field");
     window_->findChild<FieldCheck*>()->choose(0);
     compare("panel_field_check", window_->docks().find("field_check")->widget());
     compare("chart_field", &window_->chart());
   }
   void keys() {
-    action_of(*window_, "keys")->trigger();
+    window_->commands().trigger("help.keys");
     auto* sheet = window_->findChild<QDialog*>("shortcut_sheet");
     QVERIFY(sheet && QTest::qWaitForWindowExposed(sheet));
     compare("keys", sheet);
@@ -158,8 +158,8 @@ class PicturesTest : public QObject {
                             .arg(kept.width())
                             .arg(kept.height())));
     const auto d = difference(kept, now.scaled(kept.size()));
-    if (d.mean > most_mean || d.changed > most_changed) now.save(QDir::tempPath() + "/bole_" + name + ".png");
-    QVERIFY2(d.mean <= most_mean && d.changed <= most_changed,
+    if (d.mean > max_mean || d.changed > max_changed) now.save(QDir::tempPath() + "/bole_" + name + ".png");
+    QVERIFY2(d.mean <= max_mean && d.changed <= max_changed,
              qPrintable(QString("%1 differs by %2, %3 of it clearly; see bole_%1.png in the folder for temporary files")
                             .arg(name)
                             .arg(d.mean)

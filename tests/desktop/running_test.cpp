@@ -26,16 +26,16 @@
 #include <QTreeWidget>
 
 #include "answer.h"
-#include "main_window.h"
-#include "panels/frame_bar.h"
-#include "panels/history_panel.h"
-#include "panels/walk_panel.h"
+#include "features/history/camera_link.h"
+#include "features/history/compare_window.h"
+#include "features/history/history_panel.h"
+#include "features/walk/frame_bar.h"
+#include "features/walk/walk_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
+#include "shell/main_window.h"
 #include "small_capture.h"
 #include "stall_meter.h"
-#include "views/camera_link.h"
-#include "views/compare_window.h"
 #include "views/figure_view.h"
 #include "views/scene_view.h"
 
@@ -143,7 +143,7 @@ class RunningTest : public QObject {
   }
 
   void cancel_in_the_middle_leaves_all_as_it_was() {
-    QSignalSpy began(&walk(), &WalkPanel::live_began), ended(&runner(), &RunBehavior::job_ended);
+    QSignalSpy began(&walk(), &WalkPanel::live_began), ended(&runner(), &Runner::job_ended);
     window_->run();
     QVERIFY(began.wait(30000));
     QTRY_VERIFY(walk().live().keyframes().size() >= 2);
@@ -158,8 +158,8 @@ class RunningTest : public QObject {
   }
 
   void keep_in_the_middle_gives_the_map_up_to_there() {
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
-    const auto at_frame = connect(&runner(), &RunBehavior::snapshot_taken, this, [this] {
+    QSignalSpy ended(&runner(), &Runner::job_ended);
+    const auto at_frame = connect(&runner(), &Runner::snapshot_taken, this, [this] {
       if (walk().live().state() && walk().live().state()->frame >= 6) button("finish_job").click();
     });
     window_->run();
@@ -177,8 +177,8 @@ class RunningTest : public QObject {
   void the_map_grows_while_the_window_stays_alive() {
     QSignalSpy began(&walk(), &WalkPanel::live_began), over(&walk(), &WalkPanel::live_ended);
     int snapshots = 0;
-    const auto count = connect(&runner(), &RunBehavior::snapshot_taken, this, [&] { ++snapshots; });
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    const auto count = connect(&runner(), &Runner::snapshot_taken, this, [&] { ++snapshots; });
+    QSignalSpy ended(&runner(), &Runner::job_ended);
     StallMeter meter;
     window_->run();
     QVERIFY(began.wait(30000));
@@ -220,10 +220,10 @@ class RunningTest : public QObject {
     QVERIFY(seen.placed);
     const auto pose = runner().survey().walk->at(1.6);
     QVERIFY((seen.T_target_sensor.translation() - pose.translation()).norm() < 0.02);
-    trigger("frame_next");
+    trigger("walk.next_frame");
     QTRY_COMPARE(seen.index, std::size_t{16});
     const int before = bar().frame();
-    trigger("keyframe_previous");
+    trigger("walk.previous_keyframe");
     QVERIFY(bar().frame() < before);
     // The frame lies on the map: most of its ground and bark has a point of the map near by.
     std::size_t near = 0, tried = 0;
@@ -241,7 +241,7 @@ class RunningTest : public QObject {
   }
 
   void runs_wait_in_a_queue() {
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    QSignalSpy ended(&runner(), &Runner::job_ended);
     window_->session().set_option("slam", "neighbour_keyframes", std::int64_t{2});
     window_->run();
     window_->run();
@@ -268,7 +268,7 @@ class RunningTest : public QObject {
     for (int i = 0; i < runs->topLevelItemCount(); ++i) runs->topLevelItem(i)->setSelected(i == 2);
     const auto id = runs->topLevelItem(2)->text(0).toInt();
     QCOMPARE(int(runner().job(id)->state), int(JobState::done));
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    QSignalSpy ended(&runner(), &Runner::job_ended);
     button("show_run").click();
     QVERIFY(ended.wait(30000));
     for (const auto& stage : runner().jobs().back()->outcome.stages)
@@ -330,9 +330,9 @@ class RunningTest : public QObject {
   }
 
   void errors_are_sentences_with_a_remedy() {
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    QSignalSpy ended(&runner(), &Runner::job_ended);
     QFile::rename(folder_.filePath("truth.tum"), folder_.filePath("gone.tum"));
-    window_->findChild<QAction*>("run")->trigger();
+    window_->commands().trigger("run.all");
     QVERIFY(window_->log().text().contains("truth.tum"));
     QFile::rename(folder_.filePath("gone.tum"), folder_.filePath("truth.tum"));
     QVERIFY(!runner().running());
@@ -401,29 +401,29 @@ class RunningTest : public QObject {
     session.set_option("reference_trees", "file", (capture + "/trees.csv").toStdString());
     session.set_option("reference_path", "file", (capture + "/trajectory.tum").toStdString());
     session.save(session.path());
-    constexpr int most_ms = 1'200'000;
-    QSignalSpy ended(&runner(), &RunBehavior::job_ended);
+    constexpr int max_ms = 1'200'000;
+    QSignalSpy ended(&runner(), &Runner::job_ended);
     StallMeter meter;
     window_->run();
     window_->docks().raise("jobs");
     QTRY_VERIFY_WITH_TIMEOUT(walk().live().state() && walk().live().state()->frame * 2 > walk().live().state()->frames,
-                             most_ms);
+                             max_ms);
     picture("walk");
-    QTRY_VERIFY_WITH_TIMEOUT(!walk().live().loops().empty() || !runner().running(), most_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(!walk().live().loops().empty() || !runner().running(), max_ms);
     picture("loops");
-    QVERIFY(!ended.isEmpty() || ended.wait(most_ms));
+    QVERIFY(!ended.isEmpty() || ended.wait(max_ms));
     std::printf("longest stall of the window: %.0f ms; longest at work: %.0f ms\n", 1000 * meter.longest_s(),
                 1000 * meter.longest_busy_s());
     const int first = runner().jobs().back()->id;
     session.set_option("slam", "preset", std::string("loam"));
     window_->run();
     const int second = runner().jobs().back()->id;
-    QVERIFY(ended.wait(most_ms));
+    QVERIFY(ended.wait(max_ms));
     window_->docks().raise("history");
     picture("history");
     Q_EMIT window_->findChild<HistoryPanel*>()->compare_asked(first, second);
     CompareWindow* both = nullptr;
-    QTRY_VERIFY_WITH_TIMEOUT((both = window_->findChild<CompareWindow*>()) != nullptr, most_ms);
+    QTRY_VERIFY_WITH_TIMEOUT((both = window_->findChild<CompareWindow*>()) != nullptr, max_ms);
     QVERIFY(QTest::qWaitForWindowExposed(both));
     QTRY_VERIFY_WITH_TIMEOUT(both->scene(0).refined() && both->scene(1).refined(), 60000);
     both->grab().save(qEnvironmentVariable("BOLE_PICTURES") + "/compare.png");
@@ -433,14 +433,16 @@ class RunningTest : public QObject {
  private:
   WalkPanel& walk() { return *window_->findChild<WalkPanel*>(); }
   FrameBar& bar() { return walk().bar(); }
-  RunBehavior& runner() { return window_->runner(); }
+  Runner& runner() { return window_->runner(); }
   int neighbours() {
     const auto& options = window_->session().document().at("slam").options;
-    return static_cast<int>(std::get<std::int64_t>(options.get("neighbour_keyframes")));
+    const auto value = options.get("neighbour_keyframes");
+    const auto* count = std::get_if<std::int64_t>(&value);
+    return count != nullptr ? static_cast<int>(*count) : 0;  // 0: left to the preset
   }
   QTabWidget& tabs() { return *window_->findChild<QTabWidget*>("centre"); }
   QPushButton& button(const char* name) { return *window_->findChild<QPushButton*>(name); }
-  void trigger(const char* id) { window_->findChild<QAction*>(id)->trigger(); }
+  void trigger(const char* id) { window_->commands().trigger(id); }
   // BOLE_PICTURES=folder keeps pictures of the window.
   void picture(const QString& name) {
     if (const auto to = qEnvironmentVariable("BOLE_PICTURES"); !to.isEmpty())

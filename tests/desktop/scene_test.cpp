@@ -18,16 +18,16 @@
 #include <QTreeWidget>
 #include <random>
 
-#include "behaviors/measure_behavior.h"
-#include "behaviors/row_behavior.h"
-#include "document/figure_source.h"
 #include "document/stem_cut.h"
-#include "main_window.h"
-#include "panels/figure_dialog.h"
-#include "panels/range_slider.h"
+#include "features/figure_export/figure_dialog.h"
+#include "features/figure_export/figure_source.h"
+#include "features/measure/measure_tool.h"
+#include "features/rows/row_editor.h"
+#include "features/view_tools/range_slider.h"
 #include "pipeline/register_all_stages.h"
 #include "render/scene/map_figure.h"
 #include "report/make_report.h"
+#include "shell/main_window.h"
 #include "small_plot.h"
 #include "views/frame_pace.h"
 #include "views/scene_view.h"
@@ -87,9 +87,9 @@ class SceneTest : public QObject {
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
     report::register_report_stages(pipeline::StageRegistry::global());
-    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
+    qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
-    io::write_cloud(path("cloud.xyz").toStdString());
+    write_cloud(path("cloud.xyz").toStdString());
     write_pipeline(path("plot.json").toStdString());
     write_rows_pipeline(path("rows.json").toStdString());
     complaints.clear();
@@ -173,7 +173,8 @@ class SceneTest : public QObject {
     auto& s = scene();
     const auto drawing = [](const char* id, double x) {
       SceneDrawing d;
-      d.id = id, d.strong = true;
+      d.id = id;
+      d.strong = true;
       d.grips.emplace_back(x, 4.0, 0.05);
       return d;
     };
@@ -205,11 +206,11 @@ class SceneTest : public QObject {
     settle();
     QVERIFY(s.drawn_points() > 0 && s.drawn_points() < all / 2);
     QCOMPARE(window_->findChild<RangeSlider*>("view_heights")->range().lo, 1.0);
-    trigger("all_heights");
+    trigger("view.all_heights");
     settle();
     QCOMPARE(s.drawn_points(), all);
 
-    trigger("clip_box");
+    trigger("view.clip_box");
     QVERIFY(s.settings().clip && s.clip_handles_shown());
     box("view_east")->setValue(3);
     QCOMPARE(s.settings().clip->hi.x(), 3.0);
@@ -219,7 +220,7 @@ class SceneTest : public QObject {
     settle();
     s.pick(s.place_of({4.6, 4.5, 3}));
     QVERIFY(!s.picked() || s.survey().points->position(*s.picked()).x() <= 3);
-    trigger("clip_box");
+    trigger("view.clip_box");
     QVERIFY(!s.settings().clip && !s.clip_handles_shown());
     settle();
     QCOMPARE(s.drawn_points(), all);
@@ -238,7 +239,7 @@ class SceneTest : public QObject {
     QApplication::sendEvent(slider, &move);
     QTest::mouseRelease(slider, Qt::LeftButton);
     QVERIFY(std::abs(scene().settings().filter.height.hi - (full.lo + full.hi) / 2) < 0.1);
-    trigger("all_heights");
+    trigger("view.all_heights");
   }
 
   void colours_shading_and_furniture() {
@@ -253,29 +254,29 @@ class SceneTest : public QObject {
     s.zoom_to_tree(5);
     settle();
     const auto plain = s.grabFramebuffer();
-    trigger("eye_dome");
+    trigger("view.eye_dome");
     settle();
     QVERIFY(window_->findChild<QCheckBox*>("view_eye_dome")->isChecked());
     QTRY_VERIFY(darkened(plain, s.grabFramebuffer()) > 1000);
     picture("eye_dome");
-    trigger("eye_dome");
+    trigger("view.eye_dome");
     settle();
     const int actors = s.actor_count();
-    trigger("grid");
+    trigger("view.grid");
     QCOMPARE(s.actor_count(), actors + 1);
-    trigger("larger_points");
+    trigger("view.larger_points");
     QCOMPARE(s.settings().point_size_px, 3.0);
-    trigger("smaller_points");
-    trigger("grid");
+    trigger("view.smaller_points");
+    trigger("view.grid");
   }
 
   void distances_and_rings_are_measured_and_kept() {
     auto& s = scene();
-    auto* measuring = window_->findChild<MeasureBehavior*>();
+    auto* measuring = window_->findChild<MeasureTool*>();
     // Two stems from above: their tops.
     s.look_along({0, 0, -1}, {0, 1, 0});
     settle();
-    trigger("measure_distance");
+    trigger("measure.distance");
     click_on({1.5, 1.5 + 0.1, 4.77});
     click_on({7.5, 1.5 + 0.1, 4.77});
     QCOMPARE(measuring->list().size(), std::size_t{1});
@@ -283,15 +284,15 @@ class SceneTest : public QObject {
     QVERIFY2(std::abs(values[1].value - 6) < 0.2, qPrintable(QString::number(values[1].value)));
     QVERIFY(std::abs(values[2].value) < 0.1);
 
-    trigger("measure_ring");
+    trigger("measure.ring");
     for (const double a : {0.3, 2.5, 4.4}) click_on({4.5 + 0.1 * std::cos(a), 4.5 + 0.1 * std::sin(a), 4.77});
     QCOMPARE(measuring->list().size(), std::size_t{2});
     QVERIFY2(std::abs(render::values_of(measuring->list()[1])[0].value - 20) < 1,
              qPrintable(QString::number(render::values_of(measuring->list()[1])[0].value)));
-    trigger("measure_point");
+    trigger("measure.point");
     click_on({4.5, 1.6, 4.77});
     QVERIFY(measuring->list()[2].height_above_ground_m.value_or(0) > 4);
-    trigger("end_taking");
+    trigger("measure.end");
     QVERIFY(!measuring->tool() && s.place_taker() == nullptr);
     QCOMPARE(window_->findChild<QTreeWidget*>("measurements")->topLevelItemCount(), 3);
 
@@ -323,9 +324,9 @@ class SceneTest : public QObject {
     open("odd.json");
     QVERIFY(measuring->list().empty());
     s.look_along({0, 0, -1}, {0, 1, 0});
-    trigger("measure_point");
+    trigger("measure.point");
     click_on({4.5, 1.6, 4.77});
-    trigger("end_taking");
+    trigger("measure.end");
     QCOMPARE(measuring->list().size(), std::size_t{1});
     QCOMPARE(odd.size(), 2);
     forget_changes();
@@ -360,7 +361,7 @@ class SceneTest : public QObject {
   void rows_are_shown_and_edited() {
     open("rows.json");
     auto* table = window_->findChild<QTableView*>("row_table");
-    auto* editing = window_->findChild<RowBehavior*>();
+    auto* editing = window_->findChild<RowEditor*>();
     QCOMPARE(table->model()->rowCount(), 3);
     QVERIFY(table->isVisible());
     table->selectRow(1);
@@ -387,7 +388,7 @@ class SceneTest : public QObject {
     QVERIFY((ends(row_of(*id)) - before).norm() < 1e-6);
 
     // One more by two clicks, on the ground between two rows.
-    trigger("row_add");
+    trigger("row.add");
     click_at(scene().place_of({0.3, 3.0, 0}));
     click_at(scene().place_of({8.8, 3.1, 0}));
     QVERIFY(wait());
@@ -401,7 +402,7 @@ class SceneTest : public QObject {
     QVERIFY(wait());
     window_->selection().select_row(std::string("west"));
     QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
-    trigger("row_delete");
+    trigger("row.delete");
     QVERIFY(wait());
     QCOMPARE(table->model()->rowCount(), 2);
     const auto edits = row_edits();
@@ -414,7 +415,7 @@ class SceneTest : public QObject {
   SceneView& scene() { return window_->scene(); }
   void settle() { QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 30000); }
   bool wait() {
-    QSignalSpy finished(&window_->runner(), &RunBehavior::finished);
+    QSignalSpy finished(&window_->runner(), &Runner::finished);
     while (window_->runner().running())
       if (!finished.wait(60000)) return false;
     return true;
@@ -430,11 +431,7 @@ class SceneTest : public QObject {
     window_->session().undo_stack().setClean();
   }
   QDoubleSpinBox* box(const char* name) { return window_->findChild<QDoubleSpinBox*>(name); }
-  void trigger(const char* id) {
-    auto* action = window_->findChild<QAction*>(id);
-    QVERIFY2(action, id);
-    action->trigger();
-  }
+  void trigger(const char* id) { window_->commands().trigger(id); }
   void click_at(const QPoint& at) { QTest::mouseClick(&scene(), Qt::LeftButton, {}, at); }
   void click_on(const Eigen::Vector3d& place) {
     settle();

@@ -17,8 +17,11 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "document/file_kinds.h"
 #include "document/new_document.h"
 #include "document/stage_operations.h"
+#include "io/core/formats.h"
+#include "look/theme.h"
 #include "messages.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
@@ -28,7 +31,6 @@
 #include "shell/modes.h"
 #include "shell/recent_files.h"
 #include "shell/shortcut_sheet.h"
-#include "shell/theme.h"
 #include "small_plot.h"
 #include "views/scene_view.h"
 
@@ -40,7 +42,7 @@ class ShellTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     QVERIFY(folder_.isValid());
-    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
   }
 
@@ -172,7 +174,7 @@ class ShellTest : public QObject {
     for (const auto& mode : modes) {
       apply_mode(window, mode);
       for (const auto& id : mode.front) QVERIFY2(window.docks().find(id), qPrintable(mode.id + ": " + id));
-      for (const auto& id : mode.hidden_actions) QVERIFY2(window.findChild<QAction*>(id), qPrintable(id));
+      for (const auto& id : mode.hidden_commands) QVERIFY2(!window.commands().action(id)->isVisible(), qPrintable(id));
       for (auto* dock : window.docks().all())
         QCOMPARE(dock->isVisibleTo(&window), mode.docks.contains("*") || mode.docks.contains(dock->objectName()));
     }
@@ -199,21 +201,18 @@ class ShellTest : public QObject {
     QSettings().clear();
   }
 
-  void the_sheet_of_keys_is_made_from_the_actions() {
+  void the_sheet_of_keys_is_made_from_the_commands() {
     MainWindow window;
     const auto lines = shortcut_lines(window);
-    const auto has = [&](const QString& key) {
-      return std::ranges::any_of(lines, [&](const auto& line) { return line.key == key && !line.text.isEmpty(); });
-    };
-    for (auto* action : window.findChildren<QAction*>())
-      if (!action->shortcut().isEmpty())
-        QVERIFY2(has(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
-    // No key stands for two things.
-    QStringList window_keys;
-    for (auto* action : window.findChildren<QAction*>())
-      if (!action->shortcut().isEmpty() && action->shortcutContext() == Qt::WindowShortcut)
-        window_keys << action->shortcut().toString();
-    QCOMPARE(window_keys.removeDuplicates(), 0);
+    QStringList keys;
+    for (const auto& line : lines) {
+      QVERIFY2(!line.menu.isEmpty() && !line.text.isEmpty(), qPrintable(line.key));
+      keys << line.key;
+    }
+    for (const auto& entry : window.commands().entries())
+      if (!entry->command.key.isEmpty())
+        QVERIFY2(keys.contains(entry->command.key.toString(QKeySequence::NativeText)), qPrintable(entry->command.id));
+    QCOMPARE(keys.removeDuplicates(), 0);
     window.show();
     QApplication::setActiveWindow(&window);
     QTest::keyClick(&window, Qt::Key_F1);
@@ -238,6 +237,25 @@ class ShellTest : public QObject {
     QCOMPARE(window.stems().model()->rowCount(), 9);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.pdf"), Error);
     QVERIFY_EXCEPTION_THROWN(document_for_file("a.json"), Error);
+  }
+
+  void the_window_opens_everything_that_info_reads() {
+    const auto dialog = all_endings().split(' ');
+    for (const auto& format : io::formats()) {
+      if (format.content() > io::FileContent::cloud || format.folder) continue;
+      const auto kind = format.content() == io::FileContent::scan ? FileKind::scan : FileKind::cloud;
+      for (const auto ending : format.endings) {
+        const QString name = "plot" + QString::fromStdString(std::string(ending));
+        QCOMPARE(kind_of_file("/nowhere/" + name.toUpper()), kind);
+        QVERIFY2(dialog.contains("*" + name.mid(4)), qPrintable(name));
+      }
+    }
+    QFile nameless(folder_.filePath("points"));
+    QVERIFY(nameless.open(QIODevice::WriteOnly));
+    nameless.write("1 2 3\n");
+    nameless.close();
+    QCOMPARE(kind_of_file(folder_.filePath("points")), FileKind::cloud);
+    QVERIFY(!document_for_file(folder_.filePath("points")).stages().empty());
   }
 
   void an_empty_window_says_where_to_begin() {
@@ -290,7 +308,9 @@ class ShellTest : public QObject {
     for (const auto& [id, type, z] :
          {std::tuple{"low", "survey.frame", 0.0F}, {"same", "stems.edit", 1.0F}, {"high", "ground.model", 1.0F}}) {
       vtkbridge::StageOutcome stage;
-      stage.record.id = id, stage.record.type = type, stage.state = bole::vtkbridge::StageState::done;
+      stage.record.id = id;
+      stage.record.type = type;
+      stage.state = vtkbridge::StageState::done;
       outcome.stages.push_back(stage);
       results[id].set("points", cloud(z));
     }
@@ -318,13 +338,13 @@ class ShellTest : public QObject {
   // The first run shows the map before its stems are measured; so the sample is seen within seconds.
   void the_map_is_seen_before_its_stems() {
     QTemporaryDir folder;  // no results of an earlier run
-    io::write_cloud(folder.filePath("cloud.xyz").toStdString());
+    write_cloud(folder.filePath("cloud.xyz").toStdString());
     write_pipeline(folder.filePath("plot.json").toStdString());
     MainWindow window;
     window.show();
     window.open(folder.filePath("plot.json"));
     int begun = 0;
-    connect(&window.runner(), &RunBehavior::survey_begun, &window, [&] {
+    connect(&window.runner(), &Runner::survey_begun, &window, [&] {
       ++begun;
       QVERIFY(window.runner().running());
       const auto& survey = window.scene().survey();
@@ -394,14 +414,14 @@ class ShellTest : public QObject {
     table.select_tree(1);
     QCOMPARE(window.selection().tree().value_or(0), std::int64_t{1});
     QApplication::setActiveWindow(&window);
-    action_of(window, "delete_stem")->trigger();
+    window.commands().trigger("stem.delete");
     QVERIFY(wait_for_run(window));
     QCOMPARE(table.model()->rowCount(), stems - 1);
-    action_of(window, "undo")->trigger();
+    window.commands().trigger("edit.undo");
     QVERIFY(wait_for_run(window));
     QCOMPARE(table.model()->rowCount(), stems);
     table.select_tree(2);
-    action_of(window, "accept")->trigger();
+    window.commands().trigger("stem.accept");
     QVERIFY(wait_for_run(window));
     const QString saved = folder_.filePath("survey.json");
     window.save(saved);

@@ -6,10 +6,10 @@
 #include <QTemporaryDir>
 #include <string_view>
 
+#include "look/language.h"
+#include "look/theme.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
-#include "shell/language.h"
-#include "shell/theme.h"
 #include "shell_test.h"
 #include "vtkbridge/executor.h"
 
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Bole");
   bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
   bole::report::register_report_stages(bole::pipeline::StageRegistry::global());
-  qRegisterMetaType<bole::vtkbridge::RunOutcome>("RunOutcome");
+  qRegisterMetaType<bole::vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
   qRegisterMetaType<bole::desktop::Results>("Results");
   qRegisterMetaType<bole::desktop::Survey>("Survey");
   using namespace bole::desktop;
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   // --pictures: only those, for BOLE_UPDATE_PICTURES
   if (argc == 2 && std::string_view(argv[1]) == "--pictures") return run_pictures_test(1, argv);
   int failures = 0;
-  for (auto* run : {run_shell_test, run_field_check_test, run_language_test, run_pictures_test})
+  for (auto* run : {run_commands_test, run_shell_test, run_field_check_test, run_language_test, run_pictures_test})
     failures += run(argc, argv);
   return failures;
 }

@@ -14,10 +14,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "main_window.h"
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
+#include "shell/main_window.h"
 #include "small_plot.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
@@ -51,9 +51,9 @@ class ViewsTest : public QObject {
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
     report::register_report_stages(pipeline::StageRegistry::global());
-    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
+    qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
-    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
     complaints.clear();
     qInstallMessageHandler(note_message);
@@ -82,7 +82,7 @@ class ViewsTest : public QObject {
     QCOMPARE(window_->slice().shown().stem->tree_id, std::int64_t{5});
 
     auto* chart = window_->findChild<ChartView*>();
-    chart->show_kind(ChartView::Kind::heights);
+    chart->show_chart("heights");
     const QPointF third = chart->place_of(3);
     QVERIFY(!third.isNull());
     QTest::mouseClick(chart, Qt::LeftButton, {}, third.toPoint());
@@ -113,13 +113,13 @@ class ViewsTest : public QObject {
   }
 
   void keys_step_through_doubtful_stems() {
-    trigger("Next doubtful stem");
+    trigger("stem.next");
     const auto worst = window_->selection().tree().value_or(0);
     QVERIFY(worst > 0);
-    trigger("Accept");
+    trigger("stem.accept");
     QVERIFY(wait());
     window_->selection().select({});
-    trigger("Next doubtful stem");
+    trigger("stem.next");
     QVERIFY(window_->selection().tree().value_or(worst) != worst);
     window_->session().undo_stack().undo();
     QVERIFY(wait());
@@ -153,11 +153,11 @@ class ViewsTest : public QObject {
     auto& slice = window_->slice();
     const Eigen::Vector2d gone = place_of_tree(5), beside = place_of_tree(4);
     table().select_tree(5);
-    trigger("Delete");
+    trigger("stem.delete");
     QVERIFY(wait());
     QCOMPARE(table().model()->rowCount(), 8);
     table().select_tree(4);
-    trigger("Add a tree by a circle");
+    trigger("stem.add");
     // The deleted one stands further off than the slice shows: zoom out until it is seen.
     QWheelEvent wheel(QPointF(10, 10), QPointF(10, 10), {}, {0, -120 * 8}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
@@ -206,7 +206,7 @@ class ViewsTest : public QObject {
     table().select_tree(1);
     window_->selection().select(7);
     QVERIFY(!table().selected_tree());
-    trigger("Delete");
+    trigger("stem.delete");
     QVERIFY(wait());
     QVERIFY(window_->runner().survey().row_of(1));
     QVERIFY(!window_->runner().survey().row_of(7));
@@ -217,7 +217,7 @@ class ViewsTest : public QObject {
   }
 
   void drawing_a_tree_asks_for_a_stem_beside_it() {
-    QAction* add = window_->findChild<QAction*>("add_tree");
+    QAction* add = window_->commands().action("stem.add");
     window_->selection().select({});
     QSignalSpy said(&window_->slice(), &SliceView::said);
     add->trigger();
@@ -253,7 +253,7 @@ class ViewsTest : public QObject {
  private:
   TablePanel& table() { return *window_->findChild<TablePanel*>(); }
   bool wait() {
-    QSignalSpy finished(&window_->runner(), &RunBehavior::finished);
+    QSignalSpy finished(&window_->runner(), &Runner::finished);
     while (window_->runner().running())
       if (!finished.wait(60000)) return false;
     return true;
@@ -268,11 +268,7 @@ class ViewsTest : public QObject {
     const auto& stems = *window_->runner().survey().stems;
     return {stems.numbers("x_m")[row_of(tree)], stems.numbers("y_m")[row_of(tree)]};
   }
-  void trigger(const QString& text) {
-    for (auto* action : window_->findChildren<QAction*>())
-      if (action->text() == text) return action->trigger();
-    QFAIL(qPrintable("no action " + text));
-  }
+  void trigger(const char* id) { window_->commands().trigger(id); }
   template <class Check>
   void drag(QWidget& widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys, Check check) {
     QTest::mousePress(&widget, Qt::LeftButton, keys, from);

@@ -14,15 +14,16 @@
 #include <set>
 
 #include "answer.h"
-#include "behaviors/sample_behavior.h"
+#include "document/edit_list.h"
 #include "document/new_document.h"
-#include "main_window.h"
+#include "features/sample/sample_plot.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
 #include "running_test.h"
+#include "shell/main_window.h"
 #include "small_plot.h"
 #include "views/scene_view.h"
 #include "views_test.h"
@@ -38,10 +39,10 @@ class WindowTest : public QObject {
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
     report::register_report_stages(pipeline::StageRegistry::global());
-    qRegisterMetaType<vtkbridge::RunOutcome>("RunOutcome");
+    qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
     QVERIFY(folder_.isValid());
-    io::write_cloud(folder_.filePath("cloud.xyz").toStdString());
+    write_cloud(folder_.filePath("cloud.xyz").toStdString());
     write_pipeline(folder_.filePath("plot.json").toStdString());
   }
 
@@ -63,7 +64,7 @@ class WindowTest : public QObject {
     QCOMPARE(std::get<double>(window.session().document().at("slice").options.get("height")), 1.3);
     window.session().undo_stack().redo();
 
-    QSignalSpy finished(&window.runner(), &RunBehavior::finished);
+    QSignalSpy finished(&window.runner(), &Runner::finished);
     window.run();
     QVERIFY(finished.wait(60000));
     QCOMPARE(window.findChild<TablePanel*>()->model()->rowCount(), 9);
@@ -84,7 +85,7 @@ class WindowTest : public QObject {
     window.show();
     window.open(folder_.filePath("pine.json"));
     window.session().set_option("scan", "file", cloud.toStdString());
-    QSignalSpy finished(&window.runner(), &RunBehavior::finished);
+    QSignalSpy finished(&window.runner(), &Runner::finished);
     window.refresh();
     QVERIFY(finished.wait(60000));
     window.findChild<QTreeWidget*>()->setCurrentItem(window.findChild<QTreeWidget*>()->topLevelItem(4));
@@ -109,7 +110,7 @@ class WindowTest : public QObject {
     MainWindow window;
     window.show();
     window.open(folder_.filePath("plot.json"));
-    QSignalSpy finished(&window.runner(), &RunBehavior::finished);
+    QSignalSpy finished(&window.runner(), &Runner::finished);
     const auto wait = [&] { return finished.wait(60000) && !window.runner().running(); };
     window.run();
     QVERIFY(wait());
@@ -135,7 +136,7 @@ class WindowTest : public QObject {
     stems::StemEdit add;
     add.action = stems::StemEdit::Action::add;
     add.at = {4.52, 4.49};  // about where the deleted one stood: fitted to the slice
-    window.editor().apply(add);
+    add_edits(window.session(), {add});
     QVERIFY(wait());
     QCOMPARE(table->model()->rowCount(), 9);
     const auto edits =
@@ -144,14 +145,14 @@ class WindowTest : public QObject {
     QVERIFY(!edits[1].time.empty());
     stems::StemEdit nothing;
     nothing.action = stems::StemEdit::Action::resize;
-    QVERIFY_EXCEPTION_THROWN(window.editor().apply(nothing), Error);
+    QVERIFY_EXCEPTION_THROWN(add_edits(window.session(), {nothing}), Error);
     window.session().discard_recovery();
   }
 
   void what_was_never_saved_is_recovered_too() {
     const QTemporaryDir place;
     const QString cloud = place.filePath("cloud.xyz"), path = place.filePath("cloud.json");
-    io::write_cloud(cloud.toStdString());
+    write_cloud(cloud.toStdString());
     {
       Session session;  // of a program that ends here
       session.start(document_for_file(cloud), path);
@@ -184,10 +185,10 @@ class WindowTest : public QObject {
     }
     MainWindow window;
     answer(QMessageBox::Yes);
-    Q_EMIT window.sample().ready(sample, path);
+    Q_EMIT window.findChild<SamplePlot*>()->ready(sample, path);
     QCOMPARE(slice_height(window), 1.7);
     answer(QMessageBox::Discard);
-    Q_EMIT window.sample().ready(sample, path);
+    Q_EMIT window.findChild<SamplePlot*>()->ready(sample, path);
     QCOMPARE(slice_height(window), 1.6);
   }
 
@@ -282,14 +283,14 @@ class WindowTest : public QObject {
     window.show();
     window.open(folder_.filePath("plot.json"));
     auto& runner = window.runner();
-    QSignalSpy ended(&runner, &RunBehavior::job_ended);
+    QSignalSpy ended(&runner, &Runner::job_ended);
     const auto all_ended = [&] {
       while (runner.running())
         if (!ended.wait(60000)) return false;
       return true;
     };
     // The second of two, as soon as it begins.
-    const auto cancel = connect(&runner, &RunBehavior::job_began, &window, [&](int id) {
+    const auto cancel = connect(&runner, &Runner::job_began, &window, [&](int id) {
       if (id > 1) runner.cancel();
     });
     window.run();
@@ -318,9 +319,9 @@ class WindowTest : public QObject {
     MainWindow window;
     window.open(folder_.filePath("plot.json"));
     auto& runner = window.runner();
-    QSignalSpy ended(&runner, &RunBehavior::job_ended);
+    QSignalSpy ended(&runner, &Runner::job_ended);
     std::set<int> live;
-    connect(&runner, &RunBehavior::progressed, &window, [&] { live.insert(runner.current()->id); });
+    connect(&runner, &Runner::progressed, &window, [&] { live.insert(runner.current()->id); });
     QDir cache(folder_.filePath("plot_results/cache"));
     QVERIFY(cache.removeRecursively());  // so that there is something to tell of
     window.run();
@@ -370,7 +371,7 @@ class WindowTest : public QObject {
     MainWindow window;
     window.open(folder_.filePath("plot.json"));
     auto& runner = window.runner();
-    QSignalSpy ended(&runner, &RunBehavior::job_ended), live(&runner, &RunBehavior::progressed);
+    QSignalSpy ended(&runner, &Runner::job_ended), live(&runner, &Runner::progressed);
     window.session().set_option("slice", "height", 1.4);  // so that there is something to do
     window.refresh();
     window.refresh();  // after it

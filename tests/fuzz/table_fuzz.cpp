@@ -1,31 +1,21 @@
-// Tables and trajectories from memory: whatever the bytes are, the readers give their data or an Error; what was read
-// as a table can be written and read again.
-#include <cstdlib>
-
-#include "base/error.h"
+// Tables and trajectories from memory. What was read as a table can be written and read again.
+#include "fuzz_target.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
 
-namespace {
-
-template <class F>
-void allow_bad_input(F&& f) {
-  try {
-    f();
-  } catch (const bole::Error& error) {
-    if (error.kind() != bole::ErrorKind::bad_input) throw;
-  }
+void bole::fuzz::write_seeds(const std::filesystem::path& folder) {
+  write_seed(folder, "csv", "# axes: plot\ntree_id,dbh_cm,note\n1,20.5,\"a, \"\"b\"\"\"\n2,,\n");
+  write_seed(folder, "tum", "# time x y z\n1.5 0 0 0 0 0 0 1\n2.5 1 0 0 0 0 0.707 0.707\n");
+  write_seed(folder, "kitti", "1 0 0 0 0 1 0 0 0 0 1 0\n");
 }
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const bole::io::Bytes file(data, size);
-  allow_bad_input([&] { bole::io::read_tum(file, "fuzz"); });
-  allow_bad_input([&] { bole::io::read_kitti_poses(file, "fuzz"); });
+  bole::fuzz::allow_bad_input([&] { bole::io::read_tum(file, "fuzz"); });
+  bole::fuzz::allow_bad_input([&] { bole::io::read_kitti_poses(file, "fuzz"); });
   bole::Table table;
   bool is_table = false;
-  allow_bad_input([&] {
+  bole::fuzz::allow_bad_input([&] {
     table = bole::io::read_table(file, "fuzz");
     is_table = true;
   });

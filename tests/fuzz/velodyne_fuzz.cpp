@@ -1,8 +1,16 @@
 // Data packets with any content decode into returns whose numbers are finite and whose indices are in range.
 #include <cmath>
-#include <cstdlib>
 
+#include "fuzz_packets.h"
+#include "fuzz_target.h"
 #include "sensor/core/velodyne_decoder.h"
+
+void bole::fuzz::write_seeds(const std::filesystem::path& folder) {
+  for (const char* name : {"vlp16", "vlp32c"})
+    encode_packets(name, [&](const sensor::VelodyneEncoder::Bytes& bytes, double) {
+      write_seed(folder, name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const std::array decoders{bole::sensor::VelodyneDecoder(bole::sensor::load_sensor_model("vlp16")),

@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULES = ROOT / "modules"
 
-DOMAIN = {"io", "sim", "slam", "survey", "ground", "stems", "evaluation", "rows", "steering"}
+DOMAIN = {"io", "sim", "slam", "survey", "ground", "stems", "inventory", "evaluation", "rows", "steering"}
 # What a file of a module may include from other modules, by layer. Domain modules never include one another.
 BELOW = {
     "base": set(),
@@ -116,6 +116,114 @@ class IncludeRules(unittest.TestCase):
         self.assertFalse(violations_of(MODULES / "stems" / "stages.cpp", ["pipeline/stage.h", "base/option.h", "Eigen/Core"]))
 
 
+DESKTOP = ROOT / "app" / "desktop"
+# What each floor of the desktop may include from the others. Views do not include panels, nor panels views.
+DESKTOP_BELOW = {
+    "look": set(),
+    "commands": set(),
+    "document": {"look"},
+    "running": {"look", "document"},
+    "views": {"look", "commands", "document", "running"},
+    "panels": {"look", "commands", "document", "running"},
+    "workbench": {"look", "commands", "document", "running", "views", "panels"},
+    "features": {"look", "commands", "document", "running", "views", "panels", "workbench"},
+    "shell": {"look", "commands", "document", "running", "views", "panels", "workbench", "features"},
+}
+
+
+def desktop_violations(path, text_includes):
+    """The includes of one file of the desktop that break a rule. Its main.cpp stands above all floors."""
+    parts = path.relative_to(DESKTOP).parts
+    if len(parts) == 1:
+        return []
+    floor, found = parts[0], []
+    for include in text_includes:
+        target = include.split("/")
+        if include == "shell/main_window.h" and floor != "shell":
+            found.append(f"includes {include}: features see workbench/workbench.h, the shell alone the window")
+        elif len(target) > 1 and target[0] in DESKTOP_BELOW and target[0] != floor and target[0] not in DESKTOP_BELOW[floor]:
+            found.append(f"includes {include}: {floor} may use only {', '.join(sorted(DESKTOP_BELOW[floor])) or 'Qt'}")
+        elif floor == "features" and target[0] == "features" and len(target) > 2 and target[1] != parts[1]:
+            found.append(f"includes {include}: a feature does not know another; let them meet in the workbench")
+        elif floor == "look" and (MODULES / target[0]).is_dir():
+            found.append(f"includes {include}: look uses Qt only")
+    return found
+
+
+def include_loop(graph):
+    """A list of files that include one another in a ring; empty: there is none."""
+    done, path = set(), []
+
+    def visit(node):
+        if node in path:
+            return path[path.index(node):] + [node]
+        if node in done:
+            return []
+        path.append(node)
+        for below in graph.get(node, []):
+            if loop := visit(below):
+                return loop
+        path.pop()
+        done.add(node)
+        return []
+
+    return next((loop for node in graph if (loop := visit(node))), [])
+
+
+class DesktopRules(unittest.TestCase):
+    files = sources(DESKTOP)
+
+    def test_floors(self):
+        self.assertGreater(len(self.files), 50, "no sources found: the test looks in the wrong place")
+        found = [f"{p.relative_to(ROOT)} {v}" for p in self.files for v in desktop_violations(p, includes(p))]
+        self.assertEqual(found, [], "\n".join(found))
+        self.assertEqual({p.relative_to(DESKTOP).parts[0] for p in self.files} - {"main.cpp"}, set(DESKTOP_BELOW))
+
+    def test_no_file_includes_itself_through_others(self):
+        graph = {str(p.relative_to(DESKTOP)): [i for i in includes(p) if (DESKTOP / i).is_file()] for p in self.files}
+        self.assertEqual(include_loop(graph), [])
+
+    def test_the_rules_can_fail(self):
+        self.assertTrue(desktop_violations(DESKTOP / "panels" / "x.cpp", ["views/scene_view.h"]))
+        self.assertTrue(desktop_violations(DESKTOP / "views" / "x.h", ["panels/log_panel.h"]))
+        self.assertTrue(desktop_violations(DESKTOP / "document" / "x.cpp", ["running/runner.h"]))
+        self.assertTrue(desktop_violations(DESKTOP / "look" / "x.cpp", ["pipeline/stage.h"]))
+        self.assertTrue(desktop_violations(DESKTOP / "features" / "rows" / "x.cpp", ["shell/main_window.h"]))
+        self.assertTrue(desktop_violations(DESKTOP / "features" / "rows" / "x.cpp", ["features/walk/frame_bar.h"]))
+        self.assertFalse(desktop_violations(DESKTOP / "features" / "rows" / "x.cpp", ["features/rows/row_editor.h", "views/scene_view.h"]))
+        self.assertFalse(desktop_violations(DESKTOP / "main.cpp", ["shell/main_window.h"]))
+        self.assertEqual(include_loop({"a": ["b"], "b": ["c"], "c": ["b"]}), ["b", "c", "b"])
+        self.assertEqual(include_loop({"a": ["b", "c"], "b": ["c"], "c": []}), [])
+
+    def test_every_folder_is_explained(self):
+        page = (DESKTOP / "README.md").read_text(encoding="utf-8")
+        folders = {p.parent.relative_to(DESKTOP).as_posix() for p in self.files} - {"."}
+        missing = [f for f in sorted(folders) if f"`{f}/`" not in page]
+        self.assertEqual(missing, [], "tell in app/desktop/README.md what these folders are for")
+
+    def test_every_feature_is_installed(self):
+        listed = set(re.findall(r"feature\((\w+)\)", (DESKTOP / "features" / "features.cpp").read_text(encoding="utf-8")))
+        self.assertEqual({p.name for p in (DESKTOP / "features").iterdir() if p.is_dir()}, listed)
+
+    def test_commands_are_found_by_the_registry(self):
+        asked = re.compile(r"findChild<QAction\b|findChild<QAction\s*\*")
+        found = [str(p.relative_to(ROOT)) for folder in (DESKTOP, ROOT / "tests" / "desktop") for p in sources(folder) if asked.search(p.read_text(encoding="utf-8"))]
+        self.assertEqual(found, [], "ask commands().action(id), which refuses an id that does not exist")
+
+    # Names of stages belong to their modules: here stages are known by ports, options and facts.
+    STAGE_NAME = re.compile(r'"(?:io|sim|slam|survey|ground|stems|evaluation|rows|steering|geo|report)\.[a-z_]+"')
+
+    def test_no_stage_is_known_by_its_name(self):
+        found = [f"{p.relative_to(ROOT)}: {m.group(0)}" for p in self.files for line in p.read_text(encoding="utf-8").splitlines() for m in self.STAGE_NAME.finditer(line.split("//")[0]) if "document.set(" not in line]
+        self.assertEqual(found, [], "use document/stage_roles.h")
+
+    def test_folders_stay_small(self):
+        counts = {}
+        for p in self.files:
+            counts[p.parent] = counts.get(p.parent, 0) + 1
+        self.assertEqual([f"{f.relative_to(ROOT)}: {n} files" for f, n in counts.items() if n > 40], [])
+
+
 class Repository(unittest.TestCase):
     def test_folders_of_the_top_level(self):
         expected = {"app", "modules", "pipelines", "tests", "resources", "docs"}
@@ -129,15 +237,6 @@ class Repository(unittest.TestCase):
         if listing.returncode != 0:
             self.skipTest("this is no checkout")
         self.assertEqual({p.split("/")[0] for p in listing.stdout.split("\0") if p} - self.TOP_LEVEL, set())
-
-    def test_every_thin_class_is_known_to_paraview(self):
-        found = {}
-        for p in sources(MODULES):
-            if p.parent.name == "vtk" and (stage := re.search(r'SetStageType\("([^"]+)"\)', p.read_text())):
-                found[stage.group(1)] = p.stem
-        table = dict(re.findall(r'\{"([\w.]+)",\s*"(vtkBole\w+)"\}', (MODULES / "pipeline" / "paraview_xml.cpp").read_text()))
-        self.assertGreater(len(found), 20, "no classes found: the test looks in the wrong way")
-        self.assertEqual(table, found)
 
     # printf and its like ask the language of the system for the decimal point; files have one point in every language.
     SPEAKS_A_LANGUAGE = re.compile(r"\b(strto[dfl]d?|sto[df]|stold|atof)\s*\(|\b\w*(printf|scanf)\s*\([^;]*%[-+ #0-9.*]*l?[aefgAEFG]\b")

@@ -32,9 +32,13 @@ struct PlantField {
 
   Table table() const {
     std::vector<double> x, y;
-    for (const auto& p : plants) x.push_back(p.at.x()), y.push_back(p.at.y());
+    for (const auto& p : plants) {
+      x.push_back(p.at.x());
+      y.push_back(p.at.y());
+    }
     Table t;
-    t.set("x_m", x), t.set("y_m", y);
+    t.set("x_m", x);
+    t.set("y_m", y);
     return t;
   }
 };
@@ -80,7 +84,10 @@ class FieldMaker {
   // Strays anywhere in the box of the plants, as a share of their number.
   void add_strays(double share) {
     Eigen::Vector2d lo = field_.plants.front().at, hi = lo;
-    for (const auto& p : field_.plants) lo = lo.cwiseMin(p.at), hi = hi.cwiseMax(p.at);
+    for (const auto& p : field_.plants) {
+      lo = lo.cwiseMin(p.at);
+      hi = hi.cwiseMax(p.at);
+    }
     const auto count = static_cast<int>(share * static_cast<double>(field_.plants.size()));
     for (int i = 0; i < count; ++i)
       field_.plants.push_back({{uniform(lo.x(), hi.x()), uniform(lo.y(), hi.y())}, -1, 0});
@@ -114,7 +121,8 @@ class FieldMaker {
       const double along = (i + late + phase - b.places / 2.0) * b.plant_spacing_m * stretch;
       at.push_back(on_arc(b, along, across));
       if (missing.contains(i)) continue;
-      first = first < 0 ? i : first, last = i;
+      first = first < 0 ? i : first;
+      last = i;
       const double sigma = b.scatter * b.plant_spacing_m;
       field_.plants.push_back({at.back() + Eigen::Vector2d(normal(sigma), normal(sigma)), row, i});
     }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/option.h"
 #include "base/transform.h"
 #include "cloud/scan_frame.h"
 #include "cloud/trajectory.h"
@@ -111,6 +112,9 @@ class SyntheticScan : public FrameSource {
   int rings() const override { return static_cast<int>(sensor_.elevations_rad.size()); }
   std::vector<double> ring_elevations_rad() const override { return sensor_.elevations_rad; }
   std::string sensor_model() const override { return "synthetic"; }
+  Facts facts() const override {
+    return {{"sensor", "synthetic"}, {"range_noise_m", number_text(sensor_.range_noise_m)}};
+  }
   std::string description() const override { return "synthetic scan"; }
   std::string locator() const override { return "{}"; }
   Pose truth(double time_s) const { return motion_(time_s); }

@@ -36,7 +36,7 @@ struct StemCloudOptions {
   double pass_step = 0.25;                          // sensor positions along each pass, metres
   double azimuth_step = 0.2, elevation_step = 1.0;  // degrees
   double lowest_elevation = -25, highest_elevation = 15;
-  double most_range = 15;
+  double max_range = 15;
   double ground_slope = 0;            // dz/dx
   int shrub_points = 0;               // scattered in balls around random places
   double outlier_share = 0;           // of returns, moved uniformly by up to +-0.3 m along the ray
@@ -110,10 +110,13 @@ class StemCloudMaker {
       for (double elevation = o_.lowest_elevation; elevation <= o_.highest_elevation; elevation += o_.elevation_step) {
         const double az = azimuth * degree, el = elevation * degree;
         const Eigen::Vector3d d(std::cos(el) * std::cos(az), std::cos(el) * std::sin(az), std::sin(el));
-        double nearest = o_.most_range;
+        double nearest = o_.max_range;
         bool any = false;
         for (const auto& s : out_.stems)
-          if (const auto t = hit(s, ground(s.base), sensor, d); t && *t < nearest) nearest = *t, any = true;
+          if (const auto t = hit(s, ground(s.base), sensor, d); t && *t < nearest) {
+            nearest = *t;
+            any = true;
+          }
         if (!any) continue;
         double range = nearest + normal(o_.range_noise);
         if (uniform(0, 1) < o_.outlier_share) range += uniform(-0.3, 0.3);
@@ -136,10 +139,14 @@ class StemCloudMaker {
   }
 
   void add(const Eigen::Vector3d& p, const Eigen::Vector3d& sensor, double time) {
-    positions_.push_back(p.cast<float>()), height_.push_back(static_cast<float>(p.z() - ground(p.head<2>())));
-    sensor_x_.push_back(static_cast<float>(sensor.x())), sensor_y_.push_back(static_cast<float>(sensor.y())),
-        sensor_z_.push_back(static_cast<float>(sensor.z()));
-    range_.push_back(static_cast<float>((p - sensor).norm())), time_.push_back(time);
+    positions_.push_back(p.cast<float>());
+    height_.push_back(static_cast<float>(p.z() - ground(p.head<2>())));
+    sensor_x_.push_back(static_cast<float>(sensor.x()));
+    sensor_y_.push_back(static_cast<float>(sensor.y()));
+
+    sensor_z_.push_back(static_cast<float>(sensor.z()));
+    range_.push_back(static_cast<float>((p - sensor).norm()));
+    time_.push_back(time);
   }
 
   StemCloud finish() {
@@ -148,10 +155,12 @@ class StemCloudMaker {
     out_.points.axes = Axes::plot;
     out_.points.set_column(arrays::height_above_ground, std::move(height_));
     if (o_.rays) {
-      out_.points.set_column(arrays::sensor_x, std::move(sensor_x_)),
-          out_.points.set_column(arrays::sensor_y, std::move(sensor_y_));
-      out_.points.set_column(arrays::sensor_z, std::move(sensor_z_)),
-          out_.points.set_column(arrays::range, std::move(range_));
+      out_.points.set_column(arrays::sensor_x, std::move(sensor_x_));
+
+      out_.points.set_column(arrays::sensor_y, std::move(sensor_y_));
+      out_.points.set_column(arrays::sensor_z, std::move(sensor_z_));
+
+      out_.points.set_column(arrays::range, std::move(range_));
     }
     if (o_.time) out_.points.set_column(arrays::time, std::move(time_));
     out_.dem.cell_m = 0.25, out_.dem.nx = out_.dem.ny = 120, out_.dem.origin = origin.head<2>().array() - 15.0;
@@ -185,7 +194,8 @@ inline std::vector<TrueStem> random_stand(int n, double thin, double thick, unsi
     s.base = {2.0 * (i % side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5),
               2.0 * (i / side - 0.5 * (side - 1)) + 0.5 * (u(random) - 0.5)};
     s.dbh = thin + (thick - thin) * u(random);
-    s.taper = 0.005 + 0.01 * u(random), s.slope = {0.1 * (u(random) - 0.5), 0.1 * (u(random) - 0.5)};
+    s.taper = 0.005 + 0.01 * u(random);
+    s.slope = {0.1 * (u(random) - 0.5), 0.1 * (u(random) - 0.5)};
     stems.push_back(s);
   }
   return stems;

@@ -81,8 +81,10 @@ class TargetPlotMaker {
 
   void stem() {
     double x = 0, y = 0;
-    do x = uniform(-half_m, half_m), y = uniform(-half_m, half_m);
-    while (std::hypot(x, y) < 1.5 || std::hypot(x, y - r_.north_distance_m) < 1.5);
+    do {
+      x = uniform(-half_m, half_m);
+      y = uniform(-half_m, half_m);
+    } while (std::hypot(x, y) < 1.5 || std::hypot(x, y - r_.north_distance_m) < 1.5);
     const double lean = std::numbers::pi / 180 * r_.lean_sd_deg, lx = lean * gauss(), ly = lean * gauss(),
                  radius = uniform(0.07, 0.2);
     for (int i = 0; i < 3000; ++i) {
@@ -127,14 +129,19 @@ class TargetPlotMaker {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       positions.push_back((T_map_plot * points_[i]).cast<float>());
       const Eigen::Vector3f s = (T_map_plot * sensors_[i]).cast<float>();
-      sx.push_back(s.x()), sy.push_back(s.y()), sz.push_back(s.z());
+      sx.push_back(s.x());
+      sy.push_back(s.y());
+      sz.push_back(s.z());
     }
     out.cloud = PointCloud(std::move(positions));
     out.cloud.axes = Axes::map;
     if (r_.intensity) out.cloud.set_column(arrays::intensity, intensity_);
-    if (r_.sensor_positions)
-      out.cloud.set_column(arrays::sensor_x, std::move(sx)), out.cloud.set_column(arrays::sensor_y, std::move(sy)),
-          out.cloud.set_column(arrays::sensor_z, std::move(sz));
+    if (r_.sensor_positions) {
+      out.cloud.set_column(arrays::sensor_x, std::move(sx));
+      out.cloud.set_column(arrays::sensor_y, std::move(sy));
+
+      out.cloud.set_column(arrays::sensor_z, std::move(sz));
+    }
     for (std::size_t i = 0; i < walk_.size(); ++i)
       out.trajectory.poses.push_back({static_cast<double>(i), T_map_plot * walk_[i]});
     return out;

@@ -42,7 +42,8 @@ class Terrain {
   // Points in random order; `labels` (when given) gets 2 for ground, 7 for low outliers, 1 for the rest.
   PointCloud cloud(std::vector<int>* labels = nullptr) {
     make_objects();
-    points_.clear(), labels_.clear();
+    points_.clear();
+    labels_.clear();
     const auto n = static_cast<std::size_t>(r_.ground_per_m2 * r_.size_m * r_.size_m);
     points_.reserve(n * 2);
     for (std::size_t i = 0; i < n; ++i) add_ground_shot();
@@ -74,7 +75,10 @@ class Terrain {
 
   void make_objects() {
     random_.seed(r_.seed);
-    rocks_.clear(), shrubs_.clear(), logs_.clear(), stems_.clear();
+    rocks_.clear();
+    shrubs_.clear();
+    logs_.clear();
+    stems_.clear();
     for (int i = 0; i < r_.rocks; ++i) rocks_.push_back({place(), place(), uniform(0.3, 0.6), 0});
     for (int i = 0; i < r_.shrubs; ++i) shrubs_.push_back({place(), place(), uniform(0.5, 0.9), uniform(1.0, 2.0)});
     for (int i = 0; i < r_.fallen_stems; ++i) {

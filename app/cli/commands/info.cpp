@@ -1,26 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "io/core/clouds/cloud_reader.h"
+#include "io/core/formats.h"
 #include "io/core/scans/frame_source.h"
 
 namespace bole::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-bool is_recording(const std::filesystem::path& path) {
-  auto extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::filesystem::is_directory(path) || extension == ".pcap" || extension == ".pcapng" || extension == ".cap";
-}
 
 void add_report(ordered_json& json, const Report& report) {
   for (const auto& [name, count] : report.counts) json["counts"][name] = count;
@@ -55,7 +48,10 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
       {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
-    for (const auto& p : cloud.positions()) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    for (const auto& p : cloud.positions()) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
     const Eigen::Vector3d min = cloud.origin + low.cast<double>(), max = cloud.origin + high.cast<double>();
     json["min_m"] = {min.x(), min.y(), min.z()};
     json["max_m"] = {max.x(), max.y(), max.z()};
@@ -63,8 +59,11 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   ordered_json columns = ordered_json::object();
   for (const auto& [name, column] : cloud.columns()) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < cloud.size(); ++i)
-      low = std::min(low, column_value(*column, i)), high = std::max(high, column_value(*column, i));
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const double value = column_value(*column, i);
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
     columns[name] = {{"type", array_type_name(column_type(*column))}, {"min", low}, {"max", high}};
   }
   json["arrays"] = columns;
@@ -98,17 +97,18 @@ void add_info(Program& program) {
     bool json = false;
   };
   auto args = std::make_shared<Arguments>();
-  auto* command = program.app.add_subcommand("info", "Say what a recording or a point cloud holds");
-  command->add_option("files", args->files, "Recordings (pcap, frame folders) or clouds (LAS, LAZ, PLY, PCD, text)")
+  auto* command = program.app.add_subcommand("info", "Describe scans and point clouds");
+  command->add_option("files", args->files, "Scans and point clouds: " + io::format_list(io::scans_and_clouds))
       ->required();
   command->add_flag("--json", args->json, "Print JSON");
   command->callback([args] {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
-      if (!std::filesystem::exists(file))
-        throw bad_input("there is no file or folder '" + file + "'", "a recording or a point cloud");
-      all.push_back(is_recording(file) ? describe_recording(file) : describe_cloud(file));
-      if (!args->json) print_text(all.back()), fmt::print("\n");
+      const bool scan = io::require_format(file).content() == io::FileContent::scan;
+      all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+      if (args->json) continue;
+      print_text(all.back());
+      fmt::print("\n");
     }
     if (args->json) fmt::print("{}\n", text_of(all, 2));
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "cloud/known_facts.h"
 #include "commands.h"
 #include "console.h"
 #include "pipeline/document.h"
@@ -47,17 +48,11 @@ std::string measure(const Report& report, const char* label, std::initializer_li
   return fmt::format("  {:<28} {} {}\n", label, values, unit);
 }
 
-// Whether the walk was read from a file in place of being computed: its error then tells nothing about SLAM.
-bool takes_given_poses(const vtkbridge::StageOutcome& outcome) {
-  const auto& options = outcome.record.options;
-  return outcome.record.type == "slam.run" && std::any_of(options.begin(), options.end(), [](const OptionRecord& o) {
-           return o.name == "trajectory" && !o.value.empty();
-         });
-}
-
 // What a person wants to know first when a reference was connected.
-void print_evaluation(const vtkbridge::StageOutcome& outcome, bool poses_given) {
+void print_evaluation(const vtkbridge::StageOutcome& outcome) {
   const auto& report = outcome.record.report;
+  // Errors of a trajectory that was read from a file say nothing about SLAM.
+  const bool poses_given = pose_origin(Facts(report.facts.begin(), report.facts.end())) == PoseOrigin::given;
   const auto count = [&](const char* name) {
     const auto it = report.counts.find(name);
     return it == report.counts.end() ? std::int64_t{0} : it->second;
@@ -89,9 +84,8 @@ void run_document(Program& program, const Arguments& args) {
   const auto outcome = vtkbridge::run_pipeline(document, settings);
   line.clear();
   for (const auto& stage : outcome.stages) print_stage(stage);
-  const bool poses_given = std::any_of(outcome.stages.begin(), outcome.stages.end(), takes_given_poses);
   for (const auto& stage : outcome.stages)
-    if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage, poses_given);
+    if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage);
   if (!outcome.error.empty()) fmt::print(stderr, "bole: {}\n", outcome.error);
   if (!args.out.empty()) fmt::print("\nResults are in {}\n", args.out);
   program.exit_code = outcome.exit_code;

@@ -46,22 +46,46 @@ std::vector<std::string> stale_pages(const fs::path& folder, const std::map<std:
   return stale;
 }
 
+// What a run of the stage uses with a preset and single options.
+void print_values(const pipeline::StageRegistry& registry, const std::string& type_name, const std::string& preset,
+                  const std::vector<std::string>& settings) {
+  if (type_name.empty())
+    throw bad_input("--preset or --set without a stage", "a stage type", "bole stages slam.run ...");
+  const auto& type = registry.at(type_name);
+  OptionSet options(*type.options);
+  if (!preset.empty()) options.set_text("preset", preset);
+  for (const auto& setting : settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos) throw bad_input("--set " + setting, "OPTION=VALUE");
+    options.set_text(setting.substr(0, equals), std::string_view(setting).substr(equals + 1));
+  }
+  options.check_all();
+  fmt::print("{}", pipeline::values_in_force_text(type, options));
+}
+
 }  // namespace
 
 void add_stages(Program& program) {
   struct Arguments {
-    std::string type, out, check;
+    std::string type, out, check, preset;
+    std::vector<std::string> settings;
     bool json = false, markdown = false, paraview_xml = false, schema = false;
   };
   auto args = std::make_shared<Arguments>();
   auto* command = program.app.add_subcommand("stages", "List the stages, or print everything about them");
   command->add_option("type", args->type, "One stage: its ports and options");
+  auto* preset = command->add_option("--preset", args->preset, "With a stage: the values in force with this preset")
+                     ->type_name("NAME");
+  auto* set = command->add_option("--set", args->settings, "With a stage: the values in force with these options")
+                  ->type_name("OPTION=VALUE");
   auto* forms = command->add_option_group("form");
   forms->add_flag("--json", args->json, "All declarations as JSON");
   forms->add_flag("--markdown", args->markdown, "Manual pages");
   forms->add_flag("--paraview-xml", args->paraview_xml, "ServerManager XML for a ParaView plugin");
   forms->add_flag("--schema", args->schema, "JSON schema of pipeline documents");
   forms->require_option(0, 1);
+  forms->excludes(preset);
+  forms->excludes(set);
   command->add_option("--out", args->out, "With --markdown: write the pages into this folder")->type_name("DIR");
   command->add_option("--check", args->check, "With --markdown: fail when a page in this folder is not current")
       ->type_name("DIR");
@@ -79,6 +103,8 @@ void add_stages(Program& program) {
       }
       return;
     }
+    if (!args->preset.empty() || !args->settings.empty())
+      return print_values(registry, args->type, args->preset, args->settings);
     if (!args->type.empty()) return fmt::print("{}", pipeline::stage_markdown(registry.at(args->type)));
     if (args->markdown) {
       for (const auto& [name, text] : pages(registry)) fmt::print("{}\n", text);

@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "base/resources.h"
+#include "document/file_kinds.h"
 #include "document/session.h"
-#include "shell/resources.h"
+#include "io/core/formats.h"
+#include "look/resources.h"
 #include "sim/core/plot/simulate.h"
 
 namespace bole::desktop {
@@ -49,8 +51,8 @@ bool reads(const QString& pipeline, const QFileInfo& scan) {
 // The first of `base`.json, the name of the scan with .json, `base`_2.json and so on that is for this scan, saved or
 // left by a crash, or is free: walk.pcap and walk.laz have a pipeline each.
 QString path_that_reads(const QFileInfo& scan, const QString& base) {
-  constexpr int most = 100;
-  for (int k = 0; k < most; ++k) {
+  constexpr int max_names = 100;
+  for (int k = 0; k < max_names; ++k) {
     const QString path = k == 0   ? base + ".json"
                          : k == 1 ? scan.absoluteFilePath() + ".json"
                                   : QString("%1_%2.json").arg(base).arg(k);
@@ -71,22 +73,11 @@ pipeline::PipelineDocument shipped_pipeline(const QString& name) {
   return pipeline::PipelineDocument::parse(file.readAll().toStdString(), pipeline::StageRegistry::global());
 }
 
-FileKind kind_of_file(const QString& path) {
-  const QFileInfo info(path);
-  if (info.isDir()) return FileKind::scan;
-  const QString ending = info.suffix().toLower();
-  if (ending == "json") return FileKind::pipeline;
-  if (ending == "pcap") return FileKind::scan;
-  if (QStringList{"las", "laz", "ply", "pcd", "xyz", "txt", "csv", "asc", "pts"}.contains(ending))
-    return FileKind::cloud;
-  return FileKind::unknown;
-}
-
 pipeline::PipelineDocument document_for_file(const QString& path) {
   const auto kind = kind_of_file(path);
   if (kind != FileKind::cloud && kind != FileKind::scan)
-    throw bad_input("'" + path.toStdString() + "' is no pipeline, cloud or scan",
-                    "a file that ends in json, las, laz, ply, pcd, xyz, txt, csv or pcap, or a folder of frames");
+    throw bad_input("'" + path.toStdString() + "' is not a pipeline, scan or point cloud",
+                    "a pipeline (.json), or " + io::format_list(io::scans_and_clouds));
   auto document = shipped_pipeline(kind == FileKind::cloud ? "stem_map_from_cloud.json" : "forest_plot.json");
   document.set("scan.file", QFileInfo(path).absoluteFilePath().toStdString());
   return document;
@@ -117,7 +108,7 @@ pipeline::PipelineDocument sample_document(const QString& folder, const Run& run
   document.set("reference_trees.file", file("trees.csv"));
   document.set("plot.width", "12");
   document.set("plot.length", "12");
-  document.set("slam.map_range_max", "12");  // the plot, not the forest around it
+  document.set("slam.map_max_range", "12");  // the plot, not the forest around it
   return document;
 }
 

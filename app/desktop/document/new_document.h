@@ -11,9 +11,6 @@ namespace bole::desktop {
 // One of the pipelines that come with the program, by its file name.
 pipeline::PipelineDocument shipped_pipeline(const QString& name);
 
-enum class FileKind { pipeline, cloud, scan, unknown };
-FileKind kind_of_file(const QString& path);  // by what it is called; a folder is a scan of frames
-
 // A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
 pipeline::PipelineDocument document_for_file(const QString& path);
 // Where that document is saved unless the person says otherwise: beside the file, under a name that is free or holds a

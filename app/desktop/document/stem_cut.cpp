@@ -9,7 +9,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr double slope_m = 0.6;  // by how much the ground may rise or fall within the reach of a cut
-constexpr std::size_t most_points = 20'000;
+constexpr std::size_t max_points = 20'000;
 
 const std::vector<float>* heights_of(const PointCloud& cloud) {
   return cloud.has(arrays::height_above_ground)
@@ -36,9 +36,9 @@ std::vector<std::uint32_t> points_near(const Survey& survey, const StemPlace& st
 }
 
 void thin(std::vector<std::uint32_t>& indices) {
-  if (indices.size() <= most_points) return;
-  for (std::size_t k = 0; k < most_points; ++k) indices[k] = indices[k * indices.size() / most_points];
-  indices.resize(most_points);
+  if (indices.size() <= max_points) return;
+  for (std::size_t k = 0; k < max_points; ++k) indices[k] = indices[k * indices.size() / max_points];
+  indices.resize(max_points);
 }
 
 }  // namespace
@@ -48,7 +48,8 @@ std::optional<StemPlace> stem_place(const Survey& survey, std::int64_t tree) {
   if (!row) return {};
   const auto one = survey.stems->subset({*row});
   StemPlace stem;
-  stem.tree_id = tree, stem.row = *row;
+  stem.tree_id = tree;
+  stem.row = *row;
   stem.foot = {one.numbers("x_m")[0], one.numbers("y_m")[0], render::numbers_or_nan(one, "z_m")[0]};
   if (!std::isfinite(stem.foot.z())) stem.foot.z() = 0;
   stem.dbh_m = render::numbers_or_nan(one, "dbh_cm")[0] / 100;
@@ -61,9 +62,10 @@ render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const
   render::SliceCircle circle;
   circle.tree_id = stem.tree_id;
   if (std::abs(cut.height_m - cut.breast_height_m) < 0.005 || stem.shape.axis.size() < 2) {
-    circle.centre = stem.foot.head<2>(), circle.radius_m = stem.dbh_m / 2;
+    circle.centre = stem.foot.head<2>();
+    circle.radius_m = stem.dbh_m / 2;
     const auto one = survey.stems->subset({stem.row});
-    circle.lo_m = render::numbers_or_nan(one, "dbh_lo_cm")[0] / 200,
+    circle.lo_m = render::numbers_or_nan(one, "dbh_lo_cm")[0] / 200;
     circle.hi_m = render::numbers_or_nan(one, "dbh_hi_cm")[0] / 200;
     return circle;
   }
@@ -106,7 +108,9 @@ render::StemSliceData cut_across(const Survey& survey, const StemPlace& stem, co
 
 render::StemProfileData cut_along(const Survey& survey, const StemPlace& stem, const CutPlace& cut) {
   render::StemProfileData data;
-  data.breast_height_m = cut.breast_height_m, data.slice_m = cut.height_m, data.dbh_m = stem.dbh_m;
+  data.breast_height_m = cut.breast_height_m;
+  data.slice_m = cut.height_m;
+  data.dbh_m = stem.dbh_m;
   data.reach_m = std::max(0.4, 1.6 * stem.dbh_m);
   data.top_m = 6;
   if (survey.sections && survey.sections->has("tree_id")) {

@@ -12,7 +12,7 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::MainWindow</name>
+        <name>bole::desktop::StemReview</name>
         <message numerus="yes">
             <source>%n stem(s) to look at</source>
             <translation>

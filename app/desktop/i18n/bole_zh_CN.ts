@@ -59,25 +59,9 @@
             <source>%1:%2:%3 h</source>
             <translation>%1:%2:%3 时</translation>
         </message>
-        <message>
-            <source>look</source>
-            <translation>需查看</translation>
-        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
-        <message>
-            <source>Diameters</source>
-            <translation>胸径分布</translation>
-        </message>
-        <message>
-            <source>Height over diameter</source>
-            <translation>树高-胸径</translation>
-        </message>
-        <message>
-            <source>Estimated over field</source>
-            <translation>估测值-实测值</translation>
-        </message>
         <message>
             <source>Run the pipeline to see its stems.</source>
             <translation>运行流程后可见单木。</translation>
@@ -167,6 +151,10 @@
         <message>
             <source>Tables (*.csv *.txt)</source>
             <translation>表格 (*.csv *.txt)</translation>
+        </message>
+        <message>
+            <source>Select a tree that was missed.</source>
+            <translation>请选择一株漏检的树。</translation>
         </message>
     </context>
     <context>
@@ -444,22 +432,6 @@
     <context>
         <name>bole::desktop::MainWindow</name>
         <message>
-            <source>Changes are not kept until they are saved: %1</source>
-            <translation>更改在保存之前不受保护:%1</translation>
-        </message>
-        <message>
-            <source>The result of the run could not be had again: %1</source>
-            <translation>无法重新取得该次运行的结果:%1</translation>
-        </message>
-        <message>
-            <source>Export a figure…</source>
-            <translation>导出图件…</translation>
-        </message>
-        <message>
-            <source>Wrote %1</source>
-            <translation>已写入 %1</translation>
-        </message>
-        <message>
             <source>Bole</source>
             <translation>Bole</translation>
         </message>
@@ -490,16 +462,6 @@
         <message>
             <source>&amp;Help</source>
             <translation>帮助(&amp;H)</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n stem(s) to look at</source>
-            <translation>
-                <numerusform>还有 %n 株单木待检查</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Every stem is accepted, rejected or edited.</source>
-            <translation>所有单木均已接受、拒绝或编辑。</translation>
         </message>
         <message>
             <source>Filter: words, or conditions such as dbh_cm &gt; 20 quality = poor</source>
@@ -538,14 +500,6 @@
             <translation>更改未保存</translation>
         </message>
         <message>
-            <source>The program ended before changes to %1 were saved. Take them up again?</source>
-            <translation>上次程序结束时 %1 的更改尚未保存。要恢复这些更改吗?</translation>
-        </message>
-        <message>
-            <source>Done</source>
-            <translation>完成</translation>
-        </message>
-        <message>
             <source>A run is under way</source>
             <translation>正在运行</translation>
         </message>
@@ -562,10 +516,6 @@
             <translation>要将更改保存到流程文件吗?</translation>
         </message>
         <message>
-            <source>Pipelines (*.json)</source>
-            <translation>流程文件 (*.json)</translation>
-        </message>
-        <message>
             <source>Open…</source>
             <translation>打开…</translation>
         </message>
@@ -576,14 +526,6 @@
         <message>
             <source>Pipelines, clouds, scans</source>
             <translation>流程、点云、扫描数据</translation>
-        </message>
-        <message>
-            <source>Open sample plot</source>
-            <translation>打开示例样地</translation>
-        </message>
-        <message>
-            <source>Making the sample plot: %1</source>
-            <translation>正在生成示例样地:%1</translation>
         </message>
         <message>
             <source>Save pipeline</source>
@@ -674,14 +616,6 @@
             <translation>运行</translation>
         </message>
         <message>
-            <source>Keep result</source>
-            <translation>保留当前结果</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>取消</translation>
-        </message>
-        <message>
             <source>Keys</source>
             <translation>快捷键</translation>
         </message>
@@ -706,22 +640,6 @@
             <translation>&lt;b&gt;Bole %1&lt;/b&gt;&lt;p&gt;输入森林原始激光雷达扫描数据,输出林业人员可以签字确认的调查成果。自由软件,遵循 GPL 第 3 版或更新版本。</translation>
         </message>
         <message>
-            <source>Next doubtful stem</source>
-            <translation>下一株存疑单木</translation>
-        </message>
-        <message>
-            <source>Previous doubtful stem</source>
-            <translation>上一株存疑单木</translation>
-        </message>
-        <message>
-            <source>Zoom to the selected stem</source>
-            <translation>缩放至所选单木</translation>
-        </message>
-        <message>
-            <source>Add a tree by a circle</source>
-            <translation>画圆添加单木</translation>
-        </message>
-        <message>
             <source>Theme</source>
             <translation>主题</translation>
         </message>
@@ -738,81 +656,43 @@
             <translation>深色</translation>
         </message>
         <message>
-            <source>Colour points by</source>
-            <translation>点云着色依据</translation>
+            <source>Pipelines</source>
+            <translation>流程</translation>
         </message>
         <message>
-            <source>Whole survey</source>
-            <translation>全景</translation>
+            <source>The program ended before changes to %1 were saved. Restore them?</source>
+            <translation>程序在保存对 %1 的更改之前退出。要恢复这些更改吗?</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MeasurePanel</name>
+        <message>
+            <source>Delete</source>
+            <translation>删除</translation>
         </message>
         <message>
-            <source>From above</source>
-            <translation>俯视</translation>
+            <source>Export CSV…</source>
+            <translation>导出 CSV…</translation>
         </message>
         <message>
-            <source>From the south</source>
-            <translation>自南向北</translation>
+            <source>Measurement</source>
+            <translation>量测</translation>
         </message>
         <message>
-            <source>From the west</source>
-            <translation>自西向东</translation>
+            <source>Value</source>
+            <translation>数值</translation>
         </message>
         <message>
-            <source>From the east</source>
-            <translation>自东向西</translation>
+            <source>Unit</source>
+            <translation>单位</translation>
         </message>
         <message>
-            <source>Parallel projection</source>
-            <translation>平行投影</translation>
+            <source>Double click: look at it. F2: rename.</source>
+            <translation>双击:查看。F2:重命名。</translation>
         </message>
-        <message>
-            <source>Survey</source>
-            <translation>调查</translation>
-        </message>
-        <message>
-            <source>Walk</source>
-            <translation>行走路径</translation>
-        </message>
-        <message>
-            <source>Next frame</source>
-            <translation>下一帧</translation>
-        </message>
-        <message>
-            <source>Previous frame</source>
-            <translation>上一帧</translation>
-        </message>
-        <message>
-            <source>Next key frame</source>
-            <translation>下一关键帧</translation>
-        </message>
-        <message>
-            <source>Previous key frame</source>
-            <translation>上一关键帧</translation>
-        </message>
-        <message>
-            <source>Whole walk</source>
-            <translation>整条路径</translation>
-        </message>
-        <message>
-            <source>Jobs</source>
-            <translation>任务</translation>
-        </message>
-        <message>
-            <source>History</source>
-            <translation>历史记录</translation>
-        </message>
-        <message>
-            <source>Filter: poor, check, a number…</source>
-            <translation>筛选:poor、check、数字…</translation>
-        </message>
-        <message>
-            <source>Open pipeline…</source>
-            <translation>打开流程…</translation>
-        </message>
-        <message>
-            <source>Open pipeline</source>
-            <translation>打开流程</translation>
-        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MeasureTool</name>
         <message>
             <source>Point</source>
             <translation>点</translation>
@@ -857,57 +737,6 @@
             <source>Click point %1 of 3 on the bark; with Shift the ring is not fitted to the points around.</source>
             <translation>请在树皮上点击第 %1 个点(共 3 个);按住 Shift 则圆环不按周围点拟合。</translation>
         </message>
-        <message>
-            <source>View</source>
-            <translation>视图</translation>
-        </message>
-        <message>
-            <source>Eye-dome shading</source>
-            <translation>眼罩着色(EDL)</translation>
-        </message>
-        <message>
-            <source>Grid in metres</source>
-            <translation>米制格网</translation>
-        </message>
-        <message>
-            <source>Clip box</source>
-            <translation>裁剪框</translation>
-        </message>
-        <message>
-            <source>Clip box around everything</source>
-            <translation>裁剪框包含全部点</translation>
-        </message>
-        <message>
-            <source>All heights</source>
-            <translation>全部高度</translation>
-        </message>
-        <message>
-            <source>Larger points</source>
-            <translation>放大点</translation>
-        </message>
-        <message>
-            <source>Smaller points</source>
-            <translation>缩小点</translation>
-        </message>
-        <message>
-            <source>Look of the view…</source>
-            <translation>视图外观…</translation>
-        </message>
-        <message>
-            <source>Run without writing files</source>
-            <translation>仅计算,不写文件</translation>
-        </message>
-        <message>
-            <source>Export a figure…</source>
-            <translation>导出图件…</translation>
-        </message>
-        <message>
-            <source>Wrote %1</source>
-            <translation>已写入 %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bole::desktop::MeasureBehavior</name>
         <message>
             <source>Measurements</source>
             <translation>量测</translation>
@@ -962,33 +791,6 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::MeasurePanel</name>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Export CSV…</source>
-            <translation>导出 CSV…</translation>
-        </message>
-        <message>
-            <source>Measurement</source>
-            <translation>量测</translation>
-        </message>
-        <message>
-            <source>Value</source>
-            <translation>数值</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>单位</translation>
-        </message>
-        <message>
-            <source>Double click: look at it. F2: rename.</source>
-            <translation>双击:查看。F2:重命名。</translation>
-        </message>
-    </context>
-    <context>
         <name>bole::desktop::PipelinePanel</name>
         <message>
             <source>running</source>
@@ -997,10 +799,6 @@
         <message>
             <source>done</source>
             <translation>完成</translation>
-        </message>
-        <message>
-            <source>look</source>
-            <translation>需查看</translation>
         </message>
         <message>
             <source>failed</source>
@@ -1081,6 +879,14 @@
         <message>
             <source>Add stage behind</source>
             <translation>在其后添加步骤</translation>
+        </message>
+        <message>
+            <source>warnings</source>
+            <translation>有警告</translation>
+        </message>
+        <message>
+            <source>Select a stage first.</source>
+            <translation>请先选择一个步骤。</translation>
         </message>
     </context>
     <context>
@@ -1237,7 +1043,7 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::RowBehavior</name>
+        <name>bole::desktop::RowEditor</name>
         <message>
             <source>Rows</source>
             <translation>种植行</translation>
@@ -1293,6 +1099,17 @@
         <message>
             <source>Click where the row ends.</source>
             <translation>请点击种植行终点。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::SamplePlot</name>
+        <message>
+            <source>Open sample plot</source>
+            <translation>打开示例样地</translation>
+        </message>
+        <message>
+            <source>Making the sample plot: %1</source>
+            <translation>正在生成示例样地:%1</translation>
         </message>
     </context>
     <context>
@@ -1363,50 +1180,28 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::TablePanel</name>
+        <name>bole::desktop::StemReview</name>
         <message>
-            <source>Set diameter…</source>
-            <translation>设定胸径…</translation>
+            <source>Next doubtful stem</source>
+            <translation>下一株存疑单木</translation>
         </message>
         <message>
-            <source>Set height…</source>
-            <translation>设定树高…</translation>
+            <source>Previous doubtful stem</source>
+            <translation>上一株存疑单木</translation>
         </message>
         <message>
-            <source>Accept</source>
-            <translation>接受</translation>
+            <source>Zoom to the selected stem</source>
+            <translation>缩放至所选单木</translation>
         </message>
         <message>
-            <source>Reject</source>
-            <translation>拒绝</translation>
+            <source>Every stem is accepted, rejected or edited.</source>
+            <translation>所有单木均已接受、拒绝或编辑。</translation>
         </message>
-        <message>
-            <source>Note…</source>
-            <translation>备注…</translation>
-        </message>
-        <message>
-            <source>Delete</source>
-            <translation>删除</translation>
-        </message>
-        <message>
-            <source>Diameter</source>
-            <translation>胸径</translation>
-        </message>
-        <message>
-            <source>Diameter at breast height in cm</source>
-            <translation>胸径(cm)</translation>
-        </message>
-        <message>
-            <source>Height</source>
-            <translation>树高</translation>
-        </message>
-        <message>
-            <source>Height of the tree in m</source>
-            <translation>树高(m)</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>备注</translation>
+        <message numerus="yes">
+            <source>%n stem(s) to look at</source>
+            <translation>
+                <numerusform>还有 %n 株单木待检查</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -1456,16 +1251,8 @@
             <translation>显示的离地高度;拖动中部可移动高度层</translation>
         </message>
         <message>
-            <source>Lowest height above ground that is drawn</source>
-            <translation>显示的最低离地高度</translation>
-        </message>
-        <message>
             <source> m</source>
             <translation> m</translation>
-        </message>
-        <message>
-            <source>Greatest height above ground that is drawn</source>
-            <translation>显示的最高离地高度</translation>
         </message>
         <message>
             <source>All</source>
@@ -1502,30 +1289,6 @@
         <message>
             <source>The box around the whole cloud</source>
             <translation>包围整个点云的框</translation>
-        </message>
-        <message>
-            <source>Least x</source>
-            <translation>最小 x</translation>
-        </message>
-        <message>
-            <source>Greatest x</source>
-            <translation>最大 x</translation>
-        </message>
-        <message>
-            <source>Least y</source>
-            <translation>最小 y</translation>
-        </message>
-        <message>
-            <source>Greatest y</source>
-            <translation>最大 y</translation>
-        </message>
-        <message>
-            <source>Least z</source>
-            <translation>最小 z</translation>
-        </message>
-        <message>
-            <source>Greatest z</source>
-            <translation>最大 z</translation>
         </message>
         <message>
             <source>x</source>
@@ -1579,6 +1342,38 @@
             <source>Where the axes of the plot are known</source>
             <translation>样地坐标轴已知时显示</translation>
         </message>
+        <message>
+            <source>Minimum height above ground that is drawn</source>
+            <translation>显示的最小离地高度</translation>
+        </message>
+        <message>
+            <source>Maximum height above ground that is drawn</source>
+            <translation>显示的最大离地高度</translation>
+        </message>
+        <message>
+            <source>Minimum x</source>
+            <translation>最小 x</translation>
+        </message>
+        <message>
+            <source>Maximum x</source>
+            <translation>最大 x</translation>
+        </message>
+        <message>
+            <source>Minimum y</source>
+            <translation>最小 y</translation>
+        </message>
+        <message>
+            <source>Maximum y</source>
+            <translation>最大 y</translation>
+        </message>
+        <message>
+            <source>Minimum z</source>
+            <translation>最小 z</translation>
+        </message>
+        <message>
+            <source>Maximum z</source>
+            <translation>最大 z</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::WalkPanel</name>
@@ -1618,58 +1413,210 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::FigureDialog</name>
+        <name>bole::desktop::Workbench</name>
         <message>
-            <source>Save…</source>
-            <translation>保存…</translation>
+            <source>Wrote %1</source>
+            <translation>已写入 %1</translation>
         </message>
         <message>
-            <source>Export a figure</source>
-            <translation>导出图件</translation>
+            <source>Export a figure…</source>
+            <translation>导出图件…</translation>
         </message>
         <message>
-            <source> mm</source>
-            <translation> mm</translation>
+            <source>History</source>
+            <translation>历史记录</translation>
         </message>
         <message>
-            <source>Width of a figure across the page; small charts take half of it</source>
-            <translation>通栏图件的宽度;小图占其一半</translation>
+            <source>The result of the run could not be fetched again: %1</source>
+            <translation>无法重新取得该次运行的结果:%1</translation>
         </message>
         <message>
-            <source> dpi</source>
-            <translation> dpi</translation>
+            <source>Run</source>
+            <translation>运行</translation>
         </message>
         <message>
-            <source>Pixels per inch of a PNG, and of the picture in a map</source>
-            <translation>PNG 及地图图像的每英寸像素数</translation>
+            <source>Run without writing files</source>
+            <translation>仅计算,不写文件</translation>
         </message>
         <message>
-            <source>Figure</source>
-            <translation>图件</translation>
+            <source>Keep result</source>
+            <translation>保留当前结果</translation>
         </message>
         <message>
-            <source>Width</source>
-            <translation>宽度</translation>
+            <source>Cancel</source>
+            <translation>取消</translation>
         </message>
         <message>
-            <source>Resolution</source>
-            <translation>分辨率</translation>
+            <source>Jobs</source>
+            <translation>任务</translation>
         </message>
         <message>
-            <source>Format</source>
-            <translation>格式</translation>
+            <source>Diameter</source>
+            <translation>胸径</translation>
         </message>
         <message>
-            <source>Save figure</source>
-            <translation>保存图件</translation>
+            <source>Diameter at breast height in cm</source>
+            <translation>胸径(cm)</translation>
         </message>
         <message>
-            <source>%1 x %2 mm, %3 x %4 pixels as PNG</source>
-            <translation>%1 x %2 mm,PNG 为 %3 x %4 像素</translation>
+            <source>Height</source>
+            <translation>树高</translation>
         </message>
         <message>
-            <source>; the first of %1 pages</source>
-            <translation>;共 %1 页,此为第一页</translation>
+            <source>Height of the tree in m</source>
+            <translation>树高(m)</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>Set diameter…</source>
+            <translation>设定胸径…</translation>
+        </message>
+        <message>
+            <source>Set height…</source>
+            <translation>设定树高…</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>接受</translation>
+        </message>
+        <message>
+            <source>Reject</source>
+            <translation>拒绝</translation>
+        </message>
+        <message>
+            <source>Note…</source>
+            <translation>备注…</translation>
+        </message>
+        <message>
+            <source>Delete</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>Add a tree by a circle</source>
+            <translation>画圆添加单木</translation>
+        </message>
+        <message>
+            <source>Colour points by</source>
+            <translation>点云着色依据</translation>
+        </message>
+        <message>
+            <source>Whole survey</source>
+            <translation>全景</translation>
+        </message>
+        <message>
+            <source>From above</source>
+            <translation>俯视</translation>
+        </message>
+        <message>
+            <source>From the south</source>
+            <translation>自南向北</translation>
+        </message>
+        <message>
+            <source>From the west</source>
+            <translation>自西向东</translation>
+        </message>
+        <message>
+            <source>From the east</source>
+            <translation>自东向西</translation>
+        </message>
+        <message>
+            <source>Parallel projection</source>
+            <translation>平行投影</translation>
+        </message>
+        <message>
+            <source>Eye-dome shading</source>
+            <translation>眼罩着色(EDL)</translation>
+        </message>
+        <message>
+            <source>Grid in metres</source>
+            <translation>米制格网</translation>
+        </message>
+        <message>
+            <source>Clip box</source>
+            <translation>裁剪框</translation>
+        </message>
+        <message>
+            <source>Clip box around everything</source>
+            <translation>裁剪框包含全部点</translation>
+        </message>
+        <message>
+            <source>All heights</source>
+            <translation>全部高度</translation>
+        </message>
+        <message>
+            <source>Larger points</source>
+            <translation>放大点</translation>
+        </message>
+        <message>
+            <source>Smaller points</source>
+            <translation>缩小点</translation>
+        </message>
+        <message>
+            <source>Look of the view…</source>
+            <translation>视图外观…</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Survey</source>
+            <translation>调查</translation>
+        </message>
+        <message>
+            <source>Walk</source>
+            <translation>行走路径</translation>
+        </message>
+        <message>
+            <source>Next frame</source>
+            <translation>下一帧</translation>
+        </message>
+        <message>
+            <source>Previous frame</source>
+            <translation>上一帧</translation>
+        </message>
+        <message>
+            <source>Next keyframe</source>
+            <translation>下一关键帧</translation>
+        </message>
+        <message>
+            <source>Previous keyframe</source>
+            <translation>上一关键帧</translation>
+        </message>
+        <message>
+            <source>Whole walk</source>
+            <translation>整条路径</translation>
+        </message>
+        <message>
+            <source>Changes are not kept until they are saved: %1</source>
+            <translation>更改在保存之前不受保护:%1</translation>
+        </message>
+        <message>
+            <source>Open a scan, a point cloud or a pipeline first.</source>
+            <translation>请先打开扫描数据、点云或流程。</translation>
+        </message>
+        <message>
+            <source>Run the pipeline first.</source>
+            <translation>请先运行流程。</translation>
+        </message>
+        <message>
+            <source>Select a stem first.</source>
+            <translation>请先选择一株单木。</translation>
+        </message>
+        <message>
+            <source>Select a row first.</source>
+            <translation>请先选择一行。</translation>
+        </message>
+        <message>
+            <source>No run is under way.</source>
+            <translation>当前没有运行。</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>完成</translation>
         </message>
     </context>
 </TS>

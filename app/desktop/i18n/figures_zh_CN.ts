@@ -4,6 +4,18 @@
     <context>
         <name>figures</name>
         <message>
+            <source>Diameters</source>
+            <translation>胸径分布</translation>
+        </message>
+        <message>
+            <source>Height over diameter</source>
+            <translation>树高-胸径</translation>
+        </message>
+        <message>
+            <source>Estimated over field</source>
+            <translation>估测值-实测值</translation>
+        </message>
+        <message>
             <source>DBH (cm)</source>
             <translation>胸径 (cm)</translation>
         </message>

@@ -124,7 +124,7 @@
             <translation>确定样地坐标系</translation>
         </message>
         <message>
-            <source>Say which trees count</source>
+            <source>Plot boundary and minimum diameter</source>
             <translation>界定计入的树木</translation>
         </message>
     </context>

@@ -1,6 +1,5 @@
 #include "panels/log_panel.h"
 
-#include <QAction>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
@@ -15,31 +14,33 @@
 #include <QTime>
 #include <QVBoxLayout>
 
+#include "commands/commands.h"
+
 namespace bole::desktop {
 namespace {
 
-constexpr int level_role = Qt::UserRole + 1, most_lines = 5000;
+constexpr int level_role = Qt::UserRole + 1, max_lines = 5000;
 
 class FromLevel : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
   void show_from(int level) {
-    least_ = level;
+    min_level_ = level;
     invalidateFilter();
   }
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
-    return sourceModel()->index(row, 1, parent).data(level_role).toInt() >= least_;
+    return sourceModel()->index(row, 1, parent).data(level_role).toInt() >= min_level_;
   }
 
  private:
-  int least_ = 0;
+  int min_level_ = 0;
 };
 
 }  // namespace
 
-LogPanel::LogPanel(QWidget* parent)
+LogPanel::LogPanel(Commands& commands, QWidget* parent)
     : QWidget(parent),
       model_(new QStandardItemModel(0, 2, this)),
       by_level_(new FromLevel(this)),
@@ -61,12 +62,13 @@ LogPanel::LogPanel(QWidget* parent)
   view_->setWordWrap(true);
   view_->setSelectionBehavior(QAbstractItemView::SelectRows);
   view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  auto* copy_action = new QAction(tr("Copy"), view_);
-  copy_action->setShortcut(QKeySequence::Copy);
-  copy_action->setShortcutContext(Qt::WidgetShortcut);
-  connect(copy_action, &QAction::triggered, this, &LogPanel::copy);
-  view_->addAction(copy_action);
-  view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  commands.add({.id = "log.copy",
+                .text = tr("Copy"),
+                .key = QKeySequence::Copy,
+                .places = {in_context("log")},
+                .act = [this] { copy(); },
+                .owner = view_});
+  commands.give_context_menu(*view_, "log");
 
   level_->addItems({tr("All"), tr("Warnings"), tr("Errors")});
   connect(level_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
@@ -96,7 +98,7 @@ void LogPanel::add(const QString& text, LogLevel level) {
         style()->standardIcon(level == LogLevel::error ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning));
   time->setTextAlignment(Qt::AlignTop);
   model_->appendRow({time, what});
-  if (model_->rowCount() > most_lines) model_->removeRow(0);
+  if (model_->rowCount() > max_lines) model_->removeRow(0);
   if (at_end) view_->scrollToBottom();
 }
 

@@ -11,13 +11,15 @@ class QTableView;
 
 namespace bole::desktop {
 
+class Commands;
+
 enum class LogLevel { info, warning, error };
 
 class LogPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit LogPanel(QWidget* parent);
+  LogPanel(Commands& commands, QWidget* parent);
 
   void add(const QString& text, LogLevel level = LogLevel::info);
   int lines() const;  // that are shown

@@ -1,30 +1,30 @@
 #include "panels/pipeline_panel.h"
 
 #include <QAction>
-#include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
 #include <functional>
 
+#include "commands/commands.h"
 #include "document/stage_operations.h"
-#include "shell/language.h"
+#include "document/stage_roles.h"
 
 namespace bole::desktop {
 namespace {
 
-QString state_text(vtkbridge::StageState state) {
+QString state_text(StageMark state) {
   switch (state) {
-    case vtkbridge::StageState::idle:
+    case StageMark::idle:
       return {};
-    case vtkbridge::StageState::running:
+    case StageMark::running:
       return PipelinePanel::tr("running");
-    case vtkbridge::StageState::done:
+    case StageMark::done:
       return PipelinePanel::tr("done");
-    case vtkbridge::StageState::warning:
-      return PipelinePanel::tr("look");
-    case vtkbridge::StageState::failed:
+    case StageMark::warning:
+      return PipelinePanel::tr("warnings");
+    case StageMark::failed:
       return PipelinePanel::tr("failed");
   }
   return {};
@@ -34,7 +34,7 @@ QString id_of(const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).
 
 }  // namespace
 
-PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, QWidget* parent)
+PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, Commands& commands, QWidget* parent)
     : QTreeWidget(parent), session_(session), visibility_(visibility) {
   setColumnCount(4);
   setHeaderLabels({tr("Stage"), tr("3-D"), tr("Cut"), tr("State")});
@@ -45,7 +45,7 @@ PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, QWidget* 
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(stage_column, QHeaderView::Stretch);
   header()->setStretchLastSection(false);
-  make_actions();
+  make_commands(commands);
   connect(&session_, &Session::document_replaced, this, &PipelinePanel::fill);
   connect(&session_, &Session::option_changed, this, &PipelinePanel::show_problems);
   connect(&visibility_, &Visibility::changed, this, [this] {
@@ -86,8 +86,8 @@ void PipelinePanel::show_state(QTreeWidgetItem* item) {
   const QString id = id_of(item), problem = problems_.value(id);
   const State state = states_.value(id);
   const bool skipped = session_.document().at(id.toStdString()).skipped();
-  const bool cannot = !problem.isEmpty() && state.state != vtkbridge::StageState::running;
-  item->setIcon(state_column, state_icon(cannot ? vtkbridge::StageState::warning : state.state, palette()));
+  const bool cannot = !problem.isEmpty() && state.state != StageMark::running;
+  item->setIcon(state_column, state_icon(cannot ? StageMark::warning : state.state, palette()));
   item->setText(state_column, cannot ? tr("cannot run") : skipped ? tr("skipped") : state_text(state.state));
   item->setToolTip(state_column, cannot    ? problem
                                  : skipped ? tr("This stage runs when its file is given.")
@@ -107,7 +107,7 @@ void PipelinePanel::click(QTreeWidgetItem* item, int column) {
   visibility_.show(id, view, !visibility_.shown(id, view));
 }
 
-void PipelinePanel::set_state(const QString& stage, vtkbridge::StageState state, const QString& message) {
+void PipelinePanel::set_state(const QString& stage, StageMark state, const QString& message) {
   states_[stage] = {state, message};
   for (int i = 0; i < topLevelItemCount(); ++i)
     if (id_of(topLevelItem(i)) == stage) show_state(topLevelItem(i));
@@ -145,36 +145,42 @@ void PipelinePanel::copy_branch(const QString& id) {
   session_.change(tr("copy %1").arg(id), with_branch_copied(session_.document(), id.toStdString()));
 }
 
-void PipelinePanel::make_actions() {
-  const auto add = [this](const char* id, const QString& text, const QKeySequence& key,
-                          const std::function<void()>& act) {
-    auto* action = new QAction(text, this);
-    action->setObjectName(id);
-    action->setShortcut(key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    connect(action, &QAction::triggered, this, [this, act] {
-      if (!current_stage().isEmpty()) guarded(act);
-    });
-    addAction(action);
-    return action;
+void PipelinePanel::make_commands(Commands& commands) {
+  commands.add_submenu({.id = "stage.add_menu",
+                        .title = tr("Add stage behind"),
+                        .place = in_context("pipeline"),
+                        .fill = [this](QMenu& menu) { fill_add_menu(menu); }});
+  const When has_stage{[this] { return !current_stage().isEmpty(); }, tr("Select a stage first.")};
+  const auto add = [&](const char* id, const QString& text, const QKeySequence& key,
+                       const std::function<void(const QString& stage)>& act) {
+    commands.add({.id = id,
+                  .text = text,
+                  .key = key,
+                  .places = {in_context("pipeline", 1)},
+                  .act = [this, act] { act(current_stage()); },
+                  .enabled_when = has_stage,
+                  .owner = this});
   };
-  rename_ = add("rename_stage", tr("Rename stage…"), Qt::Key_F2, [this] {
+  add("stage.rename", tr("Rename stage…"), Qt::Key_F2, [this](const QString& stage) {
     bool given = false;
-    const QString name = QInputDialog::getText(this, tr("Rename stage"), tr("Name of the stage"), QLineEdit::Normal,
-                                               current_stage(), &given);
-    if (given) rename_stage(current_stage(), name);
+    const QString name =
+        QInputDialog::getText(this, tr("Rename stage"), tr("Name of the stage"), QLineEdit::Normal, stage, &given);
+    if (given) rename_stage(stage, name);
   });
-  copy_ = add("copy_branch", tr("Copy stage and what follows"), QKeySequence("Ctrl+D"),
-              [this] { copy_branch(current_stage()); });
-  delete_ = add("delete_stage", tr("Delete stage"), {}, [this] { delete_stage(current_stage()); });
+  add("stage.copy_branch", tr("Copy stage and what follows"), QKeySequence("Ctrl+D"),
+      [this](const QString& stage) { copy_branch(stage); });
+  add("stage.delete", tr("Delete stage"), {}, [this](const QString& stage) { delete_stage(stage); });
+  commands.give_context_menu(*this, "pipeline");
+  connect(this, &QTreeWidget::currentItemChanged, &commands, &Commands::update);
 }
 
-void PipelinePanel::fill_add_menu(QMenu* menu) {
+void PipelinePanel::fill_add_menu(QMenu& menu) {
+  if (!session_.has_document()) return;
   QMap<QString, QMenu*> groups;
   for (const auto* type : pipeline::StageRegistry::global().all()) {
     const auto name = QString::fromStdString(type->name);
     auto*& group = groups[name.section('.', 0, 0)];
-    if (!group) group = menu->addMenu(name.section('.', 0, 0));
+    if (!group) group = menu.addMenu(name.section('.', 0, 0));
     group->setToolTipsVisible(true);
     auto* action = group->addAction(stage_title(*type));
     action->setToolTip(QString::fromStdString(type->help));
@@ -182,18 +188,13 @@ void PipelinePanel::fill_add_menu(QMenu* menu) {
   }
 }
 
-void PipelinePanel::contextMenuEvent(QContextMenuEvent* event) {
-  if (!session_.has_document()) return;
-  QMenu menu;
-  fill_add_menu(menu.addMenu(tr("Add stage behind")));
-  menu.addActions({rename_, copy_, delete_});
-  menu.exec(event->globalPos());
-}
-
 void PipelinePanel::changeEvent(QEvent* event) {
   QTreeWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange || !session_.has_document()) return;
-  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i)), show_eyes(topLevelItem(i));
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    show_state(topLevelItem(i));
+    show_eyes(topLevelItem(i));
+  }
 }
 
 void PipelinePanel::guarded(const std::function<void()>& act) {

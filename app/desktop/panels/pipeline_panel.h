@@ -6,11 +6,13 @@
 
 #include "document/session.h"
 #include "document/visibility.h"
-#include "panels/stage_icons.h"
+#include "look/stage_icons.h"
 
 class QMenu;
 
 namespace bole::desktop {
+
+class Commands;
 
 class PipelinePanel : public QTreeWidget {
   Q_OBJECT
@@ -18,9 +20,9 @@ class PipelinePanel : public QTreeWidget {
  public:
   enum Column { stage_column, scene_column, cuts_column, state_column };
 
-  PipelinePanel(Session& session, Visibility& visibility, QWidget* parent);
+  PipelinePanel(Session& session, Visibility& visibility, Commands& commands, QWidget* parent);
 
-  void set_state(const QString& stage, vtkbridge::StageState state, const QString& message = {});
+  void set_state(const QString& stage, StageMark state, const QString& message = {});
   void forget_states();  // of runs of another document
   QString current_stage() const;
   void select_stage(const QString& id);
@@ -36,12 +38,11 @@ class PipelinePanel : public QTreeWidget {
   void refused(const QString& sentence);
 
  protected:
-  void contextMenuEvent(QContextMenuEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   struct State {
-    vtkbridge::StageState state = vtkbridge::StageState::idle;
+    StageMark state = StageMark::idle;
     QString message;
   };
   void fill();
@@ -49,15 +50,14 @@ class PipelinePanel : public QTreeWidget {
   void show_state(QTreeWidgetItem* item);
   void show_eyes(QTreeWidgetItem* item);
   void click(QTreeWidgetItem* item, int column);
-  void make_actions();
-  void fill_add_menu(QMenu* menu);
+  void make_commands(Commands& commands);
+  void fill_add_menu(QMenu& menu);
   void guarded(const std::function<void()>& act);
 
   Session& session_;
   Visibility& visibility_;
   QMap<QString, State> states_;
   QMap<QString, QString> problems_;
-  QAction *rename_ = nullptr, *copy_ = nullptr, *delete_ = nullptr;
 };
 
 }  // namespace bole::desktop

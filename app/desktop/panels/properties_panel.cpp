@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shell/language.h"
+#include "document/stage_roles.h"
 
 namespace bole::desktop {
 namespace {

@@ -11,8 +11,8 @@
 namespace bole::desktop {
 
 // `poor check` : rows that hold both words in some cell. `dbh_cm > 20`, `quality = poor`, `state != edited`,
-// `reasons ~ arc`: conditions; all must hold. A column may be told without its unit (`dbh > 20`), a text with blanks in
-// double quotes. Missing numbers fulfil no condition but `!=`.
+// `reasons ~ arc`: conditions; all must hold. A column may be named without its unit (`dbh > 20`), a text with blanks
+// in double quotes. Missing numbers meet no condition but `!=`.
 class RowCondition {
  public:
   static std::vector<RowCondition> parse(const std::string& text, const Table* table);
@@ -30,7 +30,7 @@ class RowCondition {
   std::string problem_;
 };
 
-// Sorts by the numbers themselves (Qt::UserRole) and shows the rows that fulfil a text of conditions.
+// Sorts by the numbers themselves (Qt::UserRole) and shows the rows that meet a text of conditions.
 class RowFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class RowFilter : public QSortFilterProxyModel {
   explicit RowFilter(QObject* parent);
   void set_table(const Table* table);
   void set_text(const QString& text);
-  QString problem() const;  // a sentence about the first condition that no row can fulfil
+  QString problem() const;  // a sentence about the first condition that no row can meet
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;

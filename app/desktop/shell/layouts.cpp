@@ -2,10 +2,12 @@
 
 #include <QDockWidget>
 #include <QInputDialog>
+#include <QMenu>
 #include <QSettings>
 
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "shell/modes.h"
+#include "shell/shell_commands.h"
 
 namespace bole::desktop {
 namespace {
@@ -16,40 +18,50 @@ void apply_layout(MainWindow* window, const QString& name) {
   window->restoreState(QSettings().value("layouts/" + name).toByteArray(), state_version);
 }
 
-void fill_layouts(MainWindow* window, QMenu* menu) {
-  menu->clear();
+void fill_layouts(MainWindow* window, QMenu& menu) {
   QSettings settings;
   settings.beginGroup("layouts");
   for (const auto& name : settings.childKeys())
-    QObject::connect(menu->addAction(name), &QAction::triggered, window,
-                     [window, name] { apply_layout(window, name); });
-  if (!menu->isEmpty()) menu->addSeparator();
-  auto* save = menu->addAction(MainWindow::tr("Save layout…"));
-  save->setObjectName("save_layout");
-  QObject::connect(save, &QAction::triggered, window, [window] {
-    const QString name = QInputDialog::getText(window, MainWindow::tr("Save layout"), MainWindow::tr("Name"));
-    if (!name.isEmpty())
-      QSettings().setValue("layouts/" + QString(name).replace('/', '-'), window->saveState(state_version));
-  });
-  if (settings.childKeys().isEmpty()) return;
-  auto* remove = menu->addMenu(MainWindow::tr("Delete layout"));
+    QObject::connect(menu.addAction(name), &QAction::triggered, window, [window, name] { apply_layout(window, name); });
+}
+
+void fill_deletions(MainWindow* window, QMenu& menu) {
+  QSettings settings;
+  settings.beginGroup("layouts");
   for (const auto& name : settings.childKeys())
-    QObject::connect(remove->addAction(name), &QAction::triggered, window,
+    QObject::connect(menu.addAction(name), &QAction::triggered, window,
                      [name] { QSettings().remove("layouts/" + name); });
+}
+
+void save_layout(MainWindow* window) {
+  const QString name = QInputDialog::getText(window, MainWindow::tr("Save layout"), MainWindow::tr("Name"));
+  if (!name.isEmpty())
+    QSettings().setValue("layouts/" + QString(name).replace('/', '-'), window->saveState(state_version));
 }
 
 }  // namespace
 
-void make_layout_menu(MainWindow& window) {
+void add_layout_menus(MainWindow& window) {
   auto* w = &window;
-  auto* panels = window.menu(Menu::view)->addMenu(MainWindow::tr("Panels"));
-  QObject::connect(panels, &QMenu::aboutToShow, w, [w, panels] {
-    panels->clear();
-    for (auto* dock : w->docks().all()) panels->addAction(dock->toggleViewAction());
-  });
-  auto* layouts = window.menu(Menu::view)->addMenu(MainWindow::tr("Layouts"));
-  QObject::connect(layouts, &QMenu::aboutToShow, w, [w, layouts] { fill_layouts(w, layouts); });
-  fill_layouts(w, layouts);
+  auto& commands = window.commands();
+  commands.add_submenu({.id = "panel.menu",
+                        .title = MainWindow::tr("Panels"),
+                        .place = in_menu(Menu::view, window_section),
+                        .fill = [w](QMenu& menu) {
+                          for (auto* dock : w->docks().all()) menu.addAction(dock->toggleViewAction());
+                        }});
+  commands.add_submenu({.id = "layout.menu",
+                        .title = MainWindow::tr("Layouts"),
+                        .place = in_menu(Menu::view, window_section),
+                        .fill = [w](QMenu& menu) { fill_layouts(w, menu); }});
+  commands.add(
+      {.id = "layout.save", .text = MainWindow::tr("Save layout…"), .places = {in_submenu("layout.menu")}, .act = [w] {
+         save_layout(w);
+       }});
+  commands.add_submenu({.id = "layout.delete_menu",
+                        .title = MainWindow::tr("Delete layout"),
+                        .place = in_submenu("layout.menu"),
+                        .fill = [w](QMenu& menu) { fill_deletions(w, menu); }});
 }
 
 void restore_last_layout(MainWindow& window) {

@@ -7,7 +7,6 @@ namespace bole::desktop {
 
 class MainWindow;
 
-void make_layout_menu(MainWindow& window);     // with View > Panels
 void restore_last_layout(MainWindow& window);  // the mode's own when there is none
 void keep_layout(MainWindow& window);
 

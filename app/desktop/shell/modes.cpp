@@ -1,18 +1,19 @@
 #include "shell/modes.h"
 
-#include <QActionGroup>
 #include <QDockWidget>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QMenu>
 #include <QSettings>
 #include <algorithm>
 
-#include "main_window.h"
+#include "look/language.h"
+#include "look/resources.h"
 #include "panels/properties_panel.h"
-#include "shell/language.h"
-#include "shell/resources.h"
+#include "shell/main_window.h"
+#include "shell/shell_commands.h"
 
 namespace bole::desktop {
 namespace {
@@ -36,7 +37,7 @@ Tier tier_named(const QString& name, const QString& mode) {
 }
 
 Mode parse_mode(const QJsonObject& object, const QString& language) {
-  static const QStringList known{"id", "title", "help", "docks", "front", "hidden_menus", "hidden_actions", "tier"};
+  static const QStringList known{"id", "title", "help", "docks", "front", "hidden_menus", "hidden_commands", "tier"};
   Mode mode;
   mode.id = object.value("id").toString();
   for (const auto& key : object.keys())
@@ -49,7 +50,7 @@ Mode parse_mode(const QJsonObject& object, const QString& language) {
   mode.docks = words(object, "docks");
   mode.front = words(object, "front");
   mode.hidden_menus = words(object, "hidden_menus");
-  mode.hidden_actions = words(object, "hidden_actions");
+  mode.hidden_commands = words(object, "hidden_commands");
   mode.tier = tier_named(object.value("tier").toString("basic"), mode.id);
   return mode;
 }
@@ -80,28 +81,28 @@ void apply_mode(MainWindow& window, const Mode& mode) {
     auto* menu = window.menu(which);
     menu->menuAction()->setVisible(!menu->isEmpty() && !mode.hidden_menus.contains(menu->objectName()));
   }
-  for (auto* action : window.findChildren<QAction*>())
-    if (!action->objectName().isEmpty() && !qobject_cast<QDockWidget*>(action->parent()))
-      action->setVisible(!mode.hidden_actions.contains(action->objectName()));
+  for (const auto& entry : window.commands().entries())
+    if (entry->action != nullptr) entry->action->setVisible(!mode.hidden_commands.contains(entry->command.id));
   window.properties().set_tier(mode.tier);
 }
 
-void make_mode_menu(MainWindow& window) {
-  auto* menu = window.menu(Menu::view)->addMenu(MainWindow::tr("Mode"));
-  menu->setToolTipsVisible(true);
-  auto* group = new QActionGroup(&window);
-  const auto modes = shipped_modes();
-  const QString last = QSettings().value("mode", modes.front().id).toString();
-  for (const auto& mode : modes) {
-    auto* action = window.add_action(menu, qPrintable("mode_" + mode.id), mode.title, [&window, mode] {
-      apply_mode(window, mode);
-      QSettings().setValue("mode", mode.id);
-    });
-    action->setToolTip(mode.help);
-    action->setCheckable(true);
-    action->setChecked(mode.id == last);
-    group->addAction(action);
-  }
+QString saved_mode() { return QSettings().value("mode", shipped_modes().front().id).toString(); }
+
+void add_mode_commands(MainWindow& window) {
+  window.commands().add_submenu(
+      {.id = "mode.menu", .title = MainWindow::tr("Mode"), .place = in_menu(Menu::view, window_section)});
+  for (const auto& mode : shipped_modes())
+    window.commands().add({.id = "mode." + mode.id,
+                           .text = mode.title,
+                           .places = {in_submenu("mode.menu")},
+                           .turn =
+                               [w = &window, mode](bool) {
+                                 apply_mode(*w, mode);
+                                 QSettings().setValue("mode", mode.id);
+                               },
+                           .checked_when = [id = mode.id] { return saved_mode() == id; },
+                           .group = "mode",
+                           .tip = mode.help});
 }
 
 }  // namespace bole::desktop

@@ -1,4 +1,4 @@
-// Modes of the window (forester, teacher, expert): which docks, menus, actions and option tiers are shown. They are
+// Modes of the window (forester, teacher, expert): which docks, menus, commands and option tiers are shown. They are
 // data: shell/modes.json.
 #pragma once
 
@@ -15,11 +15,11 @@ namespace bole::desktop {
 class MainWindow;
 
 struct Mode {
-  QString id, title, help;   // in the language of the window
-  QStringList docks;         // ids of those shown; "*": all
-  QStringList front;         // ids of those in front of their tabs
-  QStringList hidden_menus;  // as in menu_name()
-  QStringList hidden_actions;
+  QString id, title, help;      // in the language of the window
+  QStringList docks;            // ids of those shown; "*": all
+  QStringList front;            // ids of those in front of their tabs
+  QStringList hidden_menus;     // as in menu_name()
+  QStringList hidden_commands;  // ids
   Tier tier = Tier::basic;
 };
 
@@ -28,7 +28,6 @@ std::vector<Mode> parse_modes(const QByteArray& json, const QString& language);
 std::vector<Mode> shipped_modes();
 
 void apply_mode(MainWindow& window, const Mode& mode);
-// View > Mode. The mode chosen last is taken up at the start; `forester` at the first.
-void make_mode_menu(MainWindow& window);
+QString saved_mode();  // its id; that of the first mode before one was chosen
 
 }  // namespace bole::desktop

@@ -1,4 +1,4 @@
-// File > Open recent.
+// The files that were opened last.
 #pragma once
 
 #include <QString>
@@ -6,10 +6,7 @@
 
 namespace bole::desktop {
 
-class MainWindow;
-
 void note_recent_file(const QString& path);
 QStringList recent_files();  // the latest first, at most ten
-void make_recent_menu(MainWindow& window);
 
 }  // namespace bole::desktop

@@ -5,28 +5,40 @@
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QSet>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "base/version.h"
-#include "main_window.h"
+#include "shell/main_window.h"
+#include "shell/shell_commands.h"
 
 namespace bole::desktop {
 namespace {
 
 QString plain(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
 
-void collect(const QList<QAction*>& actions, const QString& place, QSet<const QAction*>& seen,
+void collect(const Commands& commands, const Place& where, const QString& title, QSet<const QAction*>& seen,
              std::vector<ShortcutLine>& lines) {
-  for (const auto* action : actions) {
-    if (action->menu())
-      collect(action->menu()->actions(), place + QStringLiteral(" › ") + plain(action->text()), seen, lines);
-    else if (!action->shortcut().isEmpty() && !seen.contains(action))
-      lines.push_back({place, plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});
+  for (const auto& [entry, section] : commands.items(where)) {
+    if (entry->submenu) {
+      collect(commands, {Place::Kind::submenu, entry->submenu->id},
+              title + QStringLiteral(" › ") + plain(entry->submenu->title), seen, lines);
+      continue;
+    }
+    const auto* action = entry->action;
+    if (!action->shortcut().isEmpty() && !seen.contains(action))
+      lines.push_back({title, plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});
     seen.insert(action);
   }
+}
+
+QString dock_title(const QWidget* widget) {
+  for (; widget != nullptr; widget = widget->parentWidget())
+    if (const auto* dock = qobject_cast<const QDockWidget*>(widget)) return dock->windowTitle();
+  return {};
 }
 
 void fill(QTreeWidget* tree, const std::vector<ShortcutLine>& lines, const QString& wanted) {
@@ -72,32 +84,38 @@ void show_sheet(MainWindow* window) {
   dialog->show();
 }
 
+void show_about(MainWindow* window) {
+  QMessageBox::about(window, MainWindow::tr("About Bole"),
+                     MainWindow::tr("<b>Bole %1</b><p>Raw LiDAR scans of forests in, a survey that a forester can "
+                                    "sign out. Free software under the GPL, version 3 or later.")
+                         .arg(QString::fromUtf8(version().data(), static_cast<int>(version().size()))));
+}
+
 }  // namespace
 
 std::vector<ShortcutLine> shortcut_lines(MainWindow& window) {
   std::vector<ShortcutLine> lines;
   QSet<const QAction*> seen;
-  for (const auto which : all_menus)
-    collect(window.menu(which)->actions(), plain(window.menu(which)->title()), seen, lines);
-  for (auto* dock : window.docks().all()) {
-    collect(dock->widget()->actions(), dock->windowTitle(), seen, lines);
-    for (auto* child : dock->widget()->findChildren<QWidget*>())
-      collect(child->actions(), dock->windowTitle(), seen, lines);
-  }
+  const auto& commands = window.commands();
+  for (const auto which : all_menus) collect(commands, in_menu(which), plain(window.menu(which)->title()), seen, lines);
+  for (const auto& entry : commands.entries())
+    if (entry->action != nullptr && !entry->command.key.isEmpty() && !seen.contains(entry->action))
+      lines.push_back({dock_title(entry->command.owner), plain(entry->action->text()),
+                       entry->command.key.toString(QKeySequence::NativeText)});
   return lines;
 }
 
-void make_help_menu(MainWindow& window) {
-  auto* menu = window.menu(Menu::help);
+void add_help_commands(MainWindow& window) {
   auto* w = &window;
-  w->add_action(
-      menu, "keys", MainWindow::tr("Keys"), [w] { show_sheet(w); }, QKeySequence::HelpContents);
-  w->add_action(menu, "about", MainWindow::tr("About Bole"), [w] {
-    QMessageBox::about(w, MainWindow::tr("About Bole"),
-                       MainWindow::tr("<b>Bole %1</b><p>Raw LiDAR scans of forests in, a survey that a forester can "
-                                      "sign out. Free software under the GPL, version 3 or later.")
-                           .arg(QString::fromUtf8(version().data(), static_cast<int>(version().size()))));
-  });
+  window.commands().add({.id = "help.keys",
+                         .text = MainWindow::tr("Keys"),
+                         .key = QKeySequence::HelpContents,
+                         .places = {in_menu(Menu::help)},
+                         .act = [w] { show_sheet(w); }});
+  window.commands().add(
+      {.id = "help.about", .text = MainWindow::tr("About Bole"), .places = {in_menu(Menu::help)}, .act = [w] {
+         show_about(w);
+       }});
 }
 
 }  // namespace bole::desktop

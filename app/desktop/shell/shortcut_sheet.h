@@ -1,4 +1,4 @@
-// Help > Keys and menus (F1): a sheet made from the actions of the window themselves.
+// Help > Keys (F1): a sheet made from the registered commands.
 #pragma once
 
 #include <QString>
@@ -11,9 +11,7 @@ class MainWindow;
 struct ShortcutLine {
   QString menu, text, key;
 };
-// Every action in the menus that has a key, and those of panels, in the order of the menus.
+// Every command with a key: those of the menus in their order, then those of panels.
 std::vector<ShortcutLine> shortcut_lines(MainWindow& window);
-
-void make_help_menu(MainWindow& window);
 
 }  // namespace bole::desktop

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
@@ -57,7 +57,7 @@ void time_startup(MainWindow& window) {
     QApplication::processEvents();
     print("window shown");
     *asked = seconds(CLOCK_MONOTONIC);
-    window.open_sample();
+    window.commands().trigger("document.open_sample");
   });
   QObject::connect(&window, &MainWindow::survey_shown, &window, [&window, asked, done](const Survey& survey) {
     if (survey.empty() || *done) return;

@@ -8,14 +8,14 @@
 #include <QVBoxLayout>
 #include <functional>
 
-#include "main_window.h"
+#include "shell/main_window.h"
 #include "shell/recent_files.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr int most_recent = 5;
+constexpr int max_recent = 5;
 
 QPushButton* add_button(QVBoxLayout* layout, const QString& text, const char* name) {
   auto* button = new QPushButton(text);
@@ -34,15 +34,15 @@ void show_welcome(MainWindow& window) {
   over->addWidget(card, 0, Qt::AlignCenter);
   auto* layout = new QVBoxLayout(card);
   layout->addWidget(new QLabel("<h2>" + MainWindow::tr("From scans to a stem map") + "</h2>"));
-  const auto offer = [&](const char* name, const QString& text, const char* action) {
-    QObject::connect(add_button(layout, text, name), &QPushButton::clicked, w->findChild<QAction*>(action),
+  const auto offer = [&](const char* name, const QString& text, const char* command) {
+    QObject::connect(add_button(layout, text, name), &QPushButton::clicked, w->commands().action(command),
                      &QAction::trigger);
   };
-  offer("welcome_sample", MainWindow::tr("Open the sample plot"), "open_sample");
-  offer("welcome_open", MainWindow::tr("Open a scan, a point cloud or a pipeline…"), "open");
+  offer("welcome_sample", MainWindow::tr("Open the sample plot"), "document.open_sample");
+  offer("welcome_open", MainWindow::tr("Open a scan, a point cloud or a pipeline…"), "document.open");
   int shown = 0;
   for (const auto& path : recent_files()) {
-    if (!QFileInfo::exists(path) || ++shown > most_recent) continue;
+    if (!QFileInfo::exists(path) || ++shown > max_recent) continue;
     auto* button = add_button(layout, QFileInfo(path).fileName(), "welcome_recent");
     button->setFlat(true);
     button->setToolTip(path);
@@ -52,7 +52,10 @@ void show_welcome(MainWindow& window) {
   drop->setAlignment(Qt::AlignCenter);
   drop->setEnabled(false);
   layout->addWidget(drop);
-  QObject::connect(w, &MainWindow::document_opened, card, [card, over] { card->deleteLater(), over->deleteLater(); });
+  QObject::connect(w, &MainWindow::document_opened, card, [card, over] {
+    card->deleteLater();
+    over->deleteLater();
+  });
 }
 
 }  // namespace bole::desktop

@@ -1,6 +1,7 @@
 #include "views/chart_view.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -12,13 +13,20 @@ namespace {
 
 constexpr double mm_per_px = 25.4 / 96, reach_mm = 2.5;
 
+QString to_qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
+
+// With the other words of charts, in the context "figures" of app/desktop/i18n.
+QString chart_title(const render::ChartType& chart) {
+  return QCoreApplication::translate("figures", to_qt(chart.title).toUtf8().constData());
+}
+
 }  // namespace
 
 ChartView::ChartView(Selection& selection, QWidget* parent)
-    : QWidget(parent), selection_(selection), kind_(new QComboBox(this)) {
+    : QWidget(parent), selection_(selection), charts_(new QComboBox(this)) {
   setMinimumSize(220, 180);
-  kind_->addItems({tr("Diameters"), tr("Height over diameter"), tr("Estimated over field")});
-  connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
+  for (const auto& chart : render::linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
+  connect(charts_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
   connect(&selection_, &Selection::changed, this, &ChartView::rebuild);
 }
 
@@ -27,32 +35,23 @@ void ChartView::show_survey(const Survey& survey) {
   rebuild();
 }
 
-void ChartView::show_kind(Kind kind) { kind_->setCurrentIndex(static_cast<int>(kind)); }
+void ChartView::show_chart(const QString& id) { charts_->setCurrentIndex(charts_->findData(id)); }
 
-QRect ChartView::sheet() const { return rect().adjusted(0, kind_->sizeHint().height() + 4, 0, 0); }
+QRect ChartView::sheet() const { return rect().adjusted(0, charts_->sizeHint().height() + 4, 0, 0); }
 
 void ChartView::rebuild() {
   chart_ = {};
   const render::ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
   const auto selected = selection_.tree();
-  if (survey_.stems && survey_.stems->has("tree_id")) {
-    switch (static_cast<Kind>(kind_->currentIndex())) {
-      case Kind::diameters:
-        chart_ = render::diameter_histogram(*survey_.stems, size, selected);
-        break;
-      case Kind::heights:
-        chart_ = render::height_over_diameter(*survey_.stems, size, selected);
-        break;
-      case Kind::field:
-        chart_ = render::estimated_over_field(survey_.matches ? *survey_.matches : Table(), size, selected);
-        break;
-    }
-  }
+  const auto charts = render::linked_charts();
+  if (survey_.stems && survey_.stems->has("tree_id"))
+    chart_ = charts[static_cast<std::size_t>(charts_->currentIndex())].draw(
+        {survey_.stems.get(), survey_.matches.get()}, size, selected);
   update();
 }
 
 void ChartView::resizeEvent(QResizeEvent*) {
-  kind_->setGeometry(4, 2, std::min(220, width() - 8), kind_->sizeHint().height());
+  charts_->setGeometry(4, 2, std::min(220, width() - 8), charts_->sizeHint().height());
   rebuild();
 }
 

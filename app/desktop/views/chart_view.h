@@ -3,9 +3,9 @@
 
 #include <QWidget>
 
+#include "document/selection.h"
 #include "document/survey.h"
 #include "render/charts/linked_charts.h"
-#include "selection/selection.h"
 
 class QComboBox;
 
@@ -15,11 +15,9 @@ class ChartView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Kind { diameters, heights, field };
-
   ChartView(Selection& selection, QWidget* parent);
   void show_survey(const Survey& survey);
-  void show_kind(Kind kind);
+  void show_chart(const QString& id);         // one of linked_charts()
   QPointF place_of(std::int64_t tree) const;  // on the widget; null when it is not in the chart
   QSize sizeHint() const override { return {340, 260}; }
 
@@ -35,7 +33,7 @@ class ChartView : public QWidget {
   Selection& selection_;
   Survey survey_;
   render::LinkedChart chart_;
-  QComboBox* kind_;
+  QComboBox* charts_;
 };
 
 }  // namespace bole::desktop

@@ -6,7 +6,7 @@
 #include <QFontDatabase>
 #include <QRegularExpression>
 
-#include "shell/theme.h"
+#include "look/theme.h"
 
 namespace bole::desktop {
 namespace {

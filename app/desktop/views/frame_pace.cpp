@@ -5,9 +5,9 @@
 namespace bole::desktop {
 namespace {
 
-constexpr double least_points = 60'000, most_points = 2'500'000, least_fresh = 10'000, most_fresh = 150'000;
+constexpr double min_points = 60'000, max_points = 2'500'000, min_fresh = 10'000, max_fresh = 150'000;
 constexpr double fresh_share = 0.3, spare_share = 0.1;  // of a frame's time for new points: wanted, not wanted
-constexpr double learning = 0.3, most_surprise = 0.5;   // single slow frames (another program's work) count little
+constexpr double learning = 0.3, max_surprise = 0.5;    // single slow frames (another program's work) count little
 constexpr double fastest_s = 1e-9, slowest_s = 5e-6;    // of one point
 
 }  // namespace
@@ -18,17 +18,17 @@ void FramePace::note(double seconds, std::size_t drawn, std::size_t fresh, bool 
   const double expected = point_s_ * d + fresh_s_ * f;
   const double size = d * d + f * f;
   if (size > 0 && expected > 0) {
-    const double error = std::clamp(seconds - expected, -most_surprise * expected, most_surprise * expected);
+    const double error = std::clamp(seconds - expected, -max_surprise * expected, max_surprise * expected);
     point_s_ = std::clamp(point_s_ + learning * error * d / size, fastest_s, slowest_s);
     if (f > 0) fresh_s_ = std::clamp(fresh_s_ + learning * error / (f + 0.1 * d), point_s_, slowest_s);
   }
   const double for_fresh_s = (waiting || fresh > 0 ? fresh_share : spare_share) * target_s_;
-  const double new_points = std::clamp(for_fresh_s / fresh_s_, least_fresh, most_fresh);
+  const double new_points = std::clamp(for_fresh_s / fresh_s_, min_fresh, max_fresh);
   const double before = static_cast<double>(budget_.points);
   const double all =
       std::clamp((target_s_ - (waiting || fresh > 0 ? for_fresh_s : 0)) / point_s_, 0.5 * before, 1.3 * before);
-  budget_ = {static_cast<std::size_t>(std::clamp(all, least_points, most_points)),
-             static_cast<std::size_t>(std::min(new_points, most_fresh))};
+  budget_ = {static_cast<std::size_t>(std::clamp(all, min_points, max_points)),
+             static_cast<std::size_t>(std::min(new_points, max_fresh))};
 }
 
 }  // namespace bole::desktop

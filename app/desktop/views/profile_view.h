@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
+#include "document/selection.h"
 #include "document/stem_cut.h"
-#include "selection/selection.h"
 
 namespace bole::desktop {
 

@@ -55,12 +55,12 @@ void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_
 }
 
 void fit_box(vtkCamera* camera, const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, double aspect) {
-  constexpr double filled = 0.9, least_m = 0.5;
+  constexpr double filled = 0.9, min_m = 0.5;
   const auto screen = screen_of(camera);
   const Eigen::Vector3d centre = (lo + hi) / 2;
   const double up_slope = filled * std::tan(camera->GetViewAngle() * std::numbers::pi / 360),
                right_slope = up_slope * aspect;
-  double distance_m = least_m, half_height = least_m / 2;
+  double distance_m = min_m, half_height = min_m / 2;
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d at((corner & 1) != 0 ? hi.x() : lo.x(), (corner & 2) != 0 ? hi.y() : lo.y(),
                              (corner & 4) != 0 ? hi.z() : lo.z());

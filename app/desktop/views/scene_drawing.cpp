@@ -23,15 +23,15 @@ void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const
 }
 
 double distance_px(const SceneDrawing& drawing, const render::PickView& view, const Eigen::Vector2d& at_px) {
-  double least = std::numeric_limits<double>::infinity();
+  double nearest_px = std::numeric_limits<double>::infinity();
   for (const auto& line : drawing.lines)
     for (std::size_t k = 0; k + 1 < line.size(); ++k)
       if (const auto ends = render::segment_on_screen(view, line[k], line[k + 1])) {
         const Eigen::Vector2d along = ends->second - ends->first;
         const double t = std::clamp((at_px - ends->first).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
-        least = std::min(least, (at_px - ends->first - t * along).norm());
+        nearest_px = std::min(nearest_px, (at_px - ends->first - t * along).norm());
       }
-  return least;
+  return nearest_px;
 }
 
 }  // namespace bole::desktop

@@ -73,13 +73,16 @@ std::optional<Grip> SceneView::grip_at(const QPoint& at) {
 
 bool SceneView::click_drawing(const QPoint& at) {
   const auto view = pick_view();
-  double least = line_px * devicePixelRatioF();
+  double nearest_px = line_px * devicePixelRatioF();
   const std::string* found = nullptr;
   std::size_t which = 0;
   for (const auto& [layer, drawings] : drawings_)
     for (std::size_t d = 0; d < drawings.size(); ++d)
-      if (const double px = distance_px(drawings[d], view, to_pixels(at)); px <= least)
-        least = px, found = &layer, which = d;
+      if (const double px = distance_px(drawings[d], view, to_pixels(at)); px <= nearest_px) {
+        nearest_px = px;
+        found = &layer;
+        which = d;
+      }
   if (found == nullptr) return false;
   Q_EMIT drawing_clicked(QString::fromStdString(*found), static_cast<int>(which));
   return true;

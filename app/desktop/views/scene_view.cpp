@@ -93,7 +93,9 @@ void SceneView::show_survey(const Survey& survey) {
   picked_.reset();
   facts_.clear();
   if (first) {  // ranges and boxes are those of the survey before
-    settings_.clip.reset(), settings_.filter = {}, settings_.color_range.reset();
+    settings_.clip.reset();
+    settings_.filter = {};
+    settings_.color_range.reset();
     show_clip_handles(false);
     layer_.set_clip({});
   }
@@ -136,7 +138,8 @@ void SceneView::set_settings(const ViewSettings& settings) {
 
 void SceneView::color_by(const std::string& array) {
   auto settings = settings_;
-  settings.color = array, settings.color_range.reset();
+  settings.color = array;
+  settings.color_range.reset();
   set_settings(settings);
   Q_EMIT settings_changed();
 }
@@ -188,16 +191,22 @@ std::vector<double> SceneView::sorted_sample(int axis) const {
 }
 
 void SceneView::measure_extent() {
-  whole_ = {}, heights_ = {}, extent_known_ = false;
+  whole_ = {};
+  heights_ = {};
+  extent_known_ = false;
   for (int axis = 0; axis < 3; ++axis)
-    if (const auto v = sorted_sample(axis); !v.empty())
-      extent_known_ = true, whole_.lo[axis] = v[v.size() / 100], whole_.hi[axis] = v[v.size() - 1 - v.size() / 100];
+    if (const auto v = sorted_sample(axis); !v.empty()) {
+      extent_known_ = true;
+      whole_.lo[axis] = v[v.size() / 100];
+      whole_.hi[axis] = v[v.size() - 1 - v.size() / 100];
+    }
   if (const auto v = sorted_sample(3); !v.empty()) heights_ = {v[v.size() / 1000], v[v.size() - 1 - v.size() / 1000]};
   if (extent_known_ || !survey_.plants || survey_.plants->rows() == 0) return;
   // Rows without a cloud.
   for (const auto& [axis, name] : {std::pair{0, "x_m"}, {1, "y_m"}}) {
     const auto v = survey_.plants->numbers(name);
-    whole_.lo[axis] = *std::ranges::min_element(v), whole_.hi[axis] = *std::ranges::max_element(v);
+    whole_.lo[axis] = *std::ranges::min_element(v);
+    whole_.hi[axis] = *std::ranges::max_element(v);
   }
   extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
@@ -238,7 +247,8 @@ void SceneView::rebuild() {
 
 void SceneView::rebuild_grid() {
   if (grid_) renderer_->RemoveActor(grid_);
-  grid_ = nullptr, grid_step_m_ = 0;
+  grid_ = nullptr;
+  grid_step_m_ = 0;
   if (!settings_.grid || !survey_.points) return;
   const auto box = whole();
   grid_step_m_ = render::nice_step((box.hi - box.lo).head<2>().maxCoeff(), 8);
@@ -325,7 +335,8 @@ double SceneView::draw_moving_frame() {
 
 void SceneView::place_furniture() {
   render::ViewFurniture f;
-  f.width_mm = width() * mm_per_px, f.height_mm = height() * mm_per_px;
+  f.width_mm = width() * mm_per_px;
+  f.height_mm = height() * mm_per_px;
   if (settings_.legend && survey_.points && !survey_.points->empty()) f.paint = layer_.paint();
   auto* camera = renderer_->GetActiveCamera();
   const double half_m = half_height_m(camera);

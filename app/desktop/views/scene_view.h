@@ -15,12 +15,12 @@
 #include <memory>
 #include <vector>
 
+#include "document/selection.h"
 #include "document/survey.h"
 #include "render/draw/screen_look.h"
 #include "render/scene/furniture_layer.h"
 #include "render/scene/pick.h"
 #include "render/scene/point_layer.h"
-#include "selection/selection.h"
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/view_settings.h"
@@ -65,7 +65,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> picked() const { return picked_; }
 
   // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
-  // who is told of another taker stops. Null: nobody.
+  // a taker that hears of another one stops. Null: nobody.
   void set_place_taker(const QObject* taker);
   const QObject* place_taker() const { return place_taker_; }
 

@@ -13,8 +13,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr double mm_per_px = 25.4 / 96;
-constexpr double grip_px = 8, least_radius_m = 0.01, most_radius_m = 2.5;
-constexpr double start_error_m = 0.05, most_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
+constexpr double grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
+constexpr double start_error_m = 0.05, max_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
 
 QString quality_text(const std::string& quality) {
   if (quality == "good") return SliceView::tr("good");
@@ -29,11 +29,18 @@ SliceView::SliceView(Selection& selection, QWidget* parent)
     : QWidget(parent), selection_(selection), height_(new QDoubleSpinBox(this)), thickness_(new QDoubleSpinBox(this)) {
   setMinimumSize(200, 220);
   setMouseTracking(true);
-  height_->setRange(0, 60), height_->setSingleStep(0.1), height_->setValue(cut_.height_m);
-  height_->setSuffix(tr(" m high")), height_->setToolTip(tr("Height of the cut above ground"));
-  thickness_->setRange(0.01, 2), thickness_->setSingleStep(0.02), thickness_->setValue(cut_.thickness_m);
-  thickness_->setSuffix(tr(" m thick")), thickness_->setToolTip(tr("Thickness of the cut"));
-  height_->setObjectName("cut_height"), thickness_->setObjectName("cut_thickness");
+  height_->setRange(0, 60);
+  height_->setSingleStep(0.1);
+  height_->setValue(cut_.height_m);
+  height_->setSuffix(tr(" m high"));
+  height_->setToolTip(tr("Height of the cut above ground"));
+  thickness_->setRange(0.01, 2);
+  thickness_->setSingleStep(0.02);
+  thickness_->setValue(cut_.thickness_m);
+  thickness_->setSuffix(tr(" m thick"));
+  thickness_->setToolTip(tr("Thickness of the cut"));
+  height_->setObjectName("cut_height");
+  thickness_->setObjectName("cut_thickness");
   connect(height_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double v) {
     cut_.height_m = v;
     reload(true);
@@ -163,13 +170,17 @@ void SliceView::drag_to(const Eigen::Vector2d& metres) {
   drawn.lo_m = drawn.hi_m = 0;
   if (grip_ == Grip::centre) drawn.centre += metres - pressed_;
   if (grip_ == Grip::rim) drawn.radius_m = (metres - drawn.centre).norm();
-  if (grip_ == Grip::add) drawn.centre = pressed_, drawn.radius_m = (metres - pressed_).norm(), drawn.tree_id = 0;
-  drawn.radius_m = std::clamp(drawn.radius_m, least_radius_m, most_radius_m);
+  if (grip_ == Grip::add) {
+    drawn.centre = pressed_;
+    drawn.radius_m = (metres - pressed_).norm();
+    drawn.tree_id = 0;
+  }
+  drawn.radius_m = std::clamp(drawn.radius_m, min_radius_m, max_radius_m);
   data_.drawn = drawn;
   std::vector<Eigen::Vector2d> near;
   for (const auto& p : data_.points)
     if (std::abs((p - drawn.centre).norm() - drawn.radius_m) < 2 * start_error_m) near.push_back(p);
-  fit_ = stems::robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, most_sigma_m);
+  fit_ = stems::robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, max_sigma_m);
   data_.refit.reset();
   if (fit_) data_.refit = render::SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
   write_lines();
@@ -190,18 +201,21 @@ std::vector<stems::StemEdit> SliceView::edits_of(const render::SliceCircle& circ
   stems::StemEdit edit;
   if (grip_ == Grip::add) {
     edit.action = stems::StemEdit::Action::add;
-    edit.at = centre, edit.dbh_cm = 200 * circle.radius_m;
+    edit.at = centre;
+    edit.dbh_cm = 200 * circle.radius_m;
     return {edit};
   }
   std::vector<stems::StemEdit> edits;
   edit.at = stem_->foot.head<2>();
   if ((centre - edit.at).norm() > 0.0005) {
-    edit.action = stems::StemEdit::Action::move, edit.to = centre;
+    edit.action = stems::StemEdit::Action::move;
+    edit.to = centre;
     edits.push_back(edit);
     edit = stems::StemEdit();
     edit.at = centre;
   }
-  edit.action = stems::StemEdit::Action::resize, edit.dbh_cm = 200 * circle.radius_m,
+  edit.action = stems::StemEdit::Action::resize;
+  edit.dbh_cm = 200 * circle.radius_m;
   edit.was_dbh_cm = 100 * stem_->dbh_m;
   edits.push_back(edit);
   return edits;
@@ -213,7 +227,9 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event) {
   const bool as_drawn = event->modifiers().testFlag(Qt::ShiftModifier) || !data_.refit;
   std::vector<stems::StemEdit> edits;
   if (data_.drawn) edits = edits_of(as_drawn ? *data_.drawn : *data_.refit);
-  data_.drawn.reset(), data_.refit.reset(), fit_.reset();
+  data_.drawn.reset();
+  data_.refit.reset();
+  fit_.reset();
   grip_ = Grip::none;
   if (adding_) set_adding(false);
   write_lines();

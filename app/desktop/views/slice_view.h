@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "document/selection.h"
 #include "document/stem_cut.h"
-#include "selection/selection.h"
 #include "stems/core/edits/stem_edits.h"
 #include "stems/core/fit/circle_fit.h"
 
@@ -25,6 +25,7 @@ class SliceView : public QWidget {
   void set_height(double metres);
   double cut_height() const { return cut_.height_m; }
   void set_adding(bool on);  // the next circle that is drawn is a new tree
+  bool adding() const { return adding_; }
 
   const render::StemSliceData& shown() const { return data_; }
   QPointF place_of(const Eigen::Vector2d& plan) const;  // of a place in the axes of the stems, on the widget

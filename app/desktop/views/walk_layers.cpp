@@ -19,10 +19,10 @@ namespace bole::desktop {
 namespace {
 
 constexpr std::size_t keyframes_per_block = 32;
-constexpr std::size_t most_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
-constexpr double sensor_height_m = 1.5;       // about: the ground lies below the path
-constexpr double top_m = 8;                   // above the ground, where the colours end
-constexpr double ground_below_m = 0.4;        // the ground is not known yet, only the height of the sensor
+constexpr std::size_t max_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
+constexpr double sensor_height_m = 1.5;      // about: the ground lies below the path
+constexpr double top_m = 8;                  // above the ground, where the colours end
+constexpr double ground_below_m = 0.4;       // the ground is not known yet, only the height of the sensor
 constexpr double sensor_radius_m = 0.25;
 constexpr double margin_m = 7;  // about the path, that a camera shows
 const render::Color ground_grey = render::hex(0xb9b1a4);
@@ -121,11 +121,13 @@ void WalkLayers::set_dark(bool dark) {
 
 void WalkLayers::clear() {
   for (auto& block : blocks_) set(block, nullptr);
-  blocks_.clear(), block_points_.clear();
+  blocks_.clear();
+  block_points_.clear();
   for (auto* slot : {&path_, &good_loops_, &bad_loops_}) set(*slot, nullptr);
   hide_frame();
   origin_.setZero();
-  step_ = 1, drawn_ = accepted_ = refused_ = 0;
+  step_ = 1;
+  drawn_ = accepted_ = refused_ = 0;
 }
 
 void WalkLayers::set_block(std::size_t block, const LiveMap& map) {
@@ -139,17 +141,26 @@ void WalkLayers::set_block(std::size_t block, const LiveMap& map) {
       points.add(p - origin_, height_color(p.z() - ground_m));
     }
   }
-  if (block >= blocks_.size()) blocks_.resize(block + 1), block_points_.resize(block + 1);
+  if (block >= blocks_.size()) {
+    blocks_.resize(block + 1);
+    block_points_.resize(block + 1);
+  }
   block_points_[block] = points.size();
   set(blocks_[block], points.size() > 0 ? points.actor(2) : nullptr);
 }
 
 void WalkLayers::show_live(LiveMap& map, bool frame) {
   std::size_t first = map.take_first_changed();
-  if (const auto step = map.points() / most_points + 1; step > step_) step_ = step, first = 0;
+  if (const auto step = map.points() / max_points + 1; step > step_) {
+    step_ = step;
+    first = 0;
+  }
   const std::size_t blocks = (map.keyframes().size() + keyframes_per_block - 1) / keyframes_per_block;
   for (std::size_t b = blocks; b < blocks_.size(); ++b) set(blocks_[b], nullptr);
-  if (blocks < blocks_.size()) blocks_.resize(blocks), block_points_.resize(blocks);
+  if (blocks < blocks_.size()) {
+    blocks_.resize(blocks);
+    block_points_.resize(blocks);
+  }
   for (std::size_t b = first / keyframes_per_block; b < blocks; ++b)
     if (first < map.keyframes().size()) set_block(b, map);
   drawn_ = std::accumulate(block_points_.begin(), block_points_.end(), std::size_t{0});
@@ -172,7 +183,7 @@ void WalkLayers::show_survey(const Survey& survey, const Table* loops) {
   if (survey.points && !survey.points->empty()) {
     origin_ = survey.points->origin;
     std::vector<std::uint32_t> thinned;
-    const std::size_t step = survey.points->size() / most_points + 1;
+    const std::size_t step = survey.points->size() / max_points + 1;
     for (std::size_t i = 0; i < survey.points->size(); i += step) thinned.push_back(static_cast<std::uint32_t>(i));
     blocks_.resize(1);
     set(blocks_[0],
@@ -214,7 +225,8 @@ void WalkLayers::set_path(const Trajectory& path) {
 }
 
 void WalkLayers::set_loops(const Segments& accepted, const Segments& refused) {
-  accepted_ = accepted.size(), refused_ = refused.size();
+  accepted_ = accepted.size();
+  refused_ = refused.size();
   set(good_loops_, lines_actor(accepted, origin_, shown(render::ink::good)));
   set(bad_loops_, lines_actor(refused, origin_, shown(render::ink::poor)));
 }
@@ -246,8 +258,10 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> WalkLayers::extent() const {
   if (!from) return {Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero()};
   const double* b = from->GetBounds();
   Eigen::Vector3d lo(b[0], b[2], b[4]), hi(b[1], b[3], b[5]);
-  if (path_)
-    lo -= Eigen::Vector3d(margin_m, margin_m, sensor_height_m), hi += Eigen::Vector3d(margin_m, margin_m, top_m / 2);
+  if (path_) {
+    lo -= Eigen::Vector3d(margin_m, margin_m, sensor_height_m);
+    hi += Eigen::Vector3d(margin_m, margin_m, top_m / 2);
+  }
   return {lo, hi};
 }
 

@@ -7,10 +7,10 @@
 
 #include <vector>
 
-#include "behaviors/frame_reader.h"
-#include "document/live_map.h"
 #include "document/survey.h"
 #include "render/draw/screen_look.h"
+#include "running/frame_reader.h"
+#include "running/live_map.h"
 
 namespace bole::desktop {
 

@@ -8,8 +8,8 @@
 #include <QEvent>
 #include <algorithm>
 
+#include "look/theme.h"
 #include "render/scene/view_camera.h"
-#include "shell/theme.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {

@@ -50,7 +50,8 @@ void count_votes(std::vector<Vote>& votes, double turn, Best& best) {
 Eigen::Isometry2d likeliest_motion(std::vector<MapTree> from, std::vector<MapTree> to, double dbh_gate_cm) {
   Eigen::Isometry2d motion = Eigen::Isometry2d::Identity();
   if (from.empty() || to.empty()) return motion;
-  keep_thickest(from), keep_thickest(to);
+  keep_thickest(from);
+  keep_thickest(to);
   // About the middle of the trees, so that large coordinates do no harm.
   Eigen::Vector2d middle_from = Eigen::Vector2d::Zero(), middle_to = middle_from;
   for (const auto& t : from) middle_from += t.at / static_cast<double>(from.size());

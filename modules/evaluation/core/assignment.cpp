@@ -64,8 +64,11 @@ class Groups {
 void assign_group(const std::vector<Pairing>& group, std::vector<Pairing>& out) {
   std::map<std::size_t, std::size_t> rows, columns;
   double total = 1;
-  for (const auto& p : group)
-    rows.try_emplace(p.left, rows.size()), columns.try_emplace(p.right, columns.size()), total += p.cost;
+  for (const auto& p : group) {
+    rows.try_emplace(p.left, rows.size());
+    columns.try_emplace(p.right, columns.size());
+    total += p.cost;
+  }
   const double lonely = 2 * total, forbidden = lonely * static_cast<double>(rows.size() + 2);
   std::vector<std::vector<double>> cost(rows.size(), std::vector<double>(columns.size() + rows.size(), forbidden));
   for (std::size_t i = 0; i < rows.size(); ++i) cost[i][columns.size() + i] = lonely;

@@ -76,10 +76,13 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
   std::vector<std::int64_t> right;
   for (std::size_t i = 0; i < from_s.size(); ++i) {
     const double d = (reference.at(from_s[i]).translation() - reference.at(to_s[i]).translation()).norm();
-    distance_m.push_back(d), right.push_back(d <= options.loop_radius_m);
+    distance_m.push_back(d);
+    right.push_back(d <= options.loop_radius_m);
     if (right.back()) right_way_m.push_back(way_until(reference, to_s[i]));
   }
-  out.found = from_s.size(), out.right = right_way_m.size(), out.wrong = out.found - out.right;
+  out.found = from_s.size();
+  out.right = right_way_m.size();
+  out.wrong = out.found - out.right;
 
   const auto places = places_along(reference);
   std::size_t chances = 0, used = 0;
@@ -89,7 +92,7 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
     used += std::ranges::any_of(right_way_m,
                                 [&](double w) { return std::abs(w - places[k].way_m) <= options.loop_radius_m; });
   }
-  SummaryRows summary("none");
+  SummaryRows summary(PublishedPlot::none);
   const auto percent = [](std::size_t part, std::size_t whole) {
     return whole ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : std::nan("");
   };
@@ -98,7 +101,8 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
   summary.add("loops_wrong", static_cast<double>(out.wrong), "");
   summary.add("loop_precision", percent(out.right, out.found), "%");
   out.loops = loops;
-  out.loops.set("distance_m", distance_m), out.loops.set("right", right);
+  out.loops.set("distance_m", distance_m);
+  out.loops.set("right", right);
   if (loops.has("qw")) {
     const auto errors = pose_errors(loops, reference, options);
     out.true_poses = static_cast<std::size_t>(std::ranges::count(errors.within, 1));
@@ -106,8 +110,9 @@ LoopEvaluation evaluate_loops(const Table& loops, const Trajectory& reference, c
     summary.add("loop_pose_precision", percent(out.true_poses, out.found), "%");
     summary.add("loop_shift_error_median", median(errors.shift_m), "m");
     summary.add("loop_turn_error_median", median(errors.turn_deg), "deg");
-    out.loops.set("shift_error_m", errors.shift_m), out.loops.set("turn_error_deg", errors.turn_deg),
-        out.loops.set("true_pose", errors.within);
+    out.loops.set("shift_error_m", errors.shift_m);
+    out.loops.set("turn_error_deg", errors.turn_deg);
+    out.loops.set("true_pose", errors.within);
   }
   summary.add("loop_chances", static_cast<double>(chances), "");
   summary.add("loop_recall", percent(used, chances), "%");

@@ -29,7 +29,9 @@ double fitted_angle_deg(const std::vector<Vector2d>& points) {
   double xx = 0, xy = 0, yy = 0;
   for (const auto& p : points) {
     const Vector2d d = p - mean;
-    xx += d.x() * d.x(), xy += d.x() * d.y(), yy += d.y() * d.y();
+    xx += d.x() * d.x();
+    xy += d.x() * d.y();
+    yy += d.y() * d.y();
   }
   if (points.size() < 2 || xx + yy <= 0) return nan;
   return (xx >= yy ? std::atan2(xy, xx) : std::atan2(yy, xy)) / deg;
@@ -39,11 +41,15 @@ class MatchTable {
  public:
   void add(const std::string& kind, const std::string& id, const std::string& ref, double angle, double ref_angle,
            double shared) {
-    kind_.push_back(kind), id_.push_back(id), ref_.push_back(ref), angle_.push_back(angle),
-        ref_angle_.push_back(ref_angle);
+    kind_.push_back(kind);
+    id_.push_back(id);
+    ref_.push_back(ref);
+    angle_.push_back(angle);
+    ref_angle_.push_back(ref_angle);
     const double error =
         std::isfinite(angle) && std::isfinite(ref_angle) ? std::remainder(angle - ref_angle, 180.0) : nan;
-    error_.push_back(error), shared_.push_back(shared);
+    error_.push_back(error);
+    shared_.push_back(shared);
   }
   // Angle errors of the matched rows.
   void measure(SummaryRows& summary) const {
@@ -51,19 +57,28 @@ class MatchTable {
     int n = 0;
     for (const double e : error_)
       if (std::isfinite(e)) {
-        sum += std::abs(e), square += e * e, bias += e, ++n;
+        sum += std::abs(e);
+        square += e * e;
+        bias += e;
+        ++n;
         least = std::isfinite(least) ? std::min(least, std::abs(e)) : std::abs(e);
         most = std::isfinite(most) ? std::max(most, std::abs(e)) : std::abs(e);
       }
-    summary.add("angle_error_mean", n > 0 ? sum / n : nan, "deg"), summary.add("angle_error_min", least, "deg");
-    summary.add("angle_error_max", most, "deg"),
-        summary.add("angle_error_rmse", n > 0 ? std::sqrt(square / n) : nan, "deg");
+    summary.add("angle_error_mean", n > 0 ? sum / n : nan, "deg");
+    summary.add("angle_error_min", least, "deg");
+    summary.add("angle_error_max", most, "deg");
+    summary.add("angle_error_rmse", n > 0 ? std::sqrt(square / n) : nan, "deg");
     summary.add("angle_bias", n > 0 ? bias / n : nan, "deg");
   }
   Table table() const {
     Table t;
-    t.set("kind", kind_), t.set("row_id", id_), t.set("ref_id", ref_), t.set("angle_deg", angle_);
-    t.set("ref_angle_deg", ref_angle_), t.set("angle_error_deg", error_), t.set("shared", shared_);
+    t.set("kind", kind_);
+    t.set("row_id", id_);
+    t.set("ref_id", ref_);
+    t.set("angle_deg", angle_);
+    t.set("ref_angle_deg", ref_angle_);
+    t.set("angle_error_deg", error_);
+    t.set("shared", shared_);
     return t;
   }
 
@@ -86,7 +101,8 @@ struct Plants {
         missing.push_back(p);
         continue;
       }
-      at.push_back(p), row.push_back(t.text("row_id", i));
+      at.push_back(p);
+      row.push_back(t.text("row_id", i));
       if (!row.back().empty()) rows[row.back()].push_back(p);
     }
   }
@@ -132,7 +148,9 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
     const double size = static_cast<double>(plants.size());
     const double of = has ? static_cast<double>(truth.rows.at(most->first).size()) : 1;
     if (has && most->second >= right_share * size && most->second >= right_share * of) {
-      used[most->first] = true, ++right, assigned += static_cast<std::size_t>(most->second);
+      used[most->first] = true;
+      ++right;
+      assigned += static_cast<std::size_t>(most->second);
       table.add("matched", id, most->first, fitted_angle_deg(plants), fitted_angle_deg(truth.rows.at(most->first)),
                 most->second / of);
     } else {
@@ -143,8 +161,8 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
     standing += plants.size();
     if (!used[id]) table.add("missed", "", id, nan, fitted_angle_deg(plants), 0);
   }
-  summary.add("rows", static_cast<double>(truth.rows.size()), ""),
-      summary.add("rows_found", static_cast<double>(found.rows.size()), "");
+  summary.add("rows", static_cast<double>(truth.rows.size()), "");
+  summary.add("rows_found", static_cast<double>(found.rows.size()), "");
   summary.add("row_recall", share(static_cast<double>(right), static_cast<double>(truth.rows.size())), "%");
   summary.add("row_precision", share(static_cast<double>(right), static_cast<double>(found.rows.size())), "%");
   summary.add("plants_in_their_row", share(static_cast<double>(assigned), static_cast<double>(standing)), "%");
@@ -199,8 +217,8 @@ RowEvaluation by_lines(const Table& estimate, const Table& reference, const Eval
   for (std::size_t j = 0; j < truth.size(); ++j)
     if (!right[j]) table.add("missed", "", truth[j].id, nan, truth[j].angle_deg, 0);
   const auto n = static_cast<double>(pairs.size());
-  summary.add("rows", static_cast<double>(truth.size()), ""),
-      summary.add("rows_found", static_cast<double>(found.size()), "");
+  summary.add("rows", static_cast<double>(truth.size()), "");
+  summary.add("rows_found", static_cast<double>(found.size()), "");
   summary.add("row_recall", share(n, static_cast<double>(truth.size())), "%");
   summary.add("row_precision", share(n, static_cast<double>(found.size())), "%");
   table.measure(summary);

@@ -18,13 +18,18 @@
 namespace bole::evaluation {
 
 void SummaryRows::add(const std::string& measure, double value, const std::string& unit) {
-  measure_.push_back(measure), value_.push_back(value), unit_.push_back(unit),
-      published_.push_back(published_figure(plot_, measure));
+  measure_.push_back(measure);
+  value_.push_back(value);
+  unit_.push_back(unit);
+  published_.push_back(published_figure(plot_, measure));
 }
 
 Table SummaryRows::table() const {
   Table t;
-  t.set("measure", measure_), t.set("value", value_), t.set("unit", unit_), t.set("published", published_);
+  t.set("measure", measure_);
+  t.set("value", value_);
+  t.set("unit", unit_);
+  t.set("published", published_);
   return t;
 }
 
@@ -53,11 +58,13 @@ Eigen::Isometry2d best_motion(const std::vector<Pairing>& pairs, const std::vect
                               const std::vector<Tree>& reference, bool turn) {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = from;
   for (const auto& p : pairs) from += estimate[p.left].at, to += reference[p.right].at;
-  from /= static_cast<double>(pairs.size()), to /= static_cast<double>(pairs.size());
+  from /= static_cast<double>(pairs.size());
+  to /= static_cast<double>(pairs.size());
   double dot = 0, cross = 0;
   for (const auto& p : pairs) {
     const Eigen::Vector2d a = estimate[p.left].at - from, b = reference[p.right].at - to;
-    dot += a.dot(b), cross += a.x() * b.y() - a.y() * b.x();
+    dot += a.dot(b);
+    cross += a.x() * b.y() - a.y() * b.x();
   }
   Eigen::Isometry2d motion = Eigen::Isometry2d::Identity();
   if (turn) motion.linear() = Eigen::Rotation2Dd(std::atan2(cross, dot)).toRotationMatrix();
@@ -75,18 +82,19 @@ Eigen::Isometry2d searched_motion(const std::vector<Tree>& estimate, const std::
   return likeliest_motion(as_map(estimate), as_map(reference), o.dbh_gate_cm);
 }
 
-// Moves the estimate onto the reference as the options say; in rounds, since the matches change with it. The motion.
+// Moves the estimate onto the reference as the options say, in iterations, since the matches change with it. Returns
+// the motion.
 Eigen::Isometry2d align(std::vector<Tree>& estimate, const std::vector<Tree>& reference, const EvaluationOptions& o) {
   Eigen::Isometry2d all = Eigen::Isometry2d::Identity();
   const auto move = [&](const Eigen::Isometry2d& motion) {
     for (auto& t : estimate) t.at = motion * t.at;
     all = motion * all;
   };
-  if (o.align_stems == "none") return all;
-  const bool turn = o.align_stems != "shift";
-  if (o.align_stems == "search") move(searched_motion(estimate, reference, o));
-  const int rounds = o.align_stems == "search" ? 6 : 2;
-  for (int round = 0; round < rounds; ++round) {
+  if (o.align_stems == AlignStems::none) return all;
+  const bool turn = o.align_stems != AlignStems::shift;
+  if (o.align_stems == AlignStems::search) move(searched_motion(estimate, reference, o));
+  const int iterations = o.align_stems == AlignStems::search ? 6 : 2;
+  for (int i = 0; i < iterations; ++i) {
     const auto pairs = match(estimate, reference, o);
     if (pairs.size() < (turn ? 2U : 1U)) break;
     move(best_motion(pairs, estimate, reference, turn));
@@ -109,16 +117,24 @@ Table match_table(const std::vector<Row>& rows) {
   for (const auto& r : rows) {
     const auto* e = r.estimate;
     const auto* f = r.reference;
-    kind.push_back(r.kind), id.push_back(e ? e->id : 0), ref_id.push_back(f ? f->id : 0);
-    name.push_back(e ? e->name : ""), ref_name.push_back(f ? f->name : "");
-    c["x_m"].push_back(e ? e->at.x() : nan), c["y_m"].push_back(e ? e->at.y() : nan),
-        c["ref_x_m"].push_back(f ? f->at.x() : nan), c["ref_y_m"].push_back(f ? f->at.y() : nan);
-    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan),
-        c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : nan);
-    c["dbh_cm"].push_back(e ? e->dbh : nan), c["ref_dbh_cm"].push_back(f ? f->dbh : nan),
-        c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
+    kind.push_back(r.kind);
+    id.push_back(e ? e->id : 0);
+    ref_id.push_back(f ? f->id : 0);
+    name.push_back(e ? e->name : "");
+    ref_name.push_back(f ? f->name : "");
+    c["x_m"].push_back(e ? e->at.x() : nan);
+    c["y_m"].push_back(e ? e->at.y() : nan);
+    c["ref_x_m"].push_back(f ? f->at.x() : nan);
+    c["ref_y_m"].push_back(f ? f->at.y() : nan);
+    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan);
+    c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : nan);
+    c["dbh_cm"].push_back(e ? e->dbh : nan);
+    c["ref_dbh_cm"].push_back(f ? f->dbh : nan);
+    c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
   }
-  t.set("kind", kind), t.set("tree_id", id), t.set("ref_id", ref_id);
+  t.set("kind", kind);
+  t.set("tree_id", id);
+  t.set("ref_id", ref_id);
   for (const char* column :
        {"x_m", "y_m", "ref_x_m", "ref_y_m", "dx_m", "dy_m", "dbh_cm", "ref_dbh_cm", "dbh_error_cm"})
     t.set(column, c[column]);
@@ -135,20 +151,26 @@ double share_percent(double part, double whole) { return whole > 0 ? 100 * part 
 void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
   const auto n = static_cast<double>(matched.size());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero(), square = mean;
-  for (const auto& r : matched)
-    mean += r.estimate->at - r.reference->at, square += (r.estimate->at - r.reference->at).cwiseAbs2();
-  mean /= n, square /= n;
+  for (const auto& r : matched) {
+    mean += r.estimate->at - r.reference->at;
+    square += (r.estimate->at - r.reference->at).cwiseAbs2();
+  }
+  mean /= n;
+  square /= n;
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   for (const auto& r : matched) {
     const Eigen::Vector2d e = r.estimate->at - r.reference->at - mean;
     covariance += e * e.transpose() / n;
   }
   const double largest = n > 0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1] : nan;
-  out.add("position_mean_x", mean.x(), "m"), out.add("position_mean_y", mean.y(), "m");
-  out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m"),
-      out.add("position_sigma_y", std::sqrt(covariance(1, 1)), "m"), out.add("position_cov_xy", covariance(0, 1), "m2");
+  out.add("position_mean_x", mean.x(), "m");
+  out.add("position_mean_y", mean.y(), "m");
+  out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m");
+  out.add("position_sigma_y", std::sqrt(covariance(1, 1)), "m");
+  out.add("position_cov_xy", covariance(0, 1), "m2");
   out.add("position_sigma_max", std::sqrt(largest), "m");
-  out.add("position_rmse_x", std::sqrt(square.x()), "m"), out.add("position_rmse_y", std::sqrt(square.y()), "m");
+  out.add("position_rmse_x", std::sqrt(square.x()), "m");
+  out.add("position_rmse_y", std::sqrt(square.y()), "m");
 }
 
 struct DbhErrors {
@@ -156,16 +178,20 @@ struct DbhErrors {
   void add(const Tree& e, const Tree& r) {
     const double error = e.dbh - r.dbh;
     if (!std::isfinite(error)) return;
-    n += 1, sum += error, squares += error * error, relative += error / r.dbh,
-        relative_squares += error * error / (r.dbh * r.dbh);
+    n += 1;
+    sum += error;
+    squares += error * error;
+    relative += error / r.dbh;
+    relative_squares += error * error / (r.dbh * r.dbh);
     if (std::isfinite(e.low) && std::isfinite(e.high)) with_interval += 1, covered += r.dbh >= e.low && r.dbh <= e.high;
   }
 };
 
 void add_dbh_measures(const DbhErrors& d, SummaryRows& out) {
-  out.add("dbh_bias", d.sum / d.n, "cm"), out.add("dbh_relative_bias", 100 * d.relative / d.n, "%");
-  out.add("dbh_rmse", std::sqrt(d.squares / d.n), "cm"),
-      out.add("dbh_relative_rmse", 100 * std::sqrt(d.relative_squares / d.n), "%");
+  out.add("dbh_bias", d.sum / d.n, "cm");
+  out.add("dbh_relative_bias", 100 * d.relative / d.n, "%");
+  out.add("dbh_rmse", std::sqrt(d.squares / d.n), "cm");
+  out.add("dbh_relative_rmse", 100 * std::sqrt(d.relative_squares / d.n), "%");
   if (d.with_interval > 0) out.add("dbh_interval_coverage", share_percent(d.covered, d.with_interval), "%");
 }
 
@@ -176,8 +202,9 @@ void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
     if (std::isfinite(e) && r.estimate->height_seen) n += 1, sum += e, squares += e * e;
   }
   if (n == 0) return;
-  out.add("height_trees", n, ""), out.add("height_bias", sum / n, "m"),
-      out.add("height_rmse", std::sqrt(squares / n), "m");
+  out.add("height_trees", n, "");
+  out.add("height_bias", sum / n, "m");
+  out.add("height_rmse", std::sqrt(squares / n), "m");
 }
 
 // Matched, missed and diameter errors of the trees that share a class or ring; the key is its number. Trees of unknown
@@ -197,15 +224,18 @@ void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const P
     if (std::isfinite(by.dbh)) parts.push_back(&classes[static_cast<int>(std::floor(by.dbh / width_cm))]);
     if (area.shape != PlotArea::Shape::none) parts.push_back(&rings[ring_of(by)]);
     for (auto* part : parts) {
-      part->all += r.reference != nullptr, part->found += r.estimate != nullptr, part->matched += r.kind == "matched";
+      part->all += r.reference != nullptr;
+      part->found += r.estimate != nullptr;
+      part->matched += r.kind == "matched";
       if (r.kind == "matched") part->dbh.add(*r.estimate, *r.reference);
     }
   }
   const auto tell = [&](const std::string& name, const Part& p) {
-    out.add(name + "_trees", p.all, ""), out.add(name + "_completeness", share_percent(p.matched, p.all), "%"),
-        out.add(name + "_correctness", share_percent(p.matched, p.found), "%");
-    out.add(name + "_bias", p.dbh.sum / p.dbh.n, "cm"),
-        out.add(name + "_rmse", std::sqrt(p.dbh.squares / p.dbh.n), "cm");
+    out.add(name + "_trees", p.all, "");
+    out.add(name + "_completeness", share_percent(p.matched, p.all), "%");
+    out.add(name + "_correctness", share_percent(p.matched, p.found), "%");
+    out.add(name + "_bias", p.dbh.sum / p.dbh.n, "cm");
+    out.add(name + "_rmse", std::sqrt(p.dbh.squares / p.dbh.n), "cm");
   };
   for (const auto& [k, p] : classes) tell(fmt::format("dbh_{:g}_to_{:g}_cm", k * width_cm, (k + 1) * width_cm), p);
   for (const auto& [k, p] : rings)
@@ -217,8 +247,10 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
   const auto counts = [&](const Tree& t) { return rule.counts(t.at, t.dbh); };
   std::vector<const Tree*> partner_of_estimate(estimate.size(), nullptr),
       partner_of_reference(reference.size(), nullptr);
-  for (const auto& p : match(estimate, reference, o))
-    partner_of_estimate[p.left] = &reference[p.right], partner_of_reference[p.right] = &estimate[p.left];
+  for (const auto& p : match(estimate, reference, o)) {
+    partner_of_estimate[p.left] = &reference[p.right];
+    partner_of_reference[p.right] = &estimate[p.left];
+  }
   std::vector<Row> rows;
   for (std::size_t r = 0; r < reference.size(); ++r)
     if (counts(reference[r]))
@@ -244,19 +276,21 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   std::ranges::copy_if(rows, std::back_inserter(matched), [](const Row& r) { return r.kind == "matched"; });
 
   out.matched = matched.size();
-  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind)),
+  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind));
   out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
   out.matches = match_table(rows);
   SummaryRows summary(options.published_plot);
   const auto n = static_cast<double>(out.matched);
-  summary.add("reference_trees", n + static_cast<double>(out.missed), ""), summary.add("matched", n, "");
-  summary.add("missed", static_cast<double>(out.missed), ""), summary.add("false", static_cast<double>(out.extra), "");
-  summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%"),
-      summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
-  if (options.align_stems != "none") {
+  summary.add("reference_trees", n + static_cast<double>(out.missed), "");
+  summary.add("matched", n, "");
+  summary.add("missed", static_cast<double>(out.missed), "");
+  summary.add("false", static_cast<double>(out.extra), "");
+  summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%");
+  summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
+  if (options.align_stems != AlignStems::none) {
     summary.add("align_turn", Eigen::Rotation2Dd(motion.linear()).smallestAngle() * 180 / std::numbers::pi, "deg");
-    summary.add("align_shift_x", motion.translation().x(), "m"),
-        summary.add("align_shift_y", motion.translation().y(), "m");
+    summary.add("align_shift_x", motion.translation().x(), "m");
+    summary.add("align_shift_y", motion.translation().y(), "m");
   }
   if (!matched.empty()) {
     add_position_measures(matched, summary);

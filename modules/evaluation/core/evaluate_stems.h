@@ -35,12 +35,12 @@ StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, con
 // The columns of `summary`, for whoever adds measures.
 class SummaryRows {
  public:
-  explicit SummaryRows(std::string published_plot) : plot_(std::move(published_plot)) {}
+  explicit SummaryRows(PublishedPlot published_plot) : plot_(published_plot) {}
   void add(const std::string& measure, double value, const std::string& unit);
   Table table() const;
 
  private:
-  std::string plot_;
+  PublishedPlot plot_;
   std::vector<std::string> measure_, unit_, published_;
   std::vector<double> value_;
 };

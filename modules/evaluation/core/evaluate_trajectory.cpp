@@ -41,9 +41,10 @@ std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& re
 
 Pose best_motion(const std::vector<PosePair>& pairs) {
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(pairs.size())), to = from;
-  for (std::size_t i = 0; i < pairs.size(); ++i)
-    from.col(static_cast<Eigen::Index>(i)) = pairs[i].estimate.translation(),
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    from.col(static_cast<Eigen::Index>(i)) = pairs[i].estimate.translation();
     to.col(static_cast<Eigen::Index>(i)) = pairs[i].reference.translation();
+  }
   return Pose(Eigen::umeyama(from, to, false));
 }
 
@@ -57,7 +58,8 @@ Spread spread_of(std::vector<double> v) {
   Spread s;
   const auto n = static_cast<double>(v.size());
   for (const double e : v) s.mean += e / n, s.rmse += e * e / n;
-  s.sd = std::sqrt(std::max(0.0, s.rmse - s.mean * s.mean)), s.rmse = std::sqrt(s.rmse);
+  s.sd = std::sqrt(std::max(0.0, s.rmse - s.mean * s.mean));
+  s.rmse = std::sqrt(s.rmse);
   std::ranges::sort(v);
   const auto half = v.size() / 2;
   s.median = v.size() % 2 == 1 ? v[half] : (v[half - 1] + v[half]) / 2;
@@ -68,9 +70,11 @@ Spread spread_of(std::vector<double> v) {
 void add_spread(const std::string& name, const std::vector<double>& values, const std::string& unit, SummaryRows& out) {
   if (values.empty()) return;
   const auto s = spread_of(values);
-  out.add(name + "_rmse", s.rmse, unit), out.add(name + "_mean", s.mean, unit),
-      out.add(name + "_median", s.median, unit), out.add(name + "_sd", s.sd, unit),
-      out.add(name + "_max", s.largest, unit);
+  out.add(name + "_rmse", s.rmse, unit);
+  out.add(name + "_mean", s.mean, unit);
+  out.add(name + "_median", s.median, unit);
+  out.add(name + "_sd", s.sd, unit);
+  out.add(name + "_max", s.largest, unit);
 }
 
 void add_relative_errors(const std::vector<PosePair>& pairs, double step, SummaryRows& out) {
@@ -81,9 +85,11 @@ void add_relative_errors(const std::vector<PosePair>& pairs, double step, Summar
     if (pairs[j].time - pairs[i].time > 1.5 * step) continue;  // a gap
     const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
                        (pairs[i].estimate.inverse() * pairs[j].estimate);
-    translation.push_back(error.translation().norm()), rotation.push_back(angle_of(error) * to_deg);
+    translation.push_back(error.translation().norm());
+    rotation.push_back(angle_of(error) * to_deg);
   }
-  add_spread("rpe_translation", translation, "m", out), add_spread("rpe_rotation", rotation, "deg", out);
+  add_spread("rpe_translation", translation, "m", out);
+  add_spread("rpe_rotation", rotation, "deg", out);
 }
 
 std::vector<double> way_along(const std::vector<PosePair>& pairs) {
@@ -102,7 +108,8 @@ void add_relative_errors_by_distance(const std::vector<PosePair>& pairs, double 
     if (j == pairs.size()) break;
     const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
                        (pairs[i].estimate.inverse() * pairs[j].estimate);
-    translation.push_back(error.translation().norm()), rotation.push_back(angle_of(error) * to_deg);
+    translation.push_back(error.translation().norm());
+    rotation.push_back(angle_of(error) * to_deg);
   }
   add_spread("rpe_distance_translation", translation, "m", out);
   add_spread("rpe_distance_rotation", rotation, "deg", out);
@@ -124,7 +131,8 @@ void add_segment_errors(const std::vector<PosePair>& pairs, double segment_m, Su
       const auto& last = pairs[static_cast<std::size_t>(end - way_m.begin())];
       const Pose error =
           (pairs[i].reference.inverse() * last.reference).inverse() * (pairs[i].estimate.inverse() * last.estimate);
-      translation += 100 * error.translation().norm() / length_m, rotation += to_deg * angle_of(error) / length_m;
+      translation += 100 * error.translation().norm() / length_m;
+      rotation += to_deg * angle_of(error) / length_m;
       ++segments;
     }
   }
@@ -138,13 +146,26 @@ Table error_table(const std::vector<PosePair>& pairs) {
   std::vector<double> time, x, y, z, e, ex, ey, ez, er;
   for (const auto& p : pairs) {
     const Eigen::Vector3d at = p.reference.translation(), d = p.estimate.translation() - at;
-    time.push_back(p.time), x.push_back(at.x()), y.push_back(at.y()), z.push_back(at.z());
-    e.push_back(d.norm()), ex.push_back(d.x()), ey.push_back(d.y()), ez.push_back(d.z()),
-        er.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+    time.push_back(p.time);
+    x.push_back(at.x());
+    y.push_back(at.y());
+    z.push_back(at.z());
+    e.push_back(d.norm());
+    ex.push_back(d.x());
+    ey.push_back(d.y());
+    ez.push_back(d.z());
+    er.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
   }
   Table t;
-  t.set("time_s", time), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z), t.set("error_m", e), t.set("error_x_m", ex),
-      t.set("error_y_m", ey), t.set("error_z_m", ez), t.set("rotation_error_deg", er);
+  t.set("time_s", time);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("z_m", z);
+  t.set("error_m", e);
+  t.set("error_x_m", ex);
+  t.set("error_y_m", ey);
+  t.set("error_z_m", ez);
+  t.set("rotation_error_deg", er);
   return t;
 }
 
@@ -152,7 +173,7 @@ Table error_table(const std::vector<PosePair>& pairs) {
 
 TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Trajectory& reference,
                                          const EvaluationOptions& options) {
-  auto pairs = associate(estimate, reference, options.most_time_gap_s);
+  auto pairs = associate(estimate, reference, options.max_time_gap);
   if (pairs.size() < 3) {
     const auto span = [](const Trajectory& t) {
       return t.empty() ? std::string("empty")
@@ -160,7 +181,7 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
     };
     throw bad_input(fmt::format("{} of {} poses have a reference at their time (estimate {}, reference {})",
                                 pairs.size(), estimate.poses.size(), span(estimate), span(reference)),
-                    "at least 3", "Check that both trajectories use the same clock, or raise most_time_gap");
+                    "at least 3", "Check that both trajectories use the same clock, or raise max_time_gap");
   }
   TrajectoryEvaluation out;
   out.poses = pairs.size();
@@ -169,17 +190,20 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
     length += (pairs[i].reference.translation() - pairs[i - 1].reference.translation()).norm();
   const Pose end_error = (pairs.front().reference.inverse() * pairs.back().reference).inverse() *
                          (pairs.front().estimate.inverse() * pairs.back().estimate);
-  if (options.align_trajectory == "se3") out.T_reference_estimate = best_motion(pairs);
+  if (options.align_trajectory == AlignTrajectory::se3) out.T_reference_estimate = best_motion(pairs);
   for (auto& p : pairs) p.estimate = out.T_reference_estimate * p.estimate;
 
   std::vector<double> position, rotation;
-  for (const auto& p : pairs)
-    position.push_back((p.estimate.translation() - p.reference.translation()).norm()),
-        rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+  for (const auto& p : pairs) {
+    position.push_back((p.estimate.translation() - p.reference.translation()).norm());
+    rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+  }
   SummaryRows summary(options.published_plot);
-  summary.add("poses", static_cast<double>(pairs.size()), ""), summary.add("length", length, "m");
-  add_spread("ate", position, "m", summary), add_spread("rotation_error", rotation, "deg", summary);
-  add_relative_errors(pairs, options.rpe_step_s, summary);
+  summary.add("poses", static_cast<double>(pairs.size()), "");
+  summary.add("length", length, "m");
+  add_spread("ate", position, "m", summary);
+  add_spread("rotation_error", rotation, "deg", summary);
+  add_relative_errors(pairs, options.rpe_step, summary);
   add_relative_errors_by_distance(pairs, options.rpe_distance_m, summary);
   add_segment_errors(pairs, options.segment_m, summary);
   summary.add("end_error", end_error.translation().norm(), "m");

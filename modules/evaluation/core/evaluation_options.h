@@ -1,26 +1,41 @@
 // Options of the evaluation.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "base/option.h"
 
 namespace bole::evaluation {
 
+// How the stems are moved onto the reference before errors are taken. search: every rotation and shift is tried first.
+enum class AlignStems { none, shift, rigid, search };
+constexpr std::array<std::string_view, 4> choice_names(AlignStems) { return {"none", "shift", "rigid", "search"}; }
+
+enum class AlignTrajectory { se3, none };
+constexpr std::array<std::string_view, 2> choice_names(AlignTrajectory) { return {"se3", "none"}; }
+
+// A plot of the improved-LOAM paper, or all of them together.
+enum class PublishedPlot { none, plot1, plot2, plot3, plot4, overall };
+constexpr std::array<std::string_view, 6> choice_names(PublishedPlot) {
+  return {"none", "1", "2", "3", "4", "overall"};
+}
+
 struct EvaluationOptions {
   double match_distance_m = 0.5;
   double dbh_gate_cm = 15;
   double class_width_cm = 5, distance_step_m = 5;
-  std::string align_stems = "none";
+  AlignStems align_stems = AlignStems::none;
   std::string columns, rows, reference_columns, reference_rows;
-  std::string align_trajectory = "se3";
-  double most_time_gap_s = 0.5;
-  double rpe_step_s = 1.0;
+  AlignTrajectory align_trajectory = AlignTrajectory::se3;
+  double max_time_gap = 0.5;
+  double rpe_step = 1.0;
   double segment_m = 100;
   double loop_radius_m = 3, loop_path_m = 25;
   double loop_shift_m = 0.1, loop_turn_deg = 1;
   double rpe_distance_m = 10;
-  std::string published_plot = "none";
+  PublishedPlot published_plot = PublishedPlot::none;
 };
 
 const OptionTable& option_table(const EvaluationOptions*);

@@ -103,9 +103,11 @@ void add_places(Table& t) {
   std::vector<double> x, y;
   for (std::size_t i = 0; i < t.rows(); ++i) {
     const double a = azimuth[i] * std::numbers::pi / 180;
-    x.push_back(distance[i] * std::sin(a)), y.push_back(distance[i] * std::cos(a));
+    x.push_back(distance[i] * std::sin(a));
+    y.push_back(distance[i] * std::cos(a));
   }
-  t.set("x_m", std::move(x)), t.set("y_m", std::move(y));
+  t.set("x_m", std::move(x));
+  t.set("y_m", std::move(y));
 }
 
 }  // namespace

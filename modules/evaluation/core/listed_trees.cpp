@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "cloud/stem_rows.h"
 
 namespace bole::evaluation {
 namespace {
@@ -36,10 +37,13 @@ void take_ids(const Table& t, std::vector<ListedTree>& trees) {
   std::int64_t last = 0;
   std::vector<std::size_t> nameless;
   for (std::size_t i = 0; i < trees.size(); ++i)
-    if (const auto id = whole_number(t, "tree_id", i))
-      trees[i].id = *id, last = std::max(last, *id);
-    else
-      trees[i].name = t.text("tree_id", i), nameless.push_back(i);
+    if (const auto id = whole_number(t, "tree_id", i)) {
+      trees[i].id = *id;
+      last = std::max(last, *id);
+    } else {
+      trees[i].name = t.text("tree_id", i);
+      nameless.push_back(i);
+    }
   for (const auto i : nameless) trees[i].id = ++last;
 }
 
@@ -64,13 +68,6 @@ std::vector<ListedTree> trees_of(const Table& t, const std::string& what, std::v
   return out;
 }
 
-Table without_rejected(const Table& stems) {
-  const auto* state = std::get_if<std::vector<std::string>>(stems.find("state"));
-  if (state == nullptr) return stems;
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < state->size(); ++i)
-    if ((*state)[i] != "rejected") kept.push_back(i);
-  return stems.subset(kept);
-}
+Table without_rejected(const Table& stems) { return stems.subset(kept_rows(stems)); }
 
 }  // namespace bole::evaluation

@@ -6,11 +6,9 @@
 namespace bole::evaluation {
 namespace {
 
-constexpr std::array<std::string_view, 5> plots{"1", "2", "3", "4", "overall"};
-
 struct Row {
   std::string_view measure;
-  std::array<std::string_view, 5> figures;
+  std::array<std::string_view, 5> figures;  // plots 1 to 4, overall
 };
 
 // Tables 2 and 3 of the paper, rows "improved LOAM".
@@ -31,11 +29,10 @@ constexpr std::array<Row, 12> rows{{
 
 }  // namespace
 
-std::string published_figure(std::string_view plot, std::string_view measure) {
-  const auto column = std::ranges::find(plots, plot);
+std::string published_figure(PublishedPlot plot, std::string_view measure) {
   const auto row = std::ranges::find(rows, measure, &Row::measure);
-  if (column == plots.end() || row == rows.end()) return {};
-  return std::string(row->figures[static_cast<std::size_t>(column - plots.begin())]);
+  if (plot == PublishedPlot::none || row == rows.end()) return {};
+  return std::string(row->figures[static_cast<std::size_t>(plot) - 1]);
 }
 
 }  // namespace bole::evaluation

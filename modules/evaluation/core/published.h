@@ -4,9 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "evaluation/core/evaluation_options.h"
+
 namespace bole::evaluation {
 
-// The published figure of a measure ("dbh_rmse") for a plot ("1" to "4", "overall"), as text; empty when there is none.
-std::string published_figure(std::string_view plot, std::string_view measure);
+// The published figure of a measure ("dbh_rmse") for a plot, as text; empty where there is none.
+std::string published_figure(PublishedPlot plot, std::string_view measure);
 
 }  // namespace bole::evaluation

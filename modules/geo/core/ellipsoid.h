@@ -1,14 +1,19 @@
 // Reference ellipsoids.
 #pragma once
 
-#include <string>
+#include <array>
 #include <string_view>
-#include <vector>
 
 namespace bole::geo {
 
+enum class EllipsoidName { grs80, wgs84, cgcs2000, airy1830, bessel1841, international1924, krassovsky1940 };
+// As options and WKT give them.
+constexpr std::array<std::string_view, 7> choice_names(EllipsoidName) {
+  return {"GRS80", "WGS84", "CGCS2000", "Airy1830", "Bessel1841", "International1924", "Krassovsky1940"};
+}
+
 struct Ellipsoid {
-  std::string name;  // as options and WKT give it
+  std::string_view name, datum;  // as WKT gives them
   double semi_major_m = 0;
   double inverse_flattening = 0;
 
@@ -26,7 +31,7 @@ const Ellipsoid& grs80();
 const Ellipsoid& wgs84();
 const Ellipsoid& cgcs2000();
 
-const std::vector<std::string>& ellipsoid_names();
-const Ellipsoid& ellipsoid_named(std::string_view name);  // throws Error{bad_input}
+// The last four carry the grids of former surveys. Their axes are those of EPSG (7001, 7004, 7022, 7024).
+const Ellipsoid& ellipsoid_of(EllipsoidName name);
 
 }  // namespace bole::geo

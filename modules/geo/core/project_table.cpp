@@ -12,52 +12,39 @@ namespace bole::geo {
 const OptionTable& option_table(const ProjectOptions*) {
   using S = ProjectOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"direction",
-                             &S::direction,
-                             TextKind::choice,
-                             {"to_plane", "to_geodetic"},
-                             Tier::basic,
-                             "to_plane: latitude and longitude become x_m and y_m; to_geodetic: the reverse."},
-      Option<S, std::string>{
-          "plane",
-          &S::plane,
-          TextKind::choice,
-          {"gauss_krueger_3", "gauss_krueger_6", "utm", "transverse_mercator"},
-          Tier::basic,
-          "Plane of the metres: Gauss-Krueger zones of 3 or 6 degrees, UTM, or a transverse Mercator "
-          "plane of your own."},
-      Option<S, std::string>{
-          "ellipsoid", &S::ellipsoid, TextKind::choice, ellipsoid_names(), Tier::basic,
-          "Reference ellipsoid; UTM always takes WGS84. Those named by a year belong to older datums: degrees must be "
-          "of that datum, none is shifted."},
-      Option<S, int>{"zone",
-                     &S::zone,
-                     Unit::none,
-                     {0, 120},
-                     Tier::basic,
-                     "Number of the zone; 0: that of the mean longitude (to_plane only)."},
+      Option<S, ProjectDirection>{"direction", &S::direction, Tier::basic,
+                                  "to_plane: latitude and longitude become x_m and y_m; to_geodetic: the reverse."},
+      Option<S, PlaneKind>{"plane", &S::plane, Tier::basic,
+                           "Plane of the metres: Gauss-Krueger zones of 3 or 6 degrees, UTM, or any transverse "
+                           "Mercator plane."},
+      Option<S, EllipsoidName>{"ellipsoid", &S::ellipsoid, Tier::basic,
+                               "Reference ellipsoid. Those named by a year belong to older datums: the degrees must be "
+                               "of that datum already."},
+      Option<S, std::optional<int>>{"zone",
+                                    &S::zone,
+                                    Unit::none,
+                                    {1, 120},
+                                    "auto",
+                                    Tier::basic,
+                                    "Number of the zone. auto: that of the mean longitude (to_plane only)."},
       Option<S, bool>{"south", &S::south, Tier::advanced, "The northings are those of the southern hemisphere."},
-      Option<S, bool>{"zone_prefix", &S::zone_prefix, Tier::advanced, "The zone's number stands before the easting."},
-      Option<S, double>{"central_meridian_deg",
+      Option<S, bool>{"zone_prefix", &S::zone_prefix, Tier::advanced, "The zone number precedes the easting."},
+      Option<S, double>{"central_meridian",
                         &S::central_meridian_deg,
                         Unit::degree,
                         {-180, 360},
                         Tier::advanced,
                         "Central meridian of the plane."},
       Option<S, double>{"scale", &S::scale, Unit::none, {0.5, 2}, Tier::advanced, "Scale on the central meridian."},
-      Option<S, double>{"false_easting_m",
+      Option<S, double>{"false_easting",
                         &S::false_easting_m,
                         Unit::metre,
                         {-1e8, 2e8},
                         Tier::advanced,
                         "Easting of the central meridian."},
-      Option<S, double>{"false_northing_m",
-                        &S::false_northing_m,
-                        Unit::metre,
-                        {-1e8, 1e8},
-                        Tier::advanced,
-                        "Northing of the origin."},
-      Option<S, double>{"latitude_of_origin_deg",
+      Option<S, double>{
+          "false_northing", &S::false_northing_m, Unit::metre, {-1e8, 1e8}, Tier::advanced, "Northing of the origin."},
+      Option<S, double>{"latitude_of_origin",
                         &S::latitude_of_origin_deg,
                         Unit::degree,
                         {-90, 90},
@@ -70,7 +57,7 @@ const OptionTable& option_table(const ProjectOptions*) {
       OnlyIf{"plane", {"gauss_krueger_3", "gauss_krueger_6"}, {"zone_prefix"}},
       OnlyIf{"plane",
              {"transverse_mercator"},
-             {"central_meridian_deg", "scale", "false_easting_m", "false_northing_m", "latitude_of_origin_deg"}},
+             {"central_meridian", "scale", "false_easting", "false_northing", "latitude_of_origin"}},
   });
   return table;
 }
@@ -84,25 +71,27 @@ double mean_longitude_deg(const std::vector<double>& longitudes_deg) {
   for (const double l : longitudes_deg) {
     if (!std::isfinite(l)) continue;
     if (n == 0) first = l;
-    sum += longitude_difference_deg(l, first), ++n;
+    sum += longitude_difference_deg(l, first);
+    ++n;
   }
   return n == 0 ? first : longitude_difference_deg(first + sum / n, 0);
 }
 
 TransverseMercatorPlane plane_of(const ProjectOptions& o, double longitude_deg, double latitude_deg) {
-  if (o.plane == "transverse_mercator")
-    return {ellipsoid_named(o.ellipsoid), o.central_meridian_deg,  o.scale, o.false_easting_m,
-            o.false_northing_m,           o.latitude_of_origin_deg};
-  if (o.zone == 0 && !std::isfinite(longitude_deg))
+  const auto& ellipsoid = ellipsoid_of(o.ellipsoid);
+  if (o.plane == PlaneKind::transverse_mercator)
+    return {ellipsoid,         o.central_meridian_deg, o.scale,
+            o.false_easting_m, o.false_northing_m,     o.latitude_of_origin_deg};
+  if (!o.zone && !std::isfinite(longitude_deg))
     throw bad_input("no zone is given and no longitude tells it", "the option zone");
-  if (o.plane == "utm") {
+  if (o.plane == PlaneKind::utm) {
     const bool from_points = std::isfinite(latitude_deg);
-    const int zone = o.zone > 0 ? o.zone : to_utm({latitude_deg, longitude_deg, 0}).zone;
+    const int zone = o.zone ? *o.zone : to_utm({latitude_deg, longitude_deg, 0}).zone;
     return utm_plane(zone, from_points ? latitude_deg >= 0 : !o.south);
   }
-  const int width = o.plane == "gauss_krueger_6" ? 6 : 3;
-  const auto zone = o.zone > 0 ? GaussKruegerZone{width, o.zone} : gauss_krueger_zone(longitude_deg, width);
-  return gauss_krueger_plane(zone, ellipsoid_named(o.ellipsoid), o.zone_prefix);
+  const int width = o.plane == PlaneKind::gauss_krueger_6 ? 6 : 3;
+  const auto zone = o.zone ? GaussKruegerZone{width, *o.zone} : gauss_krueger_zone(longitude_deg, width);
+  return gauss_krueger_plane(zone, ellipsoid, o.zone_prefix);
 }
 
 double first_finite(const std::vector<double>& values) {
@@ -114,7 +103,7 @@ double first_finite(const std::vector<double>& values) {
 }  // namespace
 
 Projected project_table(const Table& table, const ProjectOptions& o) {
-  const bool forward = o.direction == "to_plane";
+  const bool forward = o.direction == ProjectDirection::to_plane;
   const auto a = table.numbers(forward ? "latitude_deg" : "x_m"), b = table.numbers(forward ? "longitude_deg" : "y_m");
   const auto definition =
       forward ? plane_of(o, mean_longitude_deg(b), first_finite(a)) : plane_of(o, std::nan(""), std::nan(""));
@@ -130,10 +119,12 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
     try {
       if (forward) {
         const auto p = projection.forward({a[i], b[i], 0});
-        first[i] = p.easting_m, second[i] = p.northing_m;
+        first[i] = p.easting_m;
+        second[i] = p.northing_m;
       } else {
         const auto p = projection.inverse(a[i], b[i]);
-        first[i] = p.latitude_deg, second[i] = p.longitude_deg;
+        first[i] = p.latitude_deg;
+        second[i] = p.longitude_deg;
       }
     } catch (const Error& e) {
       throw e.at(fmt::format("row {}", i + 1));
@@ -143,7 +134,10 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
   Projected result{table, {}};
   result.table.set(forward ? "x_m" : "latitude_deg", std::move(first));
   result.table.set(forward ? "y_m" : "longitude_deg", std::move(second));
-  if (forward) result.table.facts["axes"] = "global", result.table.facts["crs"] = projection.wkt();
+  if (forward) {
+    result.table.facts["axes"] = "global";
+    result.table.facts["crs"] = projection.wkt();
+  }
   auto& r = result.report;
   r.counts["points"] = static_cast<std::int64_t>(a.size()) - missing;
   r.counts["missing"] = missing;

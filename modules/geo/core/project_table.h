@@ -1,7 +1,9 @@
 // Positions of a table between degrees and metres.
 #pragma once
 
-#include <string>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "base/option.h"
 #include "base/report.h"
@@ -10,11 +12,19 @@
 
 namespace bole::geo {
 
+enum class ProjectDirection { to_plane, to_geodetic };
+constexpr std::array<std::string_view, 2> choice_names(ProjectDirection) { return {"to_plane", "to_geodetic"}; }
+
+enum class PlaneKind { gauss_krueger_3, gauss_krueger_6, utm, transverse_mercator };
+constexpr std::array<std::string_view, 4> choice_names(PlaneKind) {
+  return {"gauss_krueger_3", "gauss_krueger_6", "utm", "transverse_mercator"};
+}
+
 struct ProjectOptions {
-  std::string direction = "to_plane";
-  std::string plane = "gauss_krueger_3";
-  std::string ellipsoid = "GRS80";
-  int zone = 0;
+  ProjectDirection direction = ProjectDirection::to_plane;
+  PlaneKind plane = PlaneKind::gauss_krueger_3;
+  EllipsoidName ellipsoid = EllipsoidName::grs80;
+  std::optional<int> zone;  // left open: that of the mean longitude
   bool south = false;
   bool zone_prefix = false;
   double central_meridian_deg = 114;
@@ -31,8 +41,8 @@ struct Projected {
   Report report;
 };
 
-// "to_plane": adds x_m (easting) and y_m (northing) to a table with latitude_deg and longitude_deg; all rows get the
-// plane of the mean longitude when no zone is named. "to_geodetic": the reverse. Facts `axes` = global and `crs` = WKT
+// to_plane: adds x_m (easting) and y_m (northing) to a table with latitude_deg and longitude_deg. All rows get the
+// plane of the mean longitude when no zone is given. to_geodetic: the reverse. Facts `axes` = global and `crs` = WKT
 // go with the table to the plane. Rows with missing numbers stay missing and are counted. Throws Error{bad_input}.
 Projected project_table(const Table& table, const ProjectOptions& options);
 

@@ -11,9 +11,9 @@
 namespace bole::geo {
 namespace {
 
-constexpr int most_steps = 100;
-constexpr double least_spread = 0.02;  // of the marks across, over along: flatter counts as a line or plane
-constexpr double misfit_limit = 5;     // sigmas of a range, where there is redundancy to tell
+constexpr int max_steps = 100;
+constexpr double min_spread = 0.02;  // of the marks across, over along: flatter counts as a line or plane
+constexpr double misfit_limit = 5;   // sigmas of a range, where there is redundancy to tell
 
 struct Solution {
   Eigen::Vector3d position;
@@ -49,7 +49,7 @@ class Adjustment {
     if (options_.height_m) start.z() = *options_.height_m;
     Solution best = at(start);
     double damping = 1e-3;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
       const Eigen::MatrixXd normal = best.jacobian.transpose() * best.jacobian;
       Eigen::MatrixXd damped = normal;
       damped.diagonal().array() += damping * normal.trace() / unknowns_;
@@ -121,7 +121,7 @@ Solution choose(Solution a, Solution b, const ResectionOptions& options) {
 Eigen::MatrixXd checked_covariance(const Solution& s, const Spread& spread, const ResectionOptions& options) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(s.jacobian.transpose() * s.jacobian);
   const double weakest = eigen.eigenvalues()[0];
-  if (!(weakest * options.most_sigma_m * options.most_sigma_m >= 1)) {
+  if (!(weakest * options.max_sigma_m * options.max_sigma_m >= 1)) {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
     direction.head(s.jacobian.cols()) = eigen.eigenvectors().col(0);
     const bool in_plane = std::abs(direction.dot(spread.axes.col(2))) > 0.7 && s.jacobian.cols() == 3;
@@ -130,7 +130,7 @@ Eigen::MatrixXd checked_covariance(const Solution& s, const Spread& spread, cons
                     weakest > 0 ? fmt::format("{:.2f} m", 1 / std::sqrt(weakest)) : std::string("any size"),
                     text(direction),
                     in_plane ? ": the sensor lies in the plane of the marks, or the ranges are too short to meet" : ""),
-        fmt::format("at most {:g} m", options.most_sigma_m),
+        fmt::format("at most {:g} m", options.max_sigma_m),
         in_plane ? "Raise a mark, or give the height of the sensor" : "Use marks in other directions");
   }
   return (s.jacobian.transpose() * s.jacobian).inverse();
@@ -144,7 +144,7 @@ Resection resect(const std::vector<RangeToMark>& ranges, const ResectionOptions&
   const Spread spread = spread_of(ranges, flat);
   if (!(spread.extent[0] > 1e-6))
     throw bad_input("all marks are at one place", "marks in different directions from the sensor");
-  if (spread.extent[1] < least_spread * spread.extent[0])
+  if (spread.extent[1] < min_spread * spread.extent[0])
     throw bad_input("the marks lie on a line: the sensor may be anywhere on a circle about it",
                     "marks that span a triangle", "Move one mark off the line");
 

@@ -21,7 +21,7 @@ struct ResectionOptions {
   // Known height of the sensor: only x and y are adjusted, which marks at about the sensor's height need.
   std::optional<double> height_m;
   // Largest standard error of the weakest direction that is accepted, metres.
-  double most_sigma_m = 0.5;
+  double max_sigma_m = 0.5;
 };
 
 struct Resection {

@@ -5,16 +5,15 @@
 #include <GeographicLib/Ellipsoid.hpp>
 #include <GeographicLib/TransverseMercatorExact.hpp>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::geo {
 
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-constexpr double most_difference_deg = 80;  // GeographicLib's own domain ends at 90 (1 - e) degrees, about 82.6
+constexpr double max_difference_deg = 80;  // GeographicLib's own domain ends at 90 (1 - e) degrees, about 82.6
 
 void check_plane(const TransverseMercatorPlane& p) {
   const auto& e = p.ellipsoid;
@@ -42,10 +41,10 @@ double origin_arc_m(const TransverseMercatorPlane& plane) {
 double checked_difference_deg(const GeodeticPoint& point, const TransverseMercatorPlane& plane) {
   check_geodetic(point);
   const double difference = longitude_difference_deg(point.longitude_deg, plane.central_meridian_deg);
-  if (std::abs(difference) > most_difference_deg)
+  if (std::abs(difference) > max_difference_deg)
     throw bad_input(fmt::format("longitude {} deg is {:.1f} deg from the central meridian {} deg", point.longitude_deg,
                                 std::abs(difference), plane.central_meridian_deg),
-                    fmt::format("at most {:g} deg", most_difference_deg), "Choose the zone that the point lies in");
+                    fmt::format("at most {:g} deg", max_difference_deg), "Choose the zone that the point lies in");
   return difference;
 }
 
@@ -109,7 +108,8 @@ PlanePoint TransverseMercator::forward(const GeodeticPoint& point) const {
   const double difference = checked_difference_deg(point, plane_);
   PlanePoint p;
   exact_->projection.Forward(0, point.latitude_deg, difference, p.easting_m, p.northing_m, p.convergence_deg, p.scale);
-  p.easting_m += plane_.false_easting_m, p.northing_m += northing_of_equator_m_;
+  p.easting_m += plane_.false_easting_m;
+  p.northing_m += northing_of_equator_m_;
   return p;
 }
 
@@ -123,7 +123,7 @@ GeodeticPoint TransverseMercator::inverse(double easting_m, double northing_m) c
     exact_->projection.Reverse(0, x, y, point.latitude_deg, difference);
   else
     difference = std::nan("");
-  if (!(std::abs(difference) <= most_difference_deg + 1e-9 || std::abs(point.latitude_deg) > 89))
+  if (!(std::abs(difference) <= max_difference_deg + 1e-9 || std::abs(point.latitude_deg) > 89))
     throw bad_input(fmt::format("easting {} m, northing {} m lies outside the plane", easting_m, northing_m),
                     fmt::format("an easting near {} m", plane_.false_easting_m),
                     "Check the false easting and whether the zone number stands before the easting");
@@ -133,23 +133,19 @@ GeodeticPoint TransverseMercator::inverse(double easting_m, double northing_m) c
 
 std::string TransverseMercator::wkt() const {
   const auto& e = plane_.ellipsoid;
-  const std::string datum = e.name == "WGS84"      ? "WGS_1984"
-                            : e.name == "CGCS2000" ? "China_2000"
-                            : e.name == "GRS80"    ? "D_GRS_1980"
-                                                   : "D_" + e.name;
   return fmt::format(
       R"(PROJCS["Transverse Mercator, {0}, {1:g} E",GEOGCS["GCS {0}",DATUM["{2}",SPHEROID["{0}",{3:.10g},{4:.15g}]],)"
       R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],)"
       R"(PARAMETER["latitude_of_origin",{8:.15g}],PARAMETER["central_meridian",{1:.15g}],PARAMETER["scale_factor",{5:.15g}],)"
       R"(PARAMETER["false_easting",{6:.15g}],PARAMETER["false_northing",{7:.15g}],UNIT["metre",1],)"
       R"(AXIS["Easting",EAST],AXIS["Northing",NORTH]])",
-      e.name, plane_.central_meridian_deg, datum, e.semi_major_m, e.inverse_flattening, plane_.scale,
+      e.name, plane_.central_meridian_deg, e.datum, e.semi_major_m, e.inverse_flattening, plane_.scale,
       plane_.false_easting_m, plane_.false_northing_m, plane_.latitude_of_origin_deg);
 }
 
 PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMercatorPlane& plane) {
   check_plane(plane);
-  const double l = checked_difference_deg(point, plane) * deg, latitude = point.latitude_deg * deg;
+  const double l = checked_difference_deg(point, plane) * rad_per_deg, latitude = point.latitude_deg * rad_per_deg;
   const auto& e = plane.ellipsoid;
   const double arc = GeographicLib::Ellipsoid(e.semi_major_m, e.flattening()).MeridianDistance(point.latitude_deg);
   const double s = std::sin(latitude), c = std::cos(latitude), t2 = s * s / (c * c);
@@ -163,7 +159,7 @@ PlanePoint gauss_krueger_series(const GeodeticPoint& point, const TransverseMerc
   PlanePoint p;
   p.easting_m = plane.false_easting_m + plane.scale * y;
   p.northing_m = plane.false_northing_m + plane.scale * (x - origin_arc_m(plane));
-  p.convergence_deg = l * s / deg;  // first terms only: the paper gives neither
+  p.convergence_deg = l * s / rad_per_deg;  // first terms only: the paper gives neither
   p.scale = plane.scale * (1 + l2 / 2 * c2 * (1 + eta2));
   return p;
 }

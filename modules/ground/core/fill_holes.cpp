@@ -79,13 +79,13 @@ std::vector<float> interpolated(const GridShape& shape, const std::vector<float>
 
 }  // namespace
 
-std::vector<char> fill_holes(const GridShape& shape, const std::vector<float>& prior, double most_distance_m,
+std::vector<char> fill_holes(const GridShape& shape, const std::vector<float>& prior, double max_distance_m,
                              std::vector<float>& height) {
   const NearestKnown nearest(shape, height);
   const auto inside = interpolated(shape, height);
   std::vector<char> filled(shape.cells(), 0);
   for (std::size_t c = 0; c < shape.cells(); ++c) {
-    if (nearest.of(c) == c || nearest.distance_m(c) > most_distance_m) continue;
+    if (nearest.of(c) == c || nearest.distance_m(c) > max_distance_m) continue;
     const auto known = nearest.of(c);
     const float shifted = prior[c] + height[known] - prior[known];
     height[c] = !std::isnan(inside[c]) ? inside[c] : std::isnan(shifted) ? height[known] : shifted;

@@ -6,18 +6,13 @@
 #include <cmath>
 #include <vector>
 
+#include "base/statistics.h"
 #include "ground/core/local_plane.h"
 
 namespace bole::ground {
 namespace {
 
-constexpr double least_sigma_m = 0.005;
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+constexpr double min_sigma_m = 0.005;
 
 // The lowest peak of the smoothed histogram that is at least half as high as the highest.
 double lowest_strong_peak(std::span<const BandPoint> points, double half_band_m) {
@@ -47,7 +42,7 @@ double scale_from_below(std::span<const BandPoint> points, const Eigen::Vector3d
                      plane.dot(Eigen::Vector3d(1, static_cast<double>(p.dx), static_cast<double>(p.dy)));
     if (r <= 0 && r > -most) below.push_back(-r);
   }
-  return below.empty() ? least_sigma_m : std::clamp(1.4826 * median(below), least_sigma_m, most / 3);
+  return below.empty() ? min_sigma_m : std::clamp(1.4826 * upper_median(below), min_sigma_m, most / 3);
 }
 
 }  // namespace
@@ -56,7 +51,7 @@ BandFit fit_ground_band(std::span<const BandPoint> points, double half_band_m) {
   if (points.size() < 6) {
     std::vector<double> heights;
     for (const auto& p : points) heights.push_back(static_cast<double>(p.height));
-    return {median(heights), 0};
+    return {upper_median(heights), 0};
   }
   Eigen::Vector3d plane(lowest_strong_peak(points, half_band_m), 0, 0);
   double sigma = scale_from_below(points, plane, half_band_m);

@@ -32,7 +32,7 @@ std::vector<std::uint8_t> classify(const PointCloud& cloud, const std::vector<fl
     if (kept != 0 && kept != unassigned && kept != ground && kept != low_noise)
       out[i] = kept;
     else
-      out[i] = std::abs(h) <= options.tolerance_m ? ground : h < -options.noise_depth_m ? low_noise : unassigned;
+      out[i] = std::abs(h) <= options.tolerance ? ground : h < -options.noise_depth ? low_noise : unassigned;
   }
   return out;
 }

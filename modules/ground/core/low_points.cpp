@@ -28,8 +28,8 @@ class GroupFinder {
 
   std::vector<LowPoint> find() {
     for_each_group([&](std::size_t k) { groups_[k] = lowest_group(k, 0); });
-    constexpr int most_rounds = 10;
-    for (int round = 0; round < most_rounds && replace_noise(); ++round) {
+    constexpr int max_rounds = 10;
+    for (int round = 0; round < max_rounds && replace_noise(); ++round) {
     }
     std::vector<LowPoint> out;
     out.reserve(groups_.size());

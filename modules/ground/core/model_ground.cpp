@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "ground/core/fill_holes.h"
 #include "ground/core/heights.h"
 #include "ground/core/low_points.h"
@@ -64,7 +64,7 @@ void tell(const GroundModel& model, const PointCloud& cloud, const TerrainFit& f
   report.counts["points_without_height"] = outside;
   if (share > 50)
     report.warn(
-        fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell_m ({} m) is small "
+        fmt::format("{:.0f} % of the terrain model is filled: the ground was seldom seen, or cell ({} m) is small "
                     "for this density of points",
                     share, number_text(model.dem.cell_m)));
 }
@@ -99,24 +99,24 @@ GroundModel level_ground(const PointCloud& cloud, const GridShape& shape, const 
 
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
   run.report(0.0, "Sorting points into cells");
-  const GridShape shape = grid_over(cloud, options.cell_m);
+  const GridShape shape = grid_over(cloud, options.cell);
   const PointGrid grid(cloud, shape, run);
-  if (options.method == "lowest") return level_ground(cloud, shape, options, run);
+  if (options.method == GroundMethod::lowest) return level_ground(cloud, shape, options, run);
 
   run.report(0.35, "Finding ground");
   const auto candidates =
-      lowest_groups(cloud, grid, {options.roughness_m, std::tan(options.max_slope_deg * std::numbers::pi / 180)}, run);
+      lowest_groups(cloud, grid, {options.roughness, std::tan(radians(options.max_slope_deg))}, run);
   const auto surface = tin_ground(candidates, shape, options, run);
 
   run.report(0.60, "Fitting the terrain");
   const auto prior = surface_heights(surface, shape);
   auto fit = fit_terrain(cloud, grid, prior, options, run);
   if (fit.cells == 0)
-    throw failure("no points lie within band_m (" + number_text(options.band_m) + " m) of the first ground surface",
-                  "some", "Raise band_m, or lower seed_m");
+    throw failure("no points lie within band (" + number_text(options.band) + " m) of the first ground surface", "some",
+                  "Raise band, or lower seed");
 
   run.report(0.80, "Filling holes");
-  const auto filled = fill_holes(shape, prior, options.fill_distance_m, fit.height);
+  const auto filled = fill_holes(shape, prior, options.fill_distance, fit.height);
   GroundModel model{make_raster(cloud, shape, "elevation_m"), make_raster(cloud, shape, "filled"), {}, {}, {}};
   for (std::size_t c = 0; c < shape.cells(); ++c) {
     if (std::isnan(fit.height[c])) continue;

@@ -12,7 +12,7 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::size_t most_cells = 100'000'000;
+constexpr std::size_t max_cells = 100'000'000;
 constexpr std::uint32_t no_cell = ~std::uint32_t{0};
 constexpr std::size_t chunk_points = std::size_t{1} << 20;
 
@@ -47,13 +47,13 @@ GridShape grid_over(const PointCloud& cloud, double cell_m) {
     shape.corner[k] = low;
     cells[k] = std::floor((static_cast<double>(box.high[k]) - low) / cell_m) + 1;
   }
-  if (!(cells[0] * cells[1] <= static_cast<double>(most_cells))) {
+  if (!(cells[0] * cells[1] <= static_cast<double>(max_cells))) {
     const Eigen::Vector2f extent = box.high - box.low;
     throw bad_input("the cloud covers " + number_text(std::round(static_cast<double>(extent.x()))) + " by " +
                         number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " +
                         number_text(cell_m) + " m",
                     "at most 100 million cells",
-                    "Crop the cloud (one stray point far away is enough to widen it) or raise cell_m");
+                    "Crop the cloud (one stray point far away is enough to widen it) or raise cell");
   }
   shape.nx = static_cast<int>(cells[0]), shape.ny = static_cast<int>(cells[1]);
   return shape;

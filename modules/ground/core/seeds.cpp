@@ -48,8 +48,8 @@ class SeedFinder {
   }
 
   std::vector<std::uint32_t> find() {
-    constexpr int most_rounds = 20;
-    for (int round = 0; round < most_rounds && pass_over_low_noise(); ++round) {
+    constexpr int max_rounds = 20;
+    for (int round = 0; round < max_rounds && pass_over_low_noise(); ++round) {
     }
     return without_islands(without_high_seeds());
   }

@@ -11,8 +11,8 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::size_t most_points_per_cell = 60;
-constexpr std::size_t least_points = 8;  // of the neighbours, for a cell that has none itself
+constexpr std::size_t max_points_per_cell = 60;
+constexpr std::size_t min_points = 8;  // of the neighbours, for a cell that has none itself
 
 // Points of a cell near the rough surface.
 struct NearGround {
@@ -40,8 +40,8 @@ class TerrainFitter {
         gather(ix, iy, low, high, near, window);
         const bool own = !near[local(ix, iy - low)].empty();
         if (window.empty() || (!own && !surrounded(window))) continue;
-        const auto fit = fit_ground_band(window, options_.band_m);
-        if (fit.height > options_.roughness_m) continue;  // only leaves, stones or bark are seen here
+        const auto fit = fit_ground_band(window, options_.band);
+        if (fit.height > options_.roughness) continue;  // only leaves, stones or bark are seen here
         height[cell] = prior_[cell] + static_cast<float>(fit.height);
         sigma[cell] = static_cast<float>(fit.sigma);
       }
@@ -70,24 +70,24 @@ class TerrainFitter {
     const auto cell = shape_.index(ix, iy);
     if (std::isnan(prior_[cell])) return;
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const auto band = static_cast<float>(options_.band_m);
+    const auto band = static_cast<float>(options_.band);
     const auto& positions = cloud_.positions();
     for (const auto i : grid_.points(cell)) {
       const auto& p = positions[i];
       const float surface = prior_[cell] + slope.dot(p.head<2>() - centre);
       if (std::abs(p.z() - surface) <= band) out.push_back({p.x(), p.y(), p.z()});
     }
-    if (out.size() <= most_points_per_cell) return;
-    for (std::size_t k = 0; k < most_points_per_cell; ++k)
-      out[k] = out[(2 * k + 1) * out.size() / (2 * most_points_per_cell)];
-    out.resize(most_points_per_cell);
+    if (out.size() <= max_points_per_cell) return;
+    for (std::size_t k = 0; k < max_points_per_cell; ++k)
+      out[k] = out[(2 * k + 1) * out.size() / (2 * max_points_per_cell)];
+    out.resize(max_points_per_cell);
   }
 
   void gather(int ix, int iy, int low, int high, const std::vector<std::vector<NearGround>>& near,
               std::vector<BandPoint>& window) const {
     window.clear();
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band_m);
+    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band);
     for (int jy = std::max(low, iy - 1); jy <= std::min(high - 1, iy + 1); ++jy)
       for (int jx = std::max(0, ix - 1); jx <= std::min(shape_.nx - 1, ix + 1); ++jx)
         for (const auto& p : near[local(jx, jy - low)]) {
@@ -99,7 +99,7 @@ class TerrainFitter {
 
   // Whether the neighbours' points lie on several sides, so that the fit interpolates.
   bool surrounded(const std::vector<BandPoint>& window) const {
-    if (window.size() < least_points) return false;
+    if (window.size() < min_points) return false;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto& p : window) mean += Eigen::Vector2d(static_cast<double>(p.dx), static_cast<double>(p.dy));
     return (mean / static_cast<double>(window.size())).norm() < 0.4 * shape_.cell_m;

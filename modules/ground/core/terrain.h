@@ -13,11 +13,11 @@ struct TerrainFit {
   std::size_t cells = 0;      // with a fit
 };
 
-// For each cell a plane through the points of 3 x 3 cells within `options.band_m` of the rough surface `prior` (heights
+// For each cell a plane through the points of 3 x 3 cells within `options.band` of the rough surface `prior` (heights
 // of the cells; NaN: none). On noisy clouds the ground is a band some centimetres thick with a tail of grass and litter
 // above: the fit starts at the lowest strong peak of the heights, takes its scale from the side below, where no grass
 // is, and weighs by Tukey's biweight, so that it follows the middle of the band and neither its lower envelope nor the
-// grass. A layer more than options.roughness_m above the rough surface is not ground (the foot of a shrub, a stone):
+// grass. A layer more than options.roughness above the rough surface is not ground (the foot of a shrub, a stone):
 // such cells get no height.
 TerrainFit fit_terrain(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior,
                        const GroundOptions& options, const Run& run);

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "ground/core/local_plane.h"
 #include "ground/core/seeds.h"
 
 namespace bole::ground {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class TinFilter {
  public:
@@ -27,12 +25,12 @@ class TinFilter {
   }
 
   GroundSurface filter() {
-    const SeedLimits limits{options_.seed_m, std::tan(options_.max_slope_deg * rad_per_deg), options_.roughness_m};
-    above_ground_ = stands_above_ground(candidates_, limits, 2 * options_.cell_m, run_);
+    const SeedLimits limits{options_.seed, std::tan(options_.max_slope_deg * rad_per_deg), options_.roughness};
+    above_ground_ = stands_above_ground(candidates_, limits, 2 * options_.cell, run_);
     for (const auto i : find_seeds(candidates_, limits)) accepted_[i] = above_ground_[i] ? 0 : 1;
     prune();
-    const double finest = std::max(2 * options_.cell_m, options_.seed_m / 64);
-    for (double cell = options_.seed_m / 2; cell >= finest * 0.99; cell /= 2) {
+    const double finest = std::max(2 * options_.cell, options_.seed / 64);
+    for (double cell = options_.seed / 2; cell >= finest * 0.99; cell /= 2) {
       densify(cell);
       prune();
     }
@@ -55,15 +53,15 @@ class TinFilter {
       if (accepted_[i])
         surface_.points.push_back(candidates_[i].position), vertex_of_.push_back(static_cast<std::uint32_t>(i));
     surface_.measured = surface_.points.size();
-    for (const auto& p : surrounding_points(surface_.points, options_.seed_m)) surface_.points.push_back(p);
+    for (const auto& p : surrounding_points(surface_.points, options_.seed)) surface_.points.push_back(p);
     surface_.triangles = delaunay(surface_.points);
     triangles_at_ = triangles_at_vertices(surface_.triangles, surface_.points.size());
   }
 
   // Joins, cell by cell, the lowest candidate that fits the triangulation; repeats while that extends it.
   void densify(double cell_m) {
-    constexpr int most_rounds = 6;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 6;
+    for (int round = 0; round < max_rounds; ++round) {
       triangulate();
       const auto fitting = find_fitting(cell_m);
       for (const auto i : fitting) accepted_[i] = 1;
@@ -96,8 +94,8 @@ class TinFilter {
   double longest_edge(const Triangle& t) const;
   bool prune_once();
   void prune() {
-    constexpr int most_rounds = 12;
-    for (int round = 0; round < most_rounds; ++round) {
+    constexpr int max_rounds = 12;
+    for (int round = 0; round < max_rounds; ++round) {
       triangulate();
       if (!prune_once()) return;
     }
@@ -116,8 +114,8 @@ class TinFilter {
 
 bool TinFilter::close(const Eigen::Vector3d& p, const TrianglePlane& plane, double nearest_vertex_m) const {
   const double distance = std::abs(p.z() - plane.at(p.x(), p.y())) / std::sqrt(1 + plane.gradient.squaredNorm());
-  if (distance <= options_.roughness_m) return true;
-  return distance <= options_.max_distance_m &&
+  if (distance <= options_.roughness) return true;
+  return distance <= options_.max_distance &&
          distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
 }
 
@@ -196,7 +194,7 @@ bool TinFilter::prune_once() {
   for (std::size_t v = 0; v < surface_.measured; ++v) {
     const auto fit = plane_through_neighbours(surface_.points, around.of(v), surface_.points[v]);
     if (!fit.valid) continue;
-    const double most = options_.roughness_m + std::min(bend * fit.mean_distance, options_.max_distance_m);
+    const double most = options_.roughness + std::min(bend * fit.mean_distance, options_.max_distance);
     excess[v] = std::max(0.0, std::abs(fit.residual) / most - 1.0);
   }
   bool removed = false;

@@ -18,7 +18,7 @@ struct GroundSurface {
   std::size_t measured = 0;  // the first so many points are candidates
 };
 
-// Progressive TIN densification after Axelsson (2000): the lowest candidate of each `seed_m` cell starts the
+// Progressive TIN densification after Axelsson (2000): the lowest candidate of each `seed` cell starts the
 // triangulation; seeds that their neighbours contradict are dropped; then cell size is halved again and again, and
 // candidates that lie close to the triangle below them in distance and angle join it, or close to the triangle mirrored
 // at the nearest vertex (Axelsson's mirror point: that is how it grows over edges and the brows of slopes). After each

@@ -22,8 +22,10 @@ Pairs matched_pairs(const Table& matches) {
   const auto kind = texts_or_empty(matches, "kind");
   const auto dbh = numbers_or_nan(matches, "dbh_cm"), ref = numbers_or_nan(matches, "ref_dbh_cm");
   for (std::size_t i = 0; i < matches.rows(); ++i)
-    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dbh[i]) && std::isfinite(ref[i]))
-      pairs.estimate.push_back(dbh[i]), pairs.reference.push_back(ref[i]);
+    if ((kind[i] == "matched" || kind[i].empty()) && std::isfinite(dbh[i]) && std::isfinite(ref[i])) {
+      pairs.estimate.push_back(dbh[i]);
+      pairs.reference.push_back(ref[i]);
+    }
   return pairs;
 }
 
@@ -63,8 +65,8 @@ void draw_scatter(Canvas& canvas, const Pairs& pairs) {
   const auto s = error_statistics(pairs.estimate, pairs.reference);
   draw_statistics(
       canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
-      {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.bias_percent, 1) + " %)",
-       "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.rmse_percent, 1) + " %)", "R² = " + fixed(s.r_squared, 3)},
+      {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.relative_bias_pct, 1) + " %)",
+       "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.relative_rmse_pct, 1) + " %)", "R² = " + fixed(s.r_squared, 3)},
       HAlign::left);
 }
 
@@ -180,17 +182,25 @@ ErrorStatistics error_statistics(const std::vector<double>& estimate, const std:
   s.count = estimate.size();
   if (s.count == 0) return {0, std::nan(""), std::nan(""), std::nan(""), std::nan(""), std::nan("")};
   const double n = static_cast<double>(s.count);
-  double mean_e = 0, mean_r = 0, squares = 0;
-  for (std::size_t i = 0; i < s.count; ++i)
-    mean_e += estimate[i] / n, mean_r += reference[i] / n, squares += std::pow(estimate[i] - reference[i], 2);
+  double mean_e = 0, mean_r = 0, squares = 0, relative = 0, relative_squares = 0;
+  for (std::size_t i = 0; i < s.count; ++i) {
+    const double error = estimate[i] - reference[i];
+    mean_e += estimate[i] / n;
+    mean_r += reference[i] / n;
+    squares += std::pow(error, 2);
+    relative += error / reference[i];
+    relative_squares += std::pow(error / reference[i], 2);
+  }
   double ee = 0, rr = 0, er = 0;
-  for (std::size_t i = 0; i < s.count; ++i)
-    ee += std::pow(estimate[i] - mean_e, 2), rr += std::pow(reference[i] - mean_r, 2),
-        er += (estimate[i] - mean_e) * (reference[i] - mean_r);
+  for (std::size_t i = 0; i < s.count; ++i) {
+    ee += std::pow(estimate[i] - mean_e, 2);
+    rr += std::pow(reference[i] - mean_r, 2);
+    er += (estimate[i] - mean_e) * (reference[i] - mean_r);
+  }
   s.bias = mean_e - mean_r;
   s.rmse = std::sqrt(squares / n);
-  s.bias_percent = 100 * s.bias / mean_r;
-  s.rmse_percent = 100 * s.rmse / mean_r;
+  s.relative_bias_pct = 100 * relative / n;
+  s.relative_rmse_pct = 100 * std::sqrt(relative_squares / n);
   s.r_squared = er * er / (ee * rr);
   return s;
 }

@@ -18,9 +18,10 @@ Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double 
 
 struct ErrorStatistics {
   std::size_t count = 0;
-  double bias = 0, rmse = 0;                  // of estimate minus reference
-  double bias_percent = 0, rmse_percent = 0;  // of the mean reference
-  double r_squared = 0;                       // squared correlation
+  double bias = 0, rmse = 0;  // of estimate minus reference
+  // Mean and root mean square of error / reference in percent: relBIAS and relRMSE of evaluation.plot.
+  double relative_bias_pct = 0, relative_rmse_pct = 0;
+  double r_squared = 0;  // squared correlation
 };
 ErrorStatistics error_statistics(const std::vector<double>& estimate, const std::vector<double>& reference);
 

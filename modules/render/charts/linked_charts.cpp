@@ -21,7 +21,9 @@ Frame frame_for(const ChartSize& size, const Interval& x, const Interval& y) {
 
 Figure sheet(const std::string& name, const ChartSize& size) {
   Figure figure;
-  figure.name = name, figure.width_mm = size.width_mm, figure.height_mm = size.height_mm;
+  figure.name = name;
+  figure.width_mm = size.width_mm;
+  figure.height_mm = size.height_mm;
   return figure;
 }
 
@@ -72,7 +74,10 @@ std::optional<std::int64_t> LinkedChart::tree_at(const Eigen::Vector2d& mm, doub
   for (const auto& mark : marks) {
     const Eigen::Vector2d inside(std::clamp(mm.x(), mark.box.x0, mark.box.x1),
                                  std::clamp(mm.y(), mark.box.y0, mark.box.y1));
-    if (const double d = (mm - inside).norm(); d <= reach_mm && !mark.trees.empty()) nearest = &mark, reach_mm = d;
+    if (const double d = (mm - inside).norm(); d <= reach_mm && !mark.trees.empty()) {
+      nearest = &mark;
+      reach_mm = d;
+    }
   }
   if (nearest == nullptr) return {};
   auto it = selected ? std::ranges::find(nearest->trees, *selected) : nearest->trees.end();
@@ -130,7 +135,10 @@ LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, std:
     return chart;
   }
   std::vector<double> xs, ys;
-  for (const auto& dot : dots) xs.push_back(dot.x), ys.push_back(dot.y);
+  for (const auto& dot : dots) {
+    xs.push_back(dot.x);
+    ys.push_back(dot.y);
+  }
   const Frame frame = frame_for(size, range_of(xs, 10), range_of(ys, 5));
   chart.marks = marks_of(frame, dots);
   chart.figure.draw = [frame, dots, selected](Canvas& canvas) {
@@ -152,7 +160,8 @@ LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, st
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (kind[i] == "matched" && std::isfinite(dbh[i] + field[i] + ids[i])) {
         dots.push_back({static_cast<std::int64_t>(ids[i]), field[i], dbh[i], ink::primary, false});
-        estimate.push_back(dbh[i]), reference.push_back(field[i]);
+        estimate.push_back(dbh[i]);
+        reference.push_back(field[i]);
       }
   }
   LinkedChart chart{sheet("estimated_over_field", size), {}};
@@ -179,6 +188,25 @@ LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, st
         TextStyle{7}.aligned(HAlign::left, VAlign::top));
   };
   return chart;
+}
+
+std::span<const ChartType> linked_charts() {
+  static const Table no_table;
+  static constexpr ChartType charts[] = {
+      {"diameters", "Diameters",
+       [](const ChartTables& tables, const ChartSize& size, SelectedTree selected) {
+         return tables.stems ? diameter_histogram(*tables.stems, size, selected) : LinkedChart();
+       }},
+      {"heights", "Height over diameter",
+       [](const ChartTables& tables, const ChartSize& size, SelectedTree selected) {
+         return tables.stems ? height_over_diameter(*tables.stems, size, selected) : LinkedChart();
+       }},
+      {"field", "Estimated over field",
+       [](const ChartTables& tables, const ChartSize& size, SelectedTree selected) {
+         return estimated_over_field(tables.matches ? *tables.matches : no_table, size, selected);
+       }},
+  };
+  return charts;
 }
 
 }  // namespace bole::render

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "cloud/table.h"
 #include "render/draw/figure.h"
@@ -27,13 +29,28 @@ struct ChartSize {
   double width_mm = 90, height_mm = 65;
 };
 
+// What charts are drawn from. Null: the run has no such table.
+struct ChartTables {
+  const Table* stems = nullptr;
+  const Table* matches = nullptr;  // of stems with trees measured in the field
+};
+
+using SelectedTree = std::optional<std::int64_t>;
+
+struct ChartType {
+  std::string_view id, title;
+  LinkedChart (*draw)(const ChartTables& tables, const ChartSize& size, SelectedTree selected);
+};
+// The charts of a stem map, in the order of a list; a new one is a line here. A missing table gives an empty chart.
+std::span<const ChartType> linked_charts();
+
 // Stems per class of DBH, from the stem table.
-LinkedChart diameter_histogram(const Table& stems, const ChartSize& size, std::optional<std::int64_t> selected);
+LinkedChart diameter_histogram(const Table& stems, const ChartSize& size, SelectedTree selected);
 
 // Height over diameter, in the colours of quality; heights that were not seen to the top are rings.
-LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, std::optional<std::int64_t> selected);
+LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, SelectedTree selected);
 
 // Estimated over field diameter of matched trees, with the 1:1 line.
-LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, std::optional<std::int64_t> selected);
+LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, SelectedTree selected);
 
 }  // namespace bole::render

@@ -93,9 +93,12 @@ constexpr double most_segments = 1500;  // each has its own colour, hence its ow
 void thin(Walk& walk, double step_m) {
   Walk kept;
   for (std::size_t i = 0; i < walk.at.size(); ++i)
-    if (kept.at.empty() || i + 1 == walk.at.size() || (walk.at[i] - kept.at.back()).norm() >= step_m)
-      kept.at.push_back(walk.at[i]), kept.value.push_back(walk.value[i]);
-  walk.at = std::move(kept.at), walk.value = std::move(kept.value);
+    if (kept.at.empty() || i + 1 == walk.at.size() || (walk.at[i] - kept.at.back()).norm() >= step_m) {
+      kept.at.push_back(walk.at[i]);
+      kept.value.push_back(walk.value[i]);
+    }
+  walk.at = std::move(kept.at);
+  walk.value = std::move(kept.value);
 }
 
 Walk walk_of(const Trajectory& trajectory, const Trajectory* reference) {

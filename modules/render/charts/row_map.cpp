@@ -66,7 +66,8 @@ Frame frame_of(const Content& c, double width_mm) {
   const double pad = 0.05 * std::max((hi - lo).maxCoeff(), 1.0);
   Eigen::Vector2d half = ((hi - lo) / 2).array() + pad;
   // A long strip is widened, so that the sheet keeps a readable shape.
-  half.y() = std::max(half.y(), 0.3 * half.x()), half.x() = std::max(half.x(), half.y() / 1.35);
+  half.y() = std::max(half.y(), 0.3 * half.x());
+  half.x() = std::max(half.x(), half.y() / 1.35);
   const double w = width_mm - margin_left - margin_right, h = w * half.y() / half.x();
   return {{margin_left, margin_top, margin_left + w, margin_top + h},
           {middle.x() - half.x(), middle.x() + half.x()},

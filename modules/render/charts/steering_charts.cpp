@@ -53,8 +53,11 @@ Extent extent_of(const std::vector<Panel>& panels, bool with_receiver) {
     for (const auto* group : {&p.passes, &p.receiver}) {
       if (group == &p.receiver && !with_receiver) continue;
       for (const auto& [number, curve] : *group)
-        for (const auto& q : curve)
-          low = std::min(low, q.x()), high = std::max(high, q.x()), most = std::max(most, std::abs(q.y()));
+        for (const auto& q : curve) {
+          low = std::min(low, q.x());
+          high = std::max(high, q.x());
+          most = std::max(most, std::abs(q.y()));
+        }
     }
   if (low > high) low = 0, high = 1;
   return {{low, high}, nice_interval({-1.05 * most, 1.05 * most}, 4)};
@@ -69,7 +72,8 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Frame& frame, const St
   AxesStyle axes;
   axes.x_label = last ? "Way along the line (m)" : "";
   axes.y_label = style.y_label;
-  axes.x_axis = last, axes.y_ticks = 4;
+  axes.x_axis = last;
+  axes.y_ticks = 4;
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(frame.x.lo, 0), frame.map(frame.x.hi, 0), Stroke{ink::muted, 0.2});
   const auto draw = [&](const Curve& curve, const Color& color, double width_mm) {

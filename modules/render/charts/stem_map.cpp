@@ -100,14 +100,16 @@ Frame frame_of(const Content& content, double width_mm) {
     for (const auto& p : content.path) include(p);
   if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
   const double pad = (content.outline.empty() ? 0.03 : 0.06) * std::max((hi - lo).maxCoeff(), 2.0) + 0.3;
-  lo.array() -= pad, hi.array() += pad;
+  lo.array() -= pad;
+  hi.array() += pad;
   // A long strip is widened, so that the sheet keeps a readable shape.
   const double least_height = 0.3 * (hi.x() - lo.x()), most_height = 1.35 * (hi.x() - lo.x());
   const double middle = (lo.y() + hi.y()) / 2;
   if (hi.y() - lo.y() < least_height) lo.y() = middle - least_height / 2, hi.y() = middle + least_height / 2;
   if (hi.y() - lo.y() > most_height) {
     const double half = (hi.y() - lo.y()) / 1.35 / 2, x = (lo.x() + hi.x()) / 2;
-    lo.x() = x - half, hi.x() = x + half;
+    lo.x() = x - half;
+    hi.x() = x + half;
   }
   const double w = width_mm - margin_left - margin_right;
   const double h = w * (hi.y() - lo.y()) / (hi.x() - lo.x());
@@ -131,7 +133,8 @@ void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
   const auto request = [&](const Eigen::Vector2d& at, double radius, const std::string& text, const Color& color) {
     const auto size = canvas.text_size(text, style);
     requests.push_back({at, radius, {size.x(), 0.75 * size.y()}});
-    texts.push_back(text), colors.push_back(color);
+    texts.push_back(text);
+    colors.push_back(color);
   };
   for (const auto& t : content.targets) request(frame.map(t.at.x(), t.at.y()), 1.4, t.name, ink::primary);
   for (const auto& m : content.missed) request(frame.map(m.at.x(), m.at.y()), 1.1, m.name, ink::accent);
@@ -155,8 +158,10 @@ std::vector<LegendEntry> legend_of(const Content& content) {
                                    {Symbol::disc, ink::poor, "poor"}};
   if (std::none_of(content.stems.begin(), content.stems.end(), [](const Stem& s) { return s.color.r != ink::muted.r; }))
     entries = {{Symbol::disc, ink::muted, "stem"}};
-  if (content.compared)
-    entries.push_back({Symbol::ring, ink::accent, "missed"}), entries.push_back({Symbol::cross, ink::accent, "false"});
+  if (content.compared) {
+    entries.push_back({Symbol::ring, ink::accent, "missed"});
+    entries.push_back({Symbol::cross, ink::accent, "false"});
+  }
   if (!content.targets.empty()) entries.push_back({Symbol::star, ink::primary, "target"});
   if (!content.path.empty()) entries.push_back({Symbol::line, ink::path, "walk"});
   if (!content.outline.empty()) entries.push_back({Symbol::dashed_line, ink::axis, "plot boundary"});

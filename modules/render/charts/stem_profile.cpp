@@ -33,11 +33,14 @@ Frame profile_frame(const StemProfileData& data, double width_mm, double height_
 
 Figure stem_profile(const StemProfileData& data, double width_mm, double height_mm) {
   Figure figure;
-  figure.name = "stem_profile", figure.width_mm = width_mm, figure.height_mm = height_mm;
+  figure.name = "stem_profile";
+  figure.width_mm = width_mm;
+  figure.height_mm = height_mm;
   figure.draw = [data, width_mm, height_mm](Canvas& canvas) {
     const Frame frame = profile_frame(data, width_mm, height_mm);
     AxesStyle axes{"Across (m)", "Height above ground (m)"};
-    axes.x_ticks = 3, axes.y_ticks = 7;
+    axes.x_ticks = 3;
+    axes.y_ticks = 7;
     draw_grid(canvas, frame, axes);
     {
       const auto clip = canvas.clip(frame.box);

@@ -89,7 +89,9 @@ SliceScale slice_scale(double width_mm, double height_mm, std::size_t lines, dou
 
 Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm) {
   Figure figure;
-  figure.name = "stem_slice", figure.width_mm = width_mm, figure.height_mm = height_mm;
+  figure.name = "stem_slice";
+  figure.width_mm = width_mm;
+  figure.height_mm = height_mm;
   figure.draw = [data, width_mm, height_mm](Canvas& canvas) {
     const auto scale = slice_scale(width_mm, height_mm, data.lines.size(), data.reach_m);
     const double half = data.reach_m * scale.mm_per_metre;

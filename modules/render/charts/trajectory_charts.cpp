@@ -68,7 +68,9 @@ void check(const TrajectoryComparison& c) {
 
 Overlay overlay_of(const TrajectoryComparison& c) {
   Overlay o;
-  o.estimate = plan_of(*c.estimate), o.reference = plan_of(*c.reference), o.length_m = c.estimate->length_m();
+  o.estimate = plan_of(*c.estimate);
+  o.reference = plan_of(*c.reference);
+  o.length_m = c.estimate->length_m();
   if (c.loops != nullptr) o.revisits = revisits_of(*c.loops, *c.estimate, o.judged);
   return o;
 }
@@ -84,11 +86,14 @@ ErrorCurve errors_of(const TrajectoryComparison& c) {
     if (i > 0) way_m += (p - c.estimate->poses[i - 1].T_target_sensor.translation()).norm();
     if (!covers(*c.reference, pose.time_s)) continue;
     const Eigen::Vector3d d = 100 * (p - c.reference->at(pose.time_s).translation());
-    squares += d.squaredNorm(), ++n;
+    squares += d.squaredNorm();
+    ++n;
     e.most_cm = std::max(e.most_cm, d.norm());
     if (!e.way_m.empty() && way_m - e.way_m.back() < step_m && i + 1 < c.estimate->poses.size()) continue;
-    e.way_m.push_back(way_m), e.all_cm.push_back(d.norm()), e.flat_cm.push_back(d.head<2>().norm()),
-        e.up_cm.push_back(std::abs(d.z()));
+    e.way_m.push_back(way_m);
+    e.all_cm.push_back(d.norm());
+    e.flat_cm.push_back(d.head<2>().norm());
+    e.up_cm.push_back(std::abs(d.z()));
   }
   if (n > 0) e.rmse_cm = std::sqrt(squares / static_cast<double>(n));
   return e;
@@ -156,7 +161,8 @@ void draw_errors(Canvas& canvas, const ErrorCurve& e, double top_mm) {
       x,
       y};
   AxesStyle axes{"Way (m)", "Error (cm)"};
-  axes.x_ticks = 8, axes.y_ticks = 5;
+  axes.x_ticks = 8;
+  axes.y_ticks = 5;
   draw_grid(canvas, frame, axes);
   {
     const auto clip = canvas.clip(frame.box);

@@ -246,9 +246,10 @@ void draw_furniture(Canvas& canvas, const Drawing& d) {
     y += 44;
   }
   std::vector<LegendEntry> entries;
-  if (d.has_stems)
-    entries.push_back({Symbol::square, hex(0xe4572e), "fitted"}),
-        entries.push_back({Symbol::square, hex(0xffe066), number_text(d.breast_height_m) + " m"});
+  if (d.has_stems) {
+    entries.push_back({Symbol::square, hex(0xe4572e), "fitted"});
+    entries.push_back({Symbol::square, hex(0xffe066), number_text(d.breast_height_m) + " m"});
+  }
   if (d.has_walk) entries.push_back({Symbol::line, ink::primary, "walk"});
   for (const auto& entry : entries) {
     draw_symbol(canvas, entry.symbol, {x + 1.5, y}, 2.2, entry.color);
@@ -298,7 +299,8 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   if (data.points == nullptr || data.points->empty()) throw bad_input("the map has no points", "a point cloud");
   const auto window = window_of(data);
   const MapPoints chosen = data.chosen != nullptr ? *data.chosen : choose_map_points(data, options.point_budget);
-  view.indices = chosen.all, view.drawn = options.stems ? chosen.off_stems : chosen.all;
+  view.indices = chosen.all;
+  view.drawn = options.stems ? chosen.off_stems : chosen.all;
   if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.drawn);
   if (options.stems) view.stems = stems_within(data, window);
   view.extent = extent_of(*data.points, view.indices, window);
@@ -321,7 +323,9 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   if (data.stems != nullptr) drawing->breast_height_m = breast_height_m(*data.stems);
   std::tie(drawing->picture, drawing->projection) = render(data, options, view);
   round_colors(drawing->picture, options.color_step);
-  view.indices = {}, view.drawn = {}, view.stems = {};
+  view.indices = {};
+  view.drawn = {};
+  view.stems = {};
 
   const char* color = view.coloring.by == PointColor::tree        ? "tree"
                       : view.coloring.by == PointColor::intensity ? "intensity"

@@ -168,7 +168,9 @@ Measurement point_measurement(const PointCloud& cloud, std::uint32_t index) {
     const double value = column_value(cloud.column(array), index);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
   };
-  m.height_above_ground_m = fact("height_above_ground"), m.range_m = fact("range"), m.time_s = fact("time");
+  m.height_above_ground_m = fact("height_above_ground");
+  m.range_m = fact("range");
+  m.time_s = fact("time");
   return m;
 }
 

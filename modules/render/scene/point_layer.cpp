@@ -37,7 +37,9 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
 void PointLayer::show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
                       const Eigen::Vector3d& origin) {
   clear();
-  cloud_ = std::move(cloud), octree_ = std::move(octree), origin_ = origin;
+  cloud_ = std::move(cloud);
+  octree_ = std::move(octree);
+  origin_ = origin;
   set_clip(clip_);  // its planes are relative to the origin
 }
 

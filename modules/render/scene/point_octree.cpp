@@ -160,7 +160,9 @@ PointOctree::Node node_of(const Part& part, int level, const Cube& cube) {
   node.half_m = side / 2;
   for (int axis = 0; axis < 3; ++axis)
     node.centre[axis] = cube.lo[axis] + side * (static_cast<float>(gather(part.prefix >> axis)) + 0.5f);
-  node.begin = part.begin, node.end = part.end, node.level = static_cast<std::uint8_t>(level);
+  node.begin = part.begin;
+  node.end = part.end;
+  node.level = static_cast<std::uint8_t>(level);
   return node;
 }
 
@@ -174,8 +176,10 @@ std::vector<PointOctree::Node> linked_nodes(std::array<Parts, levels>& parts, co
     for (const auto& part : parts[l]) {
       auto node = node_of(part, static_cast<int>(l), cube);
       node.first_child = static_cast<std::uint32_t>(first_of_next + child);
-      while (l + 1 < levels && child < parts[l + 1].size() && parts[l + 1][child].prefix >> 3 == part.prefix)
-        ++child, ++node.children;
+      while (l + 1 < levels && child < parts[l + 1].size() && parts[l + 1][child].prefix >> 3 == part.prefix) {
+        ++child;
+        ++node.children;
+      }
       nodes.push_back(node);
     }
   }
@@ -247,7 +251,8 @@ PointOctree PointOctree::sample(const PointCloud& cloud, std::size_t points) {
       const std::size_t i = std::min(k * step + (k * 2654435761U >> 8) % step, positions.size() - 1);
       if (!positions[i].allFinite()) continue;
       tree.order_.push_back(static_cast<std::uint32_t>(i));
-      lo = lo.cwiseMin(positions[i]), hi = hi.cwiseMax(positions[i]);
+      lo = lo.cwiseMin(positions[i]);
+      hi = hi.cwiseMax(positions[i]);
     }
     node.end = static_cast<std::uint32_t>(tree.order_.size());
     if (node.size() == 0) continue;

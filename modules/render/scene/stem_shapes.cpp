@@ -38,9 +38,11 @@ void shape_from_sections(const std::vector<SectionRow>& rows, StemShape& shape) 
   const auto& high = rows.back();
   const double rise = std::max(high.height - low.height, 1e-6);
   const Eigen::Vector3d per_metre = (high.centre - low.centre) / rise;
-  shape.axis.push_back(low.centre - low.height * per_metre), shape.radius_m.push_back(low.radius * 1.02);
+  shape.axis.push_back(low.centre - low.height * per_metre);
+  shape.radius_m.push_back(low.radius * 1.02);
   for (const auto& row : rows) shape.axis.push_back(row.centre), shape.radius_m.push_back(row.radius);
-  shape.axis.push_back(high.centre + 0.6 * per_metre), shape.radius_m.push_back(high.radius);
+  shape.axis.push_back(high.centre + 0.6 * per_metre);
+  shape.radius_m.push_back(high.radius);
 }
 
 }  // namespace
@@ -59,8 +61,10 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
   for (std::size_t i = 0; i < id.size(); ++i) {
     if (!std::isfinite(x[i] + y[i] + z[i] + dbh[i])) continue;
     StemShape shape;
-    shape.tree_id = id[i], shape.quality = quality[i];
-    shape.breast_height = {x[i], y[i], z[i] + breast_height}, shape.breast_radius_m = dbh[i] / 200;
+    shape.tree_id = id[i];
+    shape.quality = quality[i];
+    shape.breast_height = {x[i], y[i], z[i] + breast_height};
+    shape.breast_radius_m = dbh[i] / 200;
     if (const auto it = by_tree.find(id[i]); it != by_tree.end() && it->second.size() >= 2) {
       shape_from_sections(it->second, shape);
     } else {
@@ -93,7 +97,8 @@ void drop_points_on_stems(const PointCloud& cloud, const std::vector<StemShape>&
     Eigen::Vector2d lo = stem.axis.front().head<2>(), hi = lo;
     for (std::size_t i = 0; i < stem.axis.size(); ++i) {
       const Eigen::Vector2d reach = Eigen::Vector2d::Constant(stem.radius_m[i] + margin_m);
-      lo = lo.cwiseMin(stem.axis[i].head<2>() - reach), hi = hi.cwiseMax(stem.axis[i].head<2>() + reach);
+      lo = lo.cwiseMin(stem.axis[i].head<2>() - reach);
+      hi = hi.cwiseMax(stem.axis[i].head<2>() + reach);
     }
     for (double x = std::floor(lo.x() / cell_m); x <= std::floor(hi.x() / cell_m); ++x)
       for (double y = std::floor(lo.y() / cell_m); y <= std::floor(hi.y() / cell_m); ++y)

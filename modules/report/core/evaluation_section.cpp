@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "base/markup.h"
-#include "render/charts/columns.h"
+#include "cloud/table_columns.h"
 #include "render/draw/axes.h"
 #include "report/core/html.h"
+#include "report/core/value_rows.h"
 
 namespace bole::report {
 namespace {
@@ -94,9 +94,9 @@ struct Measure {
 class Section {
  public:
   Section(const Table& summary, bool poses_given) : poses_given_(poses_given) {
-    const auto name = render::texts_or_empty(summary, "measure"), unit = render::texts_or_empty(summary, "unit"),
-               published = render::texts_or_empty(summary, "published");
-    const auto value = render::numbers_or_nan(summary, "value");
+    const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"),
+               published = texts_or_empty(summary, "published");
+    const auto value = numbers_or_nan(summary, "value");
     for (std::size_t i = 0; i < summary.rows(); ++i) measures_.push_back({name[i], unit[i], published[i], value[i]});
     for (std::size_t i = 0; i < measures_.size(); ++i) at_.try_emplace(measures_[i].name, i);
   }
@@ -121,8 +121,6 @@ class Section {
                              m.name.starts_with("rpe") || m.name == "end_error" || m.name == "drift";
     return poses_given_ && of_the_walk && text == render::fixed(0, decimals) ? "given poses" : text;
   }
-
-  static std::string unit_text(const std::string& unit) { return unit == "deg" ? "°" : unit == "m2" ? "m²" : unit; }
 
   static std::string table_of(std::string_view title, const std::vector<std::vector<std::string>>& rows) {
     if (rows.empty()) return {};
@@ -187,11 +185,6 @@ class Section {
       table.rows.push_back(std::move(row));
     }
     return folded("Spread of the errors of the walk", table);
-  }
-
-  static std::string folded(const std::string& title, const HtmlTable& table) {
-    return table.rows.empty() ? std::string()
-                              : "<details><summary>" + escaped(title) + "</summary>\n" + table.html() + "</details>\n";
   }
 
   std::string others_html() {

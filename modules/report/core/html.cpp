@@ -39,4 +39,17 @@ std::string HtmlTable::html() const {
   return out + "</tbody>\n</table>\n";
 }
 
+std::string section(const std::string& id, const std::string& title, const std::string& body) {
+  return "<section id=\"" + id + "\">\n<h2>" + escaped(title) + "</h2>\n" + body + "</section>\n";
+}
+
+std::string paragraph(const std::string& text, const std::string& css) {
+  return "<p" + (css.empty() ? std::string() : " class=\"" + css + "\"") + ">" + escaped(text) + "</p>\n";
+}
+
+std::string folded(const std::string& title, const HtmlTable& table) {
+  if (table.rows.empty()) return {};
+  return "<details><summary>" + escaped(title) + "</summary>\n" + table.html() + "</details>\n";
+}
+
 }  // namespace bole::report

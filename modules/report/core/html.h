@@ -23,4 +23,13 @@ struct HtmlTable {
   std::string html() const;
 };
 
+// <section id="..."><h2>title</h2>body</section>
+std::string section(const std::string& id, const std::string& title, const std::string& body);
+
+// A paragraph of plain text.
+std::string paragraph(const std::string& text, const std::string& css = {});
+
+// A table that opens by a click on its title; empty for a table without rows.
+std::string folded(const std::string& title, const HtmlTable& table);
+
 }  // namespace bole::report

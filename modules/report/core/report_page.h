@@ -3,40 +3,28 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/report.h"
 #include "base/run.h"
-#include "cloud/table.h"
-#include "report/core/plot_metrics.h"
+#include "report/core/picture.h"
+#include "report/survey_data.h"
 
 namespace bole::report {
-
-struct ReportPicture {
-  std::string title, caption;
-  std::string media_type;  // "image/svg+xml" or "image/png"
-  std::string bytes;
-  bool wide = true;  // over the whole page; else two side by side
-};
 
 struct ReportContent {
   std::string title;
   std::vector<std::pair<std::string, std::string>> facts;  // "Made on", "Axes", ...
-  PlotMetrics metrics;
-  CountingRule rule;  // stems outside are counted and not listed
-  const Table* stems = nullptr;
-  const Table* rejected = nullptr;
-  const Table* edits = nullptr;
-  const Table* summary = nullptr;  // evaluation
-  const Table* loops = nullptr;    // of slam.run
-  const Table* odometry = nullptr;
-  bool poses_given = false;  // the walk was an input of the run
-  std::vector<ReportPicture> pictures;
+  const SurveyData& data;
+  const std::vector<ReportPicture>& pictures;
   std::vector<std::string> warnings;
   std::shared_ptr<const RunRecord> record;
   std::vector<std::pair<std::string, std::string>> versions;  // program, libraries
-  std::vector<std::string> files;                             // written beside the report
+  const std::vector<std::string>& files;                      // written beside the report
 };
 
-std::string report_html(const ReportContent& content);
+// What the page counts or adds up itself goes into the counts and metrics of `told`, so that summary.json has it.
+std::string report_html(const ReportContent& content, Report& told);
 
 }  // namespace bole::report

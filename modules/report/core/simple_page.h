@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cloud/table.h"
-#include "report/core/report_page.h"
+#include "report/core/picture.h"
 
 namespace bole::report {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/markup.h"
-#include "render/charts/columns.h"
+#include "base/option_text.h"
+#include "cloud/table_columns.h"
 #include "render/draw/axes.h"
 #include "report/core/html.h"
 
@@ -41,16 +41,16 @@ constexpr std::array<Measure, 7> measures{
      {"registration_rms", "Residual of the registration", "cm", 1, 100},
      {"sigma0", "σ₀ of the adjustment, mean of the frames (1: as expected)", "", 2, 1},
      {"pose_sigma", "Standard deviation of a position in its adjustment", "mm", 1, 1},
-     {"weakest_observability", "Least observability of a motion (below 3: open)", "", 1, 1},
+     {"weakest_observability", "Least observability of a motion", "", 1, 1},
      {"loop_correction_rms", "Correction of the path by the loops, RMS", "cm", 1, 100},
      {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100}}};
 
 class Section {
  public:
-  Section(const StageRecord& stage, const Table* loops, const Table* odometry)
-      : r_(stage.report), loops_(loops), odometry_(odometry) {}
+  Section(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told)
+      : r_(stage.report), loops_(loops), odometry_(odometry), told_(told) {}
 
-  std::string html() const { return frames() + times() + loops(); }
+  std::string html() { return frames() + times() + loops(); }
 
  private:
   std::string count(const char* name) const {
@@ -77,8 +77,14 @@ class Section {
     if (count("loops") != "0") add("Loops that the pose graph doubts", count("doubted_loops"));
     for (const auto& m : measures)
       if (const auto* found = metric(m.metric); found != nullptr)
-        table.rows.push_back({m.title, render::fixed(m.factor * found->value, m.decimals), m.unit});
+        table.rows.push_back({m.title + limit(m.metric), render::fixed(m.factor * found->value, m.decimals), m.unit});
     return table.html() + failed_frames();
+  }
+
+  // " (below 2.3: open)": the limit that the stage itself used, where it names it.
+  std::string limit(std::string_view name) const {
+    const auto* open_below = name == "weakest_observability" ? metric("open_below") : nullptr;
+    return open_below == nullptr ? std::string() : " (below " + number_text(open_below->value) + ": open)";
   }
 
   // The frames that did not agree with the map, by their time.
@@ -86,15 +92,15 @@ class Section {
     if (odometry_ == nullptr || !odometry_->has("ok") || odometry_->rows() == 0) return {};
     const auto ok = odometry_->numbers("ok"), frame = odometry_->numbers("frame"), time = odometry_->numbers("time_s");
     HtmlTable table{{{"Frame", true}, {"Time after the start (s)", true}, {"Overlap", true}}, {}, true};
-    const auto overlap = render::numbers_or_nan(*odometry_, "overlap");
+    const auto overlap = numbers_or_nan(*odometry_, "overlap");
     for (std::size_t i = 0; i < ok.size(); ++i)
       if (ok[i] == 0)
         table.rows.push_back(
             {render::fixed(frame[i], 0), render::fixed(time[i] - time.front(), 1), render::fixed(overlap[i], 2)});
-    return folded("Failed frames", table);
+    return folded_and_counted("Failed frames", table);
   }
 
-  std::string times() const {
+  std::string times() {
     HtmlTable table{{{"Time per frame"}, {"ms", true}}, {}, false};
     double sum = 0;
     for (const auto& p : parts)
@@ -104,6 +110,7 @@ class Section {
       }
     if (table.rows.empty()) return {};
     table.rows.push_back({"all", render::fixed(sum, 1)});
+    told_.metrics["slam_per_frame"] = {sum, Unit::millisecond};
     return table.html();
   }
 
@@ -117,37 +124,35 @@ class Section {
                      {"Found by"}},
                     {},
                     true};
-    const auto start = odometry_ != nullptr && odometry_->rows() > 0
-                           ? render::numbers_or_nan(*odometry_, "time_s").front()
-                           : render::numbers_or_nan(*loops_, "from_time_s").front();
-    const auto from = render::numbers_or_nan(*loops_, "from_time_s"), to = render::numbers_or_nan(*loops_, "to_time_s"),
-               way = render::numbers_or_nan(*loops_, "way_m"),
-               correction = render::numbers_or_nan(*loops_, "correction_m"),
-               overlap = render::numbers_or_nan(*loops_, "overlap");
-    const auto by = render::texts_or_empty(*loops_, "found_by");
+    const auto start = odometry_ != nullptr && odometry_->rows() > 0 ? numbers_or_nan(*odometry_, "time_s").front()
+                                                                     : numbers_or_nan(*loops_, "from_time_s").front();
+    const auto from = numbers_or_nan(*loops_, "from_time_s"), to = numbers_or_nan(*loops_, "to_time_s"),
+               way = numbers_or_nan(*loops_, "way_m"), correction = numbers_or_nan(*loops_, "correction_m"),
+               overlap = numbers_or_nan(*loops_, "overlap");
+    const auto by = texts_or_empty(*loops_, "found_by");
     for (std::size_t i = 0; i < loops_->rows(); ++i)
       table.rows.push_back({render::fixed(from[i] - start, 1), render::fixed(to[i] - start, 1),
                             render::fixed(way[i], 1), render::fixed(100 * correction[i], 1),
                             render::fixed(overlap[i], 2), by[i]});
-    return folded("Loops", table);
+    return folded_and_counted("Loops", table);
   }
 
-  static std::string folded(const std::string& title, const HtmlTable& table) {
-    return table.rows.empty() ? std::string()
-                              : "<details><summary>" + escaped(title) + " (" + std::to_string(table.rows.size()) +
-                                    ")</summary>\n" + table.html() + "</details>\n";
+  static std::string folded_and_counted(const std::string& title, const HtmlTable& table) {
+    return folded(title + " (" + std::to_string(table.rows.size()) + ")", table);
   }
 
   const Report& r_;
   const Table* loops_;
   const Table* odometry_;
+  Report& told_;
 };
 
 }  // namespace
 
-std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry) {
-  if (stage.report.facts.contains("trajectory")) return {};
-  return Section(stage, loops, odometry).html();
+std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told) {
+  const bool tracked_frames = stage.report.counts.contains("frames_failed");
+  if (!tracked_frames || stage.report.facts.contains("trajectory")) return {};
+  return Section(stage, loops, odometry, told).html();
 }
 
 }  // namespace bole::report

@@ -8,7 +8,8 @@
 
 namespace bole::report {
 
-// HTML of the stage slam.run; empty when it took the walk from a file. `loops` and `odometry` are its tables, or null.
-std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry);
+// HTML of a stage that tracked frames; empty for every other stage, and where the trajectory was read from a file.
+// `loops` and `odometry` are its tables, or null. The sum of the times goes into the metrics of `told`.
+std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told);
 
 }  // namespace bole::report

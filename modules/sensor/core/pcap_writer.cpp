@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t ethernet = 14, ip = 20, udp = 8;
 constexpr std::size_t headers = ethernet + ip + udp;
-constexpr std::size_t most_payload = 1400;
+constexpr std::size_t max_payload = 1400;
 
 void put16_network(std::uint8_t* p, std::size_t value) {
   p[0] = static_cast<std::uint8_t>(value >> 8 & 0xFF);
@@ -61,9 +61,9 @@ PcapWriter::PcapWriter(const std::filesystem::path& path, std::uint16_t udp_port
 }
 
 void PcapWriter::write(std::span<const std::uint8_t> payload, double time_s) {
-  if (payload.size() > most_payload)
+  if (payload.size() > max_payload)
     throw failure("a datagram of " + std::to_string(payload.size()) + " bytes",
-                  "at most " + std::to_string(most_payload));
+                  "at most " + std::to_string(max_payload));
   const auto microseconds = static_cast<std::int64_t>(std::llround(time_s * 1e6));
   const auto length = static_cast<std::uint32_t>(headers + payload.size());
   const std::array<std::uint32_t, 4> record{static_cast<std::uint32_t>(microseconds / 1'000'000),

@@ -1,4 +1,4 @@
-// Writes sensor packets into a pcap file as they would come over Ethernet, so that any viewer of the maker opens it.
+// Writes sensor packets into a pcap file, as they are sent over Ethernet, so that the maker's viewer opens it.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ class PcapWriter {
   explicit PcapWriter(const std::filesystem::path& path, std::uint16_t udp_port = 2368);
 
   // One UDP datagram from 192.168.1.201 to the broadcast address, seen at `time_s` (seconds since the Unix epoch).
-  // Throws Error{failed} when the disk refuses it or the payload exceeds 1400 bytes.
+  // Throws Error{failed} where it cannot be written or the payload exceeds 1400 bytes.
   void write(std::span<const std::uint8_t> payload, double time_s);
 
-  // Closes the file; throws Error{failed} when something could not be written. The destructor closes without a word.
+  // Closes the file. Throws Error{failed} where something could not be written. The destructor does not report it.
   void close();
 
  private:

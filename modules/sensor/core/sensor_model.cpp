@@ -15,7 +15,7 @@ namespace bole::sensor {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
-constexpr std::size_t most_channels = 256;
+constexpr std::size_t max_channels = 256;
 
 double number(const nlohmann::json& json, const char* key, double min, double max) {
   const auto it = json.find(key);
@@ -39,10 +39,10 @@ std::vector<double> numbers(const nlohmann::json& json, const char* key, std::si
   const auto it = json.find(key);
   if (it == json.end() || !it->is_array())
     throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
-  if (count == 0 ? it->empty() || it->size() > most_channels : it->size() != count)
+  if (count == 0 ? it->empty() || it->size() > max_channels : it->size() != count)
     throw bad_input(
         "'" + std::string(key) + "' has " + std::to_string(it->size()) + " entries",
-        count == 0 ? "1 to " + std::to_string(most_channels) : std::to_string(count) + ", as elevation_deg has");
+        count == 0 ? "1 to " + std::to_string(max_channels) : std::to_string(count) + ", as elevation_deg has");
   std::vector<double> values;
   for (const auto& v : *it) {
     if (!v.is_number() || !(v.get<double>() >= min && v.get<double>() <= max))
@@ -140,7 +140,8 @@ std::vector<std::string> sensor_model_names() {
 SensorModel load_sensor_model(std::string_view name_or_path) {
   std::filesystem::path path(name_or_path);
   std::string id = path.stem().string();
-  if (path.extension() != ".json") {
+  const bool named_file = path.extension() == ".json";
+  if (!named_file) {
     const auto names = sensor_model_names();
     const auto it = std::ranges::find(names, plain(name_or_path), plain);
     if (it == names.end()) {
@@ -158,7 +159,9 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
   if (json.is_discarded())
     throw bad_input("'" + path.string() + "' is not JSON", "a sensor description like resources/sensors/vlp16.json");
   try {
-    return sensor_model_from_json(json, id);
+    auto model = sensor_model_from_json(json, id);
+    if (named_file) model.file = path;
+    return model;
   } catch (const Error& e) {
     throw e.at(path.string());
   }

@@ -1,4 +1,4 @@
-// What is known of a spinning multi-laser scanner: its beams, when each of them fires, and how it measures.
+// A spinning multi-laser scanner: its beams, their firing times, and its range measurement.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace bole::sensor {
 // One laser, in the order in which the sensor's packets list them.
 struct LaserChannel {
   double elevation_rad = 0;       // above the sensor's xy plane
-  double azimuth_offset_rad = 0;  // added to the rotor's azimuth, clockwise seen from above like it
+  double azimuth_offset_rad = 0;  // added to the rotor's azimuth; clockwise seen from above
   double firing_time_s = 0;       // after the start of the firing sequence
   int ring = 0;                   // 0: lowest elevation
 };
@@ -23,10 +23,11 @@ enum class PacketFormat { none, velodyne };
 
 // The rotor's azimuth is 0 forward (x) and grows clockwise seen from above. A firing sequence fires every channel once.
 struct SensorModel {
-  std::string id;      // "vlp32c": the name of its file
-  std::string name;    // "VLP-32C"
-  std::string maker;   // "Velodyne"
-  std::string source;  // where the figures are from
+  std::string id;              // "vlp32c": the name of its file
+  std::string name;            // "VLP-32C"
+  std::string maker;           // "Velodyne"
+  std::string source;          // of the figures
+  std::filesystem::path file;  // that it was read from; empty for those of resources/sensors
   std::vector<LaserChannel> channels;
   double sequence_period_s = 0;  // from the start of a firing sequence to the next
   double rotation_hz = 10;       // usual rate
@@ -49,12 +50,11 @@ struct SensorModel {
   std::vector<double> ring_elevations_rad() const;  // lowest first
 };
 
-// `name_or_path`: a name in resources/sensors ("vlp32c", "VLP-32C") or the path of a JSON file of the same form, so
-// that a unit's own calibration can be used. Throws Error{bad_input} that lists the known names, or names the wrong
-// entry.
+// `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C"), or the path of a JSON file of the same form with
+// the calibration of a unit. Throws Error{bad_input} that lists the known names, or names the wrong entry.
 SensorModel load_sensor_model(std::string_view name_or_path);
 
-// The model that a JSON value describes; `id` is what the model is called. Throws Error{bad_input} naming the entry.
+// The model that a JSON value describes. Throws Error{bad_input} that names the wrong entry.
 SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id);
 
 // Names in resources/sensors, sorted.

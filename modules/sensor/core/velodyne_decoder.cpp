@@ -11,8 +11,8 @@ namespace {
 
 constexpr int full_turn = 36000;
 constexpr double radians_per_centideg = std::numbers::pi / 18000;
-// A block lasts at most 111 us, in which even a rotor at 60 Hz turns by 2.4 degrees: more is a damaged block.
-constexpr double most_advance_centideg = 300;
+// A block lasts at most 111 us, in which a rotor at 60 Hz turns by 2.4 degrees. A larger step is a damaged block.
+constexpr double max_advance_centideg = 300;
 
 struct Direction {
   float cos, sin;
@@ -30,7 +30,7 @@ const std::vector<Direction>& directions() {
   return table;
 }
 
-// First-order step from the nearest entry: off by less than 4e-9.
+// A first-order step from the nearest entry; the error is below 4e-9.
 Direction direction(double azimuth_centideg) {
   const double nearest = std::nearbyint(azimuth_centideg);
   const int wrapped = static_cast<int>(nearest) % full_turn;
@@ -82,10 +82,13 @@ void VelodyneDecoder::firings(const VelodynePacket& packet, std::vector<Velodyne
     return signed_turn(out[i].azimuth_centideg, out[i + 1].azimuth_centideg);
   };
   const auto is_sane = [&](std::size_t i) {
-    return i + 1 < out.size() && out[i].valid && out[i + 1].valid && std::abs(turn_after(i)) <= most_advance_centideg;
+    return i + 1 < out.size() && out[i].valid && out[i + 1].valid && std::abs(turn_after(i)) <= max_advance_centideg;
   };
   for (std::size_t i = 0; i < out.size(); ++i)
-    if (is_sane(i)) sum += turn_after(i), ++sane;
+    if (is_sane(i)) {
+      sum += turn_after(i);
+      ++sane;
+    }
   const double mean = sane > 0 ? sum / sane : 0;
   for (std::size_t i = 0; i < out.size(); ++i) out[i].advance_centideg = is_sane(i) ? turn_after(i) : mean;
   if (mean > 0 && sane + 2 == static_cast<int>(out.size()) && std::ranges::all_of(out, &VelodyneFiring::valid))
@@ -96,7 +99,7 @@ void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg,
                                                 std::vector<VelodyneFiring>& firings) const {
   for (std::size_t i = 0; i + 1 < firings.size(); ++i) {
     const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn, full_turn);
-    if (turn <= most_advance_centideg || turn >= full_turn - most_advance_centideg) continue;
+    if (turn <= max_advance_centideg || turn >= full_turn - max_advance_centideg) continue;
     const double skipped_s = (turn / mean_advance_centideg - 1) * firing_period_s();
     for (std::size_t k = i + 1; k < firings.size(); ++k) firings[k].time_offset_s += skipped_s;
   }

@@ -1,4 +1,4 @@
-// From Velodyne packets to points: every laser gets the azimuth and time of its own firing.
+// Decodes Velodyne packets into points. Every laser gets the azimuth and time of its own firing.
 #pragma once
 
 #include <Eigen/Core>
@@ -38,15 +38,15 @@ class VelodyneDecoder {
 
   const SensorModel& model() const { return model_; }
 
-  // The firings of a packet, with azimuths made firing-exact: the turn from one to the next is what the packet says,
-  // and for the last one the mean of the others. Blocks whose azimuth jumps (damaged packets) get that mean too. A
-  // single jump is a field of view that the sensor was told to leave out: it sends nothing while the rotor passes it,
-  // and the firings behind it are later by that time.
+  // The firings of a packet, each with its own azimuth. The rotor's advance from one firing to the next is that of the
+  // packet; for the last firing it is the mean of the others, and also for blocks whose azimuth jumps (damaged
+  // packets). A single jump is a masked sector: the sensor sends nothing while the rotor passes it, and the firings
+  // after it are later by that time.
   std::vector<VelodyneFiring> firings(const VelodynePacket& packet) const;
   void firings(const VelodynePacket& packet, std::vector<VelodyneFiring>& out) const;
 
-  // Appends the returns of the firings [first, last) in order of firing; returns without range are left out. In dual
-  // mode a last return equal to the strongest is one return.
+  // Appends the returns of the firings [first, last) in order of firing. Returns without range are left out. In dual
+  // mode a last return that equals the strongest is not repeated.
   void decode(const VelodynePacket& packet, std::vector<VelodyneReturn>& out) const;
   void decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings, std::size_t first,
               std::size_t last, std::vector<VelodyneReturn>& out) const;
@@ -70,7 +70,7 @@ class VelodyneDecoder {
   std::vector<Beam> beams_;
 };
 
-// The sensor that a packet's factory bytes (HDL-64E: its block flags) name, if it is in resources/sensors.
+// The sensor model by the factory bytes of a packet (HDL-64E: by its block flags), if it is in resources/sensors.
 std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet);
 
 }  // namespace bole::sensor

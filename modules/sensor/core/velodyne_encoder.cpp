@@ -45,7 +45,8 @@ void VelodyneEncoder::add(double time_s, double azimuth_rad, std::span<const Las
                   std::to_string(lasers) + ", one per laser of the " + model_.name);
   if (block_ == 0 && sequence_ == 0) packet_time_s_ = time_s;
   advance_rad_ = std::remainder(azimuth_rad - last_azimuth_rad_, 2 * std::numbers::pi);
-  last_azimuth_rad_ = azimuth_rad, last_time_s_ = time_s;
+  last_azimuth_rad_ = azimuth_rad;
+  last_time_s_ = time_s;
   const bool two_banks = lasers > velodyne_records;
   auto& first = packet_.blocks[static_cast<std::size_t>(block_)];
   if (sequence_ == 0) {
@@ -75,7 +76,8 @@ void VelodyneEncoder::send() {
   const double past_hour_s = packet_time_s_ - 3600 * std::floor(packet_time_s_ / 3600);
   packet_.time_us = static_cast<std::uint32_t>(std::llround(past_hour_s * 1e6) % 3'600'000'000LL);
   sink_(pack_velodyne_packet(packet_), packet_time_s_);
-  block_ = 0, sequence_ = 0;
+  block_ = 0;
+  sequence_ = 0;
 }
 
 void VelodyneEncoder::flush() {

@@ -1,4 +1,4 @@
-// From firing sequences to Velodyne packets, as the simulator needs it: the inverse of VelodyneDecoder.
+// Encodes firing sequences into Velodyne packets, for the simulator: the inverse of VelodyneDecoder.
 #pragma once
 
 #include <array>
@@ -21,17 +21,17 @@ class VelodyneEncoder {
   // Gets each complete packet and the time of its first firing.
   using Sink = std::function<void(const Bytes& packet, double time_s)>;
 
-  // Throws Error{bad_input} when the model has no Velodyne packets, or no dual return and that is asked for.
+  // Throws Error{bad_input} where the sensor sends no Velodyne packets, or has no dual return and `mode` is dual.
   VelodyneEncoder(SensorModel model, VelodyneReturnMode mode, Sink sink);
 
   // One firing sequence: `time_s` of its start (seconds since the Unix epoch), the rotor's azimuth then (radians,
   // clockwise, 0 forward), and one echo per channel. `last` is used in dual mode only (there `strongest` goes to the
-  // odd blocks). Ranges are rounded to the quantum; what does not fit is no return. Throws Error{failed} on a wrong
-  // number of echoes.
+  // odd blocks). Ranges are rounded to the quantum; ranges beyond the limits of a packet are no return. Throws
+  // Error{failed} on a wrong number of echoes.
   void add(double time_s, double azimuth_rad, std::span<const LaserEcho> strongest,
            std::span<const LaserEcho> last = {});
 
-  // A started packet is completed with empty firings at the last rate of turn and sent; needed once, at the end.
+  // Completes a started packet with empty firings at the last rate of rotation and sends it. Call it once, at the end.
   void flush();
 
  private:

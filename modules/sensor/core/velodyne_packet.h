@@ -1,5 +1,5 @@
 // The Velodyne data packet: 1206 bytes of 12 blocks with 32 records each, a time and two factory bytes. Packing and
-// unpacking lie here together, so that what the simulator writes is what the reader understands.
+// unpacking are in one file, so that the reader understands what the simulator writes.
 // Source: Velodyne user manuals 63-9243 (VLP-16), 63-9325 (VLP-32C), 63-9113 (HDL-32E), 63-HDL64ES2.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace bole::sensor {
 inline constexpr std::size_t velodyne_packet_bytes = 1206;
 inline constexpr int velodyne_blocks = 12;
 inline constexpr int velodyne_records = 32;
-inline constexpr std::uint16_t velodyne_upper_block = 0xEEFF;  // the only kind but for the HDL-64E
+inline constexpr std::uint16_t velodyne_upper_block = 0xEEFF;  // of every sensor; the HDL-64E has a lower block too
 inline constexpr std::uint16_t velodyne_lower_block = 0xDDFF;  // HDL-64E: lasers 32 to 63
 
 enum class VelodyneReturnMode : std::uint8_t { strongest = 0x37, last = 0x38, dual = 0x39 };
@@ -43,7 +43,7 @@ struct VelodynePacket {
   bool is_dual() const { return return_mode == static_cast<std::uint8_t>(VelodyneReturnMode::dual); }
 };
 
-// Nothing when the length is not 1206 bytes or no block is valid.
+// Nothing where the length is not 1206 bytes or no block is valid.
 std::optional<VelodynePacket> parse_velodyne_packet(std::span<const std::uint8_t> bytes);
 
 std::array<std::uint8_t, velodyne_packet_bytes> pack_velodyne_packet(const VelodynePacket& packet);

@@ -1,4 +1,4 @@
-// The parts of the option table whose defaults hold for every preset; options.cpp puts the table together.
+// The option table in parts; options.cpp puts it together.
 #pragma once
 
 #include <vector>
@@ -9,6 +9,8 @@ namespace bole::slam {
 
 using SlamOptionEntries = std::vector<OptionEntry<SlamOptions>>;
 
+SlamOptionEntries general_options();
+SlamOptionEntries preset_options();  // those that a preset decides
 SlamOptionEntries registration_options();
 SlamOptionEntries loop_options();
 SlamOptionEntries map_options();

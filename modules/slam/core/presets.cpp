@@ -1,72 +1,92 @@
-#include "slam/core/presets.h"
-
-#include <algorithm>
-#include <array>
-
+// The table of presets: SPEC A calls the first two "LOAM" and "improved LOAM", SPEC D compares the next two, the last
+// is ours. SPEC D builds its loops on the features of LeGO-LOAM. `orchard` takes all points instead: there are few
+// objects and lines among leaves, and the trajectory slips along the rows.
 #include "slam/core/options.h"
 
 namespace bole::slam {
 namespace {
 
-// SPEC A calls the first two "LOAM" and "improved LOAM"; SPEC D compares the next two; the last is ours. SPEC D builds
-// its loops on the features of LeGO-LOAM: `orchard` takes all points, for among leaves few things and lines stand, and
-// the path slips along the rows.
-constexpr std::size_t preset_count = 5;
+// One value for each preset, in the order of Preset.
+template <class T>
+using PerPreset = std::array<T, choice_names(Preset{}).size()>;
 
-struct PresetRow {
-  std::string_view option;
-  std::array<OptionValue, preset_count> values;  // in the order of preset_names()
-};
-
-OptionValue count(std::int64_t n) { return n; }
-
-const std::vector<PresetRow>& preset_rows() {
+constexpr PresetFields<PerPreset> preset_values() {
+  using enum FeatureKind;
+  using enum Occlusion;
+  using enum FirstGuess;
+  using enum Weights;
+  using enum Solve;
+  using L = LocalMapKind;
+  using S = LoopSource;
+  using C = ContextSearchKind;
+  using R = LoopRegistrationKind;
+  using D = Deskew;
   // clang-format off
-  static const std::vector<PresetRow> rows{
-      // loam, forest, lego_loam, orchard, best
-      {"features", {"curvature", "connected", "ground", "sampled", "sampled"}},
-      {"occlusion", {"far_side", "both_sides", "far_side", "far_side", "both_sides"}},
-      {"occlusion_step", {0.3, 0.3, 0.3, 0.3, 0.3}},
-      {"query_spacing", {0.4, 0.4, 0.4, 0.6, 0.6}},
-      {"map_spacing", {0.2, 0.2, 0.2, 0.2, 0.1}},
-      {"first_guess", {"velocity", "last_frame", "velocity", "velocity", "velocity"}},
-      {"deskew", {"once", "twice", "once", "elastic", "elastic"}},
-      // After a sudden turn begin and end need more rounds from a prediction that is off by degrees.
-      {"rounds", {count(12), count(12), count(12), count(30), count(30)}},
-      {"neighbour_keyframes", {count(60), count(60), count(60), count(60), count(400)}},
-      {"local_map", {"nearest", "nearest", "last", "last", "nearest"}},
-      {"keyframe_distance", {0.3, 0.3, 0.3, 0.3, 0.3}},
-      {"keyframe_angle", {10.0, 10.0, 10.0, 10.0, 10.0}},
-      {"loops", {"none", "both", "odometry", "context", "odometry"}},
-      {"context_search", {"placed", "placed", "placed", "sequence", "placed"}},
-      {"loop_registration", {"features", "features", "icp", "ndt_icp", "features"}},
-      // One row over, vines agree to 0.67 to 0.81 with those of another row; the place itself to 0.94 and more.
-      {"loop_overlap", {0.6, 0.6, 0.6, 0.85, 0.6}},
-      {"weights", {"thickness", "priors", "thickness", "thickness", "thickness"}},
-      {"solve", {"joint", "joint", "two_step", "joint", "joint"}},
-      {"refine_rounds", {count(-1), count(-1), count(-1), count(-1), count(3)}},
+  return {
+      //                      loam         forest       lego_loam    orchard      best
+      .features            = {curvature,   connected,   ground,      sampled,     sampled},
+      .occlusion           = {far_side,    both_sides,  far_side,    far_side,    both_sides},
+      .occlusion_step      = {0.3,         0.3,         0.3,         0.3,         0.3},
+      .query_spacing       = {0.4,         0.4,         0.4,         0.6,         0.6},
+      .map_spacing         = {0.2,         0.2,         0.2,         0.2,         0.1},
+      .first_guess         = {velocity,    last_frame,  velocity,    velocity,    velocity},
+      .deskew              = {D::once,     D::twice,    D::once,     D::elastic,  D::elastic},
+      // After a sudden turn the prediction is off by degrees, and begin and end pose need more iterations.
+      .iterations          = {12,          12,          12,          30,          30},
+      .neighbour_keyframes = {60,          60,          60,          60,          400},
+      .local_map           = {L::nearest,  L::nearest,  L::last,     L::last,     L::nearest},
+      .keyframe_distance   = {0.3,         0.3,         0.3,         0.3,         0.3},
+      .keyframe_angle_deg  = {10,          10,          10,          10,          10},
+      .loops               = {S::none,     S::both,     S::odometry, S::context,  S::odometry},
+      .context_search      = {C::placed,   C::placed,   C::placed,   C::sequence, C::placed},
+      .loop_registration   = {R::features, R::features, R::icp,      R::ndt_icp,  R::features},
+      // Vines agree with those of the next row to 0.67 to 0.81, and with themselves to 0.94 and more.
+      .loop_overlap        = {0.6,         0.6,         0.6,         0.85,        0.6},
+      .weights             = {thickness,   priors,      thickness,   thickness,   thickness},
+      .solve               = {joint,       joint,       two_step,    joint,       joint},
+      .refine_iterations   = {0,           0,           0,           0,           3},
   };
   // clang-format on
-  return rows;
+}
+
+// Calls `f` with the same field of each of the structs.
+template <class F, class... Fields>
+void for_each_field(F f, Fields&... in) {
+  f(in.features...);
+  f(in.occlusion...);
+  f(in.occlusion_step...);
+  f(in.query_spacing...);
+  f(in.map_spacing...);
+  f(in.first_guess...);
+  f(in.deskew...);
+  f(in.iterations...);
+  f(in.neighbour_keyframes...);
+  f(in.local_map...);
+  f(in.keyframe_distance...);
+  f(in.keyframe_angle_deg...);
+  f(in.loops...);
+  f(in.context_search...);
+  f(in.loop_registration...);
+  f(in.loop_overlap...);
+  f(in.weights...);
+  f(in.solve...);
+  f(in.refine_iterations...);
 }
 
 }  // namespace
 
-const std::vector<std::string>& preset_names() {
-  static const std::vector<std::string> names{"loam", "forest", "lego_loam", "orchard", "best"};
-  return names;
+SlamOptions filled_in(const SlamOptions& options) {
+  static constexpr auto presets = preset_values();
+  SlamOptions out = options;
+  const auto column = static_cast<std::size_t>(options.preset);
+  for_each_field([&](auto& field, const auto& values) { field = field.value_or(values[column]); }, out, presets);
+  return out;
 }
 
-SlamOptions resolved(const SlamOptions& options) {
-  const auto& table = option_table(&options);
-  const auto name = std::ranges::find(preset_names(), options.preset);
-  if (name == preset_names().end()) throw bad_input("preset '" + options.preset + "'", table.at("preset").needed());
-  const auto column = static_cast<std::size_t>(name - preset_names().begin());
-  SlamOptions out = options;
-  for (const auto& row : preset_rows()) {
-    const auto& spec = table.at(row.option);
-    if (spec.get(&out) == spec.default_value) spec.assign(&out, spec.checked(row.values[column]));
-  }
+SlamSettings resolved(const SlamOptions& options) {
+  const SlamOptions filled = filled_in(options);
+  SlamSettings out{filled, {}};
+  for_each_field([](auto& field, const auto& value) { field = *value; }, out, filled);
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/known_facts.h"
 #include "slam/core/map/dense_map.h"
 #include "slam/core/map/passes.h"
 #include "slam/core/map/tum_poses.h"
@@ -12,7 +13,7 @@
 namespace bole::slam {
 namespace {
 
-// Poses far from zero (projected coordinates) are worked on about a near origin, for float32 offsets hold no more.
+// Poses in projected coordinates are moved to a nearby origin, because float32 offsets are not precise enough.
 Eigen::Vector3d near_origin(const std::vector<StampedPose>& poses) {
   const Eigen::Vector3d first = poses.front().T_target_sensor.translation();
   return first.norm() < 5000 ? Eigen::Vector3d::Zero() : Eigen::Vector3d((first / 100).array().round() * 100);
@@ -22,7 +23,7 @@ void shift(std::vector<StampedPose>& poses, const Eigen::Vector3d& by) {
   for (auto& p : poses) p.T_target_sensor.translation() += by;
 }
 
-// False where the frame cannot be read: one bad frame ends no run.
+// False where the frame cannot be read: one bad frame does not end the run.
 bool readable(const FrameSource& source, std::size_t index, ScanFrame& frame) {
   try {
     source.read(index, frame);
@@ -33,28 +34,30 @@ bool readable(const FrameSource& source, std::size_t index, ScanFrame& frame) {
   }
 }
 
-// From the largest of three frames, and more of them only where these cannot be read.
+// An estimate from the largest of three frames. More are read only where these cannot be read.
 std::size_t expected_points(const FrameSource& source, const Track& track) {
   ScanFrame frame;
-  std::size_t most = 0;
+  std::size_t max_size = 0;
   int seen = 0;
   for (const double share : {0.1, 0.5, 0.9, 0.3, 0.7, 0.2, 0.4, 0.6, 0.8}) {
     const auto k = static_cast<std::size_t>(share * static_cast<double>(track.frames.size()));
     if (!readable(source, track.frames[k].index, frame)) continue;
-    most = std::max(most, frame.size());
+    max_size = std::max(max_size, frame.size());
     if (++seen == 3) break;
   }
-  return (most + most / 4 + 1000) * track.frames.size();
+  return (max_size + max_size / 4 + 1000) * track.frames.size();
 }
 
-PointCloud map_frames(const FrameSource& source, const Track& track, const SlamOptions& options, Report& report,
+PointCloud map_frames(const FrameSource& source, const Track& track, const SlamSettings& options, Report& report,
                       const Run& run) {
   if (!options.dense_map) return DenseMapBuilder({.expected_points = 1}).take();
-  const auto marks = mark_path(track.path, track.keyframe_times_s, options.keyframe_distance_m, options.pass_radius_m);
+  const auto marks = mark_path(track.path, track.keyframe_times_s, options.keyframe_distance, options.pass_radius);
   DenseMapSettings settings;
-  settings.range_min_m = options.map_range_min_m, settings.range_max_m = options.map_range_max_m;
-  settings.voxel_m = options.map_voxel_m, settings.points_per_voxel = options.map_points_per_voxel;
-  settings.most_points = static_cast<std::size_t>(options.map_max_points_million * 1e6);
+  settings.min_range = options.map_min_range;
+  settings.max_range = options.map_max_range;
+  settings.voxel = options.map_voxel;
+  settings.points_per_voxel = options.map_points_per_voxel;
+  settings.max_points = static_cast<std::size_t>(options.map_max_points_million * 1e6);
   settings.expected_points = expected_points(source, track);
   DenseMapBuilder builder(settings);
   ScanFrame frame;
@@ -76,19 +79,18 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamO
   }
   if (unread)
     report.warn(std::to_string(unread) + " of " + std::to_string(track.frames.size()) +
-                " frames could not be read a second time and are missing in the map");
+                " frames could not be read a second time. They are missing in the map");
   if (builder.halvings() > 0)
     report.warn("the map was thinned to every " + std::to_string(1 << builder.halvings()) +
                 "th point to stay below map_max_points, " + number_text(options.map_max_points_million) + " million");
-  report.metrics["map_per_frame"] = {1000 * watch.lap_s() / static_cast<double>(track.frames.size()),
-                                     Unit::millisecond};
+  report.metrics["map_per_frame"] = {1000 * watch.lap() / static_cast<double>(track.frames.size()), Unit::millisecond};
   report.counts["points_offered"] = static_cast<std::int64_t>(builder.offered());
   report.counts["points"] = static_cast<std::int64_t>(builder.size());
   report.counts["passes"] = marks.empty() ? 0 : marks.back().pass + 1;
   return builder.take();
 }
 
-// Poses in a gap of the recording are guesses and are not given out.
+// Poses in a gap of the recording are guesses and are left out.
 void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajectory& trajectory) {
   std::erase_if(trajectory.poses, [&](const StampedPose& p) {
     return std::ranges::any_of(gaps_s, [&](const auto& gap) { return p.time_s > gap.first && p.time_s < gap.second; });
@@ -97,11 +99,11 @@ void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajec
 
 }  // namespace
 
-SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options, const Run& run) {
-  const SlamOptions options = resolved(given_options);
+SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const Run& run) {
+  const SlamSettings options = resolved(given);
   if (source.size() == 0) throw bad_input("the scan has no frames", "at least 2");
   SlamResult out;
-  out.report.facts["preset"] = options.preset;
+  out.report.facts["preset"] = choice_name(options.preset);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Track track;
   if (options.trajectory.empty()) {
@@ -114,11 +116,17 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given_options,
     out.report.facts["trajectory"] = options.trajectory;
   }
   out.points = map_frames(source, track, options, out.report, options.trajectory.empty() ? run.part(0.75, 1) : run);
-  out.odometry = std::move(track.frame_table), out.loops = std::move(track.loop_table);
+  out.odometry = std::move(track.frame_table);
+  out.loops = std::move(track.loop_table);
   out.points.origin = origin;
-  out.trajectory = track.path.sampled(options.trajectory_rate_hz, Axes::map);
+  out.trajectory = track.path.sampled(options.trajectory_rate, Axes::map);
   leave_out_gaps(track.gaps_s, out.trajectory);
   shift(out.trajectory.poses, origin);
+
+  Facts facts = source.facts();
+  set_fact(facts, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
+  out.points.facts = facts;
+  out.trajectory.facts = std::move(facts);
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));

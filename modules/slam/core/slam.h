@@ -1,4 +1,4 @@
-// Frames in, trajectory and dense map out.
+// SLAM: takes frames, gives a trajectory and a dense map.
 #pragma once
 
 #include "base/report.h"
@@ -12,16 +12,16 @@
 namespace bole::slam {
 
 struct SlamResult {
-  PointCloud points;  // map axes: where the sensor was at the start of the first frame; with a given trajectory, the
-                      // axes of that
+  // Map axes: those of the sensor at the start of the first frame, or of the given trajectory.
+  PointCloud points;
   Trajectory trajectory;  // the same axes, at an even rate, without the gaps of the recording
   Table odometry;         // per frame: time, overlap, residual, observability, sigma0, standard deviations of the pose
-  Table loops;            // revisits that were accepted: times, way between, correction, overlap, how found
+  Table loops;            // accepted loop closures: times, distance travelled, correction, overlap, how found
   Report report;
 };
 
-// Reads the frames twice: for the trajectory (once less when it is given) and for the map. Throws Error{bad_input} when
-// no frame can be used and Error{cancelled}. When the track is lost the map ends there, with a warning and
+// Reads the frames twice: for the trajectory (unless it is given) and for the map. Throws Error{bad_input} when no
+// frame can be used, and Error{cancelled}. When the track is lost the map ends there, with a warning and
 // Status::finished_early.
 SlamResult run_slam(const FrameSource& source, const SlamOptions& options, const Run& run);
 

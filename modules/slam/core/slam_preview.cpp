@@ -24,10 +24,10 @@ Trajectory poses_of(const std::vector<Keyframe>& keyframes) {
   return t;
 }
 
-// Every nth, so that at most `most` are left.
+// Every nth, so that at most `max_points` are left.
 template <class Points, class Add>
-void thinned(const Points& points, std::size_t most, Add add) {
-  const std::size_t step = points.size() / most + 1;
+void thinned(const Points& points, std::size_t max_points, Add add) {
+  const std::size_t step = points.size() / max_points + 1;
   for (std::size_t i = 0; i < points.size(); i += step) add(points[i]);
 }
 
@@ -86,7 +86,7 @@ void FollowPreview::show(const Odometry& odometry, const Features* features) {
   snapshot.set("frame_state", state_of(last, frames_));
   snapshot.set("trajectory", poses_of(odometry.frames()));
   const auto& keyframes = odometry.keyframes();
-  // Failed frames at the end take their key frames with them when the track is given up.
+  // Failed frames at the end are dropped with their keyframes when the track is lost.
   shown_keyframes_ = std::min(shown_keyframes_, keyframes.size());
   if (shown_keyframes_ < keyframes.size()) snapshot.set("keyframe_points", points_of(keyframes, shown_keyframes_));
   shown_keyframes_ = keyframes.size();
@@ -99,12 +99,16 @@ void preview_loops(const Run& run, const std::vector<Loop>& accepted,
   if (!run.preview || (!last && !run.preview->wants())) return;
   std::vector<std::int64_t> from, to, good;
   const auto add = [&](std::size_t a, std::size_t b, bool ok) {
-    from.push_back(static_cast<std::int64_t>(a)), to.push_back(static_cast<std::int64_t>(b)), good.push_back(ok);
+    from.push_back(static_cast<std::int64_t>(a));
+    to.push_back(static_cast<std::int64_t>(b));
+    good.push_back(ok);
   };
   for (const auto& l : accepted) add(l.from, l.to, true);
   for (const auto& [a, b] : refused) add(a, b, false);
   Table t;
-  t.set("from_keyframe", from), t.set("to_keyframe", to), t.set("accepted", good);
+  t.set("from_keyframe", from);
+  t.set("to_keyframe", to);
+  t.set("accepted", good);
   DataSet snapshot;
   snapshot.set("loops", std::move(t));
   run.preview->show(std::move(snapshot));
@@ -126,7 +130,7 @@ void preview_path(const Run& run, const Path& path, const std::vector<Keyframe>&
     if (path.covers(k.time_s, 0.5)) places.poses.push_back({k.time_s, path.at(k.time_s)});
   DataSet snapshot;
   snapshot.set("trajectory", std::move(walk));
-  // All or none: a pose belongs to its key frame by its place in the list.
+  // All or none: poses are assigned to keyframes by their index.
   if (places.poses.size() == keyframes.size()) snapshot.set("keyframes", std::move(places));
   run.preview->show(std::move(snapshot));
 }

@@ -1,12 +1,11 @@
-// What somebody who watches a SLAM run gets to see of it (cloud/preview.h). Parts of a snapshot, each only when it has
-// news:
-//   frame            cloud       the frame in work, de-skewed, map axes
+// Snapshots of a SLAM run for a preview (cloud/preview.h). A snapshot has these parts, each only when it has changed:
+//   frame            cloud       the current frame, de-skewed, map axes
 //   frame_state      table       one row: frame (index in the source), frames (in the source), ok, overlap, time_s
 //   trajectory       trajectory  poses so far, map axes
-//   keyframe_points  cloud       thinned points of key frames that no snapshot held before, in the axes of their key
-//                                frame; column keyframe
-//   keyframes        trajectory  poses of all key frames, map axes; a later snapshot may move them
-//   loops            table       from_keyframe, to_keyframe, accepted: all revisits tried so far
+//   keyframe_points  cloud       thinned points of keyframes that are new since the last snapshot, in the axes of their
+//                                keyframe; column keyframe
+//   keyframes        trajectory  poses of all keyframes, map axes; a later snapshot may move them
+//   loops            table       from_keyframe, to_keyframe, accepted: all loop closures tried so far
 #pragma once
 
 #include <utility>
@@ -19,14 +18,14 @@
 
 namespace bole::slam {
 
-// While frames are followed.
+// Shows the odometry while it runs.
 class FollowPreview {
  public:
   FollowPreview(const Run& run, std::size_t frames) : preview_(run.preview), frames_(frames) {}
 
-  // After a frame was added to the odometry: shows it when a snapshot is wanted.
+  // Call after a frame was added to the odometry. Shows it when a snapshot is wanted.
   void frame(const Odometry& odometry, const Features& features);
-  // After the last one.
+  // Call after the last frame.
   void all(const Odometry& odometry);
 
  private:
@@ -36,11 +35,11 @@ class FollowPreview {
   std::size_t shown_keyframes_ = 0;
 };
 
-// Revisits as pairs of key frames; `last`: the search is over, show them whether a snapshot is wanted or not.
+// Loop closures as pairs of keyframes. `last`: the search is over, so show them in any case.
 void preview_loops(const Run& run, const std::vector<Loop>& accepted,
                    const std::vector<std::pair<std::size_t, std::size_t>>& refused, bool last);
 
-// The poses after a step that moved them.
+// The poses after a step that changed them.
 void preview_poses(const Run& run, const std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& keyframes);
 void preview_path(const Run& run, const Path& path, const std::vector<Keyframe>& keyframes);
 

@@ -8,7 +8,7 @@ namespace bole::slam {
 class Stopwatch {
  public:
   // Seconds since construction or the last lap.
-  double lap_s() {
+  double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
     start_ = now;

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::steering {
 namespace {
 
 constexpr std::uint64_t attitude_stream = 3;
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr double turning_speed_m_s = 4 / 3.6;
 
 }  // namespace
@@ -44,7 +45,8 @@ DriveSample Drive::observe() {
   const Eigen::Vector2d antenna = s.truth + (attitude.R_nav_body() * arm).head<2>();
   const auto noise = [&](double sd_deg) { return sd_deg * rad_per_deg * attitude_noise_.normal(); };
   geo::Attitude measured = attitude;
-  measured.roll_rad += noise(o_.tilt_noise_deg), measured.pitch_rad += noise(o_.tilt_noise_deg);
+  measured.roll_rad += noise(o_.tilt_noise_deg);
+  measured.pitch_rad += noise(o_.tilt_noise_deg);
   measured.yaw_rad += noise(o_.heading_noise_deg);
   s.yaw_rad = measured.yaw_rad;
   if (const auto fix = receiver_.fix(antenna))
@@ -54,7 +56,7 @@ DriveSample Drive::observe() {
   filter_.step(dt_s_, s.received);
   s.navigated = filter_.position();
   s.offset_m = line_.offset_m(s.navigated);
-  s.stopped = filter_.seconds_without_fix() > o_.outage_max;
+  s.stopped = filter_.seconds_without_fix() > o_.max_outage;
   return s;
 }
 
@@ -69,7 +71,7 @@ DriveSample Drive::steer() {
 
 DriveSample Drive::turn(double curvature) {
   auto s = observe();
-  s.stopped = false;  // the driver sees where he goes
+  s.stopped = false;  // the driver needs no fix
   s.command_rad = std::atan(o_.wheelbase * curvature);
   tractor_.advance(dt_s_, s.command_rad, std::min(target_speed_m_s_, turning_speed_m_s));
   s.wheel_rad = tractor_.wheel_rad();

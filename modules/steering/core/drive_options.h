@@ -1,8 +1,9 @@
-// Options of a simulated drive: tractor, receiver, position filter, controller, and the test that strings them
-// together.
+// Options of a simulated drive: tractor, receiver, position filter, controller, and the test made of them.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "base/option.h"
 
@@ -10,7 +11,7 @@ namespace bole::steering {
 
 struct TractorOptions {
   double wheelbase = 2.69;
-  double steering_max_deg = 40;
+  double max_steering_angle_deg = 40;
   double steering_rate_deg_s = 30;
   double steering_lag = 0.1;
   double steering_delay = 0.05;
@@ -45,17 +46,17 @@ struct FilterOptions {
   double acceleration_sigma = 0.3;
   double gate = 5;
   double patience = 2;
-  double outage_max = 5;
+  double max_outage = 5;
 };
 
-// Negative: from the table of the paper at the speed of the drive (published_gains()).
+// Preview and gains left open: from the table of the paper at the speed of the drive (published_gains()).
 struct ControlOptions {
-  double preview = -1;
-  double gain_p = -1;
-  double gain_i = -1;
-  double gain_d = -1;
+  std::optional<double> preview;
+  std::optional<double> gain_p;
+  std::optional<double> gain_i;
+  std::optional<double> gain_d;
   double approach_angle_deg = 30;
-  double command_max_deg = 15;
+  double max_command_deg = 15;
   double integral_zone = 0.2;
   double integral_limit_deg = 5;
 };
@@ -86,7 +87,7 @@ struct TuneOptions : DriveOptions {
 const OptionTable& option_table(const FieldTestOptions*);
 const OptionTable& option_table(const TuneOptions*);
 
-// Speeds of a list like "3 5 7", in km/h. Throws Error{bad_input} for what is no number between 0.1 and 40.
+// Speeds of a list like "3 5 7", in km/h. Throws Error{bad_input} for a word that is no number from 0.1 to 40.
 std::vector<double> speeds_km_h(const std::string& list);
 
 }  // namespace bole::steering

@@ -6,20 +6,23 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
 #include "steering/core/drive.h"
 #include "steering/core/headland_turn.h"
 
 namespace bole::steering {
 namespace {
 
-constexpr double deg_per_rad = 180 / std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Grows a row per fix.
 class Log {
  public:
   void add(std::int64_t drive, double speed_km_h, std::int64_t line, const char* state, const DriveSample& s) {
-    drive_.push_back(drive), line_.push_back(line), stopped_.push_back(s.stopped ? 1 : 0), state_.emplace_back(state);
+    drive_.push_back(drive);
+    line_.push_back(line);
+    stopped_.push_back(s.stopped ? 1 : 0);
+    state_.emplace_back(state);
     const auto gnss = s.received.value_or(Eigen::Vector2d(nan, nan));
     const double values[] = {speed_km_h,
                              s.time_s,
@@ -58,7 +61,8 @@ class Protocol {
   Protocol(const FieldTestOptions& options, const Run& run, Log& log) : o_(options), run_(run), log_(log) {}
 
   void drive(std::int64_t number, double speed_km_h, std::uint64_t seed) {
-    number_ = number, speed_km_h_ = speed_km_h;
+    number_ = number;
+    speed_km_h_ = speed_km_h;
     const GuidanceLine first{Eigen::Vector2d::Zero(), o_.direction_deg / deg_per_rad};
     Drive drive(o_, speed_km_h, first, seed);
     drive.place(first.a + o_.start_offset * first.left(), first.yaw_rad);
@@ -66,7 +70,10 @@ class Protocol {
       const bool forth = k % 2 == 0;
       GuidanceLine line = first;
       line.a += k * o_.row_width * first.left();
-      if (!forth) line.a += length_m() * first.along(), line.yaw_rad += std::numbers::pi;
+      if (!forth) {
+        line.a += length_m() * first.along();
+        line.yaw_rad += std::numbers::pi;
+      }
       follow(drive, line, k + 1);
       if (k + 1 < o_.rows) turn(drive, forth ? o_.row_width : -o_.row_width);
     }
@@ -78,10 +85,10 @@ class Protocol {
   void follow(Drive& drive, const GuidanceLine& line, std::int64_t number) {
     drive.follow(line);
     const double expected_s = length_m() / (speed_km_h_ / 3.6);
-    const auto most = static_cast<std::int64_t>((10 * expected_s + 600) * o_.rate);
+    const auto max_fixes = static_cast<std::int64_t>((10 * expected_s + 600) * o_.rate);
     for (std::int64_t i = 0; line.along_m(drive.truth()) < length_m(); ++i) {
       if (i % 256 == 0) run_.check_cancel();
-      if (i > most || std::abs(line.offset_m(drive.truth())) > 100)
+      if (i > max_fixes || std::abs(line.offset_m(drive.truth())) > 100)
         throw failure(fmt::format("the tractor left line {} at {} km/h: {:.1f} m beside it after {:.0f} s", number,
                                   speed_km_h_, line.offset_m(drive.truth()), static_cast<double>(i) / o_.rate),
                       "gains that keep it on the line",

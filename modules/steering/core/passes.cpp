@@ -57,13 +57,13 @@ std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, cons
   for (const int direction : {1, -1}) {
     const double wanted = line.yaw_rad + (direction > 0 ? 0 : std::numbers::pi);
     for (const auto& s : stretches(
-             track, [&](std::size_t i) { return yaw[i] && angle_between(*yaw[i], wanted) < limits.angle_max_rad; })) {
+             track, [&](std::size_t i) { return yaw[i] && angle_between(*yaw[i], wanted) < limits.max_angle_rad; })) {
       Pass pass{s.first, s.last, 0, direction};
       const auto way = [&](std::size_t i) { return direction * line.along_m(track.truth[i]); };
       const double begin = way(s.first), end = way(s.last);
       while (pass.first < s.last && way(pass.first) - begin < limits.run_in_m) ++pass.first;
       while (pass.last > pass.first && end - way(pass.last) < limits.run_out_m) --pass.last;
-      if (way(pass.last) - way(pass.first) < limits.length_min_m) continue;
+      if (way(pass.last) - way(pass.first) < limits.min_length_m) continue;
       double offset = 0;
       for (std::size_t i = pass.first; i <= pass.last; ++i) offset += line.offset_m(track.truth[i]);
       offset /= static_cast<double>(pass.last - pass.first + 1);
@@ -82,13 +82,16 @@ std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimit
   for (std::size_t i = 0; i < track.truth.size();) {
     std::size_t j = i;
     while (yaw[i] && j + 1 < track.truth.size() && yaw[j + 1] &&
-           angle_between(*yaw[j + 1], *yaw[i]) < limits.angle_max_rad)
+           angle_between(*yaw[j + 1], *yaw[i]) < limits.max_angle_rad)
       ++j;
     // The first of several of about the same length, for A is where the work began.
-    if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m) best_m = m, best = {i, j};
+    if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m) {
+      best_m = m;
+      best = {i, j};
+    }
     i = j + 1;
   }
-  if (best_m < limits.length_min_m) return std::nullopt;
+  if (best_m < limits.min_length_m) return std::nullopt;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   const double n = static_cast<double>(best.last - best.first + 1);
   for (std::size_t i = best.first; i <= best.last; ++i) mean += track.truth[i] / n;

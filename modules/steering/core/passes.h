@@ -18,8 +18,8 @@ struct Track {
 struct PassLimits {
   double row_width_m = 0;
   double run_in_m = 30, run_out_m = 3;
-  double length_min_m = 20;
-  double angle_max_rad = 0.17;
+  double min_length_m = 20;
+  double max_angle_rad = 0.17;
 };
 
 struct Pass {
@@ -33,7 +33,7 @@ struct Pass {
 std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, const PassLimits& limits);
 
 // Least-squares line through the longest straight stretch, in its direction; nothing when the track has none of
-// `length_min_m`.
+// `min_length_m`.
 std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimits& limits);
 
 }  // namespace bole::steering

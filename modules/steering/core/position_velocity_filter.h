@@ -20,7 +20,10 @@ class PositionVelocityFilter {
   void step(double dt_s, const std::optional<Eigen::Vector2d>& fix_nav);
 
   // Dead reckoning: what wheels and heading say in place of the last velocity, for the time without fixes.
-  void set_velocity(const Eigen::Vector2d& velocity_nav) { x_(1) = velocity_nav.x(), x_(3) = velocity_nav.y(); }
+  void set_velocity(const Eigen::Vector2d& velocity_nav) {
+    x_(1) = velocity_nav.x();
+    x_(3) = velocity_nav.y();
+  }
 
   Eigen::Vector2d position() const { return {x_(0), x_(2)}; }
   Eigen::Vector2d velocity() const { return {x_(1), x_(3)}; }

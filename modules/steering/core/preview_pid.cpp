@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::steering {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180;
 
 struct Row {
   double speed_km_h;
@@ -28,25 +28,22 @@ Gains published_gains(double speed_km_h) {
 }
 
 Gains gains_of(const ControlOptions& o, double speed_km_h) {
-  Gains g = published_gains(speed_km_h);
-  if (o.preview >= 0) g.preview_m = o.preview;
-  if (o.gain_p >= 0) g.p = o.gain_p;
-  if (o.gain_i >= 0) g.i = o.gain_i;
-  if (o.gain_d >= 0) g.d = o.gain_d;
-  return g;
+  const Gains published = published_gains(speed_km_h);
+  return {o.preview.value_or(published.preview_m), o.gain_p.value_or(published.p), o.gain_i.value_or(published.i),
+          o.gain_d.value_or(published.d)};
 }
 
 double PreviewPid::wheel_angle_rad(double offset_m, double heading_error_rad, double speed_m_s, double dt_s) {
   if (std::abs(offset_m) < o_.integral_zone)
     integral_deg_ =
         std::clamp(integral_deg_ + gains_.i * offset_m * dt_s, -o_.integral_limit_deg, o_.integral_limit_deg);
-  // Where e = -d sin alpha the proportional part is content: capping e caps that angle.
+  // The proportional part is zero where e = -d sin alpha, so a cap on e is a cap on that angle.
   const double reach_m = std::max(gains_.preview_m, 0.5) * std::sin(o_.approach_angle_deg * rad_per_deg);
   const double e = std::clamp(offset_m, -reach_m, reach_m);
   const double alpha = std::clamp(heading_error_rad, -std::numbers::pi / 3, std::numbers::pi / 3);
   const double degrees =
       gains_.p * (e + gains_.preview_m * std::sin(alpha)) + gains_.d * speed_m_s * std::tan(alpha) + integral_deg_;
-  return -std::clamp(degrees, -o_.command_max_deg, o_.command_max_deg) * rad_per_deg;
+  return -std::clamp(degrees, -o_.max_command_deg, o_.max_command_deg) * rad_per_deg;
 }
 
 }  // namespace bole::steering

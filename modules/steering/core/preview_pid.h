@@ -15,7 +15,7 @@ struct Gains {
 // The paper's table 1 (3, 5 and 7 km/h), straight lines between and level beyond.
 Gains published_gains(double speed_km_h);
 
-// The options' gains; those that are negative from the table.
+// The options' gains; those left open come from the table.
 Gains gains_of(const ControlOptions& options, double speed_km_h);
 
 // Wheel angle = -(P (e + d sin alpha) + D V tan alpha + I integral of e), with e positive left of the line and alpha

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
@@ -18,37 +18,38 @@ const OptionTable& option_table(const ErrorOptions*) {
   using S = ErrorOptions;
   using Number = Option<S, double>;
   static const OptionTable table = make_option_table<S>({
-      Number{"row_width",
-             &S::row_width,
-             Unit::metre,
-             {0, 100},
-             Tier::basic,
-             "Distance of neighbouring lines; 0: from the log, where it tells."},
+      Option<S, std::optional<double>>{"row_width",
+                                       &S::row_width,
+                                       Unit::metre,
+                                       {0.01, 100},
+                                       "log",
+                                       Tier::basic,
+                                       "Distance between neighbouring lines. log: as the log gives it."},
       Number{"run_in",
              &S::run_in,
              Unit::metre,
              {0, 1000},
              Tier::basic,
-             "Way at the beginning of each pass that is not measured."},
+             "Distance at the start of each pass that is not measured."},
       Number{"run_out",
              &S::run_out,
              Unit::metre,
              {0, 1000},
              Tier::advanced,
-             "Way at the end of each pass that is not measured: the turn begins there."},
-      Number{"length_min", &S::length_min, Unit::metre, {1, 1e5}, Tier::basic, "Shorter passes do not count."},
-      Number{"angle_max_deg",
-             &S::angle_max_deg,
+             "Distance at the end of each pass that is not measured, because the turn begins there."},
+      Number{"min_length", &S::min_length, Unit::metre, {1, 1e5}, Tier::basic, "Shorter passes are ignored."},
+      Number{"max_angle",
+             &S::max_angle_deg,
              Unit::degree,
              {0.5, 45},
              Tier::advanced,
-             "A pass is where the way is within this angle of the line."},
+             "Largest angle between the direction of motion and the line on a pass."},
       Number{"speed_step_km_h",
              &S::speed_step_km_h,
              Unit::none,
              {0.1, 40},
              Tier::advanced,
-             "Measured speeds are grouped in steps of this, where the log names none."},
+             "Step, km/h, by which measured speeds are grouped when the log does not give them."},
   });
   return table;
 }
@@ -101,7 +102,8 @@ std::vector<Drive> drives_of(const Table& log, const Table* reference) {
     auto& track = drives.back().track;
     if (!track.time_s.empty() && !(time[i] > track.time_s.back()))
       throw bad_input(fmt::format("time_s does not rise at row {} of the log", i + 1), "rising times within a run");
-    track.time_s.push_back(time[i]), track.truth.push_back(real);
+    track.time_s.push_back(time[i]);
+    track.truth.push_back(real);
     if (!truth.empty()) track.navigated.push_back(navigated);
   }
   return drives;
@@ -116,8 +118,8 @@ GuidanceLine line_of(const Table* lines, const Drive& drive, const PassLimits& l
   }
   const auto line = longest_straight(drive.track, limits);
   if (!line)
-    throw bad_input(fmt::format("run {} has no straight stretch of {} m", drive.run, limits.length_min_m),
-                    "a line to measure against", "Give A and B (lines), or lower length_min");
+    throw bad_input(fmt::format("run {} has no straight stretch of {} m", drive.run, limits.min_length_m),
+                    "a line to measure against", "Give A and B (lines), or lower min_length");
   return *line;
 }
 
@@ -153,7 +155,9 @@ void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimit
   std::map<std::int64_t, Neighbour> driven;  // the last pass on each row
   for (const auto& pass : passes) {
     MeasuredPass m;
-    m.run = drive.run, m.row = pass.row, m.direction = pass.direction;
+    m.run = drive.run;
+    m.row = pass.row;
+    m.direction = pass.direction;
     m.speed_km_h = drive.speed_km_h;
     if (!std::isfinite(m.speed_km_h))
       m.speed_km_h = speed_step_km_h * std::round(median_speed_km_h(drive.track, pass) / speed_step_km_h);
@@ -179,9 +183,9 @@ void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimit
 
 TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table* reference,
                                const ErrorOptions& options, const Run& run) {
-  PassLimits limits{options.row_width, options.run_in, options.run_out, options.length_min,
-                    options.angle_max_deg * std::numbers::pi / 180};
-  if (const auto it = log.facts.find("row_width_m"); limits.row_width_m == 0 && it != log.facts.end())
+  PassLimits limits{options.row_width.value_or(0), options.run_in, options.run_out, options.min_length,
+                    radians(options.max_angle_deg)};
+  if (const auto it = log.facts.find("row_width_m"); !options.row_width && it != log.facts.end())
     limits.row_width_m = number_from_text(it->second).value_or(0);
   const auto drives = drives_of(log, reference);
   std::vector<MeasuredPass> passes;
@@ -191,8 +195,8 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
     measure_drive(drives[i], line_of(lines, drives[i], limits), limits, options.speed_step_km_h, passes);
   }
   if (passes.empty())
-    throw bad_input(fmt::format("none of {} fixes is on a pass of {} m along the line", log.rows(), options.length_min),
-                    "a drive along the line from A to B", "Check A and B, or lower run_in and length_min");
+    throw bad_input(fmt::format("none of {} fixes is on a pass of {} m along the line", log.rows(), options.min_length),
+                    "a drive along the line from A to B", "Check A and B, or lower run_in and min_length");
   TrackingErrors result;
   result.passes = pass_table(passes);
   result.summary = summary_table(passes);
@@ -200,7 +204,8 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
   result.report.counts["passes"] = static_cast<std::int64_t>(passes.size());
   if (std::ranges::all_of(drives, [](const Drive& d) { return d.track.navigated.empty(); }))
     result.report.warn(
-        "no reference: errors are those that the receiver saw, without its own (connect 'reference', or a log with "
+        "no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', "
+        "or a log with "
         "ref_x_m and ref_y_m)");
   const auto all = overall(passes);
   result.report.metrics["line_sd"] = {all.line.sd, Unit::metre};
@@ -209,7 +214,7 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
     result.report.metrics["adjacent_sd"] = {all.adjacent.sd, Unit::metre};
     result.report.metrics["adjacent_max"] = {all.adjacent.max, Unit::metre};
   } else {
-    result.report.warn("no neighbouring passes: no adjacent-row error (row_width, or drive the next line)");
+    result.report.warn("no neighbouring passes: no adjacent-row error (set row_width, or drive the next line)");
   }
   result.report.message = fmt::format("{} passes, standard deviation {:.1f} cm", passes.size(), 100 * all.line.sd);
   return result;

@@ -1,6 +1,7 @@
 // How well lines were followed, from a log: straight-line error and adjacent-row error (SPEC E5).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/option.h"
@@ -11,11 +12,11 @@
 namespace bole::steering {
 
 struct ErrorOptions {
-  double row_width = 0;
+  std::optional<double> row_width;  // left open: from the log, where it has the fact row_width_m
   double run_in = 30;
   double run_out = 3;
-  double length_min = 20;
-  double angle_max_deg = 10;
+  double min_length = 20;
+  double max_angle_deg = 10;
   double speed_step_km_h = 1;
 };
 

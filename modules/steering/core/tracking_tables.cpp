@@ -54,7 +54,9 @@ class Columns {
     it->second.push_back(value);
   }
   void add(const std::string& prefix, const Spread& s) {
-    add(prefix + "_mean_m", s.mean), add(prefix + "_sd_m", s.sd), add(prefix + "_max_m", s.max);
+    add(prefix + "_mean_m", s.mean);
+    add(prefix + "_sd_m", s.sd);
+    add(prefix + "_max_m", s.max);
   }
   void move_to(Table& table) {
     for (auto& [name, values] : columns_) table.set(name, std::move(values));
@@ -65,8 +67,10 @@ class Columns {
 };
 
 void add_errors(Columns& columns, const SpeedErrors& e) {
-  columns.add("line", e.line), columns.add("adjacent", e.adjacent);
-  columns.add("controller", e.controller), columns.add("receiver", e.receiver);
+  columns.add("line", e.line);
+  columns.add("adjacent", e.adjacent);
+  columns.add("controller", e.controller);
+  columns.add("receiver", e.receiver);
 }
 
 void add_published(Columns& columns, double speed_km_h) {
@@ -86,10 +90,16 @@ Spread average(const std::vector<SpeedErrors>& speeds, Spread SpeedErrors::*part
   for (const auto& e : speeds) {
     const Spread& s = e.*part;
     if (s.count == 0) continue;
-    n += 1, a.count += s.count, a.mean += s.mean, a.sd += s.sd, a.max += s.max;
+    n += 1;
+    a.count += s.count;
+    a.mean += s.mean;
+    a.sd += s.sd;
+    a.max += s.max;
   }
   if (a.count == 0) return {0, nan, nan, nan};
-  a.mean /= n, a.sd /= n, a.max /= n;
+  a.mean /= n;
+  a.sd /= n;
+  a.max /= n;
   return a;
 }
 
@@ -99,7 +109,11 @@ Spread spread_of(const std::vector<double>& values) {
   Spread s;
   double sum = 0, squares = 0;
   for (const double v : values)
-    if (std::isfinite(v)) ++s.count, sum += v, s.max = std::max(s.max, std::abs(v));
+    if (std::isfinite(v)) {
+      ++s.count;
+      sum += v;
+      s.max = std::max(s.max, std::abs(v));
+    }
   if (s.count == 0) return {0, nan, nan, nan};
   s.mean = sum / static_cast<double>(s.count);
   for (const double v : values)
@@ -127,7 +141,9 @@ Table pass_table(const std::vector<MeasuredPass>& passes) {
   Columns columns;
   for (const auto& p : passes) {
     pass.push_back(!run.empty() && run.back() == p.run ? pass.back() + 1 : 1);
-    run.push_back(p.run), row.push_back(p.row), direction.push_back(p.direction);
+    run.push_back(p.run);
+    row.push_back(p.row);
+    direction.push_back(p.direction);
     samples.push_back(static_cast<std::int64_t>(p.samples.size()));
     columns.add("speed_km_h", p.speed_km_h);
     columns.add("length_m", std::abs(p.samples.back().along_m - p.samples.front().along_m));
@@ -167,12 +183,18 @@ Table error_table(const std::vector<MeasuredPass>& passes) {
   Columns columns;
   std::int64_t last_run = 0, number = 0;
   for (const auto& p : passes) {
-    number = p.run == last_run ? number + 1 : 1, last_run = p.run;
+    number = p.run == last_run ? number + 1 : 1;
+    last_run = p.run;
     for (const auto& s : p.samples) {
-      run.push_back(p.run), pass.push_back(number);
-      columns.add("speed_km_h", p.speed_km_h), columns.add("time_s", s.time_s), columns.add("along_m", s.along_m);
-      columns.add("error_m", s.error_m), columns.add("controller_m", s.controller_m);
-      columns.add("receiver_m", s.controller_m - s.error_m), columns.add("adjacent_m", s.adjacent_m);
+      run.push_back(p.run);
+      pass.push_back(number);
+      columns.add("speed_km_h", p.speed_km_h);
+      columns.add("time_s", s.time_s);
+      columns.add("along_m", s.along_m);
+      columns.add("error_m", s.error_m);
+      columns.add("controller_m", s.controller_m);
+      columns.add("receiver_m", s.controller_m - s.error_m);
+      columns.add("adjacent_m", s.adjacent_m);
     }
   }
   Table table;

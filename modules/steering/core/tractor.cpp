@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace bole::steering {
 namespace {
 
 constexpr std::uint64_t stream = 2;
-constexpr double rad_per_deg = std::numbers::pi / 180;
 constexpr double sub_step_s = 0.01;
 constexpr double roughness_length_m = 1.5;
 constexpr double acceleration_m_s2 = 0.7;
@@ -21,7 +21,10 @@ Tractor::Tractor(const TractorOptions& options, double slope_yaw_rad, std::uint6
 }
 
 void Tractor::place(const Eigen::Vector2d& rear_axle_nav, double yaw_rad, double speed_m_s) {
-  position_ = rear_axle_nav, yaw_ = yaw_rad, speed_ = speed_m_s, wheel_ = 0;
+  position_ = rear_axle_nav;
+  yaw_ = yaw_rad;
+  speed_ = speed_m_s;
+  wheel_ = 0;
   std::fill(commands_.begin(), commands_.end(), 0.0);
 }
 
@@ -33,8 +36,8 @@ geo::Attitude Tractor::attitude() const {
 
 void Tractor::turn_wheels(double dt_s, double command_rad) {
   commands_.push_back(command_rad);
-  const double most = o_.steering_max_deg * rad_per_deg, fastest = o_.steering_rate_deg_s * rad_per_deg;
-  const double target = std::clamp(commands_.front(), -most, most);
+  const double largest = o_.max_steering_angle_deg * rad_per_deg, fastest = o_.steering_rate_deg_s * rad_per_deg;
+  const double target = std::clamp(commands_.front(), -largest, largest);
   commands_.pop_front();
   const double share = o_.steering_lag > 0 ? 1 - std::exp(-dt_s / o_.steering_lag) : 1;
   const double missing = target - wheel_, deadband = o_.steering_deadband_deg * rad_per_deg;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cloud/known_facts.h"
+
 namespace bole::stems {
 namespace {
 
@@ -43,16 +45,14 @@ PointCloud breast_height_slice(const PointCloud& points, const SliceOptions& opt
                     "points at breast height", "Set slice.height within these heights, or check the ground stage");
   }
   auto slice = points.subset(indices);
-  slice.set_column(slice_height, std::vector<float>(slice.size(), static_cast<float>(options.height)));
+  set_fact(slice.facts, facts::breast_height, options.height);
   return slice;
 }
 
-double slice_height_m(const PointCloud& slice) {
+double slice_height(const PointCloud& slice) {
+  if (const auto height = fact_number(slice.facts, facts::breast_height)) return *height;
   if (slice.empty())
     throw bad_input("the slice is empty", "points at breast height", "Check options height and thickness of the slice");
-  if (slice.has(slice_height))
-    if (const double height = slice.values<float>(slice_height).front(); std::isfinite(height))
-      return std::round(1e4 * height) / 1e4;
   const auto span = span_of(slice.values<float>(arrays::height_above_ground));
   if (span.finite == 0) throw bad_input("no point of the slice has a height above ground", "points at breast height");
   return std::round(50.0 * (static_cast<double>(span.low) + static_cast<double>(span.high))) / 100.0;

@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "cloud/large_cloud.h"
-#include "stems/core/breast_height_slice.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
 #include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/stem_quality.h"
+#include "stems/core/sensor_facts.h"
 #include "stems/core/tree/assign_points.h"
 #include "stems/core/tree/crown_form.h"
 #include "stems/core/tree/stem_curve.h"
@@ -24,10 +24,10 @@ namespace bole::stems {
 namespace {
 
 constexpr double all_round_rad = 6.0;
-constexpr double least_drift_to_align_m = 0.01;
-constexpr int most_alignments = 2;
+constexpr double min_drift_to_align_m = 0.01;
+constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
-constexpr int least_sighting = 20;                 // points of a pass that tell where it sees a stem
+constexpr int min_sighting = 20;                   // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -44,7 +44,7 @@ std::optional<Eigen::Vector3f> sensor_at(const Trajectory& trajectory, const Eig
 
 class Survey {
  public:
-  Survey(const PointCloud& points, const PointCloud& slice, const Raster& dem, const Trajectory* trajectory,
+  Survey(const PointCloud& points, double breast_height, const Raster& dem, const Trajectory* trajectory,
          const MeasureOptions& options, const Run& run)
       : input_(points),
         points_(points),
@@ -52,13 +52,14 @@ class Survey {
         trajectory_(trajectory),
         options_(options),
         run_(run),
-        breast_height_(slice_height_m(slice)) {
+        breast_height_(breast_height) {
     out_.breast_height_m = breast_height_;
   }
 
   StemSurvey measure() {
+    options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
     auto priors = search();
-    for (int round = 0; round < most_alignments && align_passes(priors); ++round) priors = search();
+    for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     if (priors.learnt) refit_all(priors);
     accept();
     label();
@@ -83,7 +84,7 @@ class Survey {
   // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
   // were found all the same. False when there is nothing to gain.
   bool align_passes(const ProjectPriors& priors) {
-    if (!priors.learnt || priors.drift.pass_sd_m < least_drift_to_align_m) return false;
+    if (!priors.learnt || priors.drift.pass_sd_m < min_drift_to_align_m) return false;
     std::vector<PassSighting> sightings;
     for (std::size_t k = 0; k < fitted_.size(); ++k) {
       const auto& s = fitted_[k];
@@ -91,16 +92,16 @@ class Survey {
       const Eigen::Matrix3d to_plan = rotation_between(Eigen::Vector3d::UnitZ(), s.direction);
       const auto offsets = likeliest_offsets(s.drift, priors.drift);
       for (std::size_t i = 0; i < std::min(offsets.size(), s.pass_seen.size()); ++i)
-        if (const auto& seen = s.pass_seen[i]; seen.points >= least_sighting)
+        if (const auto& seen = s.pass_seen[i]; seen.points >= min_sighting)
           sightings.push_back({static_cast<int>(k), seen.pass, seen.time_s,
                                (to_plan * Eigen::Vector3d(offsets[i].x(), offsets[i].y(), 0)).head<2>()});
     }
     const PassAlignment alignment(sightings);
-    if (alignment.rms_m() < least_drift_to_align_m / 3) return false;
+    if (alignment.rms_m() < min_drift_to_align_m / 3) return false;
     if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
     points_ = aligned(points_, alignment, run_);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
-    if (alignments_.size() == 1) options_.range_bias_m = std::hypot(options_.range_bias_m, unknown_once_aligned_m);
+    if (alignments_.size() == 1) options_.range_bias = std::hypot(options_.range_bias, unknown_once_aligned_m);
     return true;
   }
 
@@ -110,7 +111,7 @@ class Survey {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < std::min(s.pass_offset.size(), s.pass_seen.size()); ++i) {
       const auto& seen = s.pass_seen[i];
-      if (seen.points < least_sighting) continue;
+      if (seen.points < min_sighting) continue;
       offset.push_back(s.pass_offset[i]);
       for (const auto& a : alignments_) offset.back() += a.at(seen.pass, seen.time_s);
       mean += offset.back();
@@ -133,10 +134,9 @@ class Survey {
 
   void detect() {
     run_.report(0, "stem layer");
-    layer_ =
-        make_stem_layer(points_, std::max(0.05, options_.search_bottom_m - 0.3), options_.search_top_m + 0.3, run_);
+    layer_ = make_stem_layer(points_, std::max(0.05, options_.search_bottom - 0.3), options_.search_top + 0.3, run_);
     const auto upright =
-        upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom_m, slabs_top_m(options_), run_);
+        upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom, slabs_top_m(options_), run_);
     const auto circles = find_slab_circles(layer_, upright, options_, run_.part(0.05, 0.30));
     circles_ = circles.size();
     auto linked = link_circles(circles, options_, run_);
@@ -151,15 +151,21 @@ class Survey {
     gather_rays();
   }
 
+  bool has_sensor_columns() const {
+    return points_.has(arrays::sensor_x) && points_.has(arrays::sensor_y) && points_.has(arrays::sensor_z);
+  }
+  bool has_path() const { return trajectory_ && trajectory_->poses.size() >= 2 && points_.has(arrays::time); }
+  bool knows_sensor() const { return has_sensor_columns() || has_path(); }
+
   void gather_rays() {
     rays_ = {};
     rays_.time = column_or_null<double>(points_, arrays::time);
     rays_.pass = column_or_null<std::int32_t>(points_, arrays::pass);
-    if (points_.has(arrays::sensor_x) && points_.has(arrays::sensor_y) && points_.has(arrays::sensor_z)) {
+    if (has_sensor_columns()) {
       rays_.sensor_x = &points_.values<float>(arrays::sensor_x),
       rays_.sensor_y = &points_.values<float>(arrays::sensor_y),
       rays_.sensor_z = &points_.values<float>(arrays::sensor_z);
-    } else if (trajectory_ && trajectory_->poses.size() >= 2 && rays_.time) {
+    } else if (has_path()) {
       const Eigen::Vector3f unknown = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
       rays_.sensor.assign(layer_.size(), unknown);
       for_each_point(layer_.size(), [&](std::size_t k) {
@@ -266,7 +272,7 @@ class Survey {
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
     }
     if (!offsets.empty() && options_.estimate_range_offset) {
-      priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd_m);
+      priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd);
       out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
     }
     priors.learnt = !drift.empty() || !offsets.empty();
@@ -299,8 +305,8 @@ class Survey {
   // Circles above breast height that stand beside the stem they join below: its limbs.
   void note_fork(Stem& trunk, const StemCandidate& limb) const {
     constexpr double above_m = 0.25;
-    constexpr int least_sections = 4;  // twigs make a circle or three
-    if (limb.sections < least_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
+    constexpr int min_limb_sections = 4;  // twigs make a circle or three
+    if (limb.sections < min_limb_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
       return;
     const double z = limb.ground_z + 0.5 * (limb.lowest + limb.highest);
     const Eigen::Vector2d at_limb =
@@ -379,7 +385,7 @@ class Survey {
     const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
     r.message =
         fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
-    if (options_.model == "ray" && !rays_.has_sensor())
+    if (options_.model == FitModel::ray && !rays_.has_sensor())
       r.warn(
           "model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, "
           "sensor_z, or time with a trajectory");
@@ -398,12 +404,12 @@ class Survey {
       return fmt::format(
           "no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights "
           "that the cloud has",
-          options_.search_bottom_m, options_.search_top_m);
+          options_.search_bottom, options_.search_top);
     if (circles_ == 0)
       return fmt::format(
           "no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc "
           "or min_dbh, or change the search heights",
-          layer_.size(), options_.search_bottom_m, options_.search_top_m, options_.min_arc_deg);
+          layer_.size(), options_.search_bottom, options_.search_top, options_.min_arc_deg);
     if (tried_ == 0) {
       return fmt::format(
           "no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen "
@@ -434,11 +440,11 @@ class Survey {
 
 }  // namespace
 
-StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, const Raster& dem,
+StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
                          const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
   if (points.empty()) throw bad_input("the cloud is empty", "points of a plot", "Check what the stage before has read");
   points.values<float>(arrays::height_above_ground);  // throws with the list of arrays
-  return Survey(points, slice, dem, trajectory, options, run).measure();
+  return Survey(points, breast_height, dem, trajectory, options, run).measure();
 }
 
 }  // namespace bole::stems

@@ -27,10 +27,11 @@ struct StemSurvey {
 };
 
 // `points` needs height_above_ground; sensor_x, sensor_y, sensor_z (or time with `trajectory`, which may be null) make
-// the ray model and the ray test possible, time or pass the offsets between passes. Breast height is that of `slice`.
-// Throws Error{bad_input} on an empty cloud or slice; a plot without stems gives empty tables and a warning that says
-// what was looked at.
-StemSurvey measure_stems(const PointCloud& points, const PointCloud& slice, const Raster& dem,
+// the ray model and the ray test possible, time or pass the offsets between passes. Beam and range noise of the sensor
+// come from the facts of `points` where the options leave them open. `breast_height` is above ground. Throws
+// Error{bad_input} on an empty cloud; a plot without stems gives empty tables and a warning that says what was looked
+// at.
+StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
                          const Trajectory* trajectory, const MeasureOptions& options, const Run& run);
 
 // The tables `stems`, `sections` and `rejected` in the units of docs/dev/architecture.md.

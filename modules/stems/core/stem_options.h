@@ -1,12 +1,20 @@
 // Options of the stem stages. Each default lives here, each range and help sentence in the table beside it.
 #pragma once
 
-#include <string>
+#include <array>
+#include <optional>
+#include <string_view>
 
 #include "base/option.h"
 #include "cloud/breast_height.h"
 
 namespace bole::stems {
+
+enum class BreastHeightFrom { uphill, mean };
+constexpr std::array<std::string_view, 2> choice_names(BreastHeightFrom) { return {"uphill", "mean"}; }
+
+enum class FitModel { automatic, ray, surface };
+constexpr std::array<std::string_view, 3> choice_names(FitModel) { return {"auto", "ray", "surface"}; }
 
 struct SliceOptions {
   double height = usual_breast_height_m;
@@ -17,31 +25,30 @@ struct MeasureOptions {
   // Detection
   double min_dbh_cm = 5;
   double max_dbh_cm = 150;
-  double search_bottom_m = 0.50;
-  double search_top_m = 3.50;
+  double search_bottom = 0.50;
+  double search_top = 3.50;
   double max_lean_deg = 35;
   int min_sections = 3;
   int min_section_points = 6;
   double min_arc_deg = 80;
   // Fit
-  std::string breast_height_from = "uphill";
-  std::string model = "auto";
-  double window_m = 0.65;
-  double section_step_m = 0.10;
-  double max_sigma_m = 0.025;
+  BreastHeightFrom breast_height_from = BreastHeightFrom::uphill;
+  FitModel model = FitModel::automatic;
+  double window = 0.65;
+  double section_step = 0.10;
+  double max_sigma = 0.025;
   double ray_gate = 0.95;
-  double beam_divergence_mrad = 3.0;
-  double beam_aperture_m = 0.0095;
-  double bark_relief_m = 0.0015;
+  std::optional<double> beam_divergence_mrad, beam_aperture, range_noise;  // without a value: as the cloud says
+  double bark_relief = 0.0015;
   bool estimate_range_offset = true;
-  double range_offset_sd_m = 0.001;
-  double range_bias_m = 0.0004;
-  double pass_gap_s = 10;
-  double max_range_m = 20;
+  double range_offset_sd = 0.001;
+  double range_bias = 0.0004;
+  double pass_gap = 10;
+  double max_range = 20;
   double max_ray_through = 0.30;
   // Points of a tree
-  double crown_radius_m = 2.5;
-  double bark_tolerance_m = 0.03;
+  double crown_radius = 2.5;
+  double bark_tolerance = 0.03;
 };
 
 const OptionTable& option_table(const SliceOptions*);

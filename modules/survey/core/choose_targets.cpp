@@ -7,13 +7,13 @@
 namespace bole::survey {
 namespace {
 
-constexpr double least_distance_m = 2.0;  // nearer pairs are one thing seen twice
+constexpr double min_distance_m = 2.0;  // nearer pairs are one thing seen twice
 
 double plan_distance(const RetroCluster& a, const RetroCluster& b) { return (a.centre - b.centre).head<2>().norm(); }
 
 bool pair_fits(const RetroCluster& a, const RetroCluster& b, const FrameOptions& o) {
   const double d = plan_distance(a, b);
-  return o.target_distance_m > 0 ? std::abs(d - o.target_distance_m) <= o.target_tolerance_m : d >= least_distance_m;
+  return o.target_distance > 0 ? std::abs(d - o.target_distance) <= o.target_tolerance : d >= min_distance_m;
 }
 
 struct Pair {
@@ -56,9 +56,9 @@ void explain_missing(const std::vector<RetroCluster>& candidates, const FrameOpt
             fmt::format("{}{:.2f}", distances.empty() ? "" : ", ", plan_distance(candidates[i], candidates[j]));
     choice.warnings.push_back(
         fmt::format("{} targets were found but no two of them are {} apart (distances: {} m)", candidates.size(),
-                    o.target_distance_m > 0
-                        ? fmt::format("{} +- {} m", number_text(o.target_distance_m), number_text(o.target_tolerance_m))
-                        : fmt::format("{} m or more", number_text(least_distance_m)),
+                    o.target_distance > 0
+                        ? fmt::format("{} +- {} m", number_text(o.target_distance), number_text(o.target_tolerance))
+                        : fmt::format("{} m or more", number_text(min_distance_m)),
                     distances));
   }
 }

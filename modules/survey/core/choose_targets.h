@@ -22,7 +22,7 @@ struct TargetChoice {
   std::string reason;  // how the centre was told from the north
 };
 
-// `candidates` are in levelled axes, those seen from most positions first. The pair must fit options.target_distance_m
+// `candidates` are in levelled axes, those seen from most positions first. The pair must fit options.target_distance
 // where that is given. The walk starts at the plot centre: the target nearest to `walk_start` (levelled) is the centre;
 // without it the one seen from more positions is taken for the centre, with a warning.
 TargetChoice choose_targets(const std::vector<RetroCluster>& candidates,

@@ -7,13 +7,14 @@
 #include <map>
 #include <vector>
 
+#include "base/statistics.h"
 #include "survey/core/robust.h"
 
 namespace bole::survey {
 namespace {
 
 // z = a + b x + c y by iteratively reweighted least squares (Tukey), weights zero beyond 4.685 sigma.
-Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double least_sigma_m) {
+Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double min_sigma_m) {
   Eigen::Vector3d plane(0, 0, 0);
   std::vector<double> weights(points.size(), 1.0);
   constexpr int iterations = 30;
@@ -30,7 +31,7 @@ Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double 
     if (settled) break;
     std::vector<double> off;
     for (const auto& p : points) off.push_back(std::abs(p.z() - plane.dot(Eigen::Vector3d(1, p.x(), p.y()))));
-    const double cut = 4.685 * std::max(least_sigma_m, 1.4826 * median(off));
+    const double cut = 4.685 * std::max(min_sigma_m, 1.4826 * upper_median(std::vector(off)));
     for (std::size_t i = 0; i < points.size(); ++i)
       weights[i] = off[i] >= cut ? 0.0 : std::pow(1 - off[i] * off[i] / (cut * cut), 2);
   }
@@ -56,8 +57,8 @@ std::vector<Eigen::Vector3d> lowest_per_cell(std::vector<Eigen::Vector3d> points
 
 GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   constexpr double cell_m = 1.0, reach_m = 15.0;
-  constexpr std::size_t most_points = 4'000'000, least_cells = 10;
-  const std::size_t stride = (cloud.size() + most_points - 1) / most_points;
+  constexpr std::size_t max_points = 4'000'000, min_cells = 10;
+  const std::size_t stride = (cloud.size() + max_points - 1) / max_points;
   std::vector<double> xs, ys;
   std::vector<Eigen::Vector3d> points;
   for (std::size_t i = 0; i < cloud.size(); i += stride)
@@ -66,12 +67,12 @@ GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   run.check_cancel();
   GroundPlane out;
   if (points.empty()) return out;
-  const Eigen::Vector2d middle(median(xs), median(ys));
+  const Eigen::Vector2d middle(upper_median(std::move(xs)), upper_median(std::move(ys)));
   std::erase_if(points,
                 [&](const Eigen::Vector3d& p) { return (p.head<2>() - middle).cwiseAbs().maxCoeff() > reach_m; });
   const auto low = lowest_per_cell(std::move(points), cell_m);
   run.check_cancel();
-  if (low.size() < least_cells) return out;
+  if (low.size() < min_cells) return out;
   const Eigen::Vector3d plane = robust_plane(low, 0.05);
   out.normal = Eigen::Vector3d(-plane.y(), -plane.z(), 1).normalized();
   out.valid = true;

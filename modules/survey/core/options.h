@@ -1,23 +1,28 @@
 // Options of the survey frame.
 #pragma once
 
-#include <string>
+#include <array>
+#include <string_view>
 
 #include "base/option.h"
 
 namespace bole::survey {
 
+// What tells the vertical.
+enum class Level { stems, ground, none };
+constexpr std::array<std::string_view, 3> choice_names(Level) { return {"stems", "ground", "none"}; }
+
 struct FrameOptions {
-  std::string level = "stems";
-  double intensity_min = 100.0;
-  int target_points_min = 20;
-  double target_size_m = 0.7;
-  double target_views_m = 2.0;
-  double target_distance_m = 0.0;
-  double target_tolerance_m = 1.0;
+  Level level = Level::stems;
+  double min_intensity = 100.0;
+  int min_target_points = 20;
+  double target_size = 0.7;
+  double target_views = 2.0;
+  double target_distance = 0.0;
+  double target_tolerance = 1.0;
   double north_bearing_deg = 0.0;
-  double most_tilt_deg = 30.0;
-  int stems_min = 5;
+  double max_tilt_deg = 30.0;
+  int min_stems = 5;
 };
 
 const OptionTable& option_table(const FrameOptions*);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+#include "cloud/known_facts.h"
 #include "survey/core/choose_targets.h"
 #include "survey/core/ground_plane.h"
 #include "survey/core/post_centre.h"
@@ -14,8 +16,6 @@
 
 namespace bole::survey {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 class FrameFinder {
  public:
@@ -53,14 +53,14 @@ class FrameFinder {
     auto search = find_retro_clusters(cloud_, options_, run_);
     if (search.too_many)
       frame_.report.warn(
-          fmt::format("{} of {} points have an intensity above intensity_min ({}): it does not suit this sensor, "
+          fmt::format("{} of {} points have an intensity above min_intensity ({}): it does not suit this sensor, "
                       "targets were not looked for",
-                      search.strong_points, cloud_.size(), number_text(options_.intensity_min)));
+                      search.strong_points, cloud_.size(), number_text(options_.min_intensity)));
     std::vector<RetroCluster> candidates;
     for (auto& c : search.clusters) {
       if (c.rejected.empty())
         candidates.push_back(c);
-      else if (c.points >= static_cast<std::size_t>(options_.target_points_min))
+      else if (c.points >= static_cast<std::size_t>(options_.min_target_points))
         frame_.report.facts[fmt::format("rejected_{}", ++rejected_)] = fmt::format(
             "strong returns at ({:.2f}, {:.2f}, {:.2f}): {}", c.centre.x(), c.centre.y(), c.centre.z(), c.rejected);
     }
@@ -80,7 +80,7 @@ class FrameFinder {
     Eigen::Vector3d centre = R_level_map_ * cluster.centre;
     std::vector<Eigen::Vector2d> plan;
     for (const auto i : cluster.members) plan.emplace_back((R_level_map_ * cloud_.position(i) - centre).head<2>());
-    const auto post = fit_post(plan, cluster.weights, options_.target_size_m / 2);
+    const auto post = fit_post(plan, cluster.weights, options_.target_size / 2);
     if (post.valid) centre.head<2>() += post.centre, ++posts_;
     return centre;
   }
@@ -128,22 +128,23 @@ class FrameFinder {
     frame_.targets.set("y_m", std::move(y));
     frame_.targets.set("z_m", std::move(z));
     frame_.targets.set("points", std::move(points));
-    frame_.targets.facts["axes"] = axes_name(frame_.axes);
+    frame_.targets.facts = cloud_.facts;
+    set_fact(frame_.targets.facts, facts::axes, axes_name(frame_.axes));
   }
 
   void tell(const TargetChoice& choice) {
     auto& report = frame_.report;
     const double tilt_deg = std::acos(std::clamp(vertical_.up.z(), -1.0, 1.0)) / rad_per_deg;
     report.facts["axes"] = axes_name(frame_.axes);
-    report.facts["level"] = vertical_.method;
+    report.facts["level"] = choice_name(vertical_.method);
     if (!choice.reason.empty()) report.facts["centre"] = choice.reason;
     report.counts["targets"] = static_cast<std::int64_t>(choice.targets.size());
     report.counts["round_targets"] = posts_;
     report.counts["stems_for_level"] = static_cast<std::int64_t>(vertical_.stems);
     report.metrics["tilt"] = {tilt_deg, Unit::degree};
     std::string level = "not levelled";
-    if (vertical_.method == "ground") level = fmt::format("levelled by the ground (tilt {:.2f} deg)", tilt_deg);
-    if (vertical_.method == "stems") {
+    if (vertical_.method == Level::ground) level = fmt::format("levelled by the ground (tilt {:.2f} deg)", tilt_deg);
+    if (vertical_.method == Level::stems) {
       report.metrics["tilt_standard_error"] = {vertical_.standard_error_rad / rad_per_deg, Unit::degree};
       report.metrics["stem_lean_scatter"] = {vertical_.scatter_rad / rad_per_deg, Unit::degree};
       level = fmt::format("levelled by {} stems (tilt {:.2f} +- {:.2f} deg)", vertical_.stems, tilt_deg,

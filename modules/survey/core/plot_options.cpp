@@ -1,19 +1,15 @@
 #include "survey/core/plot_options.h"
 
-#include <numbers>
+#include "base/angles.h"
 
 namespace bole::survey {
 
 const OptionTable& option_table(const PlotOptions*) {
   using S = PlotOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"shape",
-                             &S::shape,
-                             TextKind::choice,
-                             {"auto", "rectangle", "circle", "polygon", "none"},
-                             Tier::basic,
-                             "Boundary of the plot; auto: the polygon when vertices are connected, else the rectangle "
-                             "where the map lies in plot axes (targets were found), else none."},
+      Option<S, PlotShape>{"shape", &S::shape, Tier::basic,
+                           "Boundary of the plot. auto: the polygon where vertices are connected, the rectangle where "
+                           "the map lies in plot axes (targets were found), else none."},
       Option<S, double>{"width",
                         &S::width,
                         Unit::metre,
@@ -40,17 +36,17 @@ const OptionTable& option_table(const PlotOptions*) {
                         Tier::advanced,
                         "Centre of a rectangle or circle, y in the axes of the stems."},
       Option<S, double>{"bearing",
-                        &S::bearing,
+                        &S::bearing_deg,
                         Unit::degree,
                         {-360, 360},
                         Tier::advanced,
                         "Direction of a rectangle's length, clockwise from y (north)."},
       Option<S, double>{"min_dbh",
-                        &S::min_dbh,
+                        &S::min_dbh_cm,
                         Unit::centimetre,
                         {0, 200},
                         Tier::basic,
-                        "Trees from this diameter at breast height upwards count."},
+                        "Trees of this diameter at breast height and more count."},
       OnlyIf{"shape", {"auto", "rectangle"}, {"width", "length", "bearing"}},
       OnlyIf{"shape", {"circle"}, {"radius"}},
       OnlyIf{"shape", {"auto", "rectangle", "circle"}, {"x", "y"}},
@@ -60,14 +56,14 @@ const OptionTable& option_table(const PlotOptions*) {
 
 CountingRule counting_rule_for(const PlotOptions& options, Axes axes, const Table* vertices) {
   CountingRule rule;
-  rule.min_dbh_cm = options.min_dbh;
-  std::string shape = options.shape;
-  if (shape == "auto") shape = vertices != nullptr ? "polygon" : axes == Axes::plot ? "rectangle" : "none";
-  if (shape == "rectangle")
-    rule.area =
-        rectangle_area({options.x, options.y}, options.width, options.length, options.bearing * std::numbers::pi / 180);
-  if (shape == "circle") rule.area = circle_area({options.x, options.y}, options.radius);
-  if (shape == "polygon") {
+  rule.min_dbh_cm = options.min_dbh_cm;
+  PlotShape shape = options.shape;
+  if (shape == PlotShape::automatic)
+    shape = vertices != nullptr ? PlotShape::polygon : axes == Axes::plot ? PlotShape::rectangle : PlotShape::none;
+  if (shape == PlotShape::rectangle)
+    rule.area = rectangle_area({options.x, options.y}, options.width, options.length, radians(options.bearing_deg));
+  if (shape == PlotShape::circle) rule.area = circle_area({options.x, options.y}, options.radius);
+  if (shape == PlotShape::polygon) {
     if (vertices == nullptr)
       throw bad_input("shape is polygon and no vertices are connected", "a table of x_m and y_m",
                       "Connect the input 'vertices' to a stage io.read_table");

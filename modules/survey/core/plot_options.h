@@ -1,7 +1,8 @@
 // Options of the plot: which trees count.
 #pragma once
 
-#include <string>
+#include <array>
+#include <string_view>
 
 #include "base/option.h"
 #include "cloud/plot_area.h"
@@ -9,13 +10,18 @@
 
 namespace bole::survey {
 
+enum class PlotShape { automatic, rectangle, circle, polygon, none };
+constexpr std::array<std::string_view, 5> choice_names(PlotShape) {
+  return {"auto", "rectangle", "circle", "polygon", "none"};
+}
+
 struct PlotOptions {
-  std::string shape = "auto";
+  PlotShape shape = PlotShape::automatic;
   double width = 32, length = 32;
   double radius = 15;
   double x = 0, y = 0;
-  double bearing = 0;
-  double min_dbh = 7.5;
+  double bearing_deg = 0;
+  double min_dbh_cm = 7.5;
 };
 
 const OptionTable& option_table(const PlotOptions*);

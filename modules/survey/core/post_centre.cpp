@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "survey/core/robust.h"
 
 namespace bole::survey {
@@ -41,8 +42,8 @@ double seen_share(const std::vector<Eigen::Vector2d>& points, const Eigen::Vecto
 
 }  // namespace
 
-PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights, double most_radius_m) {
-  constexpr double least_radius_m = 0.02, least_sigma_m = 0.003;
+PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights, double max_radius_m) {
+  constexpr double min_radius_m = 0.02, min_sigma_m = 0.003;
   PostFit fit;
   if (points.size() < 10) return fit;
   Eigen::Vector3d circle = algebraic_circle(points);  // x, y, radius
@@ -50,7 +51,7 @@ PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<d
   for (int it = 0; it < iterations; ++it) {
     std::vector<double> off;
     for (const auto& p : points) off.push_back(std::abs((p - circle.head<2>()).norm() - circle.z()));
-    fit.residual_m = std::max(least_sigma_m, 1.4826 * median(off));
+    fit.residual_m = std::max(min_sigma_m, 1.4826 * upper_median(std::vector(off)));
     const double cut = 4.685 * fit.residual_m;
     Eigen::Matrix3d normal = Eigen::Matrix3d::Identity() * 1e-9;
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -69,7 +70,7 @@ PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<d
     if (step.norm() < 1e-6) break;
   }
   fit.centre = circle.head<2>(), fit.radius_m = circle.z();
-  fit.valid = fit.radius_m >= least_radius_m && fit.radius_m <= most_radius_m && fit.residual_m < fit.radius_m / 3 &&
+  fit.valid = fit.radius_m >= min_radius_m && fit.radius_m <= max_radius_m && fit.residual_m < fit.radius_m / 3 &&
               seen_share(points, circle, 3 * fit.residual_m) >= 1.0 / 3;
   return fit;
 }

@@ -16,6 +16,6 @@ struct PostFit {
 // Circle through points in plan (levelled): geometric least squares with Tukey weights, started from Kasa's algebraic
 // circle. Returns of a post seen from one side have their mean half a radius or more before its axis; the circle does
 // not. `weights` (one per point) may be empty.
-PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights, double most_radius_m);
+PostFit fit_post(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights, double max_radius_m);
 
 }  // namespace bole::survey

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double link_cell_m = 0.1;  // points of touching cells belong together: gaps of 0.1 to 0.2 m are bridged
 constexpr double view_cell_m = 1.0;
-constexpr std::size_t most_strong_points = 20'000'000;
+constexpr std::size_t max_strong_points = 20'000'000;
 
 struct SensorPositions {
   const std::vector<float>*x = nullptr, *y = nullptr, *z = nullptr;
@@ -32,12 +32,12 @@ struct SensorPositions {
   }
 };
 
-std::vector<std::uint32_t> strong_points(const PointCloud& cloud, double intensity_min, const Run& run) {
+std::vector<std::uint32_t> strong_points(const PointCloud& cloud, double min_intensity, const Run& run) {
   const auto& column = cloud.column(arrays::intensity.name);
   std::vector<std::uint32_t> out;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (i % (1 << 20) == 0) run.check_cancel();
-    if (column_value(column, i) > intensity_min && cloud.positions()[i].allFinite())
+    if (column_value(column, i) > min_intensity && cloud.positions()[i].allFinite())
       out.push_back(static_cast<std::uint32_t>(i));
   }
   return out;
@@ -104,28 +104,28 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
     samples.emplace_back(cloud.positions()[points[k]].cast<double>());
     out.weights.push_back(1.0 / by_view.at(views[k]).second);
   }
-  constexpr double least_sigma_m = 0.02;
-  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, out.weights, least_sigma_m).mean);
+  constexpr double min_sigma_m = 0.02;
+  out.centre = cloud.origin + Eigen::Vector3d(robust_mean(samples, out.weights, min_sigma_m).mean);
   return out;
 }
 
 std::string why_rejected(const RetroCluster& c, const FrameOptions& o) {
-  if (c.points < static_cast<std::size_t>(o.target_points_min))
-    return fmt::format("{} points, target_points_min is {}", c.points, o.target_points_min);
-  if (c.extent_m > o.target_size_m)
-    return fmt::format("{:.2f} m long, target_size is {:.2f} m", c.extent_m, o.target_size_m);
-  if (c.view_span_m < o.target_views_m)
-    return fmt::format("seen from positions {:.1f} m apart, target_views is {:.1f} m", c.view_span_m, o.target_views_m);
+  if (c.points < static_cast<std::size_t>(o.min_target_points))
+    return fmt::format("{} points, min_target_points is {}", c.points, o.min_target_points);
+  if (c.extent_m > o.target_size)
+    return fmt::format("{:.2f} m long, target_size is {:.2f} m", c.extent_m, o.target_size);
+  if (c.view_span_m < o.target_views)
+    return fmt::format("seen from positions {:.1f} m apart, target_views is {:.1f} m", c.view_span_m, o.target_views);
   return {};
 }
 
 }  // namespace
 
 RetroSearch find_retro_clusters(const PointCloud& cloud, const FrameOptions& options, const Run& run) {
-  const auto points = strong_points(cloud, options.intensity_min, run);
+  const auto points = strong_points(cloud, options.min_intensity, run);
   RetroSearch out;
   out.strong_points = points.size();
-  out.too_many = points.size() > most_strong_points || (points.size() > 1000 && points.size() * 4 > cloud.size());
+  out.too_many = points.size() > max_strong_points || (points.size() > 1000 && points.size() * 4 > cloud.size());
   if (out.too_many) return out;
   const SensorPositions sensor(cloud);
   for (const auto& group : group_points(cloud, points)) {

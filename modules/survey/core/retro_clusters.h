@@ -28,10 +28,10 @@ struct RetroSearch {
   std::vector<RetroCluster> clusters;  // largest number of views first
   std::size_t strong_points = 0;
   bool too_many =
-      false;  // a quarter of all points is strong: intensity_min does not suit the sensor; no cluster is made
+      false;  // a quarter of all points is strong: min_intensity does not suit the sensor; no cluster is made
 };
 
-// Connected groups (gap below 0.2 m) of points whose intensity is above options.intensity_min, with the reasons why
+// Connected groups (gap below 0.2 m) of points whose intensity is above options.min_intensity, with the reasons why
 // some are no targets. The centre is robust (Tukey) and weighs each view alike, so that a long stay on one side does
 // not draw it there. Groups of fewer than three points are left out. Needs the array intensity.
 RetroSearch find_retro_clusters(const PointCloud& cloud, const FrameOptions& options, const Run& run);

@@ -4,24 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.h"
+
 namespace bole::survey {
 
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
-                       double least_sigma) {
+                       double min_sigma) {
   const auto dims = samples.front().size();
   RobustMean out;
   out.mean.resize(dims);
   for (Eigen::Index k = 0; k < dims; ++k) {
     std::vector<double> axis;
     for (const auto& s : samples) axis.push_back(s(k));
-    out.mean(k) = median(axis);
+    out.mean(k) = upper_median(std::move(axis));
   }
   constexpr int iterations = 20;
   for (int it = 0; it < iterations; ++it) {
@@ -29,7 +24,7 @@ RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::v
     for (const auto& s : samples) distances.push_back((s - out.mean).norm());
     // The median distance of a normal sample is 0.674, 1.177, 1.538 sigma in one, two, three dimensions.
     const double per_sigma = dims == 1 ? 0.674 : dims == 2 ? 1.177 : 1.538;
-    out.sigma = std::max(least_sigma, median(distances) / per_sigma);
+    out.sigma = std::max(min_sigma, upper_median(std::vector(distances)) / per_sigma);
     const double cut = 4.685 * out.sigma;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(dims);
     double total = 0, squares = 0, scatter = 0;

@@ -6,8 +6,6 @@
 
 namespace bole::survey {
 
-double median(std::vector<double> values);  // NaN when empty
-
 struct RobustMean {
   Eigen::VectorXd mean;
   double sigma = 0;            // scatter of the inliers per axis
@@ -16,8 +14,8 @@ struct RobustMean {
 };
 
 // Location by Tukey's biweight (c = 4.685) from the component-wise median, scale by the median absolute deviation of
-// the distances but not below `least_sigma`. `weights` may be empty (all one). At least one sample.
+// the distances but not below `min_sigma`. `weights` may be empty (all one). At least one sample.
 RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
-                       double least_sigma);
+                       double min_sigma);
 
 }  // namespace bole::survey

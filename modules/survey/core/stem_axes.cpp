@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.h"
 #include "base/transform.h"
 #include "survey/core/robust.h"
 #include "survey/core/voxels.h"
@@ -14,14 +15,14 @@ namespace bole::survey {
 namespace {
 
 constexpr double thin_cell_m = 0.05;
-constexpr std::size_t most_points = 6'000'000;  // looked at when thinning
+constexpr std::size_t max_points = 6'000'000;  // looked at when thinning
 constexpr double layer_m = 0.4;
 constexpr double link_cell_m = 0.10;
 constexpr double widest_stem_m = 0.8;
-constexpr std::size_t least_group_points = 6;
+constexpr std::size_t min_group_points = 6;
 constexpr double shortest_stem_m = 2.0;
 constexpr double greatest_residual_m = 0.04;
-constexpr int most_missing_layers = 1;
+constexpr int max_missing_layers = 1;
 
 struct Group {
   Eigen::Vector3d middle;
@@ -76,7 +77,7 @@ std::vector<Group> small_groups(const std::vector<Eigen::Vector3d>& points, cons
   }
   std::vector<Group> out;
   for (const auto& s : sums) {
-    if (s.count < least_group_points || (s.high - s.low).maxCoeff() > widest_stem_m) continue;
+    if (s.count < min_group_points || (s.high - s.low).maxCoeff() > widest_stem_m) continue;
     const Eigen::Vector3d middle = s.sum / static_cast<double>(s.count);
     out.push_back({middle, static_cast<int>(std::floor(middle.z() / layer_m))});
   }
@@ -96,11 +97,11 @@ Eigen::Vector3d predict(const Chain& chain, double z) {
 
 class ChainBuilder {
  public:
-  explicit ChainBuilder(double most_angle_rad) : most_step_m_(std::max(0.15, layer_m * std::tan(most_angle_rad))) {}
+  explicit ChainBuilder(double max_angle_rad) : max_step_m_(std::max(0.15, layer_m * std::tan(max_angle_rad))) {}
 
   // `groups` of one layer.
   void add_layer(const std::vector<Group>& groups, int layer) {
-    close_older_than(layer - 1 - most_missing_layers);
+    close_older_than(layer - 1 - max_missing_layers);
     std::vector<char> taken(open_.size(), 0);
     const std::size_t before = open_.size();
     for (const auto& g : groups) {
@@ -108,7 +109,7 @@ class ChainBuilder {
       double best_distance = std::numeric_limits<double>::infinity();
       for (std::size_t c = 0; c < before; ++c) {
         if (taken[c]) continue;
-        const double most = open_[c].members.size() < 3 ? most_step_m_ * (layer - open_[c].layer) : 0.15;
+        const double most = open_[c].members.size() < 3 ? max_step_m_ * (layer - open_[c].layer) : 0.15;
         const double d = (predict(open_[c].members, g.middle.z()) - g.middle).head<2>().norm();
         if (d < most && d < best_distance) best = c, best_distance = d;
       }
@@ -140,7 +141,7 @@ class ChainBuilder {
     open_ = std::move(still);
   }
 
-  double most_step_m_;
+  double max_step_m_;
   std::vector<Open> open_;
   std::vector<Chain> closed_;
 };
@@ -162,7 +163,7 @@ StemAxis fit_axis(Chain chain) {
     for (const double d : off) squares += d * d;
     axis.residual_m = std::sqrt(squares / static_cast<double>(off.size()));
     axis.length_m = chain.back().z() - chain.front().z();
-    const double most = std::max(0.03, 3 * median(off));
+    const double most = std::max(0.03, 3 * upper_median(std::vector(off)));
     Chain kept;
     for (std::size_t i = 0; i < chain.size(); ++i)
       if (off[i] <= most) kept.push_back(chain[i]);
@@ -175,7 +176,7 @@ StemAxis fit_axis(Chain chain) {
 }  // namespace
 
 std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run) {
-  const std::size_t stride = (cloud.size() + most_points - 1) / most_points;
+  const std::size_t stride = (cloud.size() + max_points - 1) / max_points;
   struct Entry {
     std::uint64_t key;
     std::uint32_t point;
@@ -201,14 +202,14 @@ std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run) {
 }
 
 std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up,
-                                     double most_angle_rad, const Run& run) {
+                                     double max_angle_rad, const Run& run) {
   const Eigen::Matrix3d R_level_map = rotation_between(up, Eigen::Vector3d::UnitZ());
   std::vector<Eigen::Vector3d> levelled;
   levelled.reserve(points.size());
   for (const auto& p : points) levelled.push_back(R_level_map * p);
   run.check_cancel();
   const auto groups = small_groups(levelled, run);
-  ChainBuilder builder(most_angle_rad);
+  ChainBuilder builder(max_angle_rad);
   for (std::size_t first = 0, last = 0; first < groups.size(); first = last) {
     run.check_cancel();
     for (last = first; last < groups.size() && groups[last].layer == groups[first].layer;) ++last;
@@ -221,7 +222,7 @@ std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points,
     if (chain.size() < 4) continue;
     auto axis = fit_axis(std::move(chain));
     if (axis.residual_m > greatest_residual_m || axis.length_m < shortest_stem_m ||
-        std::acos(std::min(1.0, axis.direction.z())) > most_angle_rad)
+        std::acos(std::min(1.0, axis.direction.z())) > max_angle_rad)
       continue;
     axis.direction = R_level_map.transpose() * axis.direction;
     axis.middle = R_level_map.transpose() * axis.middle;

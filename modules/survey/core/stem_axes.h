@@ -20,9 +20,9 @@ struct StemAxis {
 std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run);
 
 // Stems as chains of small groups of points in layers 0.4 m thick, at right angles to `up`: groups no wider than 0.8 m
-// that continue each other over at least 2 m, straight to a few centimetres, and no further than `most_angle_rad` from
+// that continue each other over at least 2 m, straight to a few centimetres, and no further than `max_angle_rad` from
 // `up`.
 std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up,
-                                     double most_angle_rad, const Run& run);
+                                     double max_angle_rad, const Run& run);
 
 }  // namespace bole::survey

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/transform.h"
 #include "survey/core/ground_plane.h"
 #include "survey/core/robust.h"
@@ -15,8 +15,6 @@
 
 namespace bole::survey {
 namespace {
-
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 struct MeanDirection {
   Eigen::Vector3d direction;
@@ -33,9 +31,9 @@ MeanDirection mean_direction(const std::vector<StemAxis>& axes, const Eigen::Vec
     samples.emplace_back(d.head<2>() / d.z());
     weights.push_back(std::min(a.length_m, 6.0));
   }
-  constexpr double least_sigma_rad = 0.2 * rad_per_deg;
+  constexpr double min_sigma_rad = 0.2 * rad_per_deg;
   MeanDirection out;
-  out.spread = robust_mean(samples, weights, least_sigma_rad);
+  out.spread = robust_mean(samples, weights, min_sigma_rad);
   out.direction = R.transpose() * Eigen::Vector3d(out.spread.mean(0), out.spread.mean(1), 1.0).normalized();
   return out;
 }
@@ -43,12 +41,12 @@ MeanDirection mean_direction(const std::vector<StemAxis>& axes, const Eigen::Vec
 bool level_by_stems(const PointCloud& cloud, const FrameOptions& options, const Run& run, Vertical& vertical) {
   const auto points = thinned(cloud, run);
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  double search_rad = options.most_tilt_deg * rad_per_deg;
+  double search_rad = options.max_tilt_deg * rad_per_deg;
   constexpr int rounds = 3;
   for (int round = 0; round < rounds; ++round) {
     const auto axes = find_stem_axes(points, up, search_rad, run);
     vertical.stems = axes.size();
-    if (axes.size() < static_cast<std::size_t>(options.stems_min)) return false;
+    if (axes.size() < static_cast<std::size_t>(options.min_stems)) return false;
     const auto mean = mean_direction(axes, up);
     const double step = std::acos(std::clamp(up.dot(mean.direction), -1.0, 1.0));
     up = mean.direction;
@@ -57,7 +55,7 @@ bool level_by_stems(const PointCloud& cloud, const FrameOptions& options, const 
     search_rad = std::min(search_rad, 12.0 * rad_per_deg);
     if (round > 0 && step < 0.01 * rad_per_deg) break;
   }
-  vertical.up = up, vertical.method = "stems";
+  vertical.up = up, vertical.method = Level::stems;
   return true;
 }
 
@@ -65,14 +63,14 @@ bool level_by_ground(const PointCloud& cloud, const FrameOptions& options, const
   const auto plane = lowest_plane(cloud, run);
   if (!plane.valid) return false;
   const double tilt = std::acos(plane.normal.z());
-  if (tilt > options.most_tilt_deg * rad_per_deg) {
+  if (tilt > options.max_tilt_deg * rad_per_deg) {
     vertical.warnings.push_back(
-        fmt::format("the ground is tilted by {:.1f} deg against the map's z axis, more than most_tilt_deg ({} deg): "
+        fmt::format("the ground is tilted by {:.1f} deg against the map's z axis, more than max_tilt ({} deg): "
                     "the map was not levelled",
-                    tilt / rad_per_deg, number_text(options.most_tilt_deg)));
+                    tilt / rad_per_deg, number_text(options.max_tilt_deg)));
     return false;
   }
-  vertical.up = plane.normal, vertical.method = "ground";
+  vertical.up = plane.normal, vertical.method = Level::ground;
   vertical.standard_error_rad = std::numeric_limits<double>::quiet_NaN();
   vertical.warnings.push_back(
       "levelled by the plane of the ground: the slope of the plot cannot be told from the tilt of the map and was "
@@ -84,12 +82,12 @@ bool level_by_ground(const PointCloud& cloud, const FrameOptions& options, const
 
 Vertical find_vertical(const PointCloud& cloud, const FrameOptions& options, const Run& run) {
   Vertical vertical;
-  if (options.level == "none") return vertical;
-  if (options.level == "stems") {
+  if (options.level == Level::none) return vertical;
+  if (options.level == Level::stems) {
     if (level_by_stems(cloud, options, run, vertical)) return vertical;
     vertical.warnings.push_back(
-        fmt::format("{} stems were found to level by, stems_min is {}: the ground was taken instead", vertical.stems,
-                    options.stems_min));
+        fmt::format("{} stems were found to level by, min_stems is {}: the ground was taken instead", vertical.stems,
+                    options.min_stems));
   }
   if (!level_by_ground(cloud, options, run, vertical))
     vertical.warnings.push_back("there was nothing to level by: the map's z axis was kept");

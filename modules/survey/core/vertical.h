@@ -13,14 +13,14 @@ namespace bole::survey {
 
 struct Vertical {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  // in the axes of the cloud
-  std::string method = "none";                    // stems, ground or none: what was used in the end
+  Level method = Level::none;                     // what was used in the end
   double standard_error_rad = 0;                  // of the direction, per axis; NaN when it cannot be told
   double scatter_rad = 0;                         // of single stems about it, per axis
   std::size_t stems = 0;
   std::vector<std::string> warnings;
 };
 
-// The cloud's z axis points up to within options.most_tilt_deg.
+// The cloud's z axis points up to within options.max_tilt_deg.
 //   stems:  the robust mean (Tukey) of the stems' axes, found again after levelling until it settles. Stems grow
 //   against
 //           gravity on any slope, and single leaning ones are outvoted; a lean common to all of them is not seen.

@@ -79,8 +79,8 @@ void tile_row(const fs::path& file, double seed_m) {
     return;
   }
   ground::GroundOptions o;
-  o.cell_m = 1, o.seed_m = seed_m, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5,
-  o.tolerance_m = 0.4, o.fill_distance_m = 40, o.keep_classes = false;
+  o.cell = 1, o.seed = seed_m, o.max_distance = 1.4, o.max_angle_deg = 10, o.roughness = 0.2, o.band = 0.5,
+  o.tolerance = 0.4, o.fill_distance = 40, o.keep_classes = false;
   const auto cloud = io::read_las(file);
   const auto m = ground::model_ground(cloud, o, Run{});
   std::vector<int> reference;

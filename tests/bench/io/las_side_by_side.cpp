@@ -84,7 +84,8 @@ class SideBySide {
       for (std::uint64_t i = 0; i < info_.points; ++i) {
         const auto* record = file_.data() + info_.data_offset + i * static_cast<std::uint64_t>(info_.record_length);
         const auto v = static_cast<double>(load<T>(record + place));
-        low = std::min(low, v), high = std::max(high, v);
+        low = std::min(low, v);
+        high = std::max(high, v);
       }
       return high - low;
     };
@@ -111,10 +112,12 @@ class SideBySide {
 
   std::vector<std::uint8_t> make_header() const {
     std::vector<std::uint8_t> h(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(info_.data_offset));
-    if (info_.version_minor >= 4)
-      store(&h[247], points()), store(&h[235], std::uint64_t{0}), store(&h[243], std::uint32_t{0});
-    else
-      store(&h[107], static_cast<std::uint32_t>(points()));
+    if (info_.version_minor >= 4) {
+      store(&h[247], points());
+      store(&h[235], std::uint64_t{0});
+      store(&h[243], std::uint32_t{0});
+    }
+    else store(&h[107], static_cast<std::uint32_t>(points()));
     for (int axis = 0; axis < 2; ++axis) {
       double most = 0;
       for (int copy = 0; copy < copies_; ++copy) most = std::max(most, steps(copy, axis));

@@ -94,7 +94,7 @@ def run_kiss(sweeps, deskew):
 def run_bole(build, folder, frames, options):
     with tempfile.TemporaryDirectory() as temporary:
         file = pathlib.Path(temporary) / "poses.txt"
-        command = [build / "bin" / "slam_odometry", folder, f"poses={file}", f"frames={frames}", "speed_max=40", *options]
+        command = [build / "bin" / "slam_odometry", folder, f"poses={file}", f"frames={frames}", "max_speed=40", *options]
         out = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
         for warning in out["warnings"]:
             print("  warning:", warning)

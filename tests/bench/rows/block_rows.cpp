@@ -19,14 +19,24 @@ Table truth_of(const synthetic::PlantField& field) {
   std::vector<std::string> state;
   for (const auto& p : field.plants) {
     if (p.row < 0) continue;
-    x.push_back(p.at.x()), y.push_back(p.at.y()), row.push_back(p.row), state.emplace_back("present");
+    x.push_back(p.at.x());
+    y.push_back(p.at.y());
+    row.push_back(p.row);
+    state.emplace_back("present");
   }
   for (std::size_t r = 0; r < field.rows.size(); ++r)
-    for (const auto& m : field.rows[r].missing_inside)
-      x.push_back(m.x()), y.push_back(m.y()), row.push_back(static_cast<double>(r)), state.emplace_back("missing");
+    for (const auto& m : field.rows[r].missing_inside) {
+      x.push_back(m.x());
+      y.push_back(m.y());
+      row.push_back(static_cast<double>(r));
+      state.emplace_back("missing");
+    }
   Table t;
   std::vector<std::int64_t> ids(row.begin(), row.end());
-  t.set("row_id", ids), t.set("x_m", x), t.set("y_m", y), t.set("state", state);
+  t.set("row_id", ids);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("state", state);
   return t;
 }
 
@@ -50,10 +60,16 @@ int main(int argc, char** argv) {
     for (const auto& s : truth.texts("state")) ++(s == "present" ? plants : missing);
     for (const auto& s : found.plants.texts("state")) listed += s == "missing";
     const auto add = [&](const std::string& measure, double weight) {
-      if (weight > 0) sums[measure].first += value[measure] * weight, sums[measure].second += weight;
+      if (weight > 0) {
+        sums[measure].first += value[measure] * weight;
+        sums[measure].second += weight;
+      }
     };
-    add("row_recall", value["rows"]), add("row_precision", value["rows_found"]), add("plants_in_their_row", plants);
-    add("missing_found", missing), add("missing_listed_right", listed);
+    add("row_recall", value["rows"]);
+    add("row_precision", value["rows_found"]);
+    add("plants_in_their_row", plants);
+    add("missing_found", missing);
+    add("missing_listed_right", listed);
     if (value["row_recall"] < 100 || value["row_precision"] < 100)
       fmt::print("  seed {}: {} rows, {} found, recall {:.1f} %, precision {:.1f} %\n", seed, value["rows"],
                  value["rows_found"], value["row_recall"], value["row_precision"]);

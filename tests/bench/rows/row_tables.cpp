@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string>
 
+#include "base/angles.h"
 #include "frame_chain.h"
 #include "geo/core/resection.h"
 #include "rows/core/rows/hedge_rows.h"
@@ -19,7 +19,6 @@ namespace {
 
 using namespace bole;
 using namespace bole::rows;
-constexpr double deg = std::numbers::pi / 180;
 
 struct Errors {
   std::vector<double> angle_deg, centre_m;
@@ -29,8 +28,8 @@ struct Errors {
     for (const double e : angle_deg) sum += e / static_cast<double>(angle_deg.size());
     return sum;
   }
-  double most() const { return angle_deg.empty() ? NAN : *std::ranges::max_element(angle_deg); }
-  double least() const { return angle_deg.empty() ? NAN : *std::ranges::min_element(angle_deg); }
+  double max() const { return angle_deg.empty() ? NAN : *std::ranges::max_element(angle_deg); }
+  double min() const { return angle_deg.empty() ? NAN : *std::ranges::min_element(angle_deg); }
   double centre_rms() const {
     double sum = 0;
     for (const double e : centre_m) sum += e * e / static_cast<double>(centre_m.size());
@@ -42,14 +41,14 @@ struct Errors {
 std::vector<bool> plants_in_view(const sim::FieldScan& scan, const RegionOptions& region) {
   constexpr double margin_m = 0.3;
   const double x0 = scan.poses.numbers("x_m")[0], y0 = scan.poses.numbers("y_m")[0];
-  const double a = scan.poses.numbers("heading_deg")[0] * deg;
+  const double a = scan.poses.numbers("heading_deg")[0] * rad_per_deg;
   const auto x = scan.plants.numbers("x_m"), y = scan.plants.numbers("y_m");
   std::vector<bool> in;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double ahead = std::cos(a) * (x[i] - x0) + std::sin(a) * (y[i] - y0);
     const double right = std::sin(a) * (x[i] - x0) - std::cos(a) * (y[i] - y0);
-    in.push_back(ahead > region.y_min + margin_m && ahead < region.y_max - margin_m &&
-                 std::abs(right) < region.x_max - margin_m);
+    in.push_back(ahead > region.min_y + margin_m && ahead < region.max_y - margin_m &&
+                 std::abs(right) < region.max_x - margin_m);
   }
   return in;
 }
@@ -80,7 +79,10 @@ void compare(const sim::FieldScan& scan, const Table& stems, const ChainSettings
   const auto in_view = plants_in_view(scan, s.region);
   const auto true_angle = true_angles(scan, in_view);
   if (found.plants.rows() == 0) {
-    for (const double a : true_angle) errors.rows += !std::isnan(a), errors.lost += !std::isnan(a);
+    for (const double a : true_angle) {
+      errors.rows += !std::isnan(a);
+      errors.lost += !std::isnan(a);
+    }
     return;
   }
   const auto x = found.plants.numbers("x_m"), y = found.plants.numbers("y_m");
@@ -94,27 +96,34 @@ void compare(const sim::FieldScan& scan, const Table& stems, const ChainSettings
     for (std::size_t i = 0; i < tx.size(); ++i) {
       if (trow[i] != static_cast<std::int64_t>(r) + 1 || scan.plants.texts("state")[i] != "present" || !in_view[i])
         continue;
-      double least = 0.3;
+      double nearest = 0.3;
       std::int64_t best = 0;
       for (std::size_t j = 0; j < x.size(); ++j)
-        if (found.plants.texts("state")[j] == "present" && std::hypot(x[j] - tx[i], y[j] - ty[i]) < least)
-          least = std::hypot(x[j] - tx[i], y[j] - ty[i]), best = row[j];
-      if (best > 0) ++votes[best], errors.centre_m.push_back(least), nearest_all += least;
+        if (found.plants.texts("state")[j] == "present" && std::hypot(x[j] - tx[i], y[j] - ty[i]) < nearest) {
+          nearest = std::hypot(x[j] - tx[i], y[j] - ty[i]);
+          best = row[j];
+        }
+      if (best > 0) {
+        ++votes[best];
+        errors.centre_m.push_back(nearest);
+        nearest_all += nearest;
+      }
     }
-    const auto most = std::ranges::max_element(votes, {}, [](const auto& v) { return v.second; });
-    if (most == votes.end() || most->second < 3) {
+    const auto best_row = std::ranges::max_element(votes, {}, [](const auto& v) { return v.second; });
+    if (best_row == votes.end() || best_row->second < 3) {
       ++errors.lost;
       continue;
     }
     for (std::size_t k = 0; k < listed.size(); ++k)
-      if (listed[k] == most->first)
-        errors.angle_deg.push_back(row_angle_difference(angle[k] * deg, true_angle[r]) / deg);
+      if (listed[k] == best_row->first)
+        errors.angle_deg.push_back(row_angle_difference(angle[k] * rad_per_deg, true_angle[r]) / rad_per_deg);
   }
 }
 
 PlaceOptions true_place(const sim::FieldScan& scan) {
   PlaceOptions place;
-  place.x = scan.poses.numbers("x_m")[0], place.y = scan.poses.numbers("y_m")[0];
+  place.x = scan.poses.numbers("x_m")[0];
+  place.y = scan.poses.numbers("y_m")[0];
   place.yaw_deg = scan.poses.numbers("yaw_deg")[0];
   return place;
 }
@@ -128,10 +137,11 @@ PlaceOptions resected_place(const sim::FieldScan& scan) {
     directions.push_back({{sx[i] - sx[j], sy[i] - sy[j]}, {x[i] - x[j], y[i] - y[j]}});
   const double yaw = geo::heading_from_directions(directions).yaw_rad, c = std::cos(yaw), s = std::sin(yaw);
   PlaceOptions place;
-  place.yaw_deg = yaw / deg;
+  place.yaw_deg = yaw / rad_per_deg;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double n = static_cast<double>(x.size());
-    place.x += (x[i] - c * sx[i] + s * sy[i]) / n, place.y += (y[i] - s * sx[i] - c * sy[i]) / n;
+    place.x += (x[i] - c * sx[i] + s * sy[i]) / n;
+    place.y += (y[i] - s * sx[i] - c * sy[i]) / n;
   }
   return place;
 }
@@ -139,24 +149,36 @@ PlaceOptions resected_place(const sim::FieldScan& scan) {
 ChainSettings paper_settings(const std::string& field) {
   ChainSettings s;
   s.ground.sensor_height = 0.45;
-  s.rows.direction = "given", s.rows.direction_deg = 0, s.rows.lateral_tolerance = 0.6;  // rows run ahead of the robot
+  s.rows.direction_deg = 0;  // rows run ahead of the robot
+  s.rows.lateral_tolerance = 0.6;
   if (field == "metasequoia") {
-    s.trunks.d_x = s.trunks.d_y = 0.5, s.mean_shift.bandwidth = 0.5;
-    s.region.y_min = 2.5, s.trunks.ahead_min = 2.8, s.region.y_max = 14, s.region.z_min = -0.15;  // above the weeds
+    s.trunks.max_extent_x = s.trunks.max_extent_y = 0.5;
+    s.mean_shift.bandwidth = 0.5;
+    s.region.min_y = 2.5;
+    s.trunks.min_ahead = 2.8;
+    s.region.max_y = 14;
+    s.region.min_z = -0.15;  // above the weeds
   }
   if (field == "apple") {  // the trunks below the branches
-    s.trunks.d_x = s.trunks.d_y = 0.25, s.mean_shift.bandwidth = 0.4;
-    s.ground.sensor_height = 0.6, s.ground.local_max_slope_deg = 15, s.ground.general_max_slope_deg = 9;
-    s.region.x_min = -4, s.region.x_max = 4, s.region.y_min = 2.5, s.region.y_max = 14, s.region.z_max = 0.6;
-    s.trunks.ahead_min = 2.8;
+    s.trunks.max_extent_x = s.trunks.max_extent_y = 0.25;
+    s.mean_shift.bandwidth = 0.4;
+    s.ground.sensor_height = 0.6;
+    s.ground.max_local_slope_deg = 15;
+    s.ground.max_general_slope_deg = 9;
+    s.region.min_x = -4;
+    s.region.max_x = 4;
+    s.region.min_y = 2.5;
+    s.region.max_y = 14;
+    s.region.max_z = 0.6;
+    s.trunks.min_ahead = 2.8;
   }
   return s;
 }
 
 ChainSettings our_settings(const std::string& field) {
   auto s = paper_settings(field);
-  s.trunks.centre = "face";
-  if (field == "metasequoia") s.trunks.narrowest = 0.12;
+  s.trunks.centre = TrunkCentre::face;
+  if (field == "metasequoia") s.trunks.min_diameter = 0.12;
   return s;
 }
 
@@ -169,7 +191,7 @@ void print(const std::string& name, const Trial& t) {
   fmt::print(
       "  {:<18} rows {:>4}  not found {:>3}  centres {:>5.1f} mm   angle error mean {:.2f}  min {:.2f}  max {:.2f} "
       "deg   with resected heading mean {:.2f}  min {:.2f}  max {:.2f} deg\n",
-      name, e.rows, e.lost, 1000 * e.centre_rms(), e.mean(), e.least(), e.most(), r.mean(), r.least(), r.most());
+      name, e.rows, e.lost, 1000 * e.centre_rms(), e.mean(), e.min(), e.max(), r.mean(), r.min(), r.max());
 }
 
 void run_fields(const std::string& title, const std::vector<std::string>& fields, int first, int seeds,
@@ -178,18 +200,20 @@ void run_fields(const std::string& title, const std::vector<std::string>& fields
   for (const auto& field : fields)
     for (int seed = first; seed < first + seeds; ++seed) {
       sim::FieldSimulationOptions o;
-      o.field = field, o.seed = seed, o.integration = integration;
+      o.field = field;
+      o.seed = seed;
+      o.integration = integration;
       const auto scan = sim::simulate_field(o, {});
       for (const bool mine : {false, true}) {
         const auto s = mine ? our_settings(field) : paper_settings(field);
         Report report;
         auto& trial = mine ? ours : paper;
-        const double before = trial.true_heading.most();
+        const double before = trial.true_heading.max();
         const auto centres = centres_of(scan.frames[0], &scan.attitude, s, report);
         compare(scan, place_stems(centres, true_place(scan)), s, trial.true_heading);
         compare(scan, place_stems(centres, resected_place(scan)), s, trial.resected);
-        if (std::getenv("ROW_TABLES_VERBOSE") && mine && !(trial.true_heading.most() <= before))
-          fmt::print("    {} seed {}: {:.2f} deg\n", field, seed, trial.true_heading.most());
+        if (std::getenv("ROW_TABLES_VERBOSE") && mine && !(trial.true_heading.max() <= before))
+          fmt::print("    {} seed {}: {:.2f} deg\n", field, seed, trial.true_heading.max());
       }
     }
   fmt::print("{}: {} seeds from {}, {:g} s per frame   {}\n", title, seeds, first, integration, published);
@@ -198,27 +222,47 @@ void run_fields(const std::string& title, const std::vector<std::string>& fields
   std::fflush(stdout);
 }
 
-// Vineyard: no trunk can be told from the leaves, the canopy is followed. Rows that show five plants or more, against
-// the line through these.
+RegionOptions hedge_region() {
+  RegionOptions region;
+  region.min_x = -4;
+  region.max_x = 4;
+  region.min_y = 1;
+  region.max_y = 14;
+  region.min_z = -1;
+  region.max_z = 1.8;
+  return region;
+}
+
+// Points in the middle of the canopy, in navigation axes.
+Table hedge_points(const sim::FieldScan& scan, const RegionOptions& region) {
+  VoxelOptions voxel;
+  voxel.size = 0.05;
+  RayGroundOptions ground;  // slopes of 6 degrees, and weeds
+  ground.sensor_height = 0.6;
+  ground.max_local_slope_deg = 15;
+  ground.max_general_slope_deg = 9;
+  ground.height_threshold = 0.35;
+  HedgeOptions hedges;
+  hedges.direction_deg = 90;
+  hedges.width = 0.8;
+  Report report;
+  auto canopy = voxel_centroids(cut_region(level(scan.frames[0], {}, &scan.attitude), region), voxel);
+  canopy = radius_filter(remove_ground(canopy, ground, {}), {}, {});
+  return place_stems(hedge_rows(canopy, hedges, {}, report), true_place(scan));
+}
+
+// Vineyard: the leaves hide the trunks, so the canopy is followed. Rows that show five plants or more are compared with
+// the line through these plants.
 void run_hedges(const std::string& field, int first, int seeds, double integration) {
   Errors errors;
   for (int seed = first; seed < first + seeds; ++seed) {
     sim::FieldSimulationOptions o;
-    o.field = field, o.seed = seed, o.integration = integration;
+    o.field = field;
+    o.seed = seed;
+    o.integration = integration;
     const auto scan = sim::simulate_field(o, {});
-    RegionOptions region;
-    region.x_min = -4, region.x_max = 4, region.y_min = 1, region.y_max = 14, region.z_min = -1, region.z_max = 1.8;
-    VoxelOptions voxel;
-    voxel.size = 0.05;
-    RayGroundOptions ground;  // slopes of 6 degrees, and weeds
-    ground.sensor_height = 0.6, ground.local_max_slope_deg = 15, ground.general_max_slope_deg = 9;
-    ground.height_threshold = 0.35;
-    HedgeOptions hedges;
-    hedges.direction = "given", hedges.direction_deg = 90, hedges.width = 0.8;
-    Report report;
-    auto canopy = voxel_centroids(cut_region(level(scan.frames[0], {}, &scan.attitude), region), voxel);
-    canopy = radius_filter(remove_ground(canopy, ground, {}), {}, {});
-    const auto points = place_stems(hedge_rows(canopy, hedges, {}, report), true_place(scan));
+    const auto region = hedge_region();
+    const auto points = hedge_points(scan, region);
     const auto found = find_rows(points, {}, {});
     const auto angle = found.rows.numbers("angle_deg"), x0 = found.rows.numbers("x0_m"),
                y0 = found.rows.numbers("y0_m");
@@ -232,8 +276,8 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
         if (!in_view[i] || scan.plants.integers("row_id")[i] != static_cast<std::int64_t>(r) + 1) continue;
         ++plants;
         for (std::size_t k = 0; k < angle.size(); ++k)
-          beside[k] = std::min(beside[k], std::abs(std::cos(angle[k] * deg) * (py[i] - y0[k]) -
-                                                   std::sin(angle[k] * deg) * (px[i] - x0[k])));
+          beside[k] = std::min(beside[k], std::abs(std::cos(angle[k] * rad_per_deg) * (py[i] - y0[k]) -
+                                                   std::sin(angle[k] * rad_per_deg) * (px[i] - x0[k])));
       }
       if (plants < 5) continue;
       ++errors.rows;
@@ -243,7 +287,7 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
         continue;
       }
       const auto k = static_cast<std::size_t>(best - beside.begin());
-      errors.angle_deg.push_back(row_angle_difference(angle[k] * deg, truth[r]) / deg);
+      errors.angle_deg.push_back(row_angle_difference(angle[k] * rad_per_deg, truth[r]) / rad_per_deg);
       if (std::getenv("ROW_TABLES_VERBOSE"))
         fmt::print("    {} seed {} row {}: {:.2f} deg, {} pieces, rms {:.2f}, se {:.2f}\n", field, seed, r + 1,
                    errors.angle_deg.back(), found.rows.integers("plants")[k], found.rows.numbers("rms_m")[k],
@@ -253,7 +297,7 @@ void run_hedges(const std::string& field, int first, int seeds, double integrati
   fmt::print(
       "{} as hedges: {} seeds from {}, {:g} s per frame\n  rows {}  not found {}   angle error mean {:.2f}  max {:.2f} "
       "deg\n",
-      field, seeds, first, integration, errors.rows, errors.lost, errors.mean(), errors.most());
+      field, seeds, first, integration, errors.rows, errors.lost, errors.mean(), errors.max());
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ const sim::FieldScan& scan_of(const std::string& field) {
 ChainSettings settings() {
   ChainSettings s;
   s.ground.sensor_height = 0.45;
-  s.trunks.centre = "face";
-  s.rows.direction = "given", s.rows.direction_deg = 90;
+  s.trunks.centre = rows::TrunkCentre::face;
+  s.rows.direction_deg = 90;
   return s;
 }
 

@@ -18,10 +18,10 @@ void scan_plot(benchmark::State& state, const char* plot, const char* sensor_nam
   const RayScene rays(plot_scene.model);
   const sensor::SensorModel sensor = sensor::load_sensor_model(sensor_name);
   const auto route =
-      plan_route(survey_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
+      plan_route(walk_pattern(forest.recipe.size_m, 6), forest, plot_scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;
   parameters.stand_still_s = 0;
-  parameters.most_s = 2;
+  parameters.max_s = 2;
   const Walk walk(route, forest.terrain, parameters, 1);
   ScanStatistics statistics;
   std::int64_t pulses = 0;

@@ -20,15 +20,15 @@ synthetic::SyntheticScan walk(std::size_t frames) {
 
 // A second of walking as a map with true poses, and the frame after it.
 struct Scene {
-  slam::SlamOptions options = slam::resolved({});
-  slam::FeatureMaps maps{options.cell_m};
+  slam::SlamSettings settings = slam::resolved({});
+  slam::FeatureMaps maps{settings.cell_size};
   std::vector<Eigen::Vector3d> points;  // of the map
   slam::FeatureSet query;
   slam::FrameMotion truth, guess;
 
   Scene() {
     const auto source = walk(12);
-    slam::FeatureExtractor extractor(options);
+    slam::FeatureExtractor extractor(settings);
     ScanFrame frame;
     slam::Scan scan;
     slam::Features features;
@@ -38,7 +38,8 @@ struct Scene {
       extractor.extract(scan, features);
       const slam::FrameMotion motion{source.truth(frame.start_time_s), source.truth(frame.end_time_s)};
       if (i + 1 == source.size()) {
-        query = features.query, truth = motion;
+        query = features.query;
+        truth = motion;
       } else {
         const auto keyframe = slam::make_keyframe(i, frame.end_time_s, features.map, motion);
         slam::insert_keyframe(keyframe, maps);
@@ -58,7 +59,7 @@ const Scene& scene() {
 void map_insert(benchmark::State& state) {
   const auto& s = scene();
   for (auto _ : state) {
-    slam::DistributionMap map(s.options.cell_m);
+    slam::DistributionMap map(s.settings.cell_size);
     map.insert(s.points);
     benchmark::DoNotOptimize(map.cells(0));
   }
@@ -82,16 +83,16 @@ void register_elastic(benchmark::State& state) {
   const auto& s = scene();
   slam::RegistrationSettings settings;
   settings.model = slam::MotionModel::elastic;
-  settings.begin_sigma_m = settings.motion_sigma_m = 0.1;
+  settings.begin_sigma = settings.motion_sigma = 0.1;
   settings.begin_sigma_rad = settings.motion_sigma_rad = 0.05;
-  double rounds = 0;
+  double iterations = 0;
   for (auto _ : state) {
     const auto r = slam::register_frame(s.query, s.maps, s.guess, settings, {});
-    rounds = r.rounds;
+    iterations = r.iterations;
     benchmark::DoNotOptimize(r.overlap);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(s.query.size()));
-  state.counters["rounds"] = rounds;
+  state.counters["iterations"] = iterations;
 }
 BENCHMARK(register_elastic)->Unit(benchmark::kMillisecond)->UseRealTime();
 
@@ -117,7 +118,9 @@ void odometry(benchmark::State& state) {
   };
   const Made source(walk(20));
   slam::SlamOptions options;
-  options.loops = "none", options.refine_rounds = -1, options.dense_map = false;
+  options.loops = slam::LoopSource::none;
+  options.refine_iterations = 0;
+  options.dense_map = false;
   for (auto _ : state) benchmark::DoNotOptimize(slam::run_slam(source, options, {}).trajectory.poses.size());
   state.counters["frames/s"] =
       benchmark::Counter(static_cast<double>(source.size()), benchmark::Counter::kIsIterationInvariantRate);

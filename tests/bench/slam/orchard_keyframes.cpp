@@ -12,13 +12,13 @@ namespace {
 
 constexpr double rad(double deg) { return deg * std::numbers::pi / 180; }
 
-slam::ScanGate gate_of(const FrameSource& source, const slam::SlamOptions& options) {
-  return {options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
+slam::ScanGate gate_of(const FrameSource& source, const slam::SlamSettings& options) {
+  return {options.min_range, options.max_range, source.rings() > 0 ? source.rings() : 1024};
 }
 
 }  // namespace
 
-std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const slam::SlamSettings& options,
                                                std::size_t most_frames) {
   slam::FeatureExtractor extractor(options);
   slam::Odometry odometry(options);
@@ -39,7 +39,7 @@ std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const 
   return odometry.take_keyframes();
 }
 
-std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam::SlamSettings& options,
                                            const Trajectory& truth, std::size_t most_frames) {
   slam::FeatureExtractor extractor(options);
   ScanFrame frame;
@@ -50,7 +50,7 @@ std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam
     const Pose T = truth.at(source.frame_time_s(i));
     if (!out.empty()) {
       const Pose moved = out.back().T_map_keyframe.inverse() * T;
-      if (moved.translation().norm() < options.keyframe_distance_m &&
+      if (moved.translation().norm() < options.keyframe_distance &&
           Eigen::AngleAxisd(moved.linear()).angle() < rad(options.keyframe_angle_deg))
         continue;
     }
@@ -58,11 +58,11 @@ std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam
     slam::prepare_scan(frame, gate_of(source, options), scan);
     extractor.extract(scan, features);
     const slam::FrameMotion motion{truth.at(scan.begin_time_s), truth.at(scan.end_time_s)};
-    const double way_m =
+    const double distance =
         out.empty() ? 0 : (motion.T_map_end.translation() - out.back().T_map_keyframe.translation()).norm();
-    const double path_m = out.empty() ? 0 : out.back().path_m + way_m;
+    const double travelled = out.empty() ? 0 : out.back().travelled + distance;
     out.push_back(slam::make_keyframe(out.size(), scan.end_time_s, features.map, motion));
-    out.back().path_m = path_m;
+    out.back().travelled = travelled;
     out.back().context = slam::context_of(scan, motion, slam::context_shape(options));
   }
   return out;
@@ -81,16 +81,17 @@ void add_drift(std::vector<slam::Keyframe>& keyframes, double share, unsigned se
     if (k == 0) {
       T = T_true;
     } else {
-      if (keyframes[k].path_m > until_m) {
-        slip = per_stretch * normal(random), turn_rad_m = rad(1) * per_stretch * normal(random);
-        until_m = keyframes[k].path_m + stretch_m;
+      if (keyframes[k].travelled > until_m) {
+        slip = per_stretch * normal(random);
+        turn_rad_m = rad(1) * per_stretch * normal(random);
+        until_m = keyframes[k].travelled + stretch_m;
       }
       Pose moved = T_true_before.inverse() * T_true;
       moved.translation() *= 1 + slip;
       // About the upright, so that the ground stays level.
-      const double way_m = moved.translation().norm();
+      const double distance = moved.translation().norm();
       T = T * moved;
-      T.linear() = Eigen::AngleAxisd(turn_rad_m * way_m, Eigen::Vector3d::UnitZ()).toRotationMatrix() * T.linear();
+      T.linear() = Eigen::AngleAxisd(turn_rad_m * distance, Eigen::Vector3d::UnitZ()).toRotationMatrix() * T.linear();
     }
     T_true_before = T_true;
     pose = T;

@@ -1,4 +1,4 @@
-// Key frames of a recording for experiments with loops: followed by the odometry, or placed by the truth and then bent.
+// Keyframes of a recording for experiments with loops: followed by the odometry, or placed by the truth and then bent.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 
 namespace bole {
 
-// The first `most_frames` frames, or all; every key frame has its context. Throws Error{failure} where the track is
+// The first `most_frames` frames, or all; every keyframe has its context. Throws Error{failure} where the track is
 // lost.
-std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+std::vector<slam::Keyframe> followed_keyframes(const FrameSource& source, const slam::SlamSettings& options,
                                                std::size_t most_frames);
 
 // The same with the poses of `truth`: what an odometry without error would hand on, and much cheaper.
-std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam::SlamOptions& options,
+std::vector<slam::Keyframe> true_keyframes(const FrameSource& source, const slam::SlamSettings& options,
                                            const Trajectory& truth, std::size_t most_frames);
 
 // The path bent as an odometry drifts: the way slips by a share and turns at a rate that are drawn anew every 20 m.

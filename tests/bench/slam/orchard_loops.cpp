@@ -5,7 +5,7 @@
 // true one, bent by a drift (orchard_keyframes.h), then its revisits looked for in each way and registered in each way,
 // so that nothing else differs. Prints a JSON object with a row per way: what the search proposes and how much of it is
 // right, what registration accepts, and what the graph keeps: loops found, right by place, true by pose, recall, and
-// RMSE and SD of the key frames' trajectory (SPEC D 16, 17). `registrations=` leaves it at the search. With `out`,
+// RMSE and SD of the keyframes' trajectory (SPEC D 16, 17). `registrations=` leaves it at the search. With `out`,
 // writes reference.tum and for each row NAME.tum and NAME-loops.csv, for `bole evaluate`. What orchard_tables.py runs.
 // With `guess_errors`, N true revisits are registered from guesses that are so many metres and 5 deg off instead.
 #include <chrono>
@@ -103,9 +103,11 @@ Table table_of(const std::vector<slam::Loop>& loops, const std::vector<slam::Key
   for (const auto* name : {"from_time_s", "to_time_s", "way_m", "correction_m", "overlap"}) columns[name];
   for (const auto* name : pose) columns[name];
   for (const auto& l : loops) {
-    columns["from_time_s"].push_back(keyframes[l.from].time_s), columns["to_time_s"].push_back(keyframes[l.to].time_s);
-    columns["way_m"].push_back(keyframes[l.to].path_m - keyframes[l.from].path_m);
-    columns["correction_m"].push_back(l.correction_m), columns["overlap"].push_back(l.overlap);
+    columns["from_time_s"].push_back(keyframes[l.from].time_s);
+    columns["to_time_s"].push_back(keyframes[l.to].time_s);
+    columns["way_m"].push_back(keyframes[l.to].travelled - keyframes[l.from].travelled);
+    columns["correction_m"].push_back(l.correction);
+    columns["overlap"].push_back(l.overlap);
     const Eigen::Quaterniond q(l.T_from_to.linear());
     const Eigen::Vector3d t = l.T_from_to.translation();
     const std::array<double, 7> values{t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
@@ -130,18 +132,20 @@ Json judged(const std::vector<slam::LoopCandidate>& candidates, const std::vecto
   std::vector<double> from_s, to_s;
   std::size_t opposite = 0, beside = 0, good_guesses = 0;
   for (const auto& c : candidates) {
-    from_s.push_back(keyframes[c.from].time_s), to_s.push_back(keyframes[c.to].time_s);
+    from_s.push_back(keyframes[c.from].time_s);
+    to_s.push_back(keyframes[c.to].time_s);
     const Pose T_from = truth.at(from_s.back()), T_to = truth.at(to_s.back());
     const Pose T_from_to = T_from.inverse() * T_to, guess = keyframes[c.from].T_map_keyframe.inverse() * c.T_map_to;
-    const double apart_m = T_from_to.translation().norm();
-    if (apart_m > 3) continue;
+    const double apart = T_from_to.translation().norm();
+    if (apart > 3) continue;
     opposite += T_from_to.linear()(0, 0) < 0;
-    beside += apart_m > 1.5;  // most likely in the next alley
+    beside += apart > 1.5;  // most likely in the next alley
     const Pose error = T_from_to.inverse() * guess;
     good_guesses += error.translation().norm() < 1 && Eigen::AngleAxisd(error.linear()).angle() < 0.17;
   }
   Table table;
-  table.set("from_time_s", from_s), table.set("to_time_s", to_s);
+  table.set("from_time_s", from_s);
+  table.set("to_time_s", to_s);
   const auto found = evaluation::evaluate_loops(table, truth, {});
   Json row{{"proposed", found.found},
            {"proposed_right", found.right},
@@ -158,27 +162,31 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 // Pairs of true revisits spread evenly over the walk: (from, to), nearest of those within a metre and a half.
 std::vector<std::pair<std::size_t, std::size_t>> true_revisits(const std::vector<slam::Keyframe>& keyframes,
-                                                               const slam::SlamOptions& options, std::size_t most) {
+                                                               const slam::SlamSettings& options,
+                                                               std::size_t max_pairs) {
   std::vector<std::pair<std::size_t, std::size_t>> all, out;
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
-    double best_m = 1.5;
+    double best_distance = 1.5;
     std::optional<std::size_t> from;
-    for (std::size_t j = 0; j < k && keyframes[k].path_m - keyframes[j].path_m >= options.loop_path_m; ++j) {
+    for (std::size_t j = 0; j < k && keyframes[k].travelled - keyframes[j].travelled >= options.loop_path; ++j) {
       const double d = (keyframes[k].T_map_keyframe.translation() - keyframes[j].T_map_keyframe.translation()).norm();
-      if (d < best_m) best_m = d, from = j;
+      if (d < best_distance) {
+        best_distance = d;
+        from = j;
+      }
     }
     if (from) all.emplace_back(*from, k);
   }
-  for (std::size_t i = 0; i < std::min(most, all.size()); ++i)
-    out.push_back(all[(2 * i + 1) * all.size() / (2 * std::min(most, all.size()))]);
+  for (std::size_t i = 0; i < std::min(max_pairs, all.size()); ++i)
+    out.push_back(all[(2 * i + 1) * all.size() / (2 * std::min(max_pairs, all.size()))]);
   return out;
 }
 
 // How far registration brings a guess that is `guess_error_m` off in any direction on the ground and 5 deg in heading.
-Json registered_from_afar(const Settings& settings, slam::SlamOptions options,
+Json registered_from_afar(const Settings& settings, slam::SlamSettings options,
                           const std::vector<slam::Keyframe>& keyframes, const std::string& registration,
                           double guess_error_m) {
-  options.loop_registration = registration;
+  options.loop_registration = choice_from_name<slam::LoopRegistrationKind>(registration);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> any(-std::numbers::pi, std::numbers::pi);
   double squared = 0;
@@ -195,7 +203,8 @@ Json registered_from_afar(const Settings& settings, slam::SlamOptions options,
     const Pose found =
         slam::LoopTarget(keyframes, first, last, options).registered(keyframes[to], guess, {}).motion.T_map_end;
     const Pose error = T_true.inverse() * found;
-    errors_m.push_back(error.translation().norm()), squared += error.translation().squaredNorm();
+    errors_m.push_back(error.translation().norm());
+    squared += error.translation().squaredNorm();
     true_poses += errors_m.back() <= 0.1 && Eigen::AngleAxisd(error.linear()).angle() <= std::numbers::pi / 180;
   }
   std::ranges::sort(errors_m);
@@ -209,10 +218,10 @@ Json registered_from_afar(const Settings& settings, slam::SlamOptions options,
           {"seconds", seconds_since(begin)}};
 }
 
-// Everything that is done with one path of key frames.
+// Everything that is done with one path of keyframes.
 class Experiment {
  public:
-  Experiment(const Settings& settings, const slam::SlamOptions& options, const std::vector<slam::Keyframe>& keyframes,
+  Experiment(const Settings& settings, const slam::SlamSettings& options, const std::vector<slam::Keyframe>& keyframes,
              const Trajectory& truth, const std::string& drift)
       : settings_(settings), options_(options), keyframes_(keyframes), drift_(drift) {
     for (const auto& p : truth.poses)  // the part that was followed
@@ -228,8 +237,9 @@ class Experiment {
 
   std::vector<Json> searched(const std::string& search) const {
     auto way = options_;
-    way.loops = search == "radius" ? "odometry" : "context";
-    if (search != "radius") way.context_search = search;
+    const bool by_radius = search == "radius";
+    way.loops = by_radius ? slam::LoopSource::odometry : slam::LoopSource::context;
+    if (!by_radius) way.context_search = choice_from_name<slam::ContextSearchKind>(search);
     const auto begin = std::chrono::steady_clock::now();
     Json head{{"drift", drift_}, {"search", search}};
     head.update(judged(slam::find_loop_candidates(keyframes_, way, {}), keyframes_, driven_));
@@ -237,7 +247,7 @@ class Experiment {
     if (settings_.registrations.empty()) return {head};
     std::vector<Json> rows;
     for (const auto& registration : settings_.registrations) {
-      way.loop_registration = registration;
+      way.loop_registration = choice_from_name<slam::LoopRegistrationKind>(registration);
       auto row = head;
       row["registration"] = registration;
       registered(name(search + "-" + registration), way, row);
@@ -249,7 +259,7 @@ class Experiment {
  private:
   std::string name(const std::string& of) const { return drift_ == "0" ? of : of + "-drift" + drift_; }
 
-  void registered(const std::string& name, const slam::SlamOptions& way, Json& row) const {
+  void registered(const std::string& name, const slam::SlamSettings& way, Json& row) const {
     const std::vector<std::string> measures{
         "loops_found",           "loops_right",         "loops_wrong", "loop_precision",
         "loops_true_pose",       "loop_pose_precision", "loop_recall", "loop_shift_error_median",
@@ -262,7 +272,8 @@ class Experiment {
     const auto kept =
         evaluation::evaluate_loops(table_of(slam::kept_loops(found.loops, graph), keyframes_), driven_, {});
     add_summary(kept.summary, measures, row["kept"]);
-    row["refused"] = std::ranges::count(graph.refused, 1), row["doubted"] = graph.doubted_loops;
+    row["refused"] = std::ranges::count(graph.refused, 1);
+    row["doubted"] = graph.doubted_loops;
     row["seconds"] = seconds_since(begin);
     if (!settings_.out.empty())
       io::write_table(std::filesystem::path(settings_.out) / (name + "-loops.csv"), kept.loops);
@@ -276,7 +287,7 @@ class Experiment {
   }
 
   const Settings& settings_;
-  const slam::SlamOptions& options_;
+  const slam::SlamSettings& options_;
   const std::vector<slam::Keyframe>& keyframes_;
   std::string drift_;
   Trajectory driven_;

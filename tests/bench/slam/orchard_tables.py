@@ -124,7 +124,7 @@ def main():
 
     result, afar = measured(arguments)
     for bare in result["no_loops"]:
-        print(f"{result['frames']} frames, {bare['length']:.0f} m, {result['keyframes']} key frames, drift {bare['drift']}; without loops: "
+        print(f"{result['frames']} frames, {bare['length']:.0f} m, {result['keyframes']} keyframes, drift {bare['drift']}; without loops: "
               f"RMSE {bare['ate_rmse']:.3f} m, SD {bare['ate_sd']:.3f} m, error at the end {bare['end_error']:.2f} m")
     print_loops(result)
     print_growth(result)

@@ -63,7 +63,7 @@ def recording(arguments, name, recipe, options):
     demo = json.loads((REPOSITORY / "resources/plots/demo.json").read_text())
     (folder / "plot.json").write_text(json.dumps(merged(demo, recipe)))
     command = [arguments.build / "bin/bole", "simulate", "--plot", folder / "plot.json", "--out", folder]
-    command += ["--most-time", str(arguments.seconds), *options]
+    command += ["--max-time", str(arguments.seconds), *options]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     (folder / "complete").touch()
     return folder

@@ -32,7 +32,7 @@ double user_seconds() {
 }
 
 struct TrajectoryErrors {
-  double ate_m = 0, worst_m = 0, turn_deg = 0, step_m = 0, end_m = 0;
+  double ate_m = 0, worst_m = 0, turn_deg = 0, step_size = 0, end_m = 0;
 };
 
 // After the best rigid alignment of positions (Umeyama without scale).
@@ -45,8 +45,10 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
     G.push_back(truth.at(p.time_s));
   }
   Eigen::Matrix3Xd e(3, E.size()), g(3, G.size());
-  for (std::size_t i = 0; i < E.size(); ++i)
-    e.col(static_cast<Eigen::Index>(i)) = E[i].translation(), g.col(static_cast<Eigen::Index>(i)) = G[i].translation();
+  for (std::size_t i = 0; i < E.size(); ++i) {
+    e.col(static_cast<Eigen::Index>(i)) = E[i].translation();
+    g.col(static_cast<Eigen::Index>(i)) = G[i].translation();
+  }
   const Pose A(Eigen::umeyama(e, g, false));
   TrajectoryErrors out;
   for (std::size_t i = 0; i < E.size(); ++i) {
@@ -56,12 +58,15 @@ TrajectoryErrors compare(const Trajectory& estimate, const Trajectory& truth) {
     out.worst_m = std::max(out.worst_m, d);
     out.turn_deg += std::pow(Eigen::AngleAxisd(aligned.linear().transpose() * G[i].linear()).angle() * 57.29578, 2);
     if (i > 0)
-      out.step_m += (((E[i - 1].inverse() * E[i]).inverse() * (G[i - 1].inverse() * G[i])).translation()).squaredNorm();
+      out.step_size +=
+          (((E[i - 1].inverse() * E[i]).inverse() * (G[i - 1].inverse() * G[i])).translation()).squaredNorm();
   }
   const Pose drift = (E.front().inverse() * E.back()).inverse() * (G.front().inverse() * G.back());
   const auto n = static_cast<double>(E.size());
-  out.ate_m = std::sqrt(out.ate_m / n), out.turn_deg = std::sqrt(out.turn_deg / n),
-  out.step_m = std::sqrt(out.step_m / n), out.end_m = drift.translation().norm();
+  out.ate_m = std::sqrt(out.ate_m / n);
+  out.turn_deg = std::sqrt(out.turn_deg / n);
+  out.step_size = std::sqrt(out.step_size / n);
+  out.end_m = drift.translation().norm();
   return out;
 }
 
@@ -81,7 +86,8 @@ Pose aligned(const Trajectory& estimate, const Trajectory& truth) {
   Eigen::Index n = 0;
   for (const auto& p : estimate.poses) {
     if (p.time_s < truth.poses.front().time_s || p.time_s > truth.poses.back().time_s) continue;
-    e.col(n) = p.T_target_sensor.translation(), g.col(n) = truth.at(p.time_s).translation();
+    e.col(n) = p.T_target_sensor.translation();
+    g.col(n) = truth.at(p.time_s).translation();
     ++n;
   }
   return Pose(Eigen::umeyama(e.leftCols(n), g.leftCols(n), false));
@@ -90,9 +96,9 @@ Pose aligned(const Trajectory& estimate, const Trajectory& truth) {
 #ifdef BOLE_HAS_IO
 class Stretch : public FrameSource {
  public:
-  Stretch(std::shared_ptr<const FrameSource> all, std::size_t first, std::size_t most)
-      : all_(std::move(all)), first_(std::min(first, all_->size())), most_(most) {}
-  std::size_t size() const override { return std::min(most_, all_->size() - first_); }
+  Stretch(std::shared_ptr<const FrameSource> all, std::size_t first, std::size_t max_frames)
+      : all_(std::move(all)), first_(std::min(first, all_->size())), max_frames_(max_frames) {}
+  std::size_t size() const override { return std::min(max_frames_, all_->size() - first_); }
   void read(std::size_t index, ScanFrame& frame) const override { all_->read(first_ + index, frame); }
   double frame_time_s(std::size_t index) const override { return all_->frame_time_s(first_ + index); }
   int rings() const override { return all_->rings(); }
@@ -103,7 +109,7 @@ class Stretch : public FrameSource {
 
  private:
   std::shared_ptr<const FrameSource> all_;
-  std::size_t first_, most_;
+  std::size_t first_, max_frames_;
 };
 
 std::shared_ptr<const FrameSource> recording(const std::string& folder) {
@@ -149,8 +155,10 @@ void print_trees(const PointCloud& map, const Table& trees, const Pose& T_world_
     const double error_cm = 200 * circle.z() - dbh[t];
     if (std::abs(error_cm) > 15) continue;
     ++fitted;
-    squared += error_cm * error_cm, sum += error_cm, wall += 100 * scale,
-        dx2 += (circle.head<2>() - Eigen::Vector2d(x[t], y[t])).squaredNorm();
+    squared += error_cm * error_cm;
+    sum += error_cm;
+    wall += 100 * scale;
+    dx2 += (circle.head<2>() - Eigen::Vector2d(x[t], y[t])).squaredNorm();
   }
   std::printf(
       "trees fitted %d of %d: plain circle DBH bias %+.2f cm, RMSE %.2f cm, wall %.2f cm (robust SD), position %.1f "
@@ -208,19 +216,21 @@ void print_walls(const PointCloud& map, const synthetic::World& world, const Pos
   }
   if (thickness.empty()) return;
   double t = 0, b = 0;
-  for (std::size_t i = 0; i < thickness.size(); ++i) t += thickness[i], b += bias[i];
+  for (std::size_t i = 0; i < thickness.size(); ++i) {
+    t += thickness[i];
+    b += bias[i];
+  }
   std::printf("trunks %zu: wall %.2f cm (robust SD), median radial offset %+.2f cm\n", thickness.size(),
               100 * t / static_cast<double>(thickness.size()), 100 * b / static_cast<double>(bias.size()));
 }
 
 void print_loops(const Table& loops, const Trajectory& truth) {
   evaluation::EvaluationOptions options;
-  for (const double radius_m : {3.0, 5.0}) {
-    options.loop_radius_m = radius_m;
+  for (const double radius : {3.0, 5.0}) {
+    options.loop_radius_m = radius;
     const auto e = evaluation::evaluate_loops(loops, truth, options);
     const auto values = e.summary.numbers("value");
-    std::printf("loops within %.0f m: %zu right, %zu wrong, recall %.0f %%\n", radius_m, e.right, e.wrong,
-                values.back());
+    std::printf("loops within %.0f m: %zu right, %zu wrong, recall %.0f %%\n", radius, e.right, e.wrong, values.back());
   }
 }
 
@@ -278,7 +288,7 @@ int main(int count, char** arguments) try {
   std::printf(
       "\nATE RMSE %.2f cm, worst %.2f cm, turn %.3f deg, RPE over 0.1 s %.2f cm, end drift %.2f cm over %.1f m, user "
       "%.1f ms/frame\n",
-      100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_m, 100 * e.end_m, truth.length_m(),
+      100 * e.ate_m, 100 * e.worst_m, e.turn_deg, 100 * e.step_size, 100 * e.end_m, truth.length_m(),
       1000 * user_s / static_cast<double>(source->size()));
   print_loops(result.loops, truth);
 #ifdef BOLE_HAS_IO

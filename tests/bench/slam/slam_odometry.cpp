@@ -19,8 +19,8 @@ using namespace bole;
 
 class FramesInMemory : public FrameSource {
  public:
-  FramesInMemory(const FrameSource& source, std::size_t most) : rings_(source.rings()) {
-    frames_.resize(std::min(most, source.size()));
+  FramesInMemory(const FrameSource& source, std::size_t max_frames) : rings_(source.rings()) {
+    frames_.resize(std::min(max_frames, source.size()));
     for (std::size_t i = 0; i < frames_.size(); ++i) source.read(i, frames_[i]);
   }
   std::size_t size() const override { return frames_.size(); }
@@ -67,7 +67,7 @@ int main(int count, char** arguments) try {
   std::map<std::string, std::string> own{{"poses", ""}, {"frames", "1000000"}, {"repeat", "1"}};
   OptionSet options(option_table(static_cast<const slam::SlamOptions*>(nullptr)));
   options.set_text("loops", "none");
-  options.set_text("refine_rounds", "-1");
+  options.set_text("refine_iterations", "0");
   options.set_text("dense_map", "false");
   options.set_text("trajectory_rate", "1000");
   for (int i = 2; i < count; ++i) {
@@ -88,7 +88,8 @@ int main(int count, char** arguments) try {
     const auto result = slam::run_slam(source, options.as<slam::SlamOptions>(), {});
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
                  to_ms = 1000 / static_cast<double>(source.size());
-    out["wall_ms"].push_back(wall_s * to_ms), out["user_ms"].push_back((user_seconds() - user_s) * to_ms);
+    out["wall_ms"].push_back(wall_s * to_ms);
+    out["user_ms"].push_back((user_seconds() - user_s) * to_ms);
     out["message"] = result.report.message;
     for (const auto& [name, value] : result.report.counts) out["counts"][name] = value;
     for (const auto& [name, m] : result.report.metrics) out["metrics"][name] = m.value;

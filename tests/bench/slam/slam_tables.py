@@ -83,7 +83,7 @@ ABLATION = {
     },
     "best": {
         "best": {},
-        "no adjustment": {"refine_rounds": "-1"},
+        "no adjustment": {"refine_iterations": "0"},
         "no loops": {"loops": "none"},
         "de-skewed twice": {"deskew": "twice"},
         "curvature features": {"features": "curvature"},

@@ -31,12 +31,12 @@ std::optional<StemReturn> hit(const TrueStem& stem, const Eigen::Vector3d& senso
   const Eigen::Vector2d place(o.dot(e1), o.dot(e2)), from(s.dot(e1), s.dot(e2)),
       across = Eigen::Vector2d(ray.dot(e1), ray.dot(e2)).normalized();
   const double impact_m = from.x() * across.y() - from.y() * across.x();
-  if (std::abs(impact_m) > most_impact * stem.radius_m) return std::nullopt;
+  if (std::abs(impact_m) > most_impact * stem.radius) return std::nullopt;
   const double steepness = (point - sensor).norm() / (place - from).norm(),
-               expected_m = -from.dot(across) - std::sqrt(stem.radius_m * stem.radius_m - impact_m * impact_m);
+               expected_m = -from.dot(across) - std::sqrt(stem.radius * stem.radius - impact_m * impact_m);
   const double along_m = steepness * ((place - from).norm() - expected_m);
   if (std::abs(along_m) > most_residual_m) return std::nullopt;
-  return StemReturn{0, along_m, ray.norm(), impact_m / stem.radius_m, place, across};
+  return StemReturn{0, along_m, ray.norm(), impact_m / stem.radius, place, across};
 }
 
 std::size_t view_of(const Eigen::Vector2d& ray) {
@@ -53,7 +53,8 @@ Eigen::Vector3d own_shift(const std::vector<const StemReturn*>& returns) {
     for (const auto* r : returns) {
       const Eigen::Vector3d J(r->ray.x(), r->ray.y(), 1);
       const double e = r->along_m - J.dot(x), u = e / 0.06, w = std::abs(u) < 1 ? std::pow(1 - u * u, 2) : 0;
-      H += w * J * J.transpose(), g += w * e * J;
+      H += w * J * J.transpose();
+      g += w * e * J;
     }
     x += H.ldlt().solve(g);
   }
@@ -90,7 +91,10 @@ std::vector<StemReturn> stem_returns(const FrameSource& source, std::size_t fram
       const Eigen::Vector3d sensor = poses.translation(s), point = poses.turned(frame.positions[i], s) + sensor;
       for (std::size_t t = 0; t < stems.size(); ++t) {
         if ((point - stems[t].breast_height).squaredNorm() > 1) continue;
-        if (auto r = hit(stems[t], sensor, point)) r->stem = t, out.push_back(*r);
+        if (auto r = hit(stems[t], sensor, point)) {
+          r->stem = t;
+          out.push_back(*r);
+        }
       }
     }
   }
@@ -114,8 +118,13 @@ WallFigures wall_figures(const std::vector<StemReturn>& returns, std::size_t ste
       radial.push_back(r->along_m - r->ray.dot(shift.head<2>()));
     }
     for (const auto& v : view)
-      if (v.size() >= least_returns) along += median(v), seen_views += 1;
-    own_along += shift.z(), shift2 += shift.head<2>().squaredNorm(), seen_stems += 1;
+      if (v.size() >= least_returns) {
+        along += median(v);
+        seen_views += 1;
+      }
+    own_along += shift.z();
+    shift2 += shift.head<2>().squaredNorm();
+    seen_stems += 1;
     const double middle = median(radial);
     for (auto& r : radial) r = std::abs(r - middle);
     walls.push_back(out.wall_of_stem_mm[t] = 1482.6 * median(radial));

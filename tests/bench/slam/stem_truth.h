@@ -15,7 +15,7 @@ namespace bole {
 // A stem about breast height, plot axes.
 struct TrueStem {
   Eigen::Vector3d breast_height = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();
-  double radius_m = 0;
+  double radius = 0;
 };
 // From trees.csv of `bole simulate`: those in the plot.
 std::vector<TrueStem> true_stems(const Table& trees);
@@ -24,7 +24,7 @@ std::vector<TrueStem> true_stems(const Table& trees);
 struct StemReturn {
   std::size_t stem = 0;
   double along_m = 0;  // measured less predicted range
-  double range_m = 0;
+  double range = 0;
   double impact = 0;                                // distance of the ray from the axis, in radii
   Eigen::Vector2d place = Eigen::Vector2d::Zero();  // across the axis
   Eigen::Vector2d ray = Eigen::Vector2d::Zero();    // direction, across the axis, of length 1

@@ -202,9 +202,10 @@ int run(int argc, char** argv) {
   clock.time("slope and canopy", n, [&] {
     return std::pair(ground::slope_deg(model.dem), ground::canopy_height(points, model.dem, model.dem.cell_m));
   });
-  const auto slice = clock.time("slice", n, [&] { return stems::breast_height_slice(points, {}, {}); });
+  clock.time("slice", n, [&] { return stems::breast_height_slice(points, {}, {}); });
   const auto measure = [&](const Run& run) {
-    return stems::measure_stems(points, slice, model.dem, nullptr, options.as<stems::MeasureOptions>(), run);
+    return stems::measure_stems(points, usual_breast_height_m, model.dem, nullptr, options.as<stems::MeasureOptions>(),
+                                run);
   };
   const auto start = std::chrono::steady_clock::now();
   const auto survey = clock.time("stems", n, [&] { return measure({}); });

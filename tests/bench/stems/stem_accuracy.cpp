@@ -135,8 +135,7 @@ void print_missed(const Tree& tree, const stems::StemSurvey& survey) {
 void measure(const Plot& plot, const stems::MeasureOptions& options, const std::string& name, bool list, Errors& errors,
              std::vector<stems::Stem>& stems_of_tree, const std::filesystem::path& out) {
   const auto start = std::chrono::steady_clock::now();
-  const auto survey = stems::measure_stems(plot.points, stems::breast_height_slice(plot.points, {}, {}), plot.dem,
-                                           nullptr, options, {});
+  const auto survey = stems::measure_stems(plot.points, usual_breast_height_m, plot.dem, nullptr, options, {});
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::string metrics;
   for (const auto& [key, value] : survey.report.metrics) metrics += fmt::format(", {} {:.2f}", key, value.value);

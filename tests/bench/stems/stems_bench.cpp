@@ -47,9 +47,9 @@ void slice(benchmark::State& state) {
 BENCHMARK(slice)->Unit(benchmark::kMillisecond);
 
 void measure(benchmark::State& state) {
-  const auto layer = stems::breast_height_slice(plot().points, {}, {});
   std::size_t stems = 0;
-  for (auto _ : state) stems = stems::measure_stems(plot().points, layer, plot().dem, nullptr, {}, {}).stems.size();
+  for (auto _ : state)
+    stems = stems::measure_stems(plot().points, usual_breast_height_m, plot().dem, nullptr, {}, {}).stems.size();
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(plot().points.size()));
   state.counters["stems"] = static_cast<double>(stems);
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t count = (least_file_bytes >> 2) + 12345;  // not whole pages
+constexpr std::size_t count = (min_file_bytes >> 2) + 12345;  // not whole pages
 
 std::vector<std::uint32_t> numbers() {
   std::vector<std::uint32_t> values(count);

@@ -41,6 +41,7 @@ PointCloud sample_cloud() {
   PointCloud cloud(PointCloud::Positions{{1, 2, 3}, {-4, 5.25F, std::nanf("")}}, {512345.1, 5600000.7, 1e-3});
   cloud.axes = Axes::global;
   cloud.crs_wkt = "EPSG:25832";
+  cloud.facts = {{"sensor", "VLP-32C"}, {"poses", "given"}};
   cloud.set_column(arrays::tree_id, std::vector<std::int32_t>{0, 7});
   cloud.set_column(arrays::time, std::vector<double>{0.1, 1e9});
   return cloud;
@@ -54,6 +55,7 @@ TEST(Serialize, CloudIsExact) {
   EXPECT_EQ(back->origin, cloud.origin);
   EXPECT_EQ(back->axes, Axes::global);
   EXPECT_EQ(back->crs_wkt, cloud.crs_wkt);
+  EXPECT_EQ(back->facts, cloud.facts);
   EXPECT_EQ(back->values<std::int32_t>(arrays::tree_id), (std::vector<std::int32_t>{0, 7}));
   EXPECT_EQ(back->values<double>(arrays::time), (std::vector<double>{0.1, 1e9}));
   EXPECT_TRUE(round_trip(PointCloud(), store)->empty());
@@ -96,6 +98,7 @@ TEST(Serialize, TableRasterTrajectory) {
 
   Trajectory path;
   path.axes = Axes::plot;
+  path.facts = {{"poses", "estimated"}};
   StampedPose pose{12.5, Pose::Identity()};
   pose.T_target_sensor.linear() = rotation_from_rpy(0.3, -0.2, 2);
   pose.T_target_sensor.translation() = Eigen::Vector3d(1, 2, 3);
@@ -105,6 +108,7 @@ TEST(Serialize, TableRasterTrajectory) {
   EXPECT_EQ(path_back->poses[0].time_s, 12.5);
   EXPECT_EQ(path_back->poses[0].T_target_sensor.matrix(), pose.T_target_sensor.matrix());
   EXPECT_EQ(path_back->axes, Axes::plot);
+  EXPECT_EQ(path_back->facts, path.facts);
 }
 
 TEST(Serialize, DamageIsTold) {
@@ -115,7 +119,7 @@ TEST(Serialize, DamageIsTold) {
   EXPECT_THROW(load_data(R"({"kind": "cloud"})", store, no_frames), Error);
   EXPECT_THROW(
       load_data(
-          R"({"kind": "cloud", "size": 1000000000000, "origin": [0,0,0], "scale": [0,0,0], "axes": "map", "crs": "", "positions": ")" +
+          R"({"kind": "cloud", "size": 1000000000000, "origin": [0,0,0], "scale": [0,0,0], "axes": "map", "crs": "", "facts": {}, "positions": ")" +
               stored_blobs(text)[2] + R"(", "columns": {}})",
           store, no_frames),
       Error);

@@ -124,13 +124,13 @@ TEST(EvaluateStems, ARigidMotionIsTakenOutWhenAsked) {
   }
   EvaluationOptions o;
   EXPECT_GT(value(evaluate_stems(trees(moved), reference, o, plot).summary, "position_rmse_x"), 0.1);
-  o.align_stems = "rigid";
+  o.align_stems = AlignStems::rigid;
   EXPECT_LT(value(evaluate_stems(trees(moved), reference, o, plot).summary, "position_rmse_x"), 1e-9);
 }
 
 TEST(EvaluateStems, PublishedFiguresStandBesideOurs) {
   EvaluationOptions o;
-  o.published_plot = "2";
+  o.published_plot = PublishedPlot::plot2;
   const auto summary = evaluate_stems(trees({{0, 0, 20}}), trees({{0, 0, 20}}), o, plot).summary;
   const auto& names = summary.texts("measure");
   const auto at = std::ranges::find(names, "dbh_rmse");

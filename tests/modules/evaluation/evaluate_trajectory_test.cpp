@@ -42,7 +42,7 @@ TEST(EvaluateTrajectory, ARigidMotionIsNoErrorAfterAlignment) {
   EXPECT_LT(value(e.summary, "drift"), 1e-9);
   EXPECT_TRUE(e.T_reference_estimate.isApprox(by.inverse(), 1e-9));
   EvaluationOptions none;
-  none.align_trajectory = "none";
+  none.align_trajectory = AlignTrajectory::none;
   EXPECT_GT(value(evaluate_trajectory(moved(walk(), by), walk(), none).summary, "ate_rmse"), 1);
 }
 
@@ -50,7 +50,7 @@ TEST(EvaluateTrajectory, HandComputedErrors) {
   auto estimate = walk();
   estimate.poses.back().T_target_sensor.translation().x() += 0.3;  // one of 201 poses
   EvaluationOptions none;
-  none.align_trajectory = "none";
+  none.align_trajectory = AlignTrajectory::none;
   const auto e = evaluate_trajectory(estimate, walk(), none);
   EXPECT_NEAR(value(e.summary, "poses"), 201, 0);
   EXPECT_NEAR(value(e.summary, "ate_max"), 0.3, 1e-9);
@@ -69,7 +69,7 @@ TEST(EvaluateTrajectory, PosesAreInterpolatedToTheEstimatesTimes) {
   estimate.poses.push_back({-5, Pose::Identity()});  // no reference there
   for (const auto& p : walk(0, 0.25).poses) estimate.poses.push_back(p);
   EvaluationOptions o;
-  o.align_trajectory = "none", o.most_time_gap_s = 1.5;
+  o.align_trajectory = AlignTrajectory::none, o.max_time_gap = 1.5;
   const auto e = evaluate_trajectory(estimate, coarse, o);
   EXPECT_EQ(e.poses, 81U);
   EXPECT_LT(value(e.summary, "ate_max"), 1e-9);

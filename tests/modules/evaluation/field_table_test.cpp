@@ -105,7 +105,7 @@ TEST(Rioja, TheTlsListsAreBroughtOntoTheFieldLists) {
     o.columns = o.reference_columns = "tree_id=tree, x_m=x, y_m=y, dbh_cm=dbh, height_m=h";
     const CountingRule rule{circle_area({0, 0}, 20), 7.5};
     EXPECT_LT(evaluate_stems(tls, field, o, rule).matched, 8U) << rows;
-    o.align_stems = "search";
+    o.align_stems = AlignStems::search;
     const auto e = evaluate_stems(tls, field, o, rule);
     EXPECT_EQ(e.matched + e.missed, trees) << rows;
     EXPECT_GE(e.matched, matched) << rows;

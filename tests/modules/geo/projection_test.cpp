@@ -5,7 +5,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "geo/core/local_frame.h"
+#include "geo/core/local_axes.h"
 #include "geo/core/project_table.h"
 #include "geo/core/utm.h"
 
@@ -66,7 +66,7 @@ TEST(TransverseMercator, RoundTripsInEveryZoneAndEllipsoid) {
     const auto zone = gauss_krueger_zone(g.longitude_deg, width);
     EXPECT_LE(std::abs(longitude_difference_deg(g.longitude_deg, zone.central_meridian_deg())), width / 2.0 + 1e-9);
     const TransverseMercator projection(
-        gauss_krueger_plane(zone, ellipsoid_named(ellipsoid_names()[static_cast<std::size_t>(i) % 3]), i % 5 == 0));
+        gauss_krueger_plane(zone, ellipsoid_of(static_cast<EllipsoidName>(i % 3)), i % 5 == 0));
     const auto p = projection.forward(g);
     const auto back = projection.inverse(p.easting_m, p.northing_m);
     worst_deg = std::max({worst_deg, std::abs(back.latitude_deg - g.latitude_deg),
@@ -123,14 +123,14 @@ TEST(TransverseMercator, RefusesWhatNoPlaneHolds) {
   EXPECT_THROW(projection.forward({20, -60, 0}), Error);
   EXPECT_THROW(projection.forward({std::nan(""), 114, 0}), Error);
   EXPECT_THROW(projection.inverse(38'500'000, 2'500'000), Error);
-  EXPECT_THROW(TransverseMercator({{"flat", 1, 0}, 0, 1, 0, 0}), Error);
+  EXPECT_THROW(TransverseMercator({{"flat", "flat", 1, 0}, 0, 1, 0, 0}), Error);
   EXPECT_THROW(gauss_krueger_zone(10, 4), Error);
   EXPECT_THROW(gauss_krueger_plane({3, 121}), Error);
 }
 
 // Ordnance Survey, A guide to coordinate systems in Great Britain, annexe C: the worked example of the National Grid.
 TEST(TransverseMercator, TheBritishGridHasAnOriginOfItsOwn) {
-  const TransverseMercator grid({ellipsoid_named("Airy1830"), -2, 0.9996012717, 400'000, -100'000, 49});
+  const TransverseMercator grid({ellipsoid_of(EllipsoidName::airy1830), -2, 0.9996012717, 400'000, -100'000, 49});
   const double latitude_deg = 52 + 39 / 60.0 + 27.2531 / 3600, longitude_deg = 1 + 43 / 60.0 + 4.5177 / 3600;
   const auto p = grid.forward({latitude_deg, longitude_deg, 0});
   EXPECT_NEAR(p.easting_m, 651409.903, 0.002);
@@ -145,11 +145,17 @@ TEST(TransverseMercator, TheBritishGridHasAnOriginOfItsOwn) {
   EXPECT_THAT(grid.wkt(), HasSubstr("\"false_northing\",-100000"));
   // By the options of the stage.
   Table table;
-  table.set("latitude_deg", std::vector<double>{latitude_deg}),
-      table.set("longitude_deg", std::vector<double>{longitude_deg});
+  table.set("latitude_deg", std::vector<double>{latitude_deg});
+
+  table.set("longitude_deg", std::vector<double>{longitude_deg});
   ProjectOptions o;
-  o.plane = "transverse_mercator", o.ellipsoid = "Airy1830", o.central_meridian_deg = -2, o.scale = 0.9996012717;
-  o.false_easting_m = 400'000, o.false_northing_m = -100'000, o.latitude_of_origin_deg = 49;
+  o.plane = PlaneKind::transverse_mercator;
+  o.ellipsoid = EllipsoidName::airy1830;
+  o.central_meridian_deg = -2;
+  o.scale = 0.9996012717;
+  o.false_easting_m = 400'000;
+  o.false_northing_m = -100'000;
+  o.latitude_of_origin_deg = 49;
   EXPECT_NEAR(project_table(table, o).table.numbers("y_m").at(0), 313177.270, 0.002);
 }
 
@@ -175,18 +181,18 @@ TEST(Utm, KnowsItsZonesAndRoundTrips) {
   EXPECT_THROW(from_utm({61, true, 500'000, 0}), Error);
 }
 
-TEST(LocalFrame, HasTrueLengthsAndRoundTrips) {
+TEST(LocalAxes, HasTrueLengthsAndRoundTrips) {
   const GeodeticPoint origin{23.16, 113.35, 12};
-  const LocalFrame frame(origin, grs80());
-  EXPECT_LT(frame.to_enu(origin).norm(), 1e-9);
+  const LocalAxes axes(origin, grs80());
+  EXPECT_LT(axes.to_enu(origin).norm(), 1e-9);
   // One second of latitude is 30.76 m at 23 degrees (M = a (1 - e^2) / (1 - e^2 sin^2 B)^1.5).
   const double s = std::sin(23.16 * M_PI / 180), e2 = grs80().first_eccentricity_squared();
   const double meridian_radius_m = 6378137.0 * (1 - e2) / std::pow(1 - e2 * s * s, 1.5);
-  const auto north = frame.to_enu({23.16 + 1 / 3600.0, 113.35, 12});
+  const auto north = axes.to_enu({23.16 + 1 / 3600.0, 113.35, 12});
   EXPECT_NEAR(north.y(), (meridian_radius_m + 12) * M_PI / 180 / 3600, 1e-5);
   EXPECT_NEAR(north.x(), 0, 1e-9);
   const Eigen::Vector3d enu(812.5, -430.25, 3.75);
-  EXPECT_LT((frame.to_enu(frame.to_geodetic(enu)) - enu).norm(), 1e-8);
+  EXPECT_LT((axes.to_enu(axes.to_geodetic(enu)) - enu).norm(), 1e-8);
 }
 
 TEST(ProjectTable, GoesThereAndBackAndCarriesThePlane) {
@@ -201,8 +207,9 @@ TEST(ProjectTable, GoesThereAndBackAndCarriesThePlane) {
   EXPECT_THAT(plane.table.facts.at("crs"), HasSubstr("PARAMETER[\"central_meridian\",114]"));
   EXPECT_TRUE(std::isnan(plane.table.numbers("x_m")[2]));
   Table metres;
-  metres.set("x_m", plane.table.numbers("x_m")), metres.set("y_m", plane.table.numbers("y_m"));
-  o.direction = "to_geodetic";
+  metres.set("x_m", plane.table.numbers("x_m"));
+  metres.set("y_m", plane.table.numbers("y_m"));
+  o.direction = ProjectDirection::to_geodetic;
   EXPECT_THROW(project_table(metres, o), Error);  // which zone?
   o.zone = 38;
   EXPECT_NEAR(project_table(metres, o).table.numbers("latitude_deg")[1], 23.17, 1e-9);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "geo/core/attitude.h"
 
@@ -16,7 +17,6 @@ namespace bole::geo {
 namespace {
 
 using ::testing::HasSubstr;
-constexpr double deg = std::numbers::pi / 180;
 
 // Marks about a robot at several heights; the sensor stands at `sensor`.
 const Eigen::Vector3d sensor(1.2, -0.7, 0.6);
@@ -116,7 +116,7 @@ TEST(Heading, IsTheTurnBetweenSeenAndKnownDirections) {
   const auto heading = heading_from_directions(pairs);
   EXPECT_NEAR(heading.yaw_rad, yaw, 1e-12);
   EXPECT_LT(heading.worst_residual_rad, 1e-12);
-  EXPECT_LT(heading.se_rad, 0.2 * deg);
+  EXPECT_LT(heading.se_rad, 0.2 * rad_per_deg);
   pairs[1].seen *= 1.1;
   EXPECT_THAT(error_of([&] { heading_from_directions(pairs); }), HasSubstr("direction 2"));
   EXPECT_THAT(error_of([&] { heading_from_directions({}); }), HasSubstr("0 directions"));
@@ -125,13 +125,13 @@ TEST(Heading, IsTheTurnBetweenSeenAndKnownDirections) {
 TEST(Attitude, LeverArmAndBearings) {
   // Driving north (yaw 90 deg), antenna 1 m ahead of and 2.5 m above the rear axle.
   const Eigen::Vector3d lever(1, 0, 2.5), antenna(100, 200, 30);
-  EXPECT_LT((control_point(antenna, {0, 0, 90 * deg}, lever) - Eigen::Vector3d(100, 199, 27.5)).norm(), 1e-12);
+  EXPECT_LT((control_point(antenna, {0, 0, 90 * rad_per_deg}, lever) - Eigen::Vector3d(100, 199, 27.5)).norm(), 1e-12);
   // A roll of 5 deg lowers the right side: the antenna swings to the right, which is east, so the point lies west of
   // it.
-  const auto rolled = control_point(antenna, {5 * deg, 0, 90 * deg}, lever);
-  EXPECT_NEAR(rolled.x() - antenna.x(), -2.5 * std::sin(5 * deg), 1e-12);
-  EXPECT_NEAR(bearing_from_yaw_rad(90 * deg), 0, 1e-12);
-  EXPECT_NEAR(bearing_from_yaw_rad(180 * deg), 270 * deg, 1e-12);
+  const auto rolled = control_point(antenna, {5 * rad_per_deg, 0, 90 * rad_per_deg}, lever);
+  EXPECT_NEAR(rolled.x() - antenna.x(), -2.5 * std::sin(5 * rad_per_deg), 1e-12);
+  EXPECT_NEAR(bearing_from_yaw_rad(90 * rad_per_deg), 0, 1e-12);
+  EXPECT_NEAR(bearing_from_yaw_rad(180 * rad_per_deg), 270 * rad_per_deg, 1e-12);
   for (double bearing = 0.05; bearing < 2 * std::numbers::pi; bearing += 0.3)
     EXPECT_NEAR(bearing_from_yaw_rad(yaw_from_bearing_rad(bearing)), bearing, 1e-12);
 }

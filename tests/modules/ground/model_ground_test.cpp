@@ -125,7 +125,7 @@ TEST(ModelGround, BeyondTheFillDistanceThereIsNoTerrain) {
   auto positions = Terrain(r).cloud().positions();
   positions.emplace_back(30.0F, 0.0F, 8.0F);  // a crown far outside
   GroundOptions o;
-  o.fill_distance_m = 3;
+  o.fill_distance = 3;
   const auto m = model(PointCloud(positions), o);
   EXPECT_TRUE(std::isnan(m.height_above_ground.back()));
   EXPECT_EQ(m.classification.back(), 1);
@@ -238,7 +238,7 @@ TEST(ModelGround, ATreeWithoutGroundStandsOnItsLowestPoints) {
   points.emplace_back(0.0F, 0.0F, -5.0F);  // one stray point below
   const PointCloud tree(std::move(points), {500000, 5000000, 300});
   GroundOptions options;
-  options.method = "lowest";
+  options.method = GroundMethod::lowest;
   const auto model = model_ground(tree, options, {});
   EXPECT_NEAR(model.height_above_ground[2000], 4.0, 0.02);
   EXPECT_NEAR(model.dem.sample(500000, 5000000), 300.0, 0.02);

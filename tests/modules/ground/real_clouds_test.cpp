@@ -49,8 +49,8 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
 
 GroundOptions airborne() {
   GroundOptions o;
-  o.cell_m = 1, o.seed_m = 24, o.max_distance_m = 1.4, o.max_angle_deg = 10, o.roughness_m = 0.2, o.band_m = 0.5,
-  o.tolerance_m = 0.4, o.fill_distance_m = 40;
+  o.cell = 1, o.seed = 24, o.max_distance = 1.4, o.max_angle_deg = 10, o.roughness = 0.2, o.band = 0.5,
+  o.tolerance = 0.4, o.fill_distance = 40;
   return o;
 }
 
@@ -69,7 +69,7 @@ TEST(RealClouds, IsprsSample51ForestOnSlopes) {
 TEST(RealClouds, BorealForestFromTheAir) {
   NEED_FOLDER("als_ground");
   auto o = airborne();
-  o.seed_m = 10;
+  o.seed = 10;
   const auto e = filter_errors(data_folder + "/Topography.laz", o, 9);
   // The reference holds one low point in four only; sparse hilltops below crowns are lost (type I).
   EXPECT_LT(e.type_1, 18);
@@ -79,7 +79,7 @@ TEST(RealClouds, BorealForestFromTheAir) {
 TEST(RealClouds, MixedConiferFromTheAir) {
   NEED_FOLDER("als_ground");
   auto o = airborne();
-  o.seed_m = 10;
+  o.seed = 10;
   const auto e = filter_errors(data_folder + "/MixedConifer.laz", o);
   EXPECT_LT(e.type_1, 1);
   EXPECT_LT(e.total, 10);  // low herbs within tolerance_m count as type II

@@ -47,7 +47,12 @@ std::string binary_ply(bool big_endian, double x, std::size_t declared) {
     if (big_endian) std::reverse(bytes.begin(), bytes.end());
     file += bytes;
   };
-  for (int i = 0; i < 3; ++i) append(x + i * 0.001), append(5400000.25), append(100.5), append(i);
+  for (int i = 0; i < 3; ++i) {
+    append(x + i * 0.001);
+    append(5400000.25);
+    append(100.5);
+    append(i);
+  }
   return file;
 }
 
@@ -146,7 +151,12 @@ TEST(ReadPcd, BinaryThatIsCutOffGivesWhatIsThere) {
   std::string file =
       "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z _\nSIZE 4 4 4 1\nTYPE F F F U\nCOUNT 1 1 1 4\nWIDTH 1000000000\nHEIGHT "
       "1000000000\nPOINTS 1000000000000000000\nDATA binary\n";
-  for (int i = 0; i < 5; ++i) put(file, static_cast<float>(i)), put(file, 2.F), put(file, 3.F), put(file, 0U);
+  for (int i = 0; i < 5; ++i) {
+    put(file, static_cast<float>(i));
+    put(file, 2.F);
+    put(file, 3.F);
+    put(file, 0U);
+  }
   file += "xyz";
   const auto r = read(file, "a.pcd");
   EXPECT_EQ(r.cloud.size(), 5U);
@@ -226,15 +236,15 @@ TEST(ReadText, NanAndInfinityAreDroppedAndCounted) {
 
 TEST(ReadCloud, UnitsAndUpAxis) {
   CloudReadOptions options;
-  options.unit = "millimetre";
-  options.up = "y";
+  options.unit = LengthUnit::millimetre;
+  options.up = UpAxis::y;
   const auto r = read("1000 2000 3000\n", "a.xyz", options);
   EXPECT_TRUE(r.cloud.position(0).isApprox(Eigen::Vector3d(1, -3, 2), 1e-6));
   options = {};
-  options.up = "x";
+  options.up = UpAxis::x;
   EXPECT_EQ(read("1 2 3\n", "a.xyz", options).cloud.position(0), Eigen::Vector3d(-3, 2, 1));
-  EXPECT_NEAR(rotation_to_z_up("x").determinant(), 1, 1e-12);
-  EXPECT_NEAR(rotation_to_z_up("y").determinant(), 1, 1e-12);
+  EXPECT_NEAR(rotation_to_z_up(UpAxis::x).determinant(), 1, 1e-12);
+  EXPECT_NEAR(rotation_to_z_up(UpAxis::y).determinant(), 1, 1e-12);
 }
 
 TEST(ReadCloud, AnOutlierDoesNotTakeTheOrigin) {
@@ -251,7 +261,7 @@ TEST(ReadCloud, OtherFilesGetASentence) {
               HasSubstr("io.read_scan"));
   EXPECT_THAT(error_of([] { read(std::string("\x1F\x8B\x08\x00", 4), "a.xyz.gz"); }), HasSubstr("Unpack"));
   EXPECT_THAT(error_of([] { read("", "a.xyz"); }), HasSubstr("empty"));
-  EXPECT_THAT(error_of([] { read(std::string(100, '\1'), "a.dat"); }), HasSubstr("no point cloud file"));
+  EXPECT_THAT(error_of([] { read(std::string(100, '\1'), "a.dat"); }), HasSubstr("format of this file is not known"));
   EXPECT_THAT(error_of([] { read_cloud(std::filesystem::path("/nowhere/a.ply")); }), HasSubstr("/nowhere/a.ply"));
   EXPECT_THAT(error_of([] { read_cloud(std::filesystem::path("/tmp")); }), HasSubstr("folder"));
 }
@@ -299,11 +309,35 @@ TEST(WriteCloud, ComesBackEqual) {
   EXPECT_THAT(error_of([&] { write_cloud("/proc/nowhere/a.ply", cloud); }), HasSubstr("cannot write"));
 }
 
+TEST(WriteCloud, FactsComeBackFromPly) {
+  const TempDir dir;
+  PointCloud cloud({{1, 2, 3}, {4, 5, 6}});
+  write_cloud(dir / "plain.ply", cloud);
+  EXPECT_TRUE(read_cloud(dir / "plain.ply").cloud.facts.empty());
+  cloud.facts = {{"sensor", "Dôme \"64\"\nend_header"}, {"range_noise_m", "0.005"}};
+  write_cloud(dir / "cloud.ply", cloud);
+  const auto back = read_cloud(dir / "cloud.ply");
+  EXPECT_EQ(back.cloud.facts, cloud.facts);
+  EXPECT_EQ(back.cloud.positions(), cloud.positions());
+  EXPECT_TRUE(back.report.warnings.empty());
+}
+
+TEST(ReadPly, DamagedFactsAreLeftOutWithAWarning) {
+  const auto r = read(
+      "ply\nformat ascii 1.0\ncomment Bole facts {\"sensor\":\"VL\nelement vertex 1\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n1 2 3\n",
+      "a.ply");
+  EXPECT_EQ(r.cloud.size(), 1U);
+  EXPECT_TRUE(r.cloud.facts.empty());
+  EXPECT_THAT(r.report.warnings, testing::ElementsAre(HasSubstr("the facts of the file are damaged")));
+}
+
 TEST(WriteCloud, TheSensorIsTurnedAndScaledWithThePoints) {
   const TempDir dir;
   const auto cloud = sample_cloud();
   CloudReadOptions options;
-  options.up = "y", options.unit = "foot";
+  options.up = UpAxis::y;
+  options.unit = LengthUnit::foot;
   const Eigen::Matrix3d matrix = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   for (const char* name : {"a.ply", "a.csv", "a.las"}) {
     SCOPED_TRACE(name);
@@ -377,9 +411,12 @@ TEST(ReadCloud, TheSameCloudFromFourFormatsAgrees) {
     Eigen::Vector3d sum_first = Eigen::Vector3d::Zero(), sum_other = Eigen::Vector3d::Zero(), low = sum_first,
                     high = sum_first, low_other = sum_first, high_other = sum_first;
     for (std::size_t i = 0; i < first.size(); ++i) {
-      sum_first += first.position(i), sum_other += other.position(i);
-      low = low.cwiseMin(first.position(i)), high = high.cwiseMax(first.position(i));
-      low_other = low_other.cwiseMin(other.position(i)), high_other = high_other.cwiseMax(other.position(i));
+      sum_first += first.position(i);
+      sum_other += other.position(i);
+      low = low.cwiseMin(first.position(i));
+      high = high.cwiseMax(first.position(i));
+      low_other = low_other.cwiseMin(other.position(i));
+      high_other = high_other.cwiseMax(other.position(i));
     }
     EXPECT_LT((sum_first - sum_other).norm() / static_cast<double>(first.size()), 1e-3);
     EXPECT_LT((low - low_other).norm() + (high - high_other).norm(), 1e-2);

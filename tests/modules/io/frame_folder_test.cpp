@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/known_facts.h"
 #include "io/core/scans/frame_estimates.h"
 #include "io_test_tools.h"
 #include "synthetic/comma_locale.h"
@@ -34,8 +35,12 @@ std::vector<Eigen::Vector3f> ring_ordered(std::vector<std::uint16_t>& ring) {
 
 std::string bin_of(const std::vector<Eigen::Vector3f>& points) {
   std::string out;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    put(out, points[i].x()), put(out, points[i].y()), put(out, points[i].z()), put(out, static_cast<float>(i % 256));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    put(out, points[i].x());
+    put(out, points[i].y());
+    put(out, points[i].z());
+    put(out, static_cast<float>(i % 256));
+  }
   return out;
 }
 
@@ -91,8 +96,10 @@ TEST(FrameFolder, KittiFramesWithNothingBeside) {
 TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   const TempDir dir;
   std::string times, rings_text;
-  for (int i = 0; i < 2; ++i)
-    put(times, 0.01F * static_cast<float>(i)), put(rings_text, static_cast<std::uint16_t>(7 - i));
+  for (int i = 0; i < 2; ++i) {
+    put(times, 0.01F * static_cast<float>(i));
+    put(rings_text, static_cast<std::uint16_t>(7 - i));
+  }
   for (const char* name : {"000000", "000001"}) {
     write_file(dir / (std::string(name) + ".bin"), bin_of({{3, 0, 0}, {0, 4, 0}}));
     write_file(dir / (std::string(name) + ".time"), times);
@@ -103,6 +110,10 @@ TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   const auto source = open_frame_source(dir.path());
   EXPECT_EQ(source->sensor_model(), "os1_64");
   EXPECT_EQ(source->rings(), 64);
+  const auto facts = source->facts();
+  EXPECT_EQ(facts.at("sensor"), sensor::load_sensor_model("os1_64").name);
+  EXPECT_EQ(facts.at("clock"), "file");
+  EXPECT_EQ(fact_number(facts, facts::beam_divergence), 2.27);
   ScanFrame frame;
   source->read(1, frame);
   EXPECT_EQ(frame.start_time_s, 100.75);
@@ -113,6 +124,22 @@ TEST(FrameFolder, TimesRingsAndSensorBesideTheFrames) {
   write_file(dir / "000001.time", "abc");
   EXPECT_THAT(error_of([&] { source->read(1, frame); }), HasSubstr("frame 1"));
   EXPECT_THAT(error_of([&] { source->read(1, frame); }), HasSubstr("3 bytes"));
+}
+
+// A sensor of the user's own: its description lies beside the frames.
+TEST(FrameFolder, TheDescriptionOfASensorBesideTheFramesIsTaken) {
+  const TempDir dir;
+  write_file(dir / "000000.bin", bin_of({{3, 0, 0}, {0, 4, 0}}));
+  EXPECT_EQ(fact_number(open_frame_source(dir.path())->facts(), facts::range_noise), std::nullopt);
+  EXPECT_EQ(open_frame_source(dir.path())->facts().at("clock"), "assumed");
+  std::ifstream own(std::filesystem::path(BOLE_SOURCE_DIR) / "tests/bench/stems/dome_64.json");
+  write_file(dir / "sensor.json", {std::istreambuf_iterator<char>(own), {}});
+  const auto source = open_frame_source(dir.path());
+  EXPECT_EQ(source->sensor_model(), "Dome-64");
+  EXPECT_EQ(source->rings(), 64);
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_divergence), 0.5);
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_aperture), 0.005);
+  EXPECT_EQ(fact_number(source->facts(), facts::range_noise), 0.005);
 }
 
 TEST(FrameFolder, WithoutPointTimesTheFrameTimeIsTheMiddleOfTheTurn) {
@@ -147,7 +174,10 @@ TEST(FrameFolder, FramesComeInTheOrderOfTheirNumbers) {
   const auto source = open_frame_source(dir.path());
   ScanFrame frame;
   std::vector<float> first;
-  for (std::size_t i = 0; i < source->size(); ++i) source->read(i, frame), first.push_back(frame.positions.at(0).x());
+  for (std::size_t i = 0; i < source->size(); ++i) {
+    source->read(i, frame);
+    first.push_back(frame.positions.at(0).x());
+  }
   EXPECT_EQ(first, (std::vector<float>{1, 2, 3, 10, 11, 12, 101}));
 }
 

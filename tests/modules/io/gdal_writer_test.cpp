@@ -44,7 +44,8 @@ Raster dem() {
   Raster raster;
   raster.origin = {691000.5, 5334000.25};
   raster.cell_m = 0.5;
-  raster.nx = 7, raster.ny = 4;
+  raster.nx = 7;
+  raster.ny = 4;
   for (int i = 0; i < 28; ++i) raster.values.push_back(500.F + 0.1F * static_cast<float>(i));
   raster.at(2, 1) = std::numeric_limits<float>::quiet_NaN();
   raster.crs_wkt = utm32();

@@ -49,7 +49,7 @@ TEST(IoStages, ReadWhatTheirOptionsName) {
 }
 
 TEST(IoStages, ErrorsCarryTheStageAndSayWhatToDo) {
-  for (const char* name : {"io.read_cloud", "io.read_scan", "io.read_table", "io.read_trajectory"}) {
+  for (const char* name : {"io.read_cloud", "io.read_scan", "io.read_table", "io.read_track", "io.read_trajectory"}) {
     const auto text = error_of([&] { run(name, {}); });
     EXPECT_THAT(text, HasSubstr(name));
     EXPECT_THAT(text, HasSubstr("Set the option file"));
@@ -61,7 +61,7 @@ TEST(IoStages, ErrorsCarryTheStageAndSayWhatToDo) {
 }
 
 TEST(IoStages, EveryOptionHasADefaultThatItAccepts) {
-  for (const char* name : {"io.read_cloud", "io.read_scan", "io.read_table", "io.read_trajectory"})
+  for (const char* name : {"io.read_cloud", "io.read_scan", "io.read_table", "io.read_track", "io.read_trajectory"})
     for (const auto& spec : stage(name).options->specs) {
       EXPECT_NO_THROW(spec.checked(spec.default_value)) << spec.name;
       EXPECT_TRUE(spec.help.ends_with('.')) << spec.name;

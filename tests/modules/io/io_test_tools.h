@@ -47,7 +47,7 @@ class TempDir {
   std::filesystem::path path_;
 };
 
-inline Bytes bytes_of(const std::string& text) {
+inline io::Bytes bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 

@@ -29,7 +29,8 @@ std::string error_of(const std::vector<std::uint8_t>& bytes) {
 
 LasFile small_file(int minor = 2, int format = 1, int points = 10) {
   LasFile file;
-  file.minor = minor, file.format = format;
+  file.minor = minor;
+  file.format = format;
   for (int i = 0; i < points; ++i)
     file.add(100 * i, 200 - i, 7 * i)[las::field::intensity] = static_cast<std::uint8_t>(i + 1);
   return file;
@@ -70,7 +71,8 @@ TEST(LasReader, FieldsOfFormat3) {
 
 TEST(LasReader, FieldsOfFormat8) {
   LasFile file;
-  file.minor = 4, file.format = 8;
+  file.minor = 4;
+  file.format = 8;
   std::uint8_t* p = file.add(1, 2, 3);
   p[14] = 9 | 12 << 4;
   p[15] = 8 | 2 << 4;  // overlap, scanner channel 2
@@ -123,7 +125,8 @@ TEST(LasReader, WarnsWhereFloatsCannotTellStepsApart) {
 
 TEST(LasReader, ScalarExtraBytesBecomeColumns) {
   LasFile file;
-  file.format = 0, file.extra = 4 + 2 + 6 + 8;
+  file.format = 0;
+  file.extra = 4 + 2 + 6 + 8;
   std::vector<std::uint8_t> descriptors(4 * 192);
   const auto describe = [&](std::size_t i, int type, int options, const std::string& name) {
     descriptors[i * 192 + 2] = static_cast<std::uint8_t>(type),
@@ -132,12 +135,15 @@ TEST(LasReader, ScalarExtraBytesBecomeColumns) {
   };
   describe(0, 6, 0, "tree_id");
   describe(1, 4, 8 | 16, "height_above_ground");
-  las::store(&descriptors[192 + 112], 0.01), las::store(&descriptors[192 + 136], 5.0);
+  las::store(&descriptors[192 + 112], 0.01);
+  las::store(&descriptors[192 + 136], 5.0);
   describe(2, 23, 0, "normal");  // three uint16
   describe(3, 7, 0, "pulse");
   file.add_vlr("LASF_Spec", 4, descriptors);
   std::uint8_t* p = file.add(0, 0, 0) + 20;
-  las::store(p, std::int32_t{-7}), las::store(p + 4, std::int16_t{-250}), las::store(p + 12, std::uint64_t{1} << 40);
+  las::store(p, std::int32_t{-7});
+  las::store(p + 4, std::int16_t{-250});
+  las::store(p + 12, std::uint64_t{1} << 40);
   Report report;
   const PointCloud cloud = read_las(file.bytes(), {}, {}, &report);
   EXPECT_EQ(cloud.values<std::int32_t>(arrays::tree_id)[0], -7);
@@ -269,7 +275,7 @@ TEST(LasReader, CancelsAndReports) {
 
 // A cloud whose columns are larger than memory should hold comes out the same, with its large columns on file.
 TEST(LasReader, LargeColumnsLieOnFile) {
-  constexpr std::size_t points = least_file_bytes / sizeof(double) + 4321;
+  constexpr std::size_t points = min_file_bytes / sizeof(double) + 4321;
   LasFile file;
   for (std::size_t i = 0; i < points; ++i) {
     std::uint8_t* p = file.add(static_cast<std::int32_t>(i), 5, static_cast<std::int32_t>(i % 1000));

@@ -30,7 +30,8 @@ TEST_P(LasSample, CountBoxAndClasses) {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = exact_position(cloud, i);
-    low = low.cwiseMin(p), high = high.cwiseMax(p);
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
   EXPECT_LT((low - GetParam().min).cwiseAbs().maxCoeff(), 0.0011) << low.transpose();
   EXPECT_LT((high - GetParam().max).cwiseAbs().maxCoeff(), 0.0011) << high.transpose();

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "io/core/las/las_facts.h"
 #include "io/core/las/las_reader.h"
 #include "modules/io/las_file.h"
 
@@ -50,8 +51,11 @@ PointCloud mapped_cloud(std::size_t count, const Eigen::Vector3d& origin) {
   std::vector<double> time(count);
   std::vector<std::uint16_t> ring(count);
   for (std::size_t i = 0; i < count; ++i) {
-    tree[i] = static_cast<int>(i % 50), pass[i] = static_cast<int>(i % 3);
-    range[i] = uniform(random), height[i] = uniform(random), sensor[i] = uniform(random);
+    tree[i] = static_cast<int>(i % 50);
+    pass[i] = static_cast<int>(i % 3);
+    range[i] = uniform(random);
+    height[i] = uniform(random);
+    sensor[i] = uniform(random);
     intensity[i] = static_cast<float>(i % 256), time[i] = 1e9 + 1e-4 * static_cast<double>(i),
     ring[i] = static_cast<std::uint16_t>(i % 32);
   }
@@ -101,7 +105,9 @@ TEST_F(LasWriter, AUtmCloudComesBackWithAllItsColumns) {
 
 TEST_F(LasWriter, GridOfTheSourceIsKeptToTheLastStep) {
   test::LasFile file;
-  file.minor = 4, file.format = 7, file.scale = 0.001;
+  file.minor = 4;
+  file.format = 7;
+  file.scale = 0.001;
   file.offset = {4512345.0, 5400000, 0};
   std::mt19937 random(4);
   std::uniform_int_distribution<std::int32_t> wide(-4'000'000, 4'000'000);
@@ -155,6 +161,49 @@ TEST_F(LasWriter, OlderProgramsGetLas12) {
   write_las(path(), cloud, {.version = "1.2"});
   EXPECT_EQ(las_info(path()).point_format, 3);
   EXPECT_EQ(read_las(path()).values<std::uint16_t>(arrays::red)[3], 7);
+}
+
+TEST_F(LasWriter, FactsComeBackAndAForeignFileHasNone) {
+  auto cloud = mapped_cloud(10, Eigen::Vector3d::Zero());
+  write_las(path("plain.las"), cloud);
+  Report report;
+  EXPECT_TRUE(read_las(path("plain.las"), {}, {}, &report).facts.empty());
+  EXPECT_EQ(las::find_vlr(las_info(path("plain.las")), las::facts_user, las::facts_record), nullptr);
+
+  cloud.facts = {
+      {"sensor", "Dôme \"64\""}, {"beam_divergence_mrad", "0.5"}, {"poses", "estimated"}, {"operator", "A. S."}};
+  LasWriteOptions old;
+  old.version = "1.2";
+  for (const auto& options : {LasWriteOptions(), old}) {
+    write_las(path(), cloud, options);
+    const auto back = read_las(path(), {}, {}, &report);
+    EXPECT_EQ(back.facts, cloud.facts);
+    EXPECT_EQ(back.positions(), read_las(path("plain.las")).positions());
+  }
+  EXPECT_TRUE(report.warnings.empty());
+}
+
+// The points count, whatever became of the facts.
+TEST_F(LasWriter, DamagedFactsAreLeftOutWithAWarning) {
+  auto cloud = mapped_cloud(10, Eigen::Vector3d::Zero());
+  cloud.facts = {{"range_noise_m", "0.005"}, {"sensor", "Dome-64"}};
+  write_las(path(), cloud);
+  const auto vlr = *las::find_vlr(las_info(path()), las::facts_user, las::facts_record);
+  const auto whole = bytes_of(path());
+  const auto read_with = [&](std::size_t at, char c, Report& report) {
+    auto bytes = whole;
+    bytes[vlr.offset + at] = static_cast<std::uint8_t>(c);
+    const auto back = read_las(bytes, {}, {}, &report);
+    EXPECT_EQ(back.size(), 10U);
+    return back.facts;
+  };
+  Report no_json, no_number;
+  EXPECT_TRUE(read_with(0, 'x', no_json).empty());
+  EXPECT_THAT(no_json.warnings, testing::ElementsAre(HasSubstr("the facts of the file are damaged")));
+  const std::string text(whole.begin() + static_cast<std::ptrdiff_t>(vlr.offset),
+                         whole.begin() + static_cast<std::ptrdiff_t>(vlr.offset + vlr.length));
+  EXPECT_EQ(read_with(text.find("0.005"), 'x', no_number), (Facts{{"sensor", "Dome-64"}}));
+  EXPECT_THAT(no_number.warnings, testing::ElementsAre(HasSubstr("range_noise_m")));
 }
 
 TEST_F(LasWriter, HeaderTellsTheBoxAndTheSystem) {

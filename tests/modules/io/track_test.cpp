@@ -105,7 +105,7 @@ TEST(Nmea, RealLogsHaveTheirCounts) {
   EXPECT_EQ(rtk.report.counts.at("quality_4"), 18);
   EXPECT_GE(rtk.report.counts.at("gaps"), 1);
   TrackOptions fixed;
-  fixed.quality_min = 4;
+  fixed.min_quality = 4;
   EXPECT_EQ(read_track(folder / "gpsd_nmea-rtk.log", fixed).table.rows(), 18U);
 }
 

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io_test_tools.h"
 #include "sensor/core/pcap_writer.h"
@@ -63,9 +64,15 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
     const Recorder recorder{sensor::load_sensor_model(name)};
     const auto path = write_pcap(dir / (std::string(name) + ".pcap"), recorder.packets(1.05));
     FrameSourceOptions options;
-    options.cut_angle = 90;
+    options.cut_angle_deg = 90;
     const VelodynePcapSource source(path, options, {});
     EXPECT_EQ(source.sensor_model(), name);
+    const auto model = sensor::load_sensor_model(name);
+    EXPECT_EQ(source.facts().at("sensor"), model.name);
+    EXPECT_EQ(source.facts().at("clock"), "utc");
+    EXPECT_EQ(fact_number(source.facts(), facts::range_noise), model.range_sigma_m);
+    EXPECT_EQ(fact_number(source.facts(), facts::beam_aperture), model.aperture_horizontal_m);
+    EXPECT_DOUBLE_EQ(*fact_number(source.facts(), facts::beam_divergence), 1e3 * model.beam_divergence_horizontal_rad);
     EXPECT_EQ(source.size(), 10U);  // from 0.025 s on: ten whole turns, the first quarter and what is left are dropped
     ScanFrame frame;
     std::size_t points = 0;
@@ -226,7 +233,7 @@ TEST(VelodynePcap, OptionsAreObeyedAndTheLocatorNamesThem) {
   const Recorder recorder{sensor::load_sensor_model("vlp16")};
   FrameSourceOptions options;
   options.max_range = 9.5;
-  options.cut_angle = 10.5;
+  options.cut_angle_deg = 10.5;
   const auto source = open_frame_source(write_pcap(dir / "a.pcap", recorder.packets(0.5)), options);
   ScanFrame frame;
   source->read(0, frame);

@@ -22,7 +22,7 @@ TEST(Conditions, HoldByDefaultButForChoicesThatAreNot) {
   EXPECT_EQ(unmet_by_default(registry.at("slam.run")), "");
   EXPECT_EQ(unmet_by_default(registry.at("ground.model")), "");
   EXPECT_EQ(unmet_by_default(registry.at("stems.measure")), "");
-  EXPECT_EQ(unmet_by_default(registry.at("rows.from_stems")), "direction_deg ");
+  EXPECT_EQ(unmet_by_default(registry.at("rows.trunks")), "range_sigma reach min_diameter min_height min_filled ");
   int greyed = 0;
   for (const auto* type : registry.all()) greyed += !unmet_by_default(*type).empty();
   EXPECT_GT(greyed, 2);

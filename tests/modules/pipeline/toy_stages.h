@@ -52,6 +52,7 @@ inline StageRegistry toy_registry() {
                 {{"points", DataKind::cloud, "Points.", false, {}}},
                 &read_options(),
                 false,
+                {},
                 nothing});
   registry.add({"toy.scan",
                 "Scan",
@@ -62,6 +63,7 @@ inline StageRegistry toy_registry() {
                 {{"points", DataKind::cloud, "Points.", false, {}}},
                 &height_options(),
                 false,
+                {},
                 nothing});
   registry.add({"toy.height",
                 "Height",
@@ -72,6 +74,7 @@ inline StageRegistry toy_registry() {
                 {{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}}},
                 &height_options(),
                 false,
+                {},
                 nothing});
   registry.add({"toy.slice",
                 "Slice",
@@ -82,6 +85,7 @@ inline StageRegistry toy_registry() {
                 {{"slice", DataKind::cloud, "Slice.", false, {}}},
                 &slice_options(),
                 false,
+                {},
                 nothing});
   registry.add({"toy.compare",
                 "Compare",
@@ -92,6 +96,7 @@ inline StageRegistry toy_registry() {
                 {{"table", DataKind::table, "Result.", false, {}}},
                 &height_options(),
                 false,
+                {},
                 nothing});
   registry.add({"toy.merge",
                 "Merge",
@@ -102,6 +107,7 @@ inline StageRegistry toy_registry() {
                 {{"points", DataKind::cloud, "Points.", false, {}}},
                 &height_options(),
                 false,
+                {},
                 nothing});
   return registry;
 }

@@ -125,7 +125,9 @@ TEST(Statistics, ByHand) {
   const auto s = error_statistics({11, 19, 33}, {10, 20, 30});
   EXPECT_EQ(s.count, 3U);
   EXPECT_DOUBLE_EQ(s.bias, 1);
-  EXPECT_DOUBLE_EQ(s.bias_percent, 5);
+  // (10 - 5 + 10) / 3 and the root of (100 + 25 + 100) / 3, as evaluation.plot defines relBIAS and relRMSE
+  EXPECT_NEAR(s.relative_bias_pct, 5, 1e-12);
+  EXPECT_NEAR(s.relative_rmse_pct, std::sqrt(75.0), 1e-12);
   EXPECT_NEAR(s.rmse, std::sqrt(11.0 / 3), 1e-12);
   EXPECT_NEAR(error_statistics({1, 2, 3}, {2, 4, 6}).r_squared, 1, 1e-12);
 }

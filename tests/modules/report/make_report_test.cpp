@@ -9,13 +9,13 @@
 #include <numbers>
 #include <sstream>
 
+#include "inventory/core/value_tables.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
 #include "modules/render/small_survey.h"
 #include "modules/render/well_formed.h"
 #include "report/core/evaluation_section.h"
 #include "report/core/html.h"
-#include "report/core/plot_metrics.h"
 #include "report/survey_data.h"
 #include "survey/core/plot_options.h"
 
@@ -34,6 +34,15 @@ std::string contents(const std::filesystem::path& path) {
 
 Table plot_table() { return to_table({rectangle_area({0, 0}, 32, 32), 7.5}); }
 
+// The outputs of inventory.plot_values for the stems and the plot that `inputs` have.
+void add_plot_values(DataSet& inputs, const inventory::PlotValueOptions& options = {}) {
+  const auto rule = inputs.has("plot") ? counting_rule(inputs.table("plot")) : CountingRule{};
+  const auto values = inventory::plot_values(inputs.table("stems"), rule, options);
+  inputs.set("plot_values", inventory::plot_value_table(values, options));
+  inputs.set("diameter_classes", inventory::class_table(values));
+  inputs.set("height_curve", inventory::height_curve_table(values));
+}
+
 DataSet inputs_of(const testing_data::SmallSurvey& s) {
   DataSet inputs;
   inputs.set("stems", s.stems), inputs.set("points", s.points), inputs.set("slice", s.slice), inputs.set("dem", s.dem);
@@ -41,6 +50,7 @@ DataSet inputs_of(const testing_data::SmallSurvey& s) {
       inputs.set("sections", s.sections), inputs.set("rejected", s.rejected);
   inputs.set("targets", s.targets), inputs.set("matches", s.matches), inputs.set("summary", s.summary);
   inputs.set("plot", plot_table());
+  add_plot_values(inputs);
   return inputs;
 }
 
@@ -99,6 +109,9 @@ TEST_F(MakeReport, WritesEverything) {
   for (const char* file : {"stems.csv",
                            "sections.csv",
                            "rejected.csv",
+                           "plot_values.csv",
+                           "diameter_classes.csv",
+                           "height_curve.csv",
                            "matches.csv",
                            "trajectory.tum",
                            "cloud.las",
@@ -158,6 +171,8 @@ TEST_F(MakeReport, SlamIsTold) {
   slam.id = "slam", slam.type = "slam.run";
   slam.report.counts = {{"frames", 2}, {"frames_failed", 1}, {"loops", 1}, {"loop_candidates", 3}};
   slam.report.metrics = {{"sigma0", {0.93, Unit::none}},
+                         {"weakest_observability", {2.84, Unit::none}},
+                         {"open_below", {2.3, Unit::none}},
                          {"registration_per_frame", {12.34, Unit::millisecond}},
                          {"loops_per_frame", {10, Unit::millisecond}}};
   slam.report.facts["lost_at_frame"] = "77";
@@ -168,8 +183,9 @@ TEST_F(MakeReport, SlamIsTold) {
   EXPECT_EQ(io::read_table(dir_ / "odometry.csv").rows(), 3u);
   const auto html = contents(dir_ / "report.html");
   const auto section = html.substr(html.find("<section id=\"slam\">"));
-  for (const char* text : {"<h2>SLAM</h2>", "Frames that failed", "Track lost at frame", ">77<", ">0.93<", ">12.3<",
-                           "Loops and pose graph", ">10.0<", ">22.3<", "context", ">30.5<", ">4.2<", "Failed frames"})
+  for (const char* text :
+       {"<h2>SLAM</h2>", "Frames that failed", "(below 2.3: open)", ">2.8<", "Track lost at frame", ">77<", ">0.93<",
+        ">12.3<", "Loops and pose graph", ">10.0<", ">22.3<", "context", ">30.5<", ">4.2<", "Failed frames"})
     EXPECT_THAT(section, HasSubstr(text));
 
   // With poses from a file there is nothing to tell.
@@ -187,15 +203,19 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
   const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("No plot boundary is set"));
+  // The page computes no values of its own: it names the stage that does.
+  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("inventory.plot_values is not part of this pipeline"));
+  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("Basal area")));
 }
 
 TEST_F(MakeReport, WithoutAPlotNothingIsToldPerHectare) {
   DataSet inputs;
   inputs.set("stems", testing_data::make_small_survey().stems);
+  add_plot_values(inputs);
   make_report(inputs, quick(), run_);
   EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("1/ha")));
   inputs.set("plot", plot_table());
+  add_plot_values(inputs);
   make_report(inputs, quick(), run_);
   EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("1/ha"));
   EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("32 m × 32 m"));
@@ -211,7 +231,10 @@ TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
   s.stems.set("x_m", x), s.stems.set("height_seen", seen), s.stems.set("state", state), s.stems.set("reasons", reasons);
   DataSet inputs;
   inputs.set("stems", s.stems), inputs.set("slice", s.slice), inputs.set("plot", plot_table());
-  make_report(inputs, quick(), run_);
+  add_plot_values(inputs);
+  const auto result = make_report(inputs, quick(), run_);
+  EXPECT_EQ(result.report.counts.at("stems_outside"), 39);
+  EXPECT_EQ(result.report.counts.at("trees_to_check"), 1);
   const auto page = without_pictures(contents(dir_ / "report.html"));
   EXPECT_THAT(page, HasSubstr("39 stems outside the plot are in stems.csv"));
   EXPECT_THAT(page, HasSubstr("Trees to check (1)"));
@@ -233,7 +256,8 @@ TEST_F(MakeReport, WhatAPersonDecidedNeedsNoLookAnyMore) {
   DataSet inputs;
   inputs.set("stems", s.stems);
   auto options = quick();
-  options.figures = options.tables = false, options.class_width = 2.5;
+  options.figures = options.tables = false;
+  add_plot_values(inputs, {.class_width_cm = 2.5});
   make_report(inputs, options, run_);
   const auto page = without_pictures(contents(dir_ / "report.html"));
   EXPECT_THAT(page, HasSubstr("Trees to check (2)"));
@@ -263,9 +287,10 @@ TEST_F(MakeReport, TheStemTableSaysWhichStemsCount) {
   inputs.set("stems", s.stems), inputs.set("plot", to_table(rule));
   auto options = quick();
   options.figures = false;
+  add_plot_values(inputs);
   make_report(inputs, options, run_);
   const auto counted = io::read_table(dir_ / "stems.csv").integers("counted");
-  const auto m = plot_metrics(s.stems, rule);
+  const auto m = inventory::plot_values(s.stems, rule);
   EXPECT_EQ(counted[0], 0);
   EXPECT_EQ(counted[1], 0);
   EXPECT_EQ(std::count(counted.begin(), counted.end(), 1), static_cast<std::ptrdiff_t>(m.stems));
@@ -299,6 +324,7 @@ TEST_F(MakeReport, NoStemsNoTrouble) {
   for (const char* c : {"x_m", "y_m", "dbh_cm"}) empty.set(c, std::vector<double>{});
   DataSet inputs;
   inputs.set("stems", empty);
+  add_plot_values(inputs);
   make_report(inputs, quick(), run_);
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "inventory/core/value_tables.h"
 #include "modules/render/small_survey.h"
 
 namespace bole::report {
@@ -23,11 +24,18 @@ class Workbooks : public testing::Test {
     if (GetGDALDriverManager()->GetDriverByName("XLSX") == nullptr) GTEST_SKIP() << "GDAL reads no XLSX here";
     data_.stems = &survey_.stems, data_.sections = &survey_.sections, data_.rejected = &survey_.rejected;
     data_.rule = {rectangle_area({0, 0}, 32, 32), 7.5};
+    const auto values = inventory::plot_values(survey_.stems, data_.rule);
+    plot_values_ = inventory::plot_value_table(values, {});
+    classes_ = inventory::class_table(values);
+    curve_ = inventory::height_curve_table(values);
+    data_.plot_values = &plot_values_;
+    data_.diameter_classes = &classes_;
+    data_.height_curve = &curve_;
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
   GDALDataset* written(const bole::Run& run = {}) {
-    write_workbook(path_, data_, {}, run);
+    write_workbook(path_, data_, run);
     book_.reset(static_cast<GDALDataset*>(GDALOpenEx(path_.c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr)));
     return book_.get();
   }
@@ -39,6 +47,7 @@ class Workbooks : public testing::Test {
 
   testing_data::SmallSurvey survey_ = testing_data::make_small_survey();
   SurveyData data_;
+  Table plot_values_, classes_, curve_;
   const std::filesystem::path path_ =
       std::filesystem::path(testing::TempDir()) /
       (std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".xlsx");
@@ -51,7 +60,8 @@ TEST_F(Workbooks, HoldTheSurveyAsNumbers) {
   survey_.stems.set("dbh_cm", dbh);
   auto* book = written();
   ASSERT_NE(book, nullptr);
-  EXPECT_THAT(sheets(*book), ElementsAre("Plot", "Classes", "Trees", "Sections", "Rejected"));
+  EXPECT_THAT(sheets(*book),
+              ElementsAre("Plot", "Plot values", "Classes", "Height curve", "Trees", "Sections", "Rejected"));
   auto* trees = book->GetLayerByName("Trees");
   ASSERT_EQ(trees->GetFeatureCount(), static_cast<GIntBig>(survey_.stems.rows()));
   trees->ResetReading();
@@ -63,6 +73,30 @@ TEST_F(Workbooks, HoldTheSurveyAsNumbers) {
     if (i == 1) continue;
     EXPECT_NEAR(row->GetFieldAsDouble(column), dbh[i], 1e-12);  // not rounded: the format does that
   }
+}
+
+TEST_F(Workbooks, PlotValuesAreThoseOfTheStage) {
+  auto* book = written();
+  ASSERT_NE(book, nullptr);
+  auto* sheet = book->GetLayerByName("Plot values");
+  ASSERT_NE(sheet, nullptr);
+  ASSERT_EQ(sheet->GetFeatureCount(), static_cast<GIntBig>(plot_values_.rows()));
+  const auto value = plot_values_.numbers("value");
+  sheet->ResetReading();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::unique_ptr<OGRFeature> row(sheet->GetNextFeature());
+    EXPECT_EQ(row->GetFieldAsString("measure"), plot_values_.texts("measure")[i]);
+    if (std::isfinite(value[i])) {
+      EXPECT_NEAR(row->GetFieldAsDouble("value"), value[i], 1e-12);
+    }
+  }
+}
+
+TEST_F(Workbooks, WithoutPlotValuesThereAreNoSheetsOfThem) {
+  data_.plot_values = data_.diameter_classes = data_.height_curve = nullptr;
+  auto* book = written();
+  ASSERT_NE(book, nullptr);
+  EXPECT_THAT(sheets(*book), ElementsAre("Trees", "Sections", "Rejected"));
 }
 
 TEST_F(Workbooks, OptionsOfTheStagesBeforeAreThere) {
@@ -82,7 +116,7 @@ TEST_F(Workbooks, OptionsOfTheStagesBeforeAreThere) {
 }
 
 TEST_F(Workbooks, AFolderThatCannotBeIsTold) {
-  EXPECT_THROW(write_workbook("/proc/no/such.xlsx", data_, {}, bole::Run()), Error);
+  EXPECT_THROW(write_workbook("/proc/no/such.xlsx", data_, bole::Run()), Error);
 }
 
 }  // namespace

@@ -16,10 +16,17 @@ using ::testing::HasSubstr;
 FoundRows three_rows() {
   std::vector<double> x, y;
   for (const double across : {0.0, 4.0, 8.0})
-    for (int i = 0; i < 10; ++i) x.push_back(2.0 * i), y.push_back(across + 0.01 * (i % 3));
-  for (const double at : {3.0, 9.0}) x.push_back(at), y.push_back(13);
+    for (int i = 0; i < 10; ++i) {
+      x.push_back(2.0 * i);
+      y.push_back(across + 0.01 * (i % 3));
+    }
+  for (const double at : {3.0, 9.0}) {
+    x.push_back(at);
+    y.push_back(13);
+  }
   Table t;
-  t.set("x_m", x), t.set("y_m", y);
+  t.set("x_m", x);
+  t.set("y_m", y);
   return find_rows(t, {}, bole::Run{});
 }
 
@@ -105,9 +112,13 @@ TEST(EditRows, RowsThatNobodyTouchedStayAsTheyWere) {
   std::vector<double> x, y;
   for (const double across : {0.0, 4.0, 8.0})
     for (int i = 0; i < 24; ++i)
-      if (i % 7 != 3) x.push_back(2.0 * i + 0.3 * ((i * 5) % 3)), y.push_back(across + 0.0012 * 4 * i * i);
+      if (i % 7 != 3) {
+        x.push_back(2.0 * i + 0.3 * ((i * 5) % 3));
+        y.push_back(across + 0.0012 * 4 * i * i);
+      }
   Table t;
-  t.set("x_m", x), t.set("y_m", y);
+  t.set("x_m", x);
+  t.set("y_m", y);
   RowOptions options;
   options.plant_spacing = 2;
   const auto found = find_rows(t, options, bole::Run{});
@@ -186,10 +197,15 @@ TEST(EditRows, TreeIdsStayWithTheirPlants) {
   std::vector<double> x, y;
   std::vector<std::int64_t> id;
   for (const double across : {0.0, 4.0, 8.0})
-    for (int i = 0; i < 10; ++i)
-      x.push_back(2.0 * i), y.push_back(across), id.push_back(static_cast<std::int64_t>(100 * across) + i);
+    for (int i = 0; i < 10; ++i) {
+      x.push_back(2.0 * i);
+      y.push_back(across);
+      id.push_back(static_cast<std::int64_t>(100 * across) + i);
+    }
   Table t;
-  t.set("x_m", x), t.set("y_m", y), t.set("tree_id", id);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("tree_id", id);
   const auto out =
       edit(R"([{"action": "split", "at": [9, 4]}, {"action": "delete", "at": [5, 8]}])", find_rows(t, {}, bole::Run{}));
   for (const Table* part : {&out.found.plants, &out.found.strays})
@@ -203,9 +219,13 @@ TEST(EditRows, TreeIdsStayWithTheirPlants) {
 TEST(EditRows, EditsAreAppliedByPlaceAfterARerun) {
   std::vector<double> x, y;
   for (const double across : {8.05, 4.05, 0.05})
-    for (int i = 9; i >= 0; --i) x.push_back(2.0 * i + 0.04), y.push_back(across - 0.01 * (i % 3));
+    for (int i = 9; i >= 0; --i) {
+      x.push_back(2.0 * i + 0.04);
+      y.push_back(across - 0.01 * (i % 3));
+    }
   Table t;
-  t.set("x_m", x), t.set("y_m", y);
+  t.set("x_m", x);
+  t.set("y_m", y);
   const auto again = find_rows(t, {}, bole::Run{});
   const auto out = edit(R"([{"action": "delete", "at": [5, 4]}])", again);
   ASSERT_EQ(out.found.rows.rows(), 2U);

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <random>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "rows/core/rows/line_fit.h"
 #include "synthetic/plant_field.h"
@@ -24,13 +25,15 @@ using synthetic::mixed_field;
 using synthetic::PlantField;
 using ::testing::HasSubstr;
 
-constexpr double deg = std::numbers::pi / 180;
-
 Table table_of(const std::vector<Eigen::Vector2d>& points) {
   std::vector<double> x, y;
-  for (const auto& p : points) x.push_back(p.x()), y.push_back(p.y());
+  for (const auto& p : points) {
+    x.push_back(p.x());
+    y.push_back(p.y());
+  }
   Table t;
-  t.set("x_m", x), t.set("y_m", y);
+  t.set("x_m", x);
+  t.set("y_m", y);
   return t;
 }
 
@@ -87,9 +90,18 @@ struct Score {
   int missing = 0, missing_found = 0, missing_false = 0;
   double worst_angle_deg = 0;
   void add(const Score& s) {
-    rows += s.rows, found += s.found, matched += s.matched, plants += s.plants, assigned += s.assigned,
-        strays += s.strays, strays_kept_out += s.strays_kept_out, missing += s.missing,
-        missing_found += s.missing_found, missing_false += s.missing_false;
+    rows += s.rows;
+    found += s.found;
+    matched += s.matched;
+    plants += s.plants;
+    assigned += s.assigned;
+
+    strays += s.strays;
+    strays_kept_out += s.strays_kept_out;
+    missing += s.missing;
+
+    missing_found += s.missing_found;
+    missing_false += s.missing_false;
   }
 };
 
@@ -108,12 +120,18 @@ Score score(const PlantField& field, const FoundRows& found) {
   for (const auto& p : field.plants) p.row >= 0 ? (void)++size[p.row] : (void)++s.strays;
   s.rows = static_cast<int>(field.rows.size()), s.found = static_cast<int>(votes.size());
   for (const auto& [row_id, count] : votes) {
-    int all = 0, best = -1, most = 0;
+    int all = 0, best = -1, shared = 0;
     for (const auto& [row, n] : count) {
       all += n;
-      if (row >= 0 && n > most) best = row, most = n;
+      if (row >= 0 && n > shared) {
+        best = row;
+        shared = n;
+      }
     }
-    if (best >= 0 && most >= 0.9 * all && most >= 0.9 * size[best]) ++s.matched, s.assigned += most;
+    if (best >= 0 && shared >= 0.9 * all && shared >= 0.9 * size[best]) {
+      ++s.matched;
+      s.assigned += shared;
+    }
   }
   s.plants = std::accumulate(size.begin(), size.end(), 0, [](int a, const auto& b) { return a + b.second; });
   const auto sx = found.strays.numbers("x_m"), sy = found.strays.numbers("y_m");
@@ -159,17 +177,17 @@ TEST(FindRows, FiftyMixedFields) {
 // The same field turned, moved to projected coordinates and in another order has the same rows.
 TEST(FindRows, TurnShiftAndOrderOfTheFileChangeNothingElse) {
   FieldMaker maker(5);
-  maker.add_block({{0, 0}, 20 * deg, 6, 20, 2, 4, 0});
+  maker.add_block({{0, 0}, 20 * rad_per_deg, 6, 20, 2, 4, 0});
   const auto field = maker.take();
   const auto first = find(field.table());
   ASSERT_EQ(first.rows.rows(), 6U);
-  const Eigen::Rotation2Dd turn(33 * deg);
+  const Eigen::Rotation2Dd turn(33 * rad_per_deg);
   const Eigen::Vector2d shift(38'433'100.25, 2'562'040.5);
   std::vector<Eigen::Vector2d> moved;
   for (const auto& p : field.plants) moved.push_back(turn * p.at + shift);
   std::reverse(moved.begin(), moved.end());
   RowOptions options;
-  options.fit = "orthogonal";
+  options.fit = LineFitMethod::orthogonal;
   const auto a = find(field.table(), options), b = find(table_of(moved), options);
   ASSERT_EQ(b.rows.rows(), 6U);
   EXPECT_EQ(a.rows.integers("plants"), b.rows.integers("plants"));
@@ -185,8 +203,9 @@ TEST(FindRows, TurnShiftAndOrderOfTheFileChangeNothingElse) {
 
 TEST(FindRows, RowsAreNumberedFromLeftToRightAndPlantsFromTheWest) {
   FieldMaker maker(9);
-  BlockRecipe b{{0, 0}, 10 * deg, 5, 12, 1.5, 3, 0};
-  b.missing_share = 0, b.gap_share = 0;
+  BlockRecipe b{{0, 0}, 10 * rad_per_deg, 5, 12, 1.5, 3, 0};
+  b.missing_share = 0;
+  b.gap_share = 0;
   maker.add_block(b);
   const auto found = find(maker.take().table());
   ASSERT_EQ(found.rows.rows(), 5U);
@@ -208,7 +227,8 @@ TEST(FindRows, TheStandardErrorOfTheAngleIsHonest) {
     Points2 row;
     for (int i = 0; i < 12; ++i) row.emplace_back(i + noise(random), noise(random));
     const auto fit = fit_least_squares(row);
-    square_sum += fit.angle_rad * fit.angle_rad / trials, predicted += fit.angle_se_rad * fit.angle_se_rad / trials;
+    square_sum += fit.angle_rad * fit.angle_rad / trials;
+    predicted += fit.angle_se_rad * fit.angle_se_rad / trials;
     EXPECT_NEAR(fit_orthogonal(row).angle_rad, fit.angle_rad, 1e-3);
   }
   EXPECT_NEAR(square_sum / predicted, 1, 0.2);

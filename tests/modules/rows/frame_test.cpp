@@ -59,7 +59,7 @@ TEST(Frame, EveryStepKeepsWhatItShould) {
   VoxelOptions voxel;
   EXPECT_EQ(voxel_centroids(cloud, voxel).size(), 4U);
   RadiusOptions radius;
-  radius.neighbours_min = 1;
+  radius.min_neighbours = 1;
   EXPECT_EQ(radius_filter(cloud, radius, bole::Run{}).size(), 2U);
   LevelOptions turn;
   turn.yaw_deg = 90;
@@ -83,7 +83,9 @@ TEST(Frame, TheTubesOfThePaperAreFound) {
     const auto centres = trunk_centres(frame, nullptr, {}, report);
     ASSERT_EQ(centres.rows(), 8U) << "seed " << seed;
     PlaceOptions place;  // the frame's x axis points south
-    place.x = sensor.x(), place.y = sensor.y(), place.yaw_deg = -90;
+    place.x = sensor.x();
+    place.y = sensor.y();
+    place.yaw_deg = -90;
     const auto stems = place_stems(centres, place);
     for (std::size_t i = 0; i < 8; ++i) {
       const Eigen::Vector2d p(stems.numbers("x_m")[i], stems.numbers("y_m")[i]);
@@ -94,8 +96,11 @@ TEST(Frame, TheTubesOfThePaperAreFound) {
     const auto found = find_rows(stems, {}, run);
     ASSERT_EQ(found.rows.rows(), 2U) << "seed " << seed;
     const auto angle = found.rows.numbers("angle_deg");
-    for (const double error : {std::abs(angle[0] + 0.69), std::abs(angle[1] - 1.60)})
-      worst_deg = std::max(worst_deg, error), mean_deg += error, ++rows_seen;
+    for (const double error : {std::abs(angle[0] + 0.69), std::abs(angle[1] - 1.60)}) {
+      worst_deg = std::max(worst_deg, error);
+      mean_deg += error;
+      ++rows_seen;
+    }
   }
   mean_deg /= rows_seen;
   printf("centres within %.3f m; row angles off by %.2f deg on average, %.2f at most (published 0.79, 1.49)\n", worst_m,

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
 namespace {
-
-constexpr double deg = std::numbers::pi / 180;
 
 // Hedges 3 m apart, 40 m long, half a metre thick, with clumps that stand out to one side and a gap in the second.
 PointCloud hedges(double angle_deg, int rows, double bend_m = 0, unsigned seed = 1,
@@ -22,7 +20,7 @@ PointCloud hedges(double angle_deg, int rows, double bend_m = 0, unsigned seed =
   std::mt19937_64 random(seed);
   std::normal_distribution<double> off(0, 0.15);
   std::uniform_real_distribution<double> unit(0, 1);
-  const Eigen::Vector2d u(std::cos(angle_deg * deg), std::sin(angle_deg * deg)), left(-u.y(), u.x());
+  const Eigen::Vector2d u(std::cos(angle_deg * rad_per_deg), std::sin(angle_deg * rad_per_deg)), left(-u.y(), u.x());
   PointCloud::Positions points;
   for (int r = 0; r < rows; ++r)
     for (int i = 0; i < 6000; ++i) {
@@ -64,7 +62,7 @@ TEST(HedgeRows, OneRowAloneIsFound) {
 TEST(HedgeRows, GapsHaveNoPointsAndBentRowsAreFollowed) {
   Report report;
   HedgeOptions o;
-  o.direction = "given", o.direction_deg = 0;
+  o.direction_deg = 0;
   const auto stems = hedge_rows(hedges(0, 3, 2.0), o, bole::Run{}, report);
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
   ASSERT_EQ(report.counts.at("rows"), 3);
@@ -95,7 +93,8 @@ TEST(HedgeRows, FarFromTheOriginNothingChanges) {
 TEST(HedgeRows, TheReferenceSystemOfTheCloudGoesWithTheRows) {
   Report report;
   auto canopy = hedges(0, 2);
-  canopy.axes = Axes::global, canopy.crs_wkt = "PROJCS[...]";
+  canopy.axes = Axes::global;
+  canopy.crs_wkt = "PROJCS[...]";
   const auto found = find_rows(hedge_rows(canopy, {}, bole::Run{}, report), {}, bole::Run{});
   for (const Table* t : {&found.rows, &found.lines, &found.plants}) {
     EXPECT_EQ(t->facts.at("crs"), "PROJCS[...]");

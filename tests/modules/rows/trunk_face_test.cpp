@@ -74,8 +74,10 @@ TEST(Frame, EveryPointIsLevelledByTheAttitudeOfItsTime) {
   PointCloud frame(PointCloud::Positions{{0, 5, 0}, {0, 5, 0}, {0, 5, 0}});
   frame.set_column("time", std::vector<double>{0, 0.5, 1});
   Table attitude;
-  attitude.set("time_s", std::vector<double>{0, 1}), attitude.set("roll_deg", std::vector<double>{0, 10});
-  attitude.set("pitch_deg", std::vector<double>{0, 0}), attitude.set("yaw_deg", std::vector<double>{179, -179});
+  attitude.set("time_s", std::vector<double>{0, 1});
+  attitude.set("roll_deg", std::vector<double>{0, 10});
+  attitude.set("pitch_deg", std::vector<double>{0, 0});
+  attitude.set("yaw_deg", std::vector<double>{179, -179});
   const auto out = level(frame, {}, &attitude);
   const double deg = std::numbers::pi / 180;
   EXPECT_NEAR(out.position(1).z(), 5 * std::sin(5 * deg), 1e-5);
@@ -92,7 +94,7 @@ TEST(Frame, TheFaceNeedsTheDenseFrame) {
   PointCloud plants(PointCloud::Positions{{0, 5, 0}});
   plants.set_column(plant_column, std::vector<std::int32_t>{1});
   TrunkOptions o;
-  o.centre = "face";
+  o.centre = TrunkCentre::face;
   Report report;
   EXPECT_THROW(trunk_centres(plants, nullptr, o, report), Error);
   EXPECT_EQ(trunk_centres(plants, &plants, o, report).rows(), 0U);

@@ -124,7 +124,8 @@ TEST(Velodyne, SensorsAreRecognisedByTheirPackets) {
   unknown.product_id = 0x77;
   EXPECT_FALSE(recognise_velodyne(unknown));
   VelodynePacket vls128;
-  vls128.blocks[1].flag = 0xDDFF, vls128.blocks[2].flag = 0xCCFF;
+  vls128.blocks[1].flag = 0xDDFF;
+  vls128.blocks[2].flag = 0xCCFF;
   EXPECT_FALSE(recognise_velodyne(vls128));
 }
 

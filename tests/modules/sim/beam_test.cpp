@@ -53,7 +53,10 @@ TEST(Beam, noise_has_the_sigma_of_the_sensor) {
   shot.parameters.laser_bias_m = 0;
   double sum = 0, squares = 0;
   const auto echoes = shot.fire(4000);
-  for (const auto& e : echoes) sum += e.range_m - 7.25, squares += std::pow(e.range_m - 7.25, 2);
+  for (const auto& e : echoes) {
+    sum += e.range_m - 7.25;
+    squares += std::pow(e.range_m - 7.25, 2);
+  }
   const double n = static_cast<double>(echoes.size()), sigma = one_laser().range_sigma_m;
   EXPECT_NEAR(sum / n, 0, 4 * sigma / std::sqrt(n));
   EXPECT_NEAR(std::sqrt(squares / n), sigma, 0.05 * sigma);

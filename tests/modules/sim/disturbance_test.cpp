@@ -34,7 +34,8 @@ class DisturbanceTest : public testing::Test {
       FiringSequence s{i, time_s, std::fmod(first_azimuth_rad + turn_rad_s * time_s, two_pi), turn_rad_s, wall};
       out.kept.push_back(disturbance.apply(s));
       out.echoes.emplace_back(s.echoes.begin(), s.echoes.end());
-      out.azimuth_rad.push_back(s.azimuth_rad), out.time_s.push_back(time_s);
+      out.azimuth_rad.push_back(s.azimuth_rad);
+      out.time_s.push_back(time_s);
     }
     return out;
   }
@@ -87,7 +88,8 @@ TEST_F(DisturbanceTest, rain_is_nearer_and_as_frequent_as_asked) {
     for (const auto& e : echoes) {
       ASSERT_LE(e.range_m, 9);
       ASSERT_GE(e.range_m, static_cast<float>(sensor_.min_range_m));
-      drops += e.range_m < 9, ++all;
+      drops += e.range_m < 9;
+      ++all;
     }
   // Drops beyond the wall are not seen.
   EXPECT_NEAR(drops / all, 0.1 * (1 - std::exp(-(9 - sensor_.min_range_m) / 6)), 0.005);

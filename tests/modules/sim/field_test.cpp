@@ -48,11 +48,11 @@ TEST(Field, WrongRecipesAreNamed) {
     }
     return std::string();
   };
-  EXPECT_THAT(error("[]"), HasSubstr("JSON object"));
-  EXPECT_THAT(error(R"({"plants": {"kind": "oak"}})"), HasSubstr("tube, tree, vine or apple"));
+  EXPECT_THAT(error("[]"), HasSubstr("a JSON object"));
+  EXPECT_THAT(error(R"({"plants": {"kind": "oak"}})"), HasSubstr("one of tube, tree, vine, apple"));
   EXPECT_THAT(error(R"({"plants": {"rows": 1e9}})"), HasSubstr("plants.rows"));
   EXPECT_THAT(error(R"({"plants": {"at": [[[1]]]}})"), HasSubstr("positions"));
-  EXPECT_THAT(error(R"({"plant": {}})"), HasSubstr("unknown entry"));
+  EXPECT_THAT(error(R"({"plant": {}})"), HasSubstr("unknown recipe field"));
   EXPECT_THAT(error(R"({"sensor": 3})"), HasSubstr("object"));
   EXPECT_THROW(read_field("tubes9"), Error);
 }
@@ -82,7 +82,8 @@ TEST(Livox, TheRosetteFillsTheViewAndNeverRepeats) {
 
 TEST(Livox, FramesAreDeterministicAndTheNoiseIsAsStated) {
   FieldSimulationOptions o;
-  o.integration = 0.05, o.tilt = o.sway = 0;
+  o.integration = 0.05;
+  o.tilt = o.sway = 0;
   const auto a = simulate_field(o, {}), b = simulate_field(o, {});
   ASSERT_EQ(a.frames[0].size(), b.frames[0].size());
   EXPECT_EQ(a.frames[0].positions().back(), b.frames[0].positions().back());
@@ -100,7 +101,9 @@ TEST(Livox, FramesAreDeterministicAndTheNoiseIsAsStated) {
       ++j;
     else {
       const double e = a.frames[0].position(i++).norm() - exact.frames[0].position(j++).norm();
-      sum += e, square += e * e, ++n;
+      sum += e;
+      square += e * e;
+      ++n;
     }
   }
   const double mean = sum / n, sd = std::sqrt(square / n - mean * mean);
@@ -111,7 +114,9 @@ TEST(Livox, FramesAreDeterministicAndTheNoiseIsAsStated) {
 
 TEST(Livox, ATubeIsHitWhereItStands) {
   FieldSimulationOptions o;
-  o.field = "tubes2", o.noise = 0, o.integration = 0.2;
+  o.field = "tubes2";
+  o.noise = 0;
+  o.integration = 0.2;
   const auto scan = simulate_field(o, {});
   const auto& tree = scan.frames[0].values<std::int32_t>(arrays::tree_id);
   const Eigen::Vector2d at(scan.plants.numbers("x_m")[0], scan.plants.numbers("y_m")[0]);

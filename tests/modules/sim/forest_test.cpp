@@ -23,7 +23,9 @@ TEST(Forest, has_the_count_mean_and_spread_of_its_recipe) {
     for (const auto& tree : forest.trees) {
       if (!tree.in_plot) continue;
       const double d = 100 * tree.taped.diameter_m;
-      n += 1, sum += d, squares += d * d;
+      n += 1;
+      sum += d;
+      squares += d * d;
       EXPECT_GE(d, forest.recipe.trees.dbh_min_cm - 1e-3);
     }
     EXPECT_EQ(n, forest.recipe.trees.count) << plot;
@@ -56,7 +58,7 @@ TEST(Forest, depends_on_the_seed_alone) {
 
 TEST(Forest, rows_run_along_their_azimuth) {
   PlotRecipe recipe = bare_plot(0);
-  recipe.layout.kind = "rows";
+  recipe.layout.kind = LayoutKind::rows;
   recipe.layout.row_azimuth_deg = 90;
   recipe.layout.row_spacing_m = 3;
   recipe.layout.position_sd_m = 0;
@@ -79,7 +81,10 @@ TEST(Forest, too_many_trees_are_an_error_with_a_remedy) {
 TEST(ExactSample, meets_moments_and_limits) {
   const auto values = exact_sample(30, 20, 10, 8, 60, 9);
   double sum = 0, squares = 0;
-  for (const double v : values) sum += v, squares += v * v;
+  for (const double v : values) {
+    sum += v;
+    squares += v * v;
+  }
   EXPECT_NEAR(sum / 30, 20, 1e-3);
   EXPECT_NEAR(std::sqrt(squares / 30 - 400), 10, 1e-2);
   EXPECT_GE(std::ranges::min(values), 8);

@@ -57,9 +57,9 @@ TEST(Recipe, what_is_written_reads_back) {
   recipe.name = "mine";
   recipe.trees.count = 7;
   recipe.terrain.slope_deg = 12.5;
-  recipe.layout.kind = "rows";
-  const json written = stems::to_json(recipe);
-  EXPECT_EQ(stems::to_json(parse_recipe(written)), written);
+  recipe.layout.kind = LayoutKind::rows;
+  const json written = to_json(recipe);
+  EXPECT_EQ(to_json(parse_recipe(written)), written);
   EXPECT_EQ(written["trees"]["count"], 7);
 }
 
@@ -70,7 +70,7 @@ TEST(Recipe, errors_name_the_field_the_value_and_the_need) {
               testing::AllOf(HasSubstr("trees.dbh_mean_cm"), HasSubstr("thick")));
   EXPECT_THAT(error_of({{"terrain", {{"slop_deg", 3}}}}),
               testing::AllOf(HasSubstr("terrain.slop_deg"), HasSubstr("Did you mean 'slope_deg'")));
-  EXPECT_THAT(error_of({{"layout", {{"kind", "spiral"}}}}), HasSubstr("\"natural\", \"rows\" or \"vineyard\""));
+  EXPECT_THAT(error_of({{"layout", {{"kind", "spiral"}}}}), HasSubstr("one of natural, rows, vineyard"));
   EXPECT_THAT(error_of({{"trees", {{"dbh_sd_cm", 40}}}}), HasSubstr("dbh_sd_cm"));
   EXPECT_THAT(error_of(json::array()), HasSubstr("an object"));
   EXPECT_THAT(error_of({{"trees", 5}}), HasSubstr("'trees'"));

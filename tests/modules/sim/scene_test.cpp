@@ -49,7 +49,9 @@ TEST(Scene, rays_meet_stems_on_their_analytic_surface) {
       const RayHit hit = cast(scene, from, direction);
       ASSERT_EQ(hit.tree_id, tree.id);
       const double error = outside(tree.stem, from + hit.range_m * direction);
-      largest = std::max(largest, std::abs(error)), sum += error, ++count;
+      largest = std::max(largest, std::abs(error));
+      sum += error;
+      ++count;
     }
   }
   EXPECT_LT(largest, 0.5e-3);

@@ -30,7 +30,7 @@ class Simulation : public testing::Test {
     fs::create_directories(dir_);
     recipe_ = sim::bare_plot(3);
     options_.plot = (dir_ / "bare.json").string();
-    options_.most_time = 0.5;
+    options_.max_time = 0.5;
     options_.stand_still = 0;
   }
   void TearDown() override { fs::remove_all(dir_); }
@@ -98,7 +98,7 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
   recipe_.terrain.slope_deg = 5;
   options_.laser_bias = 0;
   options_.speed = 2;  // rolling shutter matters
-  options_.most_time = 3;
+  options_.max_time = 3;
   options_.rotation_hz = 20;
   run("out");
   const auto points = points_of(bytes("out/walk.pcap"), io::read_tum(bytes("out/trajectory.tum")));
@@ -119,7 +119,9 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
     const Eigen::Vector3d ray = (p.in_plot - p.sensor) / p.range_m;
     const double error =
         -above / std::abs(ray.dot(terrain.normal(p.in_plot.x(), p.in_plot.y()))) * terrain.normal(0, 0).z();
-    n += 1, sum += error, squares += error * error;
+    n += 1;
+    sum += error;
+    squares += error * error;
   }
   ASSERT_GT(n, 20000);
   EXPECT_NEAR(sum / n, 0, 0.001);
@@ -160,7 +162,7 @@ TEST_F(Simulation, reports_and_writes_its_truth) {
 }
 
 TEST_F(Simulation, targets_shine_where_they_stand) {
-  options_.most_time = 1;
+  options_.max_time = 1;
   run("out");
   const Trajectory trajectory = io::read_tum(bytes("out/trajectory.tum"));
   const std::string pcap = bytes("out/walk.pcap");
@@ -212,11 +214,20 @@ TEST_F(Simulation, ring_sensors_give_frames_with_times_and_rings) {
   EXPECT_NEAR(second - first, 0.1, 1e-3);
 }
 
+// A sensor of the user's own: the reader finds its description beside the frames.
+TEST_F(Simulation, the_description_of_an_own_sensor_lies_beside_its_frames) {
+  options_.sensor = std::string(BOLE_SOURCE_DIR) + "/tests/bench/stems/dome_64.json";
+  options_.most_time = 0.5;
+  run("out");
+  std::ifstream own(options_.sensor);
+  EXPECT_EQ(bytes("out/frames/sensor.json"), std::string(std::istreambuf_iterator<char>(own), {}));
+}
+
 TEST_F(Simulation, stops_when_cancelled) {
   std::stop_source source;
   bole::Run with;
   with.cancel = source.get_token();
-  options_.most_time = 100;
+  options_.max_time = 100;
   with.progress = [&](double fraction, std::string_view) {
     if (fraction > 0.07) source.request_stop();
   };
@@ -232,7 +243,7 @@ TEST_F(Simulation, finishes_early_when_asked) {
   std::stop_source source;
   bole::Run with;
   with.finish = source.get_token();
-  options_.most_time = 100;
+  options_.max_time = 100;
   with.progress = [&](double fraction, std::string_view) {
     if (fraction > 0.07) source.request_stop();
   };
@@ -256,16 +267,25 @@ TEST_F(Simulation, wrong_options_are_explained) {
   };
   EXPECT_THAT(error([](auto& o) { o.plot = "plot9"; }),
               testing::AllOf(HasSubstr("plot9"), HasSubstr("demo"), HasSubstr("plot1")));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.sensor = "vlp99"; }), HasSubstr("vlp99"));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.walk = "/nowhere.csv"; }), HasSubstr("/nowhere.csv"));
-  EXPECT_THAT(error([](auto& o) { o.plot = "demo", o.most_time = 0.01; }), HasSubstr("most_time"));
-  EXPECT_THROW(OptionSet(option_table(static_cast<const SimulationOptions*>(nullptr))).set_text("speed", "50"), Error);
+  EXPECT_THAT(error([](auto& o) {
+                o.plot = "demo";
+                o.sensor = "vlp99";
+              }),
+              HasSubstr("vlp99"));
+  EXPECT_THAT(error([](auto& o) {
+                o.plot = "demo";
+                o.walk = "/nowhere.csv";
+              }),
+              HasSubstr("/nowhere.csv"));
+  OptionSet set(option_table(static_cast<const SimulationOptions*>(nullptr)));
+  EXPECT_THROW(set.set_text("max_time", "0.01"), Error);
+  EXPECT_THROW(set.set_text("speed", "50"), Error);
 }
 
 TEST_F(Simulation, follows_a_walk_from_a_file) {
   std::ofstream(dir_ / "walk.csv") << "x_m,y_m\n-3,-4\n3,-4\n";
   options_.walk = (dir_ / "walk.csv").string();
-  options_.most_time = 0;
+  options_.max_time.reset();
   options_.speed = 3;
   options_.rotation_hz = 5;
   run("out");

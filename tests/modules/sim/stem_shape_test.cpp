@@ -64,7 +64,8 @@ TEST(Tape, reads_an_ellipse_as_ramanujan_does) {
 
 TEST(Tape, counts_breast_height_from_the_uphill_ground) {
   TerrainRecipe recipe;
-  recipe.slope_deg = 20, recipe.aspect_deg = 270;  // falls to the west
+  recipe.slope_deg = 20;
+  recipe.aspect_deg = 270;  // falls to the west
   recipe.undulation_m = recipe.micro_relief_m = 0;
   const Terrain slope(recipe, 1);
   EXPECT_GT(slope.height(1, 0), slope.height(-1, 0));

@@ -52,7 +52,8 @@ TEST(Vineyard, the_route_is_600_m_long_and_never_touches_a_row) {
   const auto scene = build_scene(forest, 1);
   const auto route = plan_route(vineyard_pattern(r.vineyard), forest, scene.vegetation.obstacles, Walk::step_m);
   WalkParameters parameters;
-  parameters.sensor_height_m = 1.1, parameters.robot = true;
+  parameters.sensor_height_m = 1.1;
+  parameters.carrier = Carrier::robot;
   EXPECT_GE(Walk(route, forest.terrain, parameters, 1).trajectory(100, 0).length_m(), 600);
   for (const auto& p : route) {
     if (std::abs(p.x()) > 0.5 * r.vineyard.row_length_m) continue;
@@ -64,13 +65,16 @@ TEST(Vineyard, the_route_is_600_m_long_and_never_touches_a_row) {
 
 TEST(Vineyard, a_robot_stands_on_the_ground_under_its_tracks) {
   TerrainRecipe slope;
-  slope.slope_deg = 10, slope.aspect_deg = 270;  // falls to the west: driving east is uphill
+  slope.slope_deg = 10;
+  slope.aspect_deg = 270;  // falls to the west: driving east is uphill
   slope.undulation_m = slope.micro_relief_m = 0;
   const Terrain terrain(slope, 1);
   std::vector<Eigen::Vector2d> route;
   for (int i = 0; i <= 40; ++i) route.emplace_back(Walk::step_m * i, 0);
   WalkParameters parameters;
-  parameters.sensor_height_m = 1.1, parameters.gait = 0, parameters.robot = true;
+  parameters.sensor_height_m = 1.1;
+  parameters.gait = 0;
+  parameters.carrier = Carrier::robot;
   const Walk walk(route, terrain, parameters, 1);
   const Pose T = walk.pose(6);
   const Eigen::Vector3d up = terrain.normal(0, 0);
@@ -104,8 +108,13 @@ TEST(Vineyard, a_recipe_whose_rows_do_not_fit_is_refused) {
 TEST(Vineyard, an_OS1_sees_the_rows_beside_it) {
   const fs::path dir = fs::temp_directory_path() / ("bole_vineyard_" + std::to_string(::getpid()));
   SimulationOptions options;
-  options.plot = "vineyard_short", options.sensor = "os1_64", options.carrier = "robot", options.sensor_height = 1.1;
-  options.stand_still = 0, options.most_time = 0.2, options.noise = 0;
+  options.plot = "vineyard_short";
+  options.sensor = "os1_64";
+  options.carrier = Carrier::robot;
+  options.sensor_height = 1.1;
+  options.stand_still = 0;
+  options.max_time = 0.2;
+  options.noise = 0;
   simulate(options, dir, {});
   std::ifstream in(dir / "frames/000000.bin", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -121,7 +130,8 @@ TEST(Vineyard, an_OS1_sees_the_rows_beside_it) {
     std::memcpy(p.data(), bytes.data() + i, 16);
     if (p[0] < 4 || p[0] > 12 || p[2] < -0.2 || p[2] > 0.8) continue;  // half-way up the canopy
     const float off = std::abs(std::abs(p[1]) - 1.375f);
-    beside += off < 0.35f, between += std::abs(p[1]) < 0.8f;
+    beside += off < 0.35f;
+    between += std::abs(p[1]) < 0.8f;
   }
   EXPECT_GT(beside, 1000u);
   EXPECT_LT(between, beside / 50);

@@ -16,7 +16,7 @@ namespace {
 
 TEST(SurveyPattern, goes_from_the_centre_over_the_north_west_to_the_south_east_and_back) {
   for (const double size : {16.0, 32.0}) {
-    const auto p = survey_pattern(size, 6);
+    const auto p = walk_pattern(size, 6);
     const double end = 0.5 * size - 1;
     EXPECT_LT(p.front().norm(), 1.5);
     EXPECT_LT(p.back().norm(), 1.5);
@@ -34,7 +34,7 @@ struct PlotWalk {
   explicit PlotWalk(const char* plot, std::uint64_t seed = 1)
       : forest(make_forest(read_recipe(resource_path(std::string("plots/") + plot + ".json")), seed)) {
     const PlotScene scene = build_scene(forest, seed);
-    route = plan_route(survey_pattern(forest.recipe.size_m, 6), forest, scene.vegetation.obstacles, Walk::step_m);
+    route = plan_route(walk_pattern(forest.recipe.size_m, 6), forest, scene.vegetation.obstacles, Walk::step_m);
   }
   Walk walk(const WalkParameters& parameters = {}) const { return Walk(route, forest.terrain, parameters, 1); }
 };
@@ -96,11 +96,11 @@ TEST(Walk, keeps_its_speed_and_height) {
 TEST(Walk, gait_bobs_and_tilts) {
   const PlotWalk plot("demo");
   const Walk walk = plot.walk();
-  double most_tilt = 0;
+  double max_tilt = 0;
   for (double t = 5; t < 20; t += 0.02)
-    most_tilt = std::max(most_tilt, std::acos(std::min(1.0, walk.pose(t).linear()(2, 2))));
-  EXPECT_GT(most_tilt, 0.02);
-  EXPECT_LT(most_tilt, 0.15);
+    max_tilt = std::max(max_tilt, std::acos(std::min(1.0, walk.pose(t).linear()(2, 2))));
+  EXPECT_GT(max_tilt, 0.02);
+  EXPECT_LT(max_tilt, 0.15);
 }
 
 TEST(Walk, trajectory_samples_the_pose_function) {

@@ -32,7 +32,7 @@ TEST(DistributionMap, GivesNormalMeanAndThicknessOfAPlane) {
   ASSERT_TRUE(s);
   EXPECT_GT(std::abs(s->axes.col(0).dot(normal)), 0.99);
   EXPECT_NEAR((s->mean - far_away).dot(normal), 0, 0.003);
-  EXPECT_NEAR(s->deviations_m[0], 0.01, 0.003);
+  EXPECT_NEAR(s->deviations[0], 0.01, 0.003);
   EXPECT_GT(s->planarity(), 0.5);
 }
 
@@ -48,7 +48,7 @@ TEST(DistributionMap, GivesTheDirectionOfALine) {
 
 TEST(DistributionMap, TheOrderOfPointsDoesNotMatterBelowTheCap) {
   auto points = points_on_plane(Eigen::Vector3d::UnitZ(), 0.01, 5);
-  points.resize(DistributionMap::most_per_cell);
+  points.resize(DistributionMap::max_per_cell);
   DistributionMap a(0.1), b(0.1);
   for (const auto& p : points) a.insert(p);
   std::ranges::reverse(points);
@@ -65,8 +65,8 @@ TEST(DistributionMap, TheOrderOfPointsDoesNotMatterBelowTheCap) {
 
 TEST(DistributionMap, ACellSettlesAtItsCap) {
   DistributionMap map(0.1);
-  for (int i = 0; i < 3 * DistributionMap::most_per_cell; ++i) map.insert(Eigen::Vector3d(0.05, 0.05, 0.05));
-  EXPECT_EQ(map.surface({0.05, 0.05, 0.05}, 0)->points, DistributionMap::most_per_cell);
+  for (int i = 0; i < 3 * DistributionMap::max_per_cell; ++i) map.insert(Eigen::Vector3d(0.05, 0.05, 0.05));
+  EXPECT_EQ(map.surface({0.05, 0.05, 0.05}, 0)->points, DistributionMap::max_per_cell);
 }
 
 // What a trunk looks like to the points that make it: with a window about each point the mean of the surface lies

@@ -10,9 +10,9 @@
 namespace bole::slam {
 namespace {
 
-SlamOptions curvature_options(const char* occlusion) {
+SlamSettings curvature_settings(Occlusion occlusion) {
   SlamOptions o;
-  o.preset = "loam";
+  o.preset = Preset::loam;
   o.occlusion = occlusion;
   return resolved(o);
 }
@@ -32,10 +32,14 @@ Scan one_line(const std::function<double(double azimuth_rad)>& range, int points
 TEST(Scan, KeepsUsableReturnsInLinesAndOrder) {
   ScanFrame frame;
   const auto add = [&](const Eigen::Vector3f& p, std::uint16_t ring, float t, std::uint8_t echo) {
-    frame.positions.push_back(p), frame.ring.push_back(ring), frame.time_offset_s.push_back(t),
-        frame.intensity.push_back(1), frame.return_number.push_back(echo);
+    frame.positions.push_back(p);
+    frame.ring.push_back(ring);
+    frame.time_offset_s.push_back(t);
+    frame.intensity.push_back(1);
+    frame.return_number.push_back(echo);
   };
-  frame.start_time_s = 5, frame.end_time_s = 5.1;
+  frame.start_time_s = 5;
+  frame.end_time_s = 5.1;
   add({2, 0, 0}, 1, 0.00f, 1);
   add({3, 0, 0}, 0, 0.02f, 1);
   add({4, 0, 0}, 1, 0.05f, 1);
@@ -58,7 +62,7 @@ TEST(Features, ACornerIsAnEdgeAndAWallIsAPlane) {
   // Two walls that meet at a right angle straight ahead, 5 m away.
   const Scan scan = one_line([](double a) { return 5 / (std::cos(a) + std::abs(std::sin(a))); });
   Features features;
-  FeatureExtractor(curvature_options("far_side")).extract(scan, features);
+  FeatureExtractor(curvature_settings(Occlusion::far_side)).extract(scan, features);
   ASSERT_FALSE(features.query.edges.empty());
   EXPECT_LT((features.query.edges.front().position - Eigen::Vector3f(5, 0, 0)).norm(), 0.1f);
   EXPECT_GT(features.map.planes.size(), 5u);
@@ -71,8 +75,8 @@ TEST(Features, TheOutlineOfATrunkIsAnEdgeForLoamAndNotForForest) {
     return std::abs(across) < 0.2 ? 5 * std::cos(a) - std::sqrt(0.04 - across * across) : 12 / std::cos(a);
   };
   Features loam, forest;
-  FeatureExtractor(curvature_options("far_side")).extract(one_line(trunk), loam);
-  FeatureExtractor(curvature_options("both_sides")).extract(one_line(trunk), forest);
+  FeatureExtractor(curvature_settings(Occlusion::far_side)).extract(one_line(trunk), loam);
+  FeatureExtractor(curvature_settings(Occlusion::both_sides)).extract(one_line(trunk), forest);
   const auto on_outline = [](const FeaturePoint& p) { return p.position.x() < 6 && std::abs(p.position.y()) > 0.17f; };
   EXPECT_TRUE(std::ranges::any_of(loam.map.edges, on_outline));
   EXPECT_FALSE(std::ranges::any_of(forest.map.edges, on_outline));
@@ -85,14 +89,14 @@ TEST(Features, AmongConnectedNeighboursANarrowTrunkIsASurface) {
     const double across = 5 * std::sin(a);
     return std::abs(across) < 0.16 ? 5 * std::cos(a) - std::sqrt(0.0256 - across * across) : 12 / std::cos(a);
   };
-  auto options = curvature_options("both_sides");
+  auto settings = curvature_settings(Occlusion::both_sides);
   const auto on_trunk = [](const FeaturePoint& p) { return p.position.x() < 6; };
   Features features;
-  FeatureExtractor(options).extract(one_line(trunk), features);
+  FeatureExtractor(settings).extract(one_line(trunk), features);
   EXPECT_TRUE(std::ranges::any_of(features.map.edges, on_trunk));
   EXPECT_FALSE(std::ranges::any_of(features.map.planes, on_trunk));
-  options.features = "connected";
-  FeatureExtractor(options).extract(one_line(trunk), features);
+  settings.features = FeatureKind::connected;
+  FeatureExtractor(settings).extract(one_line(trunk), features);
   EXPECT_FALSE(std::ranges::any_of(features.map.edges, on_trunk));
   EXPECT_TRUE(std::ranges::any_of(features.map.planes, on_trunk));
 }
@@ -101,8 +105,8 @@ TEST(Features, AnEmptyScanHasNone) {
   Scan scan;
   scan.line_begin = {0, 0, 0};
   Features features;
-  for (const auto* kind : {"curvature", "connected", "sampled"}) {
-    auto o = curvature_options("both_sides");
+  for (const auto kind : {FeatureKind::curvature, FeatureKind::connected, FeatureKind::sampled}) {
+    auto o = curvature_settings(Occlusion::both_sides);
     o.features = kind;
     FeatureExtractor(o).extract(scan, features);
     EXPECT_EQ(features.map.size() + features.query.size(), 0u);

@@ -29,12 +29,16 @@ TEST(Ground, GroundIsTheFloorThingsAreTrunksAndSpecksAreNot) {
   std::size_t floor = 0, floor_right = 0, trunk = 0, trunk_right = 0, specks = 0, specks_right = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double z = scan.points[i].position.z();
-    if (std::abs(scan.points[i].range - 2) < 1e-3)
-      ++specks, specks_right += labels[i] != ScanLabel::thing;
-    else if (z < -1.45)
-      ++floor, floor_right += labels[i] == ScanLabel::ground;
-    else if (z > -1.2)
-      ++trunk, trunk_right += labels[i] == ScanLabel::thing;
+    if (std::abs(scan.points[i].range - 2) < 1e-3) {
+      ++specks;
+      specks_right += labels[i] != ScanLabel::object;
+    } else if (z < -1.45) {
+      ++floor;
+      floor_right += labels[i] == ScanLabel::ground;
+    } else if (z > -1.2) {
+      ++trunk;
+      trunk_right += labels[i] == ScanLabel::object;
+    }
   }
   EXPECT_GT(static_cast<double>(floor_right), 0.9 * static_cast<double>(floor));
   EXPECT_GT(static_cast<double>(trunk_right), 0.9 * static_cast<double>(trunk));

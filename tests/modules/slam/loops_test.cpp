@@ -36,9 +36,11 @@ std::vector<Eigen::Vector3d> posts(unsigned seed) {
 }
 
 Keyframe seen_from(const std::vector<Eigen::Vector3d>& world, const Pose& T_world_sensor, const Pose& T_map_keyframe,
-                   double path_m) {
+                   double travelled) {
   Keyframe k;
-  k.T_map_keyframe = T_map_keyframe, k.path_m = path_m, k.time_s = path_m;
+  k.T_map_keyframe = T_map_keyframe;
+  k.travelled = travelled;
+  k.time_s = travelled;
   for (const auto& p : world) k.edges.push_back((T_world_sensor.inverse() * p).cast<float>());
   return k;
 }
@@ -78,11 +80,15 @@ TEST(PoseGraph, ALoopThatContradictsTheRestIsRefused) {
   std::vector<Loop> loops;
   for (const std::size_t to : {50u, 55u, 60u}) {
     Loop l;
-    l.from = 60 - to, l.to = to, l.T_from_to = truth[l.from].inverse() * truth[to];
+    l.from = 60 - to;
+    l.to = to;
+    l.T_from_to = truth[l.from].inverse() * truth[to];
     loops.push_back(l);
   }
   auto wrong = loops.front();
-  wrong.from = 15, wrong.to = 45, wrong.T_from_to = pose_at(0, 0.5 - 2.75);
+  wrong.from = 15;
+  wrong.to = 45;
+  wrong.T_from_to = pose_at(0, 0.5 - 2.75);
   loops.push_back(wrong);
   const auto graph = optimise_pose_graph(keyframes, loops, {});
   EXPECT_EQ(graph.refused, (std::vector<std::uint8_t>{0, 0, 0, 1}));
@@ -98,7 +104,9 @@ TEST(PoseGraph, WithoutASolutionTheKeyFramesStayAndItIsTold) {
   std::vector<Keyframe> keyframes;
   for (int i = 0; i <= 10; ++i) keyframes.push_back(seen_from({}, pose_at(i, 0), pose_at(i, 0), i));
   Loop l;
-  l.from = 0, l.to = 10, l.T_from_to = pose_at(std::numeric_limits<double>::quiet_NaN(), 0);
+  l.from = 0;
+  l.to = 10;
+  l.T_from_to = pose_at(std::numeric_limits<double>::quiet_NaN(), 0);
   const auto graph = optimise_pose_graph(keyframes, {l}, {});
   EXPECT_FALSE(graph.solved);
   ASSERT_EQ(graph.warnings.size(), 1u);
@@ -122,11 +130,14 @@ TEST(PoseGraph, ManyLoopsThatAgreePrevailOverAnOdometryThatSlipped) {
   std::vector<Loop> loops;
   const auto add = [&](std::size_t from, std::size_t to, const Pose& error) {
     Loop l;
-    l.from = from, l.to = to, l.T_from_to = truth[from].inverse() * truth[to] * error;
+    l.from = from;
+    l.to = to;
+    l.T_from_to = truth[from].inverse() * truth[to] * error;
     loops.push_back(l);
   };
   for (std::size_t to = 100; to <= 160; to += 4) add(160 - to, to, Pose::Identity());
-  add(20, 140, pose_at(0, 2.75)), add(50, 110, pose_at(-3, 0));
+  add(20, 140, pose_at(0, 2.75));
+  add(50, 110, pose_at(-3, 0));
   const auto graph = optimise_pose_graph(keyframes, loops, {});
   std::vector<std::uint8_t> expected(loops.size(), 0);
   expected[expected.size() - 2] = expected.back() = 1;
@@ -137,14 +148,14 @@ TEST(PoseGraph, ManyLoopsThatAgreePrevailOverAnOdometryThatSlipped) {
   EXPECT_LT((T_from_to.translation() - (truth[40].inverse() * truth[120]).translation()).norm(), 0.05);
 }
 
-// Key frames along an alley of posts at x0 and back, 0.5 m apart; `at` puts a true pose where the odometry has it.
+// Keyframes along an alley of posts at x0 and back, 0.5 m apart; `at` puts a true pose where the odometry has it.
 template <class At>
-void walk_alley(const std::vector<Eigen::Vector3d>& world, bool back, double& path_m, const At& at,
+void walk_alley(const std::vector<Eigen::Vector3d>& world, bool back, double& travelled, const At& at,
                 std::vector<Keyframe>& keyframes, std::vector<Pose>& truth) {
   for (int i = 0; i <= 60; ++i) {
     const Pose T = back ? pose_at(15 - 0.5 * i, 0.3, std::numbers::pi) : pose_at(0.5 * i - 15, 0);
-    keyframes.push_back(seen_from(world, T, at(T), path_m += 0.5));
-    keyframes.back().context = make_scan_context(keyframes.back().edges, context_shape(SlamOptions{}));
+    keyframes.push_back(seen_from(world, T, at(T), travelled += 0.5));
+    keyframes.back().context = make_scan_context(keyframes.back().edges, context_shape(resolved({})));
     truth.push_back(T);
   }
 }
@@ -155,22 +166,22 @@ TEST(LoopCandidates, AlongTheWayAPlaceIsFoundAmongPlacesThatLookTheSame) {
   const auto world = posts(7);
   std::vector<Keyframe> keyframes;
   std::vector<Pose> truth;
-  double path_m = 0;
+  double travelled = 0;
   const Pose decoy = pose_at(0, 300), slip = pose_at(4, 0.5, 0.1);
   walk_alley(
-      world, false, path_m, [&](const Pose& T) { return decoy * T; }, keyframes, truth);
-  path_m += 300;
+      world, false, travelled, [&](const Pose& T) { return decoy * T; }, keyframes, truth);
+  travelled += 300;
   walk_alley(
-      world, false, path_m, [](const Pose& T) { return T; }, keyframes, truth);
+      world, false, travelled, [](const Pose& T) { return T; }, keyframes, truth);
   const std::size_t begin_back = keyframes.size();
   walk_alley(
-      world, true, path_m, [&](const Pose& T) { return slip * T; }, keyframes, truth);
+      world, true, travelled, [&](const Pose& T) { return slip * T; }, keyframes, truth);
 
   SlamOptions options;
-  options.preset = "orchard";
-  options = resolved(options);
-  ASSERT_EQ(options.context_search, "sequence");
-  const auto candidates = find_loop_candidates(keyframes, options, {});
+  options.preset = Preset::orchard;
+  const auto settings = resolved(options);
+  ASSERT_EQ(settings.context_search, ContextSearchKind::sequence);
+  const auto candidates = find_loop_candidates(keyframes, settings, {});
   EXPECT_GE(candidates.size(), 10u);
   int right = 0;
   for (const auto& c : candidates) {
@@ -189,10 +200,11 @@ TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {
   LocalMap nearest(0.1, 4), last(0.1, 4, true);
   const auto knows = [&](const LocalMap& map) { return map.maps().edges.surface(world.front(), 1, 1).has_value(); };
   for (int i = 0; i < 12; ++i) {
-    // Only the first four key frames see anything; the path comes back to them at the end.
+    // Only the first four keyframes see anything; the path comes back to them at the end.
     const Pose T = pose_at(i < 6 ? i : 11 - i, 0);
     keyframes.push_back(seen_from(i < 4 ? world : std::vector<Eigen::Vector3d>{}, T, T, i));
-    nearest.update(keyframes, T.translation()), last.update(keyframes, T.translation());
+    nearest.update(keyframes, T.translation());
+    last.update(keyframes, T.translation());
     EXPECT_TRUE(i != 3 || (knows(nearest) && knows(last)));
   }
   EXPECT_TRUE(knows(nearest));

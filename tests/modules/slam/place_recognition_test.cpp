@@ -116,12 +116,14 @@ TEST(PlaceRecognition, KaistStreet) {
     // The look that is nearest to a scan's own belongs to a place next to it, 0.17 from it at most in 20 seeds.
     for (std::size_t i = 0; i < places.size(); ++i) {
       std::size_t best = i;
-      double least = 2;
+      double min_distance = 2;
       for (std::size_t j = 0; j < places.size(); ++j)
-        if (const double d = match_polar(places[i].context, places[j].context).distance; j != i && d < least)
-          best = j, least = d;
+        if (const double d = match_polar(places[i].context, places[j].context).distance; j != i && d < min_distance) {
+          best = j;
+          min_distance = d;
+        }
       EXPECT_LE((places[i].at - places[best].at).norm(), 3) << i;
-      EXPECT_LT(least, 0.22) << i;
+      EXPECT_LT(min_distance, 0.22) << i;
     }
     const auto strict = judged(places, 0.2, 5), loose = judged(places, 0.25, 5);
     EXPECT_EQ(strict.wrong, 0);

@@ -19,8 +19,8 @@ class Watcher : public Preview {
 };
 
 SlamOptions with_loops() {
-  auto options = preset("best");
-  options.loop_path_m = 2;  // the walk is short
+  auto options = with_preset(Preset::best);
+  options.loop_path = 2;  // the walk is short
   return options;
 }
 
@@ -60,7 +60,7 @@ TEST(SlamPreview, TheMapGrowsKeyFrameByKeyFrame) {
     const auto& places = snapshot.trajectory("keyframes").poses;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       ASSERT_LT(static_cast<std::size_t>(of[i]), places.size());
-      // Points are whole only with the pose of their key frame: ranges stay within those of the sensor.
+      // Points are whole only with the pose of their keyframe: ranges stay within those of the sensor.
       EXPECT_LT(cloud.positions()[i].norm(), 60.F);
       const Eigen::Vector3d p = places[static_cast<std::size_t>(of[i])].T_target_sensor * cloud.position(i);
       ++points;
@@ -74,7 +74,7 @@ TEST(SlamPreview, TheMapGrowsKeyFrameByKeyFrame) {
     }
     keyframes.insert(keyframes.end(), of.begin(), of.end());
   }
-  EXPECT_TRUE(std::ranges::is_sorted(keyframes));  // each key frame once, in order
+  EXPECT_TRUE(std::ranges::is_sorted(keyframes));  // each keyframe once, in order
   EXPECT_EQ(keyframes.back() + 1, result.report.counts.at("keyframes"));
   EXPECT_GT(on_trunks, points / 50 * 3 / 4);
 }

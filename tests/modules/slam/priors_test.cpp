@@ -26,7 +26,12 @@ TEST(Priors, ThePointCovarianceIsThatOfTheObservations) {
 
 TEST(Priors, PoseVarianceIsThatOfAPointMovedByThePose) {
   Matrix6d covariance = Matrix6d::Zero();
-  covariance.diagonal() << 1e-4, 2e-4, 3e-4, 1e-2, 4e-2, 9e-2;
+  covariance.diagonal() << 1e-4;
+  2e-4;
+  3e-4;
+  1e-2;
+  4e-2;
+  9e-2;
   covariance(0, 4) = covariance(4, 0) = 5e-4;
   const Eigen::Vector3d lever(3, -2, 1), axis = Eigen::Vector3d(1, 2, -1).normalized();
   const Eigen::LLT<Matrix6d> root(covariance);

@@ -36,8 +36,8 @@ TEST(RealScans, TheDeskewedSweepsOfNewerCollegeAreReproduced) {
   const fs::path folder = data / "GTSAMPOINTS/newer_06";
   BOLE_NEEDS_REAL(folder);
   // What an even motion between two poses leaves when it is fitted to the points themselves: hands do not move evenly.
-  const std::array<double, 3> best_m{0.053, 0.018, 0.081};
-  for (std::size_t k = 0; k < best_m.size(); ++k) {
+  const std::array<double, 3> best_distance{0.053, 0.018, 0.081};
+  for (std::size_t k = 0; k < best_distance.size(); ++k) {
     const std::string number = "_0" + std::to_string(k) + ".bin";
     const auto raw = read_values<Eigen::Vector3f>(folder / ("raw" + number)),
                reference = read_values<Eigen::Vector3f>(folder / ("deskewed" + number));
@@ -57,15 +57,16 @@ TEST(RealScans, TheDeskewedSweepsOfNewerCollegeAreReproduced) {
     T_start.linear() = rotation_from_rpy(0, 0, std::numbers::pi);
     RegistrationSettings settings;
     settings.model = MotionModel::rigid;
-    settings.rounds = 30, settings.coarse_rounds = 8;
+    settings.iterations = 30;
+    settings.coarse_iterations = 8;
     auto found = register_frame(features, maps, {T_start, T_start}, settings, {});
     settings.model = MotionModel::elastic;
-    settings.begin_sigma_m = settings.motion_sigma_m = 1;
+    settings.begin_sigma = settings.motion_sigma = 1;
     settings.begin_sigma_rad = settings.motion_sigma_rad = 1;
-    settings.rounds = 60;
+    settings.iterations = 60;
     found = register_frame(features, maps, found.motion, settings, {});
 
-    const auto rms_m = [&](const FrameMotion& motion) {
+    const auto rms = [&](const FrameMotion& motion) {
       const PoseGrid poses(motion);
       double squared = 0;
       for (std::size_t i = 0; i < raw.size(); ++i)
@@ -73,8 +74,8 @@ TEST(RealScans, TheDeskewedSweepsOfNewerCollegeAreReproduced) {
       return std::sqrt(squared / static_cast<double>(raw.size()));
     };
     const Pose T_mid = found.motion.at(0.5);
-    EXPECT_LT(rms_m(found.motion), best_m[k] + 0.025) << k << ": " << rms_m({T_mid, T_mid}) << " m as it was";
-    EXPECT_GT(rms_m({T_mid, T_mid}), 5 * rms_m(found.motion)) << k;
+    EXPECT_LT(rms(found.motion), best_distance[k] + 0.025) << k << ": " << rms({T_mid, T_mid}) << " m as it was";
+    EXPECT_GT(rms({T_mid, T_mid}), 5 * rms(found.motion)) << k;
   }
 }
 
@@ -103,7 +104,10 @@ std::vector<Pose> read_poses(const fs::path& file) {
     char name = 0;
     double value = 0;
     if (line.starts_with("twist:")) twist = true;
-    if (line.starts_with("header:")) twist = false, values.clear();
+    if (line.starts_with("header:")) {
+      twist = false;
+      values.clear();
+    }
     if (twist || std::sscanf(line.c_str(), " %c: %lf", &name, &value) != 2 || name < 'w' || name > 'z') continue;
     values.push_back(value);
     if (values.size() < 7) continue;
@@ -130,7 +134,8 @@ TEST(RealScans, TrunksAloneGiveTheMotionBetweenForestScans) {
       maps.planes.insert(p.position.cast<double>());
     const FeatureSet features{{}, read_trunks(folder / (std::string(pair) + "_t1.pcd"))};
     RegistrationSettings settings;
-    settings.rounds = 40, settings.coarse_rounds = 8;
+    settings.iterations = 40;
+    settings.coarse_iterations = 8;
     const auto found = register_frame(features, maps, {}, settings, {});
     const Pose& T = found.motion.T_map_end;
     const Pose error = (pair == std::string("moving_tree") ? T_0_1 : Pose::Identity()).inverse() * T;

@@ -12,7 +12,7 @@ using synthetic::SyntheticScan;
 
 std::vector<FrameSample> samples_of(const SyntheticScan& source) {
   SlamOptions options;
-  options.preset = "best";
+  options.preset = Preset::best;
   FeatureExtractor extractor(resolved(options));
   std::vector<FrameSample> samples;
   ScanFrame frame;
@@ -52,7 +52,7 @@ TEST(Refine, DoesNotDrawThePathToTheTrunks) {
   std::vector<StampedPose> nodes;
   for (double t = 0; t < 1.41; t += 0.05) nodes.push_back({t, source.truth(t)});
   RefineSettings settings;
-  settings.rounds = 4;
+  settings.iterations = 4;
   const auto refined = refine_path(Path(nodes), samples, settings, {});
   EXPECT_LT(std::abs(mean_nearness_m(refined.path, source, samples)), 0.0015);
   double worst_m = 0;
@@ -69,10 +69,10 @@ TEST(Refine, KeepsThePathWhereTheFramesDoNotDetermineIt) {
   std::vector<StampedPose> nodes;
   for (double t = 0; t < 2.01; t += 0.05) nodes.push_back({t, source.truth(t)});
   RefineSettings settings;
-  settings.acceleration_sigma_m_s2 = settings.acceleration_sigma_rad_s2 = 1e200;
+  settings.acceleration_sigma = settings.angular_acceleration_sigma = 1e200;
   const auto refined = refine_path(Path(nodes), samples_of(source), settings, {});
   EXPECT_EQ(refined.stopped, "it has no solution");
-  EXPECT_TRUE(refined.rms_m.empty());
+  EXPECT_TRUE(refined.rms.empty());
   EXPECT_EQ(refined.path.at(0.2).matrix(), Path(nodes).at(0.2).matrix());
 }
 

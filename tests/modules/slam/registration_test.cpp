@@ -14,9 +14,9 @@ namespace {
 using synthetic::SpinningSensor;
 using synthetic::SyntheticScan;
 
-SlamOptions best_options() {
+SlamSettings best_settings() {
   SlamOptions o;
-  o.preset = "best";
+  o.preset = Preset::best;
   return resolved(o);
 }
 
@@ -26,7 +26,7 @@ Features features_of(const SyntheticScan& source, std::size_t frame_index) {
   Scan scan;
   prepare_scan(frame, {0.5, 60, source.rings()}, scan);
   Features features;
-  FeatureExtractor(best_options()).extract(scan, features);
+  FeatureExtractor(best_settings()).extract(scan, features);
   return features;
 }
 
@@ -56,14 +56,14 @@ TEST(Registration, PoseEquationsAreTheDerivativesOfTheCost) {
     Target target;
     target.mean = T * p + Eigen::Vector3d(0.02, -0.03, 0.01);
     target.axis = Eigen::Vector3d(0.4, -0.3, 0.9).normalized();
-    target.variance_m2 = 0.0009;
+    target.variance = 0.0009;
     target.kind = kind;
     const double kernel = 1e6;  // so wide that the weight does not change
     const auto cost = [&](const Vector6d& d) {
       Pose moved = T;
       moved.linear() = so3_exp(d.head<3>()).toRotationMatrix() * T.linear();
       moved.translation() += d.tail<3>();
-      return 0.5 * pose_equations(target, moved * p, moved.linear() * p, kernel).squared_m2 / target.variance_m2;
+      return 0.5 * pose_equations(target, moved * p, moved.linear() * p, kernel).squared_error / target.variance;
     };
     const auto e = pose_equations(target, T * p, T.linear() * p, kernel);
     const double h = 1e-6;
@@ -77,7 +77,7 @@ TEST(Registration, PoseEquationsAreTheDerivativesOfTheCost) {
 TEST(Registration, TheKernelTakesWeightFromFarPoints) {
   Target target;
   target.axis = Eigen::Vector3d::UnitZ();
-  target.variance_m2 = 0.0004;
+  target.variance = 0.0004;
   target.kind = Target::Kind::plane;
   const Eigen::Vector3d lever(4, 1, 0);
   const auto near = pose_equations(target, {4, 1, 0.02}, lever, 3), far = pose_equations(target, {4, 1, 0.6}, lever, 3);
@@ -93,7 +93,7 @@ TEST(Registration, ARigidShiftOfSixteenCentimetresIsFoundToOne) {
   const auto truth = truth_of(source, 5);
   const Pose off = se3_exp((Vector6d() << 0.01, -0.015, 0.03, 0.12, -0.1, 0.05).finished());
   RegistrationSettings settings;
-  settings.rounds = 25;
+  settings.iterations = 25;
   const auto r = register_frame(features_of(source, 5).query, maps, {off * truth.T_map_begin, off * truth.T_map_end},
                                 settings, {});
   EXPECT_LT(distance(r.motion.T_map_end, truth.T_map_end), 0.01);
@@ -110,8 +110,9 @@ TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
   const FrameMotion guess{truth.T_map_begin, truth.T_map_begin};
   const auto query = features_of(source, 5).query;
   RegistrationSettings settings;
-  settings.rounds = 25;
-  settings.motion_sigma_m = 0.2, settings.motion_sigma_rad = 0.05;
+  settings.iterations = 25;
+  settings.motion_sigma = 0.2;
+  settings.motion_sigma_rad = 0.05;
   const auto rigid = register_frame(query, maps, guess, settings, {});
   settings.model = MotionModel::elastic;
   const auto elastic = register_frame(query, maps, guess, settings, {});
@@ -119,7 +120,7 @@ TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
   EXPECT_LT(distance(elastic.motion.T_map_begin, truth.T_map_begin), 0.012);
   EXPECT_LT(distance(elastic.motion.T_map_end, truth.T_map_end),
             0.5 * distance(rigid.motion.T_map_end, truth.T_map_end));
-  EXPECT_LT(elastic.rms_m, rigid.rms_m);
+  EXPECT_LT(elastic.rms, rigid.rms);
 }
 
 TEST(Registration, TheResultDoesNotDependOnTheNumberOfThreads) {

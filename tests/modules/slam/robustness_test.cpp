@@ -25,7 +25,7 @@ TEST(Robustness, ALostTrackEndsTheMapAndSaysWhere) {
     std::uniform_real_distribution<float> any(1, 40);
     for (auto& p : frame.positions) p = p.normalized() * any(random);
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.status, Status::finished_early);
   EXPECT_EQ(result.report.facts.at("lost_at_frame"), "12");
   EXPECT_EQ(result.report.counts.at("frames"), 12);
@@ -41,7 +41,7 @@ TEST(Robustness, AFifthOfThePointsMayBeMissing) {
     for (auto& p : frame.positions)
       if (random() % 5 == 0) p.setConstant(std::numeric_limits<float>::quiet_NaN());
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.05);
 }
@@ -54,7 +54,7 @@ TEST(Robustness, DropsInTheAirAreNotTheWorld) {
     for (auto& p : frame.positions)
       if (random() % 10 == 0) p *= nearer(random);
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.05);
 }
@@ -70,7 +70,7 @@ TEST(Robustness, APersonBesideTheSensorDoesNotHoldItBack) {
       if (const double r = person.range(Eigen::Vector3d::Zero(), ray); r < p.norm()) p = (r * ray).cast<float>();
     }
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 30) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.06);
 }
@@ -83,7 +83,7 @@ SyntheticScan walk_of(SyntheticScan::Motion motion, std::size_t frames,
 
 TEST(Robustness, WalkingFromTheFirstMoment) {
   const auto source = walk_of([](double t) { return synthetic::walk_on_circle(t + 5, 4, 1.2, 1, 0); }, 25);
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   // The first frame cannot be de-skewed, and all hangs on it: a tenth of a second at 1.2 m/s.
   EXPECT_LT(worst_m(result.trajectory, source), 0.16);
@@ -100,7 +100,7 @@ TEST(Robustness, ATurnOnTheSpot) {
         return T;
       },
       28);
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 28) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.05);
 }
@@ -118,11 +118,12 @@ SyntheticScan about_turn(double turn_s = 0.8) {
       23);
 }
 
-// Within 0.8 s: the prediction from the frame before is off by up to 15 deg, and twelve rounds do not do.
+// Within 0.8 s: the prediction from the frame before is off by up to 15 deg, and twelve iterations do not do.
 TEST(Robustness, AnAboutTurnOnTheMove) {
   const auto source = about_turn();
-  auto options = preset("best");
-  options.refine_rounds = -1, options.dense_map = false;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
+  options.dense_map = false;
   const auto result = run_slam(source, options, {});
   EXPECT_EQ(result.report.counts.at("frames"), 23) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.06);
@@ -132,8 +133,10 @@ TEST(Robustness, AnAboutTurnOnTheMove) {
 // and bend the map. Nothing was mapped right beyond the middle of the turn before such frames were fitted anew.
 TEST(Robustness, BentFramesOfAnAboutTurnAreFittedAnew) {
   const auto source = about_turn(1.0);
-  auto options = preset("orchard");
-  options.deskew = "once", options.loops = "none", options.dense_map = false;
+  auto options = with_preset(Preset::orchard);
+  options.deskew = Deskew::once;
+  options.loops = LoopSource::none;
+  options.dense_map = false;
   const auto result = run_slam(source, options, {});
   EXPECT_EQ(result.report.counts.at("frames"), 23) << testing::PrintToString(result.report.warnings);
   EXPECT_GT(result.report.counts.at("frames_bent"), 3);
@@ -161,7 +164,7 @@ TEST(Robustness, ASteepSlope) {
         return T;
       },
       25);
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.06);
 }
@@ -177,7 +180,7 @@ TEST(Robustness, AGapInTheRecordingIsBridged) {
   auto source = walk_of([](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 19,
                         SpinningSensor::even(32, -25, 15, 540));
   leave_gap(source, 12, 1.0);
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_GE(result.report.counts.at("frames"), 18) << testing::PrintToString(result.report.warnings);
   EXPECT_LT((result.trajectory.poses.back().T_target_sensor.translation() -
              (source.truth(0).inverse() * source.truth(result.trajectory.poses.back().time_s)).translation())
@@ -197,8 +200,8 @@ TEST(Robustness, AGapInATurnIsBridged) {
       },
       17, SpinningSensor::even(32, -25, 15, 540));
   leave_gap(source, 14, 1.2);
-  auto options = preset("best");
-  options.refine_rounds = -1;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
   const auto result = run_slam(source, options, {});
   EXPECT_EQ(result.report.counts.at("frames"), 17) << testing::PrintToString(result.report.warnings);
   EXPECT_EQ(result.report.counts.at("frames_found_again"), 1);
@@ -227,8 +230,8 @@ TEST(Robustness, WherePlacesAreAlikeAGapEndsTheMap) {
       },
       17);
   leave_gap(source, 14, 3.0);
-  auto options = preset("best");
-  options.refine_rounds = -1;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
   options.lost_frames = 2;  // each frame that is not found again is looked for everywhere
   auto result = run_slam(source, options, {});
   EXPECT_LT(worst_m(result.trajectory, source), 0.15);
@@ -243,7 +246,7 @@ TEST(Robustness, ASectorMayBeMissing) {
       if (std::abs(std::atan2(p.y(), p.x())) < std::numbers::pi / 6)
         p.setConstant(std::numeric_limits<float>::quiet_NaN());
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.06);
 }
@@ -262,8 +265,8 @@ TEST(Robustness, AmongTenTreesThePathIsRightOrGivenUp) {
   sensor.range_noise_m = 0.01;
   const SyntheticScan source(
       world, sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 25);
-  auto options = preset("best");
-  options.refine_rounds = -1;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
   options.lost_frames = 3;
   try {
     const auto result = run_slam(source, options, {});

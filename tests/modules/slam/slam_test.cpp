@@ -9,6 +9,7 @@
 #include <numbers>
 #include <thread>
 
+#include "cloud/known_facts.h"
 #include "modules/slam/walks.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
@@ -37,38 +38,48 @@ TEST(SlamOptions, EveryPresetDecidesEverythingThatIsLeftToIt) {
   const auto& table = option_table(static_cast<const SlamOptions*>(nullptr));
   for (const auto& name : table.at("preset").choices) {
     SlamOptions o;
-    o.preset = name;
-    const SlamOptions r = resolved(o);
+    o.preset = choice_from_name<Preset>(name);
+    const SlamOptions filled = filled_in(o);
     for (const auto& spec : table.specs) {
-      EXPECT_NE(option_text(spec.get(&r)), "preset") << name << " " << spec.name;
-      if (spec.help.find("as the preset says") != std::string::npos) {
-        EXPECT_NE(spec.get(&r), spec.default_value) << name << " " << spec.name;
-      }
-      EXPECT_NO_THROW(spec.checked(spec.get(&r))) << name << " " << spec.name;
+      EXPECT_FALSE(spec.is_unset(spec.get(&filled))) << name << " " << spec.name;
+      EXPECT_NO_THROW(spec.checked(spec.get(&filled))) << name << " " << spec.name;
     }
   }
 }
 
 TEST(SlamOptions, WhatIsSetHoldsAgainstThePreset) {
   SlamOptions o;
-  o.preset = "loam";
-  o.deskew = "elastic";
+  o.preset = Preset::loam;
+  o.deskew = Deskew::elastic;
   o.neighbour_keyframes = 7;
+  o.loop_overlap = 0;
   const auto r = resolved(o);
-  EXPECT_EQ(r.deskew, "elastic");
+  EXPECT_EQ(r.deskew, Deskew::elastic);
   EXPECT_EQ(r.neighbour_keyframes, 7);
-  EXPECT_EQ(r.features, "curvature");
-  o.preset = "none";
-  EXPECT_THROW(resolved(o), Error);
+  EXPECT_EQ(r.loop_overlap, 0);
+  EXPECT_EQ(r.features, FeatureKind::curvature);
+}
+
+TEST(SlamOptions, WhatIsLeftToThePresetIsAWordInDocuments) {
+  OptionSet options(option_table(static_cast<const SlamOptions*>(nullptr)));
+  EXPECT_EQ(option_text(options.get("loop_overlap")), "preset");
+  options.set_text("loop_overlap", "0");
+  EXPECT_EQ(options.as<SlamOptions>().loop_overlap, 0.0);
+  options.set_text("loop_overlap", "preset");
+  EXPECT_FALSE(options.as<SlamOptions>().loop_overlap.has_value());
+  EXPECT_THROW(options.set_text("preset", "none"), Error);
 }
 
 TEST(Slam, BestFollowsAWalkingGaitToCentimetres) {
   const auto source = small_walk(30);
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 30) << testing::PrintToString(result.report.warnings);
   EXPECT_EQ(result.report.status, Status::ok);
   EXPECT_LT(worst_m(result.trajectory, source), 0.04);
   EXPECT_GE(result.trajectory.poses.size(), 30u * 5u);
+  EXPECT_EQ(pose_origin(result.points.facts), PoseOrigin::estimated);
+  EXPECT_EQ(result.points.facts.at("sensor"), "synthetic");
+  EXPECT_EQ(result.trajectory.facts, result.points.facts);
 }
 
 // LOAM takes planes only where neighbours on a line are close together: 900 columns.
@@ -81,7 +92,7 @@ SyntheticScan dense_walk(std::size_t frames) {
 
 TEST(Slam, LoamMapsTheWalk) {
   const auto source = dense_walk(25);
-  const auto result = run_slam(source, preset("loam"), {});
+  const auto result = run_slam(source, with_preset(Preset::loam), {});
   EXPECT_EQ(result.report.counts.at("frames"), 25) << testing::PrintToString(result.report.warnings);
   EXPECT_LT(worst_m(result.trajectory, source), 0.3);
 }
@@ -92,10 +103,11 @@ TEST(Slam, WithTruePosesTheMapLiesOnTheSurfaces) {
   const Eigen::Vector3d utm(453000, 5410000, 300);
   for (const Eigen::Vector3d& shift : {Eigen::Vector3d(0, 0, 0), utm}) {
     write_truth(file, source, shift);
-    auto options = preset("best");
+    auto options = with_preset(Preset::best);
     options.trajectory = file;
     const auto result = run_slam(source, options, {});
     ASSERT_GT(result.points.size(), 10000u);
+    EXPECT_EQ(pose_origin(result.points.facts), PoseOrigin::given);
     const auto& x = result.points.values<float>(arrays::sensor_x);
     const auto& time = result.points.values<double>(arrays::time);
     const auto& range = result.points.values<float>(arrays::range);
@@ -120,7 +132,7 @@ TEST(Slam, ATrajectoryOfAnotherClockIsRefused) {
   const auto source = small_walk(3);
   const auto file = std::filesystem::path(testing::TempDir()) / "other.tum";
   std::ofstream(file) << "1000 0 0 0 0 0 0 1\n1001 0 0 0 0 0 0 1\n";
-  auto options = preset("best");
+  auto options = with_preset(Preset::best);
   options.trajectory = file;
   try {
     run_slam(source, options, {});
@@ -138,7 +150,7 @@ TEST(Slam, TheResultDoesNotDependOnTheNumberOfThreads) {
   const auto source = small_walk(8);
   const auto solve = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return run_slam(source, preset("best"), {});
+    return run_slam(source, with_preset(Preset::best), {});
   };
   const auto a = solve(1), b = solve(3);
   ASSERT_EQ(a.points.size(), b.points.size());
@@ -147,7 +159,7 @@ TEST(Slam, TheResultDoesNotDependOnTheNumberOfThreads) {
 }
 
 // What a walk of 12 frames along x tells about a world.
-Report straight_walk(synthetic::World world, const char* name,
+Report straight_walk(synthetic::World world, Preset preset,
                      SpinningSensor sensor = SpinningSensor::even(32, -25, 15, 360)) {
   const auto walk = [](double t) {
     Pose T = Pose::Identity();
@@ -155,8 +167,8 @@ Report straight_walk(synthetic::World world, const char* name,
     return T;
   };
   sensor.range_noise_m = 0.01;
-  auto options = preset(name);
-  options.refine_rounds = -1;
+  auto options = with_preset(preset);
+  options.refine_iterations = 0;
   return run_slam(SyntheticScan(std::move(world), sensor, walk, 12), options, {}).report;
 }
 
@@ -164,12 +176,12 @@ TEST(Slam, APlainFieldIsRefusedAndAPlotIsNot) {
   synthetic::World field;
   field.planes.push_back({Eigen::Vector3d::UnitZ(), 0});
   try {
-    straight_walk(field, "best");
+    straight_walk(field, Preset::best);
     ADD_FAILURE();
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("direction of motion open"));
   }
-  const auto plot = straight_walk(synthetic::trunks(9, 3.5), "best");
+  const auto plot = straight_walk(synthetic::trunks(9, 3.5), Preset::best);
   EXPECT_EQ(plot.status, Status::ok);
   EXPECT_EQ(plot.counts.at("frames_failed"), 0) << plot.metrics.at("weakest_conditioning").value;
 }
@@ -180,14 +192,15 @@ TEST(Slam, ALongCorridorIsRefusedAndAPlotIsNot) {
   corridor.planes.push_back({Eigen::Vector3d::UnitZ(), 0});
   corridor.planes.push_back({Eigen::Vector3d::UnitY(), 1.6});
   corridor.planes.push_back({Eigen::Vector3d::UnitY(), -1.3});
-  for (const char* name : {"best", "loam", "forest"}) {
+  for (const auto preset : {Preset::best, Preset::loam, Preset::forest}) {
+    const auto name = choice_name(preset);
     try {
-      const auto report = straight_walk(corridor, name, SpinningSensor::vlp32c(900));
+      const auto report = straight_walk(corridor, preset, SpinningSensor::vlp32c(900));
       ADD_FAILURE() << name << ": weakest " << report.metrics.at("weakest_observability").value;
     } catch (const Error& e) {
       EXPECT_THAT(e.what(), HasSubstr("direction of motion open: a ")) << name;
     }
-    const auto plot = straight_walk(synthetic::trunks(9, 3.5), name, SpinningSensor::vlp32c(900));
+    const auto plot = straight_walk(synthetic::trunks(9, 3.5), preset, SpinningSensor::vlp32c(900));
     EXPECT_EQ(plot.counts.at("frames_failed"), 0) << name << " " << plot.metrics.at("weakest_observability").value;
   }
 }
@@ -202,15 +215,15 @@ TEST(Slam, AStartAtRestIsJudgedByWhatTheFirstStepsShow) {
     T.translation() = Eigen::Vector3d(std::max(0.0, t - 0.6), 0, 1.5);
     return T;
   };
-  auto options = preset("forest");
-  options.least_observability = 0;
+  auto options = with_preset(Preset::forest);
+  options.min_observability = 0;
   const auto unjudged = run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
   const auto seen = unjudged.odometry.numbers("observability");
   const double at_rest = *std::min_element(seen.begin() + 1, seen.begin() + 6);
   const double walking = *std::min_element(seen.end() - 4, seen.end());
   ASSERT_GT(walking, 1.5 * at_rest);
 
-  options.least_observability = std::sqrt(at_rest * walking);
+  options.min_observability = std::sqrt(at_rest * walking);
   const auto judged = run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
   EXPECT_EQ(judged.report.counts.at("frames_failed"), 0) << testing::PrintToString(judged.report.warnings);
   try {
@@ -221,7 +234,7 @@ TEST(Slam, AStartAtRestIsJudgedByWhatTheFirstStepsShow) {
   }
 
   // Where next to nothing holds, as on a field, the first frame is refused: hold found later does not mend the start.
-  options.least_observability = 3 * at_rest;
+  options.min_observability = 3 * at_rest;
   try {
     run_slam(SyntheticScan(world, sensor, rest_and_walk, 20), options, {});
     ADD_FAILURE() << "a start without any hold was let pass";
@@ -239,7 +252,7 @@ TEST(Slam, EmptyAndSpoiltFramesAreLeftOutAndListed) {
       for (auto& p : frame.positions) p.setConstant(std::numeric_limits<float>::quiet_NaN());
     if (index == 11) throw bad_input("frame 11 is damaged");
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 17);
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("frame 7")));
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("frame 11 is damaged")));
@@ -254,7 +267,7 @@ TEST(Slam, AFrameThatCannotBeReadAgainIsMissingInTheMapAlone) {
     if (++(*reads)[index] > 1 && (index == 2 || index == 10 || index == 18))
       throw failure("the disk is gone", "it", "");
   };
-  const auto result = run_slam(source, preset("best"), {});
+  const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.counts.at("frames"), 20);
   EXPECT_GT(result.points.size(), 1000u);
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("3 of 20 frames could not be read a second time")));
@@ -265,7 +278,7 @@ TEST(Slam, PointsOfRingsThatTheSensorHasNotAreToldOnce) {
   source.spoil = [](std::size_t, ScanFrame& frame) {
     for (std::size_t i = 0; i < 7; ++i) frame.ring[i] = 40;  // of 32
   };
-  auto options = preset("best");
+  auto options = with_preset(Preset::best);
   options.dense_map = false;
   const auto result = run_slam(source, options, {});
   EXPECT_THAT(result.report.warnings,
@@ -274,8 +287,9 @@ TEST(Slam, PointsOfRingsThatTheSensorHasNotAreToldOnce) {
 
 TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {
   const auto source = dense_walk(12);
-  for (const char* name : {"forest", "lego_loam", "orchard"}) {
-    const auto result = run_slam(source, preset(name), {});
+  for (const auto preset : {Preset::forest, Preset::lego_loam, Preset::orchard}) {
+    const auto name = choice_name(preset);
+    const auto result = run_slam(source, with_preset(preset), {});
     EXPECT_EQ(result.report.counts.at("frames"), 12) << name;
     EXPECT_LT(worst_m(result.trajectory, source), 0.2) << name;
     ASSERT_EQ(result.odometry.rows(), 12u) << name;
@@ -291,15 +305,15 @@ TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {
 
 TEST(SlamOptions, TwoStepsAndElasticFramesExcludeEachOther) {
   SlamOptions o;
-  o.solve = "two_step";
+  o.solve = Solve::two_step;
   EXPECT_THROW(run_slam(small_walk(3), o, {}), Error);
 }
 
 TEST(Slam, AScanWithoutFramesOrReturnsIsRefused) {
-  EXPECT_THROW(run_slam(small_walk(0), preset("best"), {}), Error);
+  EXPECT_THROW(run_slam(small_walk(0), with_preset(Preset::best), {}), Error);
   auto empty = small_walk(5);
   empty.spoil = [](std::size_t, ScanFrame& frame) { frame.clear(); };
-  EXPECT_THROW(run_slam(empty, preset("loam"), {}), Error);
+  EXPECT_THROW(run_slam(empty, with_preset(Preset::loam), {}), Error);
 }
 
 TEST(Slam, CancelReturnsWithinHalfASecond) {
@@ -309,10 +323,13 @@ TEST(Slam, CancelReturnsWithinHalfASecond) {
   run.cancel = stop.get_token();
   std::chrono::steady_clock::time_point asked;
   run.progress = [&](double fraction, std::string_view) {
-    if (fraction > 0.005 && !stop.stop_requested()) asked = std::chrono::steady_clock::now(), stop.request_stop();
+    if (fraction > 0.005 && !stop.stop_requested()) {
+      asked = std::chrono::steady_clock::now();
+      stop.request_stop();
+    }
   };
   try {
-    run_slam(source, preset("best"), run);
+    run_slam(source, with_preset(Preset::best), run);
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::cancelled);
@@ -329,7 +346,7 @@ TEST(Slam, AskedToFinishItKeepsTheMapSoFar) {
   run.progress = [&](double, std::string_view) {
     if (++reports == 10) stop.request_stop();
   };
-  const auto result = run_slam(source, preset("best"), run);
+  const auto result = run_slam(source, with_preset(Preset::best), run);
   EXPECT_EQ(result.report.status, Status::finished_early);
   EXPECT_LT(result.report.counts.at("frames"), 15);
   EXPECT_GT(result.points.size(), 1000u);
@@ -337,9 +354,9 @@ TEST(Slam, AskedToFinishItKeepsTheMapSoFar) {
 
 TEST(Slam, TheMapStaysBelowItsBound) {
   const auto source = small_walk(10);
-  auto options = preset("best");
-  options.refine_rounds = -1;
-  options.map_voxel_m = 0.002;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
+  options.map_voxel = 0.002;
   options.map_max_points_million = 0.02;
   const auto result = run_slam(source, options, {});
   EXPECT_LE(result.points.size(), 20000u);
@@ -352,12 +369,12 @@ TEST(Slam, TheMapStaysBelowItsBound) {
 }
 
 TEST(Loops, ARevisitCorrectsADriftedChain) {
-  // Key frames round a circle of 25 m with true features, whose poses drift by 0.4 m and 2 deg on the way.
+  // Keyframes round a circle of 25 m with true features, whose poses drift by 0.4 m and 2 deg on the way.
   const auto walk = [](double t) { return synthetic::walk_on_circle(t, 4, 1, 0, 0); };
   const SyntheticScan source(synthetic::trunks(9, 3.5), SpinningSensor::even(32, -25, 15, 360), walk, 300);
-  SlamOptions options;
-  options.loop_path_m = 18, options.loop_radius_m = 5;
-  options = resolved(options);
+  auto settings = resolved({});
+  settings.loop_path = 18;
+  settings.loop_radius = 5;
   std::vector<Keyframe> keyframes;
   std::vector<Pose> truth;
   for (std::size_t k = 0; k <= 52; ++k) {
@@ -367,32 +384,37 @@ TEST(Loops, ARevisitCorrectsADriftedChain) {
     Scan scan;
     prepare_scan(frame, {0.5, 60, source.rings()}, scan);
     Features features;
-    FeatureExtractor(options).extract(scan, features);
+    FeatureExtractor(settings).extract(scan, features);
     const double t = source.frame_time_s(index);
     auto keyframe = make_keyframe(k, t + 0.1, features.map, {source.truth(t), source.truth(t + 0.1)});
     truth.push_back(keyframe.T_map_keyframe);
     const double s = static_cast<double>(k) / 52;
     keyframe.T_map_keyframe =
         se3_exp((Vector6d() << 0, 0, 0.035 * s, 0.3 * s, 0.2 * s, 0.15 * s).finished()) * keyframe.T_map_keyframe;
-    keyframe.path_m = 0.5 * static_cast<double>(k);
+    keyframe.travelled = 0.5 * static_cast<double>(k);
     std::vector<Eigen::Vector3f> seen;
     const Pose T_level_keyframe = levelled(keyframe.T_map_keyframe).inverse() * keyframe.T_map_keyframe;
     for (const auto& p : keyframe.planes) seen.push_back((T_level_keyframe * p.cast<double>()).cast<float>());
     keyframe.context = make_scan_context(seen, {});
     keyframes.push_back(std::move(keyframe));
   }
-  const std::vector<std::pair<const char*, const char*>> ways{
-      {"icp", "context"}, {"ndt_icp", "odometry"}, {"features", "context"}, {"features", "odometry"}};
+  using Kind = LoopRegistrationKind;
+  const std::vector<std::pair<Kind, FoundBy>> variants{{Kind::icp, FoundBy::context},
+                                                       {Kind::ndt_icp, FoundBy::odometry},
+                                                       {Kind::features, FoundBy::context},
+                                                       {Kind::features, FoundBy::odometry}};
   LoopSearch search;
-  for (const auto& [way, where] : ways) {
-    options.loop_registration = way, options.loops = where;
-    search = find_loops(keyframes, options, {});
-    ASSERT_FALSE(search.loops.empty()) << way << " " << where;
+  for (const auto& [kind, by] : variants) {
+    const auto name = std::string(choice_name(kind)) + " " + std::string(choice_name(by));
+    settings.loop_registration = kind;
+    settings.loops = by == FoundBy::context ? LoopSource::context : LoopSource::odometry;
+    search = find_loops(keyframes, settings, {});
+    ASSERT_FALSE(search.loops.empty()) << name;
     for (const auto& l : search.loops) {
       EXPECT_LT(((truth[l.from].inverse() * truth[l.to]).translation() - l.T_from_to.translation()).norm(),
-                std::string_view(way) == "features" ? 0.05 : 0.3)  // closest points hang on the scan lines
-          << way << " " << where;
-      EXPECT_EQ(l.found_by, where);
+                kind == Kind::features ? 0.05 : 0.3)  // closest points hang on the scan lines
+          << name;
+      EXPECT_EQ(l.found_by, by) << name;
     }
   }
   const auto graph = optimise_pose_graph(keyframes, search.loops, {});

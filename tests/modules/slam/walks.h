@@ -15,10 +15,10 @@ inline synthetic::SyntheticScan small_walk(std::size_t frames, double noise_m = 
           frames};
 }
 
-inline SlamOptions preset(const char* name) {
+inline SlamOptions with_preset(Preset preset) {
   SlamOptions o;
-  o.preset = name;
-  o.map_voxel_m = 0.03;
+  o.preset = preset;
+  o.map_voxel = 0.03;
   return o;
 }
 

@@ -52,7 +52,9 @@ TEST(FieldTest, MeetsTheProtocolOfThePaper) {
 
 TEST(FieldTest, TellsTheReceiversShareFromTheControllers) {
   auto o = calm();
-  o.speeds = "5", o.drift = 0.05, o.drift_time = 1000;
+  o.speeds = "5";
+  o.drift = 0.05;
+  o.drift_time = 1000;
   const auto e = measured(o);
   // A slow error of the receiver is driven exactly: the controller leaves nothing, the truth is all the receiver's.
   EXPECT_LT(value(e.passes, "controller_sd_m", 0), 0.003);
@@ -62,7 +64,9 @@ TEST(FieldTest, TellsTheReceiversShareFromTheControllers) {
 
 TEST(FieldTest, FindsTheWheelOffsetAndTheSlipBySumming) {
   auto o = calm();
-  o.speeds = "3", o.steering_offset_deg = 1, o.side_slope_deg = 10;
+  o.speeds = "3";
+  o.steering_offset_deg = 1;
+  o.side_slope_deg = 10;
   EXPECT_LT(std::abs(value(measured(o).summary, "line_mean_m", 0)), 0.02);
   o.gain_i = 0;
   EXPECT_GT(std::abs(value(measured(o).passes, "line_mean_m", 0)), 0.005);
@@ -71,7 +75,8 @@ TEST(FieldTest, FindsTheWheelOffsetAndTheSlipBySumming) {
 // Within the deadband nothing steers: the tractor weaves about the line.
 TEST(FieldTest, WeavesWithADeadbandOfTheValve) {
   auto o = calm();
-  o.speeds = "5", o.steering_offset_deg = 0.3;
+  o.speeds = "5";
+  o.steering_offset_deg = 0.3;
   const double without = value(measured(o).summary, "controller_sd_m", 0);
   o.steering_deadband_deg = 1;
   const double with = value(measured(o).summary, "controller_sd_m", 0);
@@ -81,11 +86,15 @@ TEST(FieldTest, WeavesWithADeadbandOfTheValve) {
 
 TEST(FieldTest, StaysNearTheLineThroughOutagesAndJumps) {
   FieldTestOptions o;
-  o.speeds = "5", o.repeats = 4;
-  o.outages_per_hour = 120, o.outage_length = 4;
+  o.speeds = "5";
+  o.repeats = 4;
+  o.outages_per_hour = 120;
+  o.outage_length = 4;
   auto e = measured(o);
   EXPECT_LT(value(e.summary, "line_max_m", 0), 0.35);
-  o.outages_per_hour = 0, o.jumps_per_hour = 60, o.jump_size = 0.1;
+  o.outages_per_hour = 0;
+  o.jumps_per_hour = 60;
+  o.jump_size = 0.1;
   e = measured(o);
   // A jump is driven, for it looks like a place; what the controller adds to it stays small.
   EXPECT_LT(value(e.summary, "line_max_m", 0), 0.5);
@@ -94,7 +103,10 @@ TEST(FieldTest, StaysNearTheLineThroughOutagesAndJumps) {
 
 TEST(FieldTest, StopsWithoutFixesAndGoesOn) {
   FieldTestOptions o;
-  o.speeds = "5", o.outages_per_hour = 60, o.outage_length = 20, o.outage_max = 2;
+  o.speeds = "5";
+  o.outages_per_hour = 60;
+  o.outage_length = 20;
+  o.max_outage = 2;
   const auto test = simulate_field_test(o, {});
   std::int64_t stopped = 0;
   for (const auto s : test.log.integers("stopped")) stopped += s;
@@ -116,7 +128,8 @@ TEST(FieldTest, IsTheSameForTheSameSeedAlone) {
 // Errors are those of the drive, wherever the rows lead.
 TEST(FieldTest, TurnsWithTheField) {
   auto o = calm();
-  o.speeds = "5", o.direction_deg = 0;
+  o.speeds = "5";
+  o.direction_deg = 0;
   const auto straight = simulate_field_test(o, {});
   o.direction_deg = 123;
   const auto turned = simulate_field_test(o, {});
@@ -138,7 +151,12 @@ TEST(FieldTest, SaysWhatIsWrong) {
   FieldTestOptions o;
   o.speeds = "fast";
   EXPECT_THROW(simulate_field_test(o, {}), Error);
-  o.speeds = "7", o.gain_p = 1, o.gain_d = 0, o.gain_i = 0, o.preview = 0, o.steering_offset_deg = 10;
+  o.speeds = "7";
+  o.gain_p = 1;
+  o.gain_d = 0;
+  o.gain_i = 0;
+  o.preview = 0;
+  o.steering_offset_deg = 10;
   EXPECT_THROW(simulate_field_test(o, {}), Error);  // leaves the field
   Table log;
   log.set("time_s", std::vector<double>{0, 1, 2});
@@ -153,7 +171,8 @@ TEST(TrackingErrors, FindsLineAndPassesInABareLog) {
   std::vector<double> t, x, y;
   const auto add = [&](double px, double py) {
     t.push_back(0.1 * static_cast<double>(t.size()));
-    x.push_back(px + 500'000), y.push_back(py + 3'000'000);
+    x.push_back(px + 500'000);
+    y.push_back(py + 3'000'000);
   };
   for (double s = 0; s <= 100; s += 0.15) add(s, 0);
   for (double a = 0; a < 3.14; a += 0.06) add(100 + 1.25 * std::sin(a), 1.25 - 1.25 * std::cos(a));
@@ -163,7 +182,8 @@ TEST(TrackingErrors, FindsLineAndPassesInABareLog) {
   log.set("x_m", x);
   log.set("y_m", y);
   ErrorOptions o;
-  o.row_width = 2.5, o.run_in = 10;
+  o.row_width = 2.5;
+  o.run_in = 10;
   const auto e = tracking_errors(log, nullptr, nullptr, o, {});
   ASSERT_EQ(e.passes.rows(), 2u);
   EXPECT_EQ(e.passes.integers("row"), (std::vector<std::int64_t>{0, 1}));
@@ -185,7 +205,8 @@ TEST(TrackingErrors, TakesAReferenceReceiverByTime) {
   reference.set("time_s", *log.find("time_s"));
   reference.set("x_m", *log.find("ref_x_m"));
   reference.set("y_m", *log.find("ref_y_m"));
-  log.remove("ref_x_m"), log.remove("ref_y_m");
+  log.remove("ref_x_m");
+  log.remove("ref_y_m");
   const auto by_time = tracking_errors(log, &test.lines, &reference, {}, {});
   EXPECT_EQ(direct.errors.numbers("error_m"), by_time.errors.numbers("error_m"));
   EXPECT_EQ(direct.errors.numbers("receiver_m"), by_time.errors.numbers("receiver_m"));
@@ -215,8 +236,10 @@ TEST(Tuning, FindsGainsThatDriveTheTestWithoutOscillation) {
   EXPECT_NEAR(value(p, "published_p", 0), 150, 1e-9);
   FieldTestOptions test;
   test.speeds = "5";
-  test.preview = value(p, "preview_m", 0), test.gain_p = value(p, "p", 0);
-  test.gain_i = value(p, "i", 0), test.gain_d = value(p, "d", 0);
+  test.preview = value(p, "preview_m", 0);
+  test.gain_p = value(p, "p", 0);
+  test.gain_i = value(p, "i", 0);
+  test.gain_d = value(p, "d", 0);
   EXPECT_LT(value(measured(test).summary, "line_sd_m", 0), 0.05);
 }
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "steering/core/guidance_line.h"
 #include "steering/core/headland_turn.h"
 #include "steering/core/position_velocity_filter.h"
@@ -14,23 +14,27 @@
 namespace bole::steering {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-
 TEST(Receiver, HasTheNoiseAndTheCorrelationItIsGiven) {
   ReceiverOptions o;
-  o.white_noise = 0, o.drift = 0.02, o.drift_time = 5;
+  o.white_noise = 0;
+  o.drift = 0.02;
+  o.drift_time = 5;
   Receiver receiver(o, 3);
   std::vector<double> x;
   for (int i = 0; i < 200'000; ++i) x.push_back(receiver.fix({100, 0})->x() - 100);
   double variance = 0, covariance = 0;
-  for (std::size_t i = 50; i < x.size(); ++i) variance += x[i] * x[i], covariance += x[i] * x[i - 50];
+  for (std::size_t i = 50; i < x.size(); ++i) {
+    variance += x[i] * x[i];
+    covariance += x[i] * x[i - 50];
+  }
   EXPECT_NEAR(std::sqrt(variance / static_cast<double>(x.size())), 0.02, 0.002);
   EXPECT_NEAR(covariance / variance, std::exp(-1), 0.05);  // 50 fixes are one correlation time
 }
 
 TEST(Receiver, LosesFixesForTheShareOfTimeItIsTold) {
   ReceiverOptions o;
-  o.outages_per_hour = 60, o.outage_length = 4;
+  o.outages_per_hour = 60;
+  o.outage_length = 4;
   Receiver receiver(o, 1);
   int lost = 0;
   for (int i = 0; i < 300'000; ++i) lost += receiver.fix({0, 0}) ? 0 : 1;
@@ -90,15 +94,15 @@ TEST(PreviewPid, HasThePublishedTableAndStraightLinesBetween) {
 
 TEST(PreviewPid, SteersByTheEquationOfThePaper) {
   ControlOptions o;
-  o.command_max_deg = 40;
+  o.max_command_deg = 40;
   const Gains g{2, 100, 0, 30};
   PreviewPid pid(o, g);
-  const double alpha = 3 * deg, expected = -(100 * (0.05 + 2 * std::sin(alpha)) + 30 * 1.5 * std::tan(alpha));
-  EXPECT_NEAR(pid.wheel_angle_rad(0.05, alpha, 1.5, 0.1) / deg, expected, 1e-9);
+  const double alpha = 3 * rad_per_deg, expected = -(100 * (0.05 + 2 * std::sin(alpha)) + 30 * 1.5 * std::tan(alpha));
+  EXPECT_NEAR(pid.wheel_angle_rad(0.05, alpha, 1.5, 0.1) / rad_per_deg, expected, 1e-9);
   // Left of the line steers right, and the integral goes on asking.
   PreviewPid with_integral(o, {2, 0, 10, 0});
   for (int i = 0; i < 10; ++i) with_integral.wheel_angle_rad(0.1, 0, 1, 0.1);
-  EXPECT_NEAR(with_integral.wheel_angle_rad(0, 0, 1, 0.1) / deg, -1, 1e-9);
+  EXPECT_NEAR(with_integral.wheel_angle_rad(0, 0, 1, 0.1) / rad_per_deg, -1, 1e-9);
 }
 
 TEST(Tractor, DrivesTheCircleOfItsWheelAngle) {
@@ -106,23 +110,25 @@ TEST(Tractor, DrivesTheCircleOfItsWheelAngle) {
   o.steering_offset_deg = o.wheel_disturbance_deg = 0;
   Tractor tractor(o, 0, 1);
   tractor.place({0, 0}, 0, 2);
-  for (int i = 0; i < 50; ++i) tractor.advance(0.1, 20 * deg, 2);  // the wheels have turned
-  EXPECT_NEAR(tractor.wheel_rad(), 20 * deg, 1e-6);
+  for (int i = 0; i < 50; ++i) tractor.advance(0.1, 20 * rad_per_deg, 2);  // the wheels have turned
+  EXPECT_NEAR(tractor.wheel_rad(), 20 * rad_per_deg, 1e-6);
   const auto before = tractor.attitude().yaw_rad;
-  for (int i = 0; i < 10; ++i) tractor.advance(0.1, 20 * deg, 2);
-  EXPECT_NEAR(tractor.attitude().yaw_rad - before, 2 * std::tan(20 * deg) / o.wheelbase, 1e-6);
+  for (int i = 0; i < 10; ++i) tractor.advance(0.1, 20 * rad_per_deg, 2);
+  EXPECT_NEAR(tractor.attitude().yaw_rad - before, 2 * std::tan(20 * rad_per_deg) / o.wheelbase, 1e-6);
 }
 
 TEST(Tractor, SlipsDownhill) {
   TractorOptions o;
-  o.steering_offset_deg = o.wheel_disturbance_deg = 0, o.side_slope_deg = 10, o.slip_per_slope = 0.1;
+  o.steering_offset_deg = o.wheel_disturbance_deg = 0;
+  o.side_slope_deg = 10;
+  o.slip_per_slope = 0.1;
   Tractor tractor(o, 0, 1);
   tractor.place({0, 0}, 0, 1);
   for (int i = 0; i < 100; ++i) tractor.advance(0.1, 0, 1);
-  EXPECT_NEAR(tractor.rear_axle().y(), -10 * std::tan(1 * deg), 1e-3);
+  EXPECT_NEAR(tractor.rear_axle().y(), -10 * std::tan(1 * rad_per_deg), 1e-3);
   o.roughness_deg = 0;
   Tractor still(o, 0, 1);
-  EXPECT_NEAR(still.attitude().roll_rad, 10 * deg, 1e-9);  // the right side is lower
+  EXPECT_NEAR(still.attitude().roll_rad, 10 * rad_per_deg, 1e-9);  // the right side is lower
 }
 
 TEST(HeadlandTurn, EndsOnTheNextLineTheOtherWay) {

@@ -11,6 +11,7 @@
 #include <stop_token>
 
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/sensor_facts.h"
 #include "synthetic/stem_cloud.h"
 
 namespace bole::stems {
@@ -29,7 +30,7 @@ StemCloudOptions coarse() {
 }
 
 StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
-  return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {});
+  return measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, options, {});
 }
 
 struct Errors {
@@ -64,7 +65,10 @@ TEST(MeasureStems, TrueDiametersComeBackAlongRays) {
   const auto cloud = make_stem_cloud(random_stand(9, 0.07, 0.45, 1), coarse());
   MeasureOptions along_rays;
   // These stems are smooth, and their rays thin.
-  along_rays.model = "ray", along_rays.bark_relief_m = along_rays.beam_divergence_mrad = along_rays.beam_aperture_m = 0;
+  along_rays.model = FitModel::ray;
+  along_rays.bark_relief = 0;
+  along_rays.beam_divergence_mrad = 0;
+  along_rays.beam_aperture = 0;
   const auto survey = measure(cloud, along_rays);
   const auto e = compare(cloud, survey);
   EXPECT_EQ(e.missed + e.extra, 0U);
@@ -88,7 +92,7 @@ TEST(MeasureStems, ShrubsAndOutliersAreNoStems) {
   o.shrub_points = 20000, o.outlier_share = 0.05;
   const auto cloud = make_stem_cloud(random_stand(9, 0.08, 0.45, 3), o);
   MeasureOptions along_rays;
-  along_rays.model = "ray";
+  along_rays.model = FitModel::ray;
   const auto e = compare(cloud, measure(cloud, along_rays));
   EXPECT_EQ(e.missed, 0U);
   EXPECT_EQ(e.extra, 0U);
@@ -143,21 +147,17 @@ TEST(MeasureStems, ABreastHeightHiddenByLeavesIsInterpolatedAndMarked) {
     kept.push_back(i);
   }
   cloud.points.set_positions(std::move(positions));
-  const auto slice = breast_height_slice(cloud.points, {}, {});
-  const auto survey = measure_stems(cloud.points.subset(kept), slice, cloud.dem, nullptr, {}, {});
+  const auto survey = measure_stems(cloud.points.subset(kept), usual_breast_height_m, cloud.dem, nullptr, {}, {});
   ASSERT_EQ(survey.stems.size(), 1U);
   EXPECT_NEAR(200 * survey.stems[0].radius, 24, 0.6);
   EXPECT_THAT(stem_table(survey).texts("reasons")[0], testing::HasSubstr("breast height hidden: interpolated between"));
 }
 
-TEST(MeasureStems, BreastHeightIsThatOfTheSliceAndGoesWithTheTable) {
+TEST(MeasureStems, BreastHeightGoesWithTheTable) {
   synthetic::TrueStem s;
   s.dbh = 0.30, s.taper = 0.03;  // 3 cm of diameter per metre: 2.1 mm between 1.30 and 1.37 m
   const auto cloud = make_stem_cloud({s}, coarse());
-  SliceOptions slice;
-  slice.height = 1.37;
-  const auto usual = measure(cloud), higher = measure_stems(cloud.points, breast_height_slice(cloud.points, slice, {}),
-                                                            cloud.dem, nullptr, {}, {});
+  const auto usual = measure(cloud), higher = measure_stems(cloud.points, 1.37, cloud.dem, nullptr, {}, {});
   ASSERT_EQ(higher.stems.size(), 1U);
   EXPECT_EQ(breast_height_m(stem_table(usual)), 1.3);
   EXPECT_EQ(breast_height_m(stem_table(higher)), 1.37);
@@ -171,7 +171,7 @@ TEST(MeasureStems, BreastHeightIsCountedFromTheUphillSide) {
   o.ground_slope = 0.5;
   const auto cloud = make_stem_cloud({s}, o);
   MeasureOptions mean;
-  mean.breast_height_from = "mean";
+  mean.breast_height_from = BreastHeightFrom::mean;
   const auto uphill = measure(cloud), middle = measure(cloud, mean);
   ASSERT_EQ(uphill.stems.size(), 1U);
   ASSERT_EQ(middle.stems.size(), 1U);
@@ -276,13 +276,13 @@ TEST(MeasureStems, IdsAgreeInTableAndCloudFromNorthToSouth) {
 TEST(MeasureStems, NothingToMeasureIsExplained) {
   StemCloudOptions o = coarse();
   auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), o);
-  EXPECT_THROW(measure_stems(PointCloud(), cloud.points, cloud.dem, nullptr, {}, {}), Error);
-  EXPECT_THROW(measure_stems(cloud.points, PointCloud(), cloud.dem, nullptr, {}, {}), Error);
+  EXPECT_THROW(measure_stems(PointCloud(), 1.3, cloud.dem, nullptr, {}, {}), Error);
+  EXPECT_THROW(slice_height(PointCloud()), Error);
   auto bare = cloud.points;
   bare.remove_column("height_above_ground");
-  EXPECT_THROW(measure_stems(bare, cloud.points, cloud.dem, nullptr, {}, {}), Error);
+  EXPECT_THROW(measure_stems(bare, 1.3, cloud.dem, nullptr, {}, {}), Error);
   MeasureOptions high;
-  high.search_bottom_m = 15, high.search_top_m = 20;
+  high.search_bottom = 15, high.search_top = 20;
   const auto nothing = measure(cloud, high);
   EXPECT_EQ(stem_table(nothing).rows(), 0U);
   EXPECT_THAT(nothing.report.warnings,
@@ -319,17 +319,16 @@ TEST(MeasureStems, ACancelIsHeeded) {
   bole::Run run;
   run.cancel = stop.get_token();
   stop.request_stop();
-  EXPECT_THROW(measure_stems(cloud.points, cloud.points, cloud.dem, nullptr, {}, run), Error);
+  EXPECT_THROW(measure_stems(cloud.points, 1.3, cloud.dem, nullptr, {}, run), Error);
 }
 
 // Wherever the run is when the cancel comes, it ends with it and with no result that is half made.
 TEST(MeasureStems, ACancelIsHeededAtEveryStep) {
   const auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 6), coarse());
-  const auto slice = breast_height_slice(cloud.points, {}, {});
   std::set<std::string> steps;
   bole::Run run;
   run.progress = [&](double, std::string_view what) { steps.emplace(what); };
-  measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+  measure_stems(cloud.points, 1.3, cloud.dem, nullptr, {}, run);
   EXPECT_GE(steps.size(), 5U);
   for (const auto& step : steps) {
     std::stop_source stop;
@@ -338,12 +337,66 @@ TEST(MeasureStems, ACancelIsHeededAtEveryStep) {
       if (what == step) stop.request_stop();
     };
     try {
-      measure_stems(cloud.points, slice, cloud.dem, nullptr, {}, run);
+      measure_stems(cloud.points, 1.3, cloud.dem, nullptr, {}, run);
       ADD_FAILURE() << step;
     } catch (const Error& e) {
       EXPECT_EQ(e.kind(), ErrorKind::cancelled) << step;
     }
   }
+}
+
+// The beam decides where the ray model sees the bark: the same cloud with and without facts of a thin beam.
+TEST(MeasureStems, TheBeamComesFromTheCloudUnlessAnOptionSaysIt) {
+  auto cloud = make_stem_cloud(random_stand(4, 0.15, 0.30, 5), coarse());
+  MeasureOptions thin;
+  thin.beam_divergence_mrad = 0.5;
+  thin.beam_aperture = 0.005;
+  const auto assumed = measure(cloud), by_option = measure(cloud, thin);
+  cloud.points.facts = {
+      {"sensor", "Dome-64"}, {"beam_divergence_mrad", "0.5"}, {"beam_aperture_m", "0.005"}, {"range_noise_m", "0.005"}};
+  const auto by_fact = measure(cloud);
+  cloud.points.facts["beam_divergence_mrad"] = "3";
+  const auto over = measure(cloud, thin);
+  const auto diameters = [](const StemSurvey& survey) { return stem_table(survey).numbers("dbh_cm"); };
+  EXPECT_EQ(diameters(by_fact), diameters(by_option));
+  EXPECT_EQ(diameters(over), diameters(by_option));
+  EXPECT_NE(diameters(assumed), diameters(by_option));
+
+  EXPECT_EQ(by_fact.report.facts.at("beam_divergence"), "0.5 mrad (Dome-64)");
+  EXPECT_EQ(by_fact.report.facts.at("range_noise"), "5 mm (Dome-64)");
+  EXPECT_EQ(over.report.facts.at("beam_divergence"), "0.5 mrad (option)");
+  EXPECT_EQ(assumed.report.facts.at("beam_divergence"), "3 mrad (assumed)");
+  const auto warned = testing::Contains(testing::HasSubstr("3 mrad and 9.5 mm at the sensor are taken"));
+  EXPECT_THAT(assumed.report.warnings, warned);
+  EXPECT_THAT(by_fact.report.warnings, testing::Not(warned));
+  EXPECT_THAT(by_option.report.warnings, testing::Not(warned));
+}
+
+TEST(MeasureStems, TheBeamOfTheVlp32cIsTheOneAssumed) {
+  auto cloud = make_stem_cloud(random_stand(4, 0.15, 0.30, 5), coarse());
+  const auto assumed = stem_table(measure(cloud));
+  cloud.points.facts = {{"beam_divergence_mrad", "3"}, {"beam_aperture_m", "0.0095"}, {"range_noise_m", "0.012"}};
+  const auto known = stem_table(measure(cloud));
+  for (const auto* name : {"dbh_cm", "dbh_lo_cm", "dbh_hi_cm", "x_m", "y_m"})
+    EXPECT_EQ(known.numbers(name), assumed.numbers(name)) << name;
+}
+
+TEST(MeasureStems, ANoisySensorRaisesTheCapOfTheResiduals) {
+  Report report;
+  EXPECT_EQ(with_sensor({}, {}, true, report).max_sigma, 0.025);
+  EXPECT_EQ(with_sensor({}, {{"range_noise_m", "0.02"}}, true, report).max_sigma, 0.025);
+  EXPECT_DOUBLE_EQ(with_sensor({}, {{"range_noise_m", "0.03"}}, true, report).max_sigma, 0.0375);
+}
+
+TEST(MeasureStems, WhatTheCloudSaysGoesWithTheTables) {
+  auto cloud = make_stem_cloud(random_stand(1, 0.2, 0.2, 8), coarse());
+  cloud.points.facts = {{"sensor", "VLP-32C"}, {"poses", "given"}};
+  const auto survey = measure(cloud);
+  for (const auto& table : {stem_table(survey), section_table(survey), rejected_table(survey)}) {
+    EXPECT_EQ(table.facts.at("sensor"), "VLP-32C");
+    EXPECT_EQ(pose_origin(table.facts), PoseOrigin::given);
+  }
+  EXPECT_EQ(survey.points.facts, cloud.points.facts);
 }
 
 TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
@@ -352,11 +405,11 @@ TEST(Slice, KeepsTheLayerAndNamesItsHeight) {
   o.height = 1.37;
   const auto slice = breast_height_slice(cloud.points, o, {});
   for (const float h : slice.values<float>(arrays::height_above_ground)) EXPECT_NEAR(h, 1.37, 0.0501);
-  EXPECT_EQ(slice_height_m(slice), 1.37);
-  EXPECT_EQ(slice_height_m(slice.subset({0})), 1.37);
+  EXPECT_EQ(slice_height(slice), 1.37);
+  EXPECT_EQ(slice_height(slice.subset({0})), 1.37);
   auto plain = slice;  // of another program
-  plain.remove_column(slice_height.name);
-  EXPECT_NEAR(slice_height_m(plain), 1.37, 0.0101);  // scan lines leave the edges of the slice empty
+  plain.facts.clear();
+  EXPECT_NEAR(slice_height(plain), 1.37, 0.0101);  // scan lines leave the edges of the slice empty
   o.height = 5, o.thickness = 0.01;
   auto low = cloud.points;
   low.set_column(arrays::height_above_ground, std::vector<float>(low.size(), 0.5F));

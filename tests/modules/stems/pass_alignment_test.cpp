@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "stems/core/breast_height_slice.h"
 #include "stems/core/measure_stems.h"
 #include "synthetic/stem_cloud.h"
 
@@ -69,8 +68,7 @@ TEST(PassAlignment, ThinStemsOfDisplacedPassesAreFound) {
   synthetic::StemCloudOptions o;
   o.azimuth_step = 0.4, o.pass_step = 0.6, o.drift = 0.05;
   const auto cloud = synthetic::make_stem_cloud(synthetic::random_stand(6, 0.08, 0.30, 4), o);
-  const auto survey =
-      measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, {}, {});
+  const auto survey = measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, {}, {});
   std::size_t found = 0;
   double square = 0;
   for (const auto& t : cloud.stems)

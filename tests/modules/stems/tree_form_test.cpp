@@ -8,7 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include "stems/core/breast_height_slice.h"
 #include "stems/core/fit/contour.h"
 #include "stems/core/fit/each_stem.h"
 #include "stems/core/fit/stem_quality.h"
@@ -32,7 +31,7 @@ StemCloudOptions coarse() {
 }
 
 StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
-  return measure_stems(cloud.points, breast_height_slice(cloud.points, {}, {}), cloud.dem, nullptr, options, {});
+  return measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, options, {});
 }
 
 // Adds points with a height to a synthetic cloud; the other columns repeat those of the first point.

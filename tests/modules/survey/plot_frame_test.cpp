@@ -142,7 +142,7 @@ TEST(PlotFrame, IntensityOfAnotherScaleIsNotTakenForTargets) {
   plot.cloud.set_column(arrays::intensity, std::move(intensity));
   const auto frame = find(plot);
   EXPECT_EQ(frame.axes, Axes::map);
-  EXPECT_THAT(frame.report.warnings.front(), HasSubstr("intensity_min"));
+  EXPECT_THAT(frame.report.warnings.front(), HasSubstr("min_intensity"));
 }
 
 TEST(PlotFrame, WithoutTrajectoryTheAssumptionIsNamed) {
@@ -156,9 +156,9 @@ TEST(PlotFrame, WithoutTrajectoryTheAssumptionIsNamed) {
 TEST(PlotFrame, DistanceOfTheTargetsMustFit) {
   const auto plot = TargetPlotMaker({}).make(tilted_map());
   FrameOptions o;
-  o.target_distance_m = 16;
+  o.target_distance = 16;
   EXPECT_EQ(find(plot, o).axes, Axes::plot);
-  o.target_distance_m = 12;
+  o.target_distance = 12;
   const auto frame = find(plot, o);
   EXPECT_EQ(frame.axes, Axes::map);
   EXPECT_THAT(frame.report.warnings.front(), HasSubstr("12 +- 1 m"));
@@ -170,7 +170,7 @@ TEST(PlotFrame, FewStemsFallBackToTheGroundWithAWarning) {
   const auto frame = find(TargetPlotMaker(r).make(tilted_map()));
   EXPECT_EQ(frame.report.facts.at("level"), "ground");
   EXPECT_LT(frame_error(frame, tilted_map()).tilt_deg, 0.2);
-  EXPECT_THAT(frame.report.warnings.front(), HasSubstr("stems_min"));
+  EXPECT_THAT(frame.report.warnings.front(), HasSubstr("min_stems"));
 }
 
 TEST(PlotFrame, OrderOfPointsDoesNotMatter) {

@@ -26,6 +26,7 @@ std::shared_ptr<PointCloud> sample_cloud() {
   cloud->axes = Axes::global;
   cloud->crs_wkt = "PROJCS[\"somewhere\"]";
   cloud->scale = {0.001, 0.001, 0.01};
+  cloud->facts = {{"sensor", "VLP-32C"}, {"beam_divergence_mrad", "3"}};
   cloud->set_column("u8", std::vector<std::uint8_t>{1, 255});
   cloud->set_column("u16", std::vector<std::uint16_t>{2, 65535});
   cloud->set_column("i32", std::vector<std::int32_t>{-3, 2000000000});
@@ -44,6 +45,7 @@ TEST(CloudConversion, RoundTripIsExact) {
   EXPECT_EQ(back->scale, cloud->scale);
   EXPECT_EQ(back->axes, Axes::global);
   EXPECT_EQ(back->crs_wkt, cloud->crs_wkt);
+  EXPECT_EQ(back->facts, cloud->facts);
   ASSERT_EQ(back->columns().size(), 5U);
   for (const auto& [name, column] : cloud->columns()) EXPECT_EQ(back->column(name), *column) << name;
 }
@@ -200,6 +202,7 @@ TEST(RasterConversion, EmptyAndUnusableImages) {
 TEST(TrajectoryConversion, RoundTrip) {
   Trajectory path;
   path.axes = Axes::plot;
+  path.facts = {{"poses", "given"}};
   for (int i = 0; i < 5; ++i) {
     StampedPose pose{100.0 + 0.1 * i, Pose::Identity()};
     pose.T_target_sensor.linear() = rotation_from_rpy(0.1 * i, -0.2, 0.7 * i);
@@ -212,6 +215,7 @@ TEST(TrajectoryConversion, RoundTrip) {
   const auto back = trajectory_from_vtk(poly);
   ASSERT_EQ(back->poses.size(), 5U);
   EXPECT_EQ(back->axes, Axes::plot);
+  EXPECT_EQ(back->facts, path.facts);
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(back->poses[i].time_s, path.poses[i].time_s);
     EXPECT_TRUE(back->poses[i].T_target_sensor.isApprox(path.poses[i].T_target_sensor, 1e-14));

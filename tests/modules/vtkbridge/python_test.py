@@ -3,8 +3,10 @@
 
 import json
 import math
+import os
 import pathlib
 import random
+import subprocess
 import tempfile
 import unittest
 
@@ -49,8 +51,11 @@ class Classes(unittest.TestCase):
         self.assertEqual(named.pop("vtkBoleStage"), "")
         self.assertEqual(named["vtkBoleSlam"], "slam.run")
         self.assertEqual(named["vtkBoleGroundModel"], "ground.model")
-        self.assertGreaterEqual(len(named), 12)
         self.assertEqual(len(set(named.values())), len(named))  # no two classes for one stage
+        listing = subprocess.run([os.environ["BOLE"], "stages", "--json"], check=True, capture_output=True, text=True)
+        registered = {stage["vtk_class"]: stage["type"] for stage in json.loads(listing.stdout)}
+        self.assertGreater(len(registered), 20)
+        self.assertEqual(named, registered)
 
 
 class Stage(unittest.TestCase):

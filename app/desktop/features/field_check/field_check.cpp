@@ -15,24 +15,26 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "document/edit_list.h"
 #include "features/field_check/field_list_dialog.h"
 #include "io/core/tables/table_file.h"
-#include "main_window.h"
 #include "panels/row_filter.h"
-#include "panels/table_panel.h"
+#include "panels/table_model.h"
 #include "render/scene/actors.h"
 #include "views/chart_view.h"
 #include "views/scene_view.h"
+#include "workbench/workbench.h"
 
 namespace bole::desktop {
 
-FieldCheck::FieldCheck(MainWindow& window)
-    : window_(window),
+FieldCheck::FieldCheck(Workbench& bench)
+    : bench_(bench),
       summary_(new QLabel(this)),
-      map_(new PlotMap(window.selection(), this)),
+      map_(new PlotMap(bench.selection(), this)),
       table_(new QTableView(this)),
       model_(new TableModel(this)),
       filter_(new RowFilter(this)) {
+  make_commands();
   make_table();
   auto* split = new QSplitter(Qt::Horizontal, this);
   split->addWidget(map_);
@@ -43,13 +45,34 @@ FieldCheck::FieldCheck(MainWindow& window)
   layout->addWidget(split, 1);
   connect(map_, &PlotMap::chosen, this, &FieldCheck::choose);
   connect(map_, &PlotMap::menu_wanted, this, &FieldCheck::show_menu);
-  connect(&window_, &MainWindow::survey_shown, this, &FieldCheck::show_survey);
-  connect(&window_.selection(), &Selection::changed, this, [this] {
-    const auto tree = window_.selection().tree();
+  connect(&bench_, &Workbench::survey_shown, this, &FieldCheck::show_survey);
+  connect(&bench_.selection(), &Selection::changed, this, [this] {
+    const auto tree = bench_.selection().tree();
     for (std::size_t i = 0; tree && i < rows_.size(); ++i)
       if (rows_[i].tree == tree && !following_) choose(static_cast<int>(i));
   });
   show_summary();
+}
+
+void FieldCheck::make_commands() {
+  bench_.commands().add(
+      {.id = "field.load", .text = tr("Load field measurements…"), .places = {in_menu(Menu::stem, 1)}, .act = [this] {
+         const QString file =
+             QFileDialog::getOpenFileName(&bench_, tr("Load field measurements"), {}, tr("Tables (*.csv *.txt)"));
+         if (!file.isEmpty()) load(file);
+       }});
+  bench_.commands().add(
+      {.id = "field.add_missed",
+       .text = tr("Add a stem here, fitted to the points"),
+       .places = {in_context("field_missed")},
+       .act = [this] { add_missed(current_); },
+       .enabled_when = {[this] { return current() != nullptr && current()->kind == MatchKind::missed; },
+                        tr("Select a tree that was missed.")}});
+}
+
+const MatchRow* FieldCheck::current() const {
+  return current_ >= 0 && current_ < static_cast<int>(rows_.size()) ? &rows_[static_cast<std::size_t>(current_)]
+                                                                    : nullptr;
 }
 
 QWidget* FieldCheck::header() {
@@ -57,7 +80,7 @@ QWidget* FieldCheck::header() {
   auto* layout = new QHBoxLayout(line);
   layout->setContentsMargins(2, 0, 2, 0);
   auto* load = new QPushButton(tr("Load field measurements…"), line);
-  connect(load, &QPushButton::clicked, this, [this] { window_.findChild<QAction*>("load_field_list")->trigger(); });
+  connect(load, &QPushButton::clicked, bench_.commands().action("field.load"), &QAction::trigger);
   summary_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   summary_->setWordWrap(true);
   layout->addWidget(load);
@@ -88,23 +111,24 @@ void FieldCheck::make_table() {
 int FieldCheck::row_of_view(const QModelIndex& index) const { return filter_->mapToSource(index).row(); }
 
 void FieldCheck::load(const QString& file) {
-  if (!window_.session().has_document()) throw bad_input("no pipeline is open", "one that measures stems");
+  if (!bench_.session().has_document()) throw bad_input("no pipeline is open", "one that measures stems");
   const Table list = io::read_table(file.toStdString());
-  FieldListDialog dialog(list, file, &window_);
+  FieldListDialog dialog(list, file, &bench_);
   if (dialog.exec() == QDialog::Accepted) load(file, dialog.mapping(), dialog.align());
 }
 
 void FieldCheck::load(const QString& file, const FieldMapping& mapping, const std::string& align) {
-  window_.session().change(tr("field measurements"),
-                           with_field_list(window_.session().document(), file.toStdString(), mapping, align));
-  window_.docks().raise("field_check");
-  window_.chart().show_kind(ChartView::Kind::field);
-  window_.refresh();
+  bench_.session().change(tr("field measurements"),
+                          with_field_list(bench_.session().document(), file.toStdString(), mapping, align));
+  bench_.docks().raise("field_check");
+  bench_.chart().show_chart("field");
+  bench_.refresh();
 }
 
 void FieldCheck::show_survey(const Survey& survey) {
   survey_ = survey;
   rows_ = survey.matches ? match_rows(*survey.matches) : std::vector<MatchRow>();
+  current_ = -1;
   following_ = true;
   filter_->set_table(survey.matches.get());
   model_->show(survey.matches);
@@ -118,24 +142,20 @@ void FieldCheck::show_survey(const Survey& survey) {
 void FieldCheck::choose(int row) {
   if (row < 0 || row >= static_cast<int>(rows_.size())) return;
   following_ = true;
+  current_ = row;
   map_->set_current(row);
   const auto index = filter_->mapFromSource(model_->index(row, 0));
   table_->selectRow(index.row());
   table_->scrollTo(index);
-  if (const auto tree = rows_[static_cast<std::size_t>(row)].tree) window_.selection().select(tree);
+  if (const auto tree = rows_[static_cast<std::size_t>(row)].tree) bench_.selection().select(tree);
   following_ = false;
+  bench_.commands().update();
 }
 
 void FieldCheck::show_menu(int row, const QPoint& global) {
   choose(row);
-  QMenu menu;
-  const auto kind = rows_.at(static_cast<std::size_t>(row)).kind;
-  if (kind == MatchKind::missed)
-    connect(menu.addAction(tr("Add a stem here, fitted to the points")), &QAction::triggered, this,
-            [this, row] { window_.guarded([&] { add_missed(row); }); });
-  else
-    menu.addActions(window_.stems().actions());
-  menu.exec(global);
+  const bool missed = current() != nullptr && current()->kind == MatchKind::missed;
+  bench_.commands().show_menu(missed ? "field_missed" : "stem", global);
 }
 
 void FieldCheck::add_missed(int row) {
@@ -145,7 +165,7 @@ void FieldCheck::add_missed(int row) {
   edit.action = stems::StemEdit::Action::add;
   edit.at = {match.field_m.x(), match.field_m.y()};
   edit.reason = "in the field list";
-  window_.editor().apply(edit);
+  add_edits(bench_.session(), {edit});
 }
 
 void FieldCheck::delete_false(int row) {
@@ -156,7 +176,7 @@ void FieldCheck::delete_false(int row) {
   edit.at = {match.stem_m.x(), match.stem_m.y()};
   edit.was_dbh_cm = match.dbh_cm;
   edit.reason = "not in the field list";
-  window_.editor().apply(edit);
+  add_edits(bench_.session(), {edit});
 }
 
 void FieldCheck::show_summary() {
@@ -166,7 +186,11 @@ void FieldCheck::show_summary() {
   for (const auto& row : rows_) {
     ++counts[static_cast<int>(row.kind)];
     const double error = row.dbh_cm - row.field_dbh_cm;
-    if (row.kind == MatchKind::matched && std::isfinite(error)) sum += error, squares += error * error, ++n;
+    if (row.kind == MatchKind::matched && std::isfinite(error)) {
+      sum += error;
+      squares += error * error;
+      ++n;
+    }
   }
   if (rows_.empty()) return summary_->setText(tr("No field measurements yet."));
   QString text = tr("%1 matched, %2 missed, %3 false").arg(counts[0]).arg(counts[1]).arg(counts[2]);
@@ -180,7 +204,7 @@ void FieldCheck::show_summary() {
 // The view takes all its props away with every survey, so that these are made anew.
 void FieldCheck::draw_rings() {
   constexpr double half_height_m = 0.08;
-  auto* renderer = window_.scene().renderWindow()->GetRenderers()->GetFirstRenderer();
+  auto* renderer = bench_.scene().renderWindow()->GetRenderers()->GetFirstRenderer();
   if (!renderer) return;
   for (const auto& ring : rings_) renderer->RemoveActor(ring);
   rings_.clear();
@@ -209,19 +233,13 @@ void FieldCheck::draw_rings() {
     renderer->AddActor(actor);
     rings_.push_back(actor);
   }
-  if (window_.scene().isValid()) window_.scene().renderWindow()->Render();
+  if (bench_.scene().isValid()) bench_.scene().renderWindow()->Render();
 }
 
-void install_field_check(MainWindow& window) {
-  auto* check = new FieldCheck(window);
+void install_field_check(Workbench& bench) {
+  auto* check = new FieldCheck(bench);
   check->setObjectName("field_check_panel");
-  window.docks().add("field_check", FieldCheck::tr("Field check"), check, Qt::BottomDockWidgetArea, "stems");
-  auto* w = &window;
-  window.add_action(window.menu(Menu::stem), "load_field_list", FieldCheck::tr("Load field measurements…"), [w, check] {
-    const QString file = QFileDialog::getOpenFileName(w, FieldCheck::tr("Load field measurements"), {},
-                                                      FieldCheck::tr("Tables (*.csv *.txt)"));
-    if (!file.isEmpty()) check->load(file);
-  });
+  bench.docks().add("field_check", FieldCheck::tr("Field check"), check, Qt::BottomDockWidgetArea, "stems");
 }
 
 }  // namespace bole::desktop

@@ -16,15 +16,15 @@ class vtkActor;
 
 namespace bole::desktop {
 
-class MainWindow;
 class RowFilter;
 class TableModel;
+class Workbench;
 
 class FieldCheck : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FieldCheck(MainWindow& window);
+  explicit FieldCheck(Workbench& bench);
 
   void load(const QString& file);  // asks for the columns; throws bole::Error
   // The same without asking.
@@ -39,14 +39,16 @@ class FieldCheck : public QWidget {
   const std::vector<MatchRow>& rows() const { return rows_; }
 
  private:
+  void make_commands();
   QWidget* header();
   void make_table();
   void show_menu(int row, const QPoint& global);
+  const MatchRow* current() const;  // null: none
   void show_summary();
   void draw_rings();  // about the stems of the 3-D view
   int row_of_view(const QModelIndex& index) const;
 
-  MainWindow& window_;
+  Workbench& bench_;
   Survey survey_;
   std::vector<MatchRow> rows_;
   QLabel* summary_;
@@ -55,9 +57,8 @@ class FieldCheck : public QWidget {
   TableModel* model_;
   RowFilter* filter_;
   std::vector<vtkSmartPointer<vtkActor>> rings_;
+  int current_ = -1;  // row of the matches
   bool following_ = false;
 };
-
-void install_field_check(MainWindow& window);
 
 }  // namespace bole::desktop

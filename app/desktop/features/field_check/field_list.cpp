@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "document/stage_operations.h"
+#include "document/stage_roles.h"
 
 namespace bole::desktop {
 namespace {
+
+constexpr const char *field_port = "reference_stems", *stems_port = "stems";  // of the evaluation
 
 struct Pattern {
   std::string name;
@@ -29,11 +32,6 @@ std::string unit_in(const QString& column, const FieldColumn& wanted) {
   for (const auto& unit : wanted.units)
     if (column.contains(QRegularExpression("[_ (\\[]" + QString::fromStdString(unit) + "[)\\]]?$"))) return unit;
   return wanted.units.empty() ? std::string() : wanted.units.front();
-}
-
-const pipeline::StageNode* stage_of_type(const pipeline::PipelineDocument& document, const std::string& type) {
-  const auto it = std::ranges::find_if(document.stages(), [&](const auto& node) { return node.type->name == type; });
-  return it == document.stages().end() ? nullptr : &*it;
 }
 
 pipeline::StageNode& in(pipeline::PipelineDocument& document, const std::string& id) {
@@ -92,26 +90,26 @@ FieldMapping guess_mapping(const Table& list) {
 pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& document, const std::string& file,
                                            const FieldMapping& mapping, const std::string& align) {
   pipeline::PipelineDocument after = document;
-  const auto& registry = pipeline::StageRegistry::global();
-  if (!stage_of_type(after, "evaluation.plot")) {
-    if (!stage_of_type(after, "stems.measure"))
-      throw bad_input("the pipeline measures no stems", "a stage stems.measure before field measurements are loaded");
-    after = with_stage(after, registry.at("evaluation.plot")).document;
+  if (stage_with_input(after, field_port) == nullptr) {
+    if (stage_with_output(after, stems_port) == nullptr)
+      throw bad_input("the pipeline measures no stems", "a stage that measures stems",
+                      "Add one before you load field measurements");
+    after = with_stage(after, type_with_input(field_port)).document;
   }
-  const auto evaluate = stage_of_type(after, "evaluation.plot")->id;
-  auto joint = in(after, evaluate).inputs.find("reference_stems");
+  const auto evaluate = stage_with_input(after, field_port)->id;
+  const auto joint = in(after, evaluate).inputs.find(field_port);
   // The reader of the list: the one that the evaluation takes from, else a new one in front of it.
   std::string reader =
       joint == in(after, evaluate).inputs.end() ? std::string() : pipeline::parse_source(joint->second).id;
-  if (reader.empty() || after.at(reader).type->name != "io.read_table") {
+  if (reader.empty() || after.at(reader).type != &table_reader()) {
     const auto& stages = after.stages();
     const auto place = std::ranges::find(stages, evaluate, &pipeline::StageNode::id) - stages.begin();
-    auto added = with_stage(after, registry.at("io.read_table"),
-                            place > 0 ? stages[static_cast<std::size_t>(place) - 1].id : std::string());
+    auto added =
+        with_stage(after, table_reader(), place > 0 ? stages[static_cast<std::size_t>(place) - 1].id : std::string());
     after = std::move(added.document);
     reader = added.id;
     in(after, reader).optional = true;
-    in(after, evaluate).inputs["reference_stems"] = reader + ".table";
+    in(after, evaluate).inputs[field_port] = reader + ".table";
   }
   put(in(after, reader), "file", file);
   put(in(after, evaluate), "reference_columns", mapping.text());

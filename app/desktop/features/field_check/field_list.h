@@ -27,7 +27,7 @@ struct FieldMapping {
   std::string text() const;
 };
 
-// By the names of the columns in English, German and Chinese; units in them are heeded ("Diameter (mm)").
+// By the names of the columns in English, German and Chinese; units in them are respected ("Diameter (mm)").
 FieldMapping guess_mapping(const Table& list);
 
 // The document with the list as the reference of its evaluation; the two stages are added where they are not there.

@@ -78,8 +78,8 @@ QLayout* FieldListDialog::mapping_form(const Table& list) {
 }
 
 QWidget* FieldListDialog::preview(const Table& list) {
-  constexpr std::size_t most = 4;
-  const auto rows = std::min(list.rows(), most);
+  constexpr std::size_t max_rows = 4;
+  const auto rows = std::min(list.rows(), max_rows);
   auto* table = new QTableWidget(static_cast<int>(rows), static_cast<int>(list.columns().size()), this);
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->verticalHeader()->hide();

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "look/theme.h"
 #include "render/charts/columns.h"
 #include "render/draw/color.h"
-#include "shell/theme.h"
 
 namespace bole::desktop {
 namespace {
@@ -43,7 +43,8 @@ std::vector<MatchRow> match_rows(const Table& matches) {
     if (row.kind != MatchKind::falsely) row.reference = id_at(matches, "ref_id", i);
     row.stem_m = row.kind == MatchKind::missed ? QPointF(rx[i], ry[i]) : QPointF(x[i], y[i]);
     row.field_m = row.kind == MatchKind::falsely ? row.stem_m : QPointF(rx[i], ry[i]);
-    row.dbh_cm = dbh[i], row.field_dbh_cm = field[i];
+    row.dbh_cm = dbh[i];
+    row.field_dbh_cm = field[i];
     rows.push_back(row);
   }
   return rows;
@@ -100,12 +101,14 @@ QPointF PlotMap::to_metres(const QPointF& w) const {
 int PlotMap::row_at(const QPointF& widget) const {
   constexpr double reach_px = 12;
   int best = -1;
-  double least = reach_px;
+  double nearest_px = reach_px;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     for (const auto& at : {rows_[i].stem_m, rows_[i].field_m}) {
       const QPointF d = to_widget(at) - widget;
-      if (const double distance = std::hypot(d.x(), d.y()); distance < least)
-        least = distance, best = static_cast<int>(i);
+      if (const double distance = std::hypot(d.x(), d.y()); distance < nearest_px) {
+        nearest_px = distance;
+        best = static_cast<int>(i);
+      }
     }
   return best;
 }
@@ -121,7 +124,7 @@ void PlotMap::paintEvent(QPaintEvent*) {
     return;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) draw_row(painter, rows_[i], static_cast<int>(i) == current_);
-  render::draw_scale_bar(painter);
+  draw_scale_bar(painter);
   draw_legend(painter);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cloud/table.h"
-#include "selection/selection.h"
+#include "document/selection.h"
 
 namespace bole::desktop {
 

@@ -1,5 +1,4 @@
-// A file seen as bytes, without copying it: what every reader of whole files works on, and what tests and fuzzers
-// replace by a buffer.
+// A file as bytes, mapped into memory. Readers take the bytes, so that tests and fuzz targets can pass a buffer.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +11,8 @@ using Bytes = std::span<const std::uint8_t>;
 
 class MappedFile {
  public:
-  // Throws Error{bad_input} when the file cannot be opened or is a folder. A file that another program shortens while
-  // it is mapped cannot be read safely; that is the one case this does not guard against.
+  // Throws Error{bad_input} when the file cannot be opened or is a folder. Not safe
+  // for a file that another program shortens while it is mapped.
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;

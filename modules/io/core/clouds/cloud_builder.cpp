@@ -14,7 +14,7 @@
 namespace bole::io {
 namespace {
 
-// Coordinates beyond this are kept as offsets from an origin, so that float32 resolves them to a tenth of a millimetre.
+// Coordinates beyond this are stored as offsets from an origin, because float32 resolves only nearer ones to 0.1 mm.
 constexpr double near_m = 1000;
 constexpr double origin_step_m = 100;
 constexpr std::size_t points_for_origin = 4096;
@@ -125,7 +125,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// A colour column of unsaid depth: 0 to 1, 0 to 255 or 0 to 65535.
+// Scales a colour column whose depth the file does not declare: 0 to 1, 0 to 255 or 0 to 65535.
 std::vector<std::uint16_t> full_depth(const std::vector<float>& values, float largest) {
   const float factor = largest <= 1 ? 65535.F : largest <= 255 ? 257.F : 1.F;
   std::vector<std::uint16_t> out;
@@ -181,8 +181,8 @@ void poll_points(const Run& run, std::size_t point, double fraction) {
 
 void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present) {
   if (present < declared)
-    report.warn("the file is cut off: the header says " + std::to_string(declared) + " points, " +
-                std::to_string(present) + " are there and were read");
+    report.warn("the file is cut off: the header declares " + std::to_string(declared) + " points, " +
+                std::to_string(present) + " are present and were read");
 }
 
 std::string array_name(std::string_view file_name) {
@@ -213,7 +213,7 @@ struct CloudBuilder::Parts {
   bool plain = true;  // the matrix is the identity
   Axes axes = Axes::unknown;
 
-  // Where the sensor stood is a position like any other: turned, scaled and counted from the origin.
+  // The sensor position is a coordinate like that of the point: rotated, scaled and relative to the origin.
   std::optional<std::array<std::size_t, 3>> sensor_fields;
   std::array<std::vector<float>, 3> sensor;
 
@@ -227,7 +227,7 @@ struct CloudBuilder::Parts {
     return std::ranges::find(targets, name, &Target::name) != targets.end();
   }
 
-  // All three or none: one axis alone cannot be turned.
+  // All three axes are needed, because one axis alone cannot be rotated.
   void take_sensor() {
     std::array<std::size_t, 3> fields{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -255,7 +255,8 @@ struct CloudBuilder::Parts {
     }
     for (const auto& p : first) positions.push_back((p - origin).cast<float>());
     for (const auto& p : first_sensor) add_sensor(p);
-    first = {}, first_sensor = {};
+    first = {};
+    first_sensor = {};
   }
 };
 
@@ -269,7 +270,10 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
     const std::string name = array_name(fields[f].name);
     if (const auto it = std::ranges::find(names, name); it != names.end()) {
       const auto axis = static_cast<std::size_t>(it - names.begin());
-      if (!found[axis]) parts_->xyz[axis] = f, found[axis] = true;
+      if (!found[axis]) {
+        parts_->xyz[axis] = f;
+        found[axis] = true;
+      }
       continue;
     }
     if (fields[f].name.empty() || fields[f].name.starts_with('_') || parts_->has_target(name)) continue;
@@ -289,7 +293,7 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
   parts_->take_sensor();
   parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
-  parts_->axes = axes_from_name(options.axes);
+  parts_->axes = options.axes;
 }
 
 CloudBuilder::~CloudBuilder() = default;

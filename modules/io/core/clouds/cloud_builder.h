@@ -10,7 +10,8 @@
 
 namespace bole::io {
 
-// How a field's values are stored in the file; `text` when that is not said. packed_rgb: 0x00RRGGBB (PCD).
+// How the values of a field are stored in the file. `text`: the file does not declare a type. packed_rgb: 0x00RRGGBB
+// (PCD).
 enum class SourceType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64, text, packed_rgb };
 std::size_t source_type_bytes(SourceType type);  // 0 for text
 
@@ -22,13 +23,13 @@ struct SourceField {
   SourceType type = SourceType::text;
 };
 
-// What files call an array, in our words: "GpsTime", "scalar_Intensity", "diffuse_red" become time, intensity, red; x,
-// y and z stay. Names that are not known become lower case with underscores.
+// Bole's name for a field of a file: "GpsTime", "scalar_Intensity" and "diffuse_red" become time, intensity and red.
+// Unknown names become lower case with underscores.
 std::string array_name(std::string_view file_name);
 
 bool is_colour(std::string_view array);  // red, green or blue
 
-// To be called for every point: now and then polls for a cancel and tells the share that is read.
+// Call it for every point. Once in a while it polls for a cancel and reports the fraction read.
 void poll_points(const Run& run, std::size_t point, double fraction);
 
 // Warns where a file ends before the points that its header declares.

@@ -1,23 +1,38 @@
-// Reads any point cloud file: what it is, is seen from its content first and its extension second.
+// Reads any point cloud file. Which format it is, the table in formats.h decides.
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/option.h"
 #include "base/report.h"
 #include "base/run.h"
+#include "cloud/axes_choice.h"
 #include "cloud/point_cloud.h"
 #include "io/core/bytes/mapped_file.h"
 
 namespace bole::io {
 
+enum class LengthUnit { metre, centimetre, millimetre, foot, us_survey_foot };
+constexpr std::array<std::string_view, 5> choice_names(LengthUnit) {
+  return {"metre", "centimetre", "millimetre", "foot", "us_survey_foot"};
+}
+
+enum class UpAxis { z, y, x };
+constexpr std::array<std::string_view, 3> choice_names(UpAxis) { return {"z", "y", "x"}; }
+
+enum class Delimiter { blank, comma, semicolon, tab };
+constexpr std::array<std::string_view, 4> choice_names(Delimiter) { return {"blank", "comma", "semicolon", "tab"}; }
+
 struct CloudReadOptions {
-  std::string unit = "metre";
-  std::string up = "z";
-  std::string axes = "unknown";
+  LengthUnit unit = LengthUnit::metre;
+  UpAxis up = UpAxis::z;
+  Axes axes = Axes::unknown;
   std::string columns;
-  std::string delimiter = "auto";
+  std::optional<Delimiter> delimiter;  // of text; open: as the file says
   int skip_lines = 0;
   bool drop_withheld = false;
 };
@@ -28,17 +43,16 @@ struct CloudReading {
   Report report;  // counts: points, dropped_points (not numbers), bad_lines; facts: format
 };
 
-// PLY, PCD, LAS, LAZ, text (XYZ, CSV, PTS, PTX) or one KITTI .bin frame. Coordinates are turned to metres with z up.
-// Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives what it holds, with a
-// warning that says how much is missing. Throws Error{bad_input} when nothing can be made of it.
+// Coordinates are turned to metres with z up. Points whose coordinates are not numbers are dropped and counted. A file
+// that is cut off gives the points it holds, with a warning that says how many are missing. Throws Error{bad_input}
+// where the file cannot be used.
 CloudReading read_cloud(const std::filesystem::path& path, const CloudReadOptions& options = {}, const Run& run = {});
 
-// The same of a file in memory; `name` (its extension) decides where the content does not.
+// The same of a file in memory. The ending of `name` decides where the content does not.
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options = {},
                         const Run& run = {});
 
-// Metres per unit and the rotation to z up that the options ask for. Throws Error{bad_input}.
-double metres_per_unit(const std::string& unit);
-Eigen::Matrix3d rotation_to_z_up(const std::string& up);
+double metres_per_unit(LengthUnit unit);
+Eigen::Matrix3d rotation_to_z_up(UpAxis up);
 
 }  // namespace bole::io

@@ -8,16 +8,18 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_builder.h"
+#include "io/core/clouds/ply_reader.h"
 #include "io/core/clouds/sensor_arrays.h"
-#include "io/core/las/las_writer.h"
+#include "io/core/formats.h"
 
 namespace bole::io {
 namespace {
 
 constexpr std::size_t points_per_write = 1 << 14;
 
-// Every value is a byte times 257, as colours read from a byte are.
+// Every value is a byte times 257, as in colours that were read from bytes.
 bool fits_byte(const Column& column) {
   const auto* values = std::get_if<std::vector<std::uint16_t>>(&column);
   return values != nullptr && std::ranges::all_of(*values, [](std::uint16_t v) { return v % 257 == 0; });
@@ -34,7 +36,7 @@ struct PlyColumn {
   }
 };
 
-// What is added to the values of a column, so that the sensor's position is in the axes of the points.
+// Added to the values of a column, so that the sensor position is in the axes of the points.
 double origin_of(const std::string& column, const PointCloud& cloud) {
   const int axis = axis_of_sensor(column);
   return axis < 0 ? 0 : cloud.origin[axis];
@@ -105,7 +107,9 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
   const bool wide = !cloud.origin.isZero(0);
   const auto columns = ply_columns(cloud);
   auto& stream = file.stream();
-  stream << "ply\nformat binary_little_endian 1.0\ncomment written by Bole\nelement vertex " << cloud.size() << '\n';
+  stream << "ply\nformat binary_little_endian 1.0\ncomment written by Bole\n";
+  if (!cloud.facts.empty()) stream << ply_facts_comment << facts_to_json(cloud.facts) << '\n';
+  stream << "element vertex " << cloud.size() << '\n';
   for (const char* axis : {"x", "y", "z"}) stream << "property " << (wide ? "double " : "float ") << axis << '\n';
   for (const auto& c : columns) stream << "property " << c.type() << ' ' << c.name << '\n';
   stream << "end_header\n";
@@ -140,12 +144,7 @@ void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud,
 }
 
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) {
-  const auto extension = path.extension();
-  if (extension == ".ply") return write_ply(path, cloud, run);
-  if (extension == ".csv") return write_csv_cloud(path, cloud, 4, run);
-  if (extension == ".xyz" || extension == ".txt") return write_xyz_cloud(path, cloud, 4, run);
-  if (extension == ".las") return write_las(path, cloud, {}, run);
-  throw bad_input("a cloud cannot be written as '" + extension.string() + "'", ".las, .ply, .csv, .xyz or .txt");
+  std::get<CloudAccess>(written_format(FileContent::cloud, path).access).write(path, cloud, run);
 }
 
 }  // namespace bole::io

@@ -1,4 +1,4 @@
-// Writes point clouds as PLY and text, and by extension as LAS too (las_writer.h).
+// Writes point clouds as PLY and text, or in the format that the ending names.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,17 @@
 
 namespace bole::io {
 
-// Binary little-endian PLY with every column; coordinates are double when the cloud has an origin away from zero, so
+// Binary little-endian PLY with every column. Coordinates are double where the cloud has an origin away from zero, so
 // that they come back exactly, else float. Colours are written as uchar, as viewers expect, unless their low bytes are
-// in use. Throws Error{failed} when the file cannot be written.
+// in use. Facts go to a comment line (ply_reader.h). Throws Error{failed} when the file cannot be written.
 void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {});
 
-// One line per point with a header line: commas for CSV, blanks for XYZ. `decimals` of the coordinates; columns are
-// written with the fewest digits that read back to the same value, as in "12.5".
+// One line per point below a header line, with commas for CSV and blanks for XYZ. `decimals` is for the coordinates;
+// other values get the fewest digits that read back to the same number, as in "12.5".
 void write_csv_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 
-// By extension: .las, .ply, .csv, .xyz, .txt. Throws Error{bad_input} for others.
+// Throws Error{bad_input} that lists the endings where no format of formats.h is written with this one.
 void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {});
 
 }  // namespace bole::io

@@ -7,9 +7,10 @@
 namespace bole::io {
 namespace {
 
-// Of every point in memory while stems are measured, columns on file apart (docs/dev/diameters.md,
-// speed and memory): its coordinates, which are there once it is read, and what grids, heights and labels add.
-constexpr double bytes_once_read = 12, bytes_at_work = 36;
+// Memory per point without the columns that lie on file (docs/dev/diameters.md, speed and memory): its coordinates once
+// it is read, and with grids, heights and labels while stems are measured.
+constexpr double bytes_once_read = 12;
+constexpr double bytes_at_work = 36;
 
 }  // namespace
 
@@ -30,9 +31,8 @@ std::string memory_advice(std::size_t points, std::size_t available_bytes) {
     return {};
   constexpr double gib = 1U << 30;
   return fmt::format(
-      "{:.0f} million points: terrain and stems take about {:.0f} GiB of memory in all, and {:.1f} GiB are free beside "
-      "the points. Should the run end for want of memory, cut the plot into parts that overlap by 20 m, or thin the "
-      "file",
+      "{:.0f} million points: terrain and stems need about {:.0f} GiB of memory in all, and {:.1f} GiB are free beside "
+      "the points. If the run ends for lack of memory, cut the plot into parts that overlap by 20 m, or thin the file",
       1e-6 * count, count * bytes_at_work / gib, static_cast<double>(available_bytes) / gib);
 }
 

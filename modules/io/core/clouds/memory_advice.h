@@ -1,4 +1,4 @@
-// Whether the memory of this machine will do for a cloud.
+// Whether this machine has enough memory for a cloud.
 #pragma once
 
 #include <cstddef>
@@ -6,11 +6,11 @@
 
 namespace bole::io {
 
-// Memory that programs can still have, bytes; 0 when the system does not tell.
+// Memory available to programs, bytes. 0 when the system does not report it.
 std::size_t available_memory_bytes();
 
-// What to tell about a cloud that was read, when the stages of a plot (terrain, stems) will need more than is
-// available: how much and what to do. Empty when it will do or nothing is known.
+// A warning where the stages of a plot (terrain, stems) will need more memory than is available: how much, and what to
+// do. Empty when there is enough or nothing is known.
 std::string memory_advice(std::size_t points, std::size_t available_bytes);
 
 }  // namespace bole::io

@@ -13,7 +13,7 @@
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_fields = 256, most_values = 4096;
+constexpr std::size_t max_fields = 256, max_values = 4096;
 
 struct Field {
   SourceField source;
@@ -28,7 +28,7 @@ struct Header {
   std::string data;
   std::size_t data_offset = 0;
 
-  // Nothing when width times height does not fit.
+  // Nothing where width times height overflows.
   std::uint64_t declared() const {
     if (points) return *points;
     return height != 0 && width > UINT64_MAX / height ? UINT64_MAX : width * height;
@@ -88,9 +88,9 @@ void read_header_line(const std::vector<std::string_view>& words, Header& header
                       std::to_string(header.fields.size()) + ", one per field");
   };
   if (key == "FIELDS" || key == "COLUMNS") {
-    if (words.size() - 1 > most_fields)
+    if (words.size() - 1 > max_fields)
       throw bad_input("PCD header: " + std::to_string(words.size() - 1) + " fields",
-                      "at most " + std::to_string(most_fields));
+                      "at most " + std::to_string(max_fields));
     header.fields.assign(words.size() - 1, {});
     for (std::size_t i = 1; i < words.size(); ++i) header.fields[i - 1].source.name = words[i];
   } else if (key == "SIZE") {
@@ -128,13 +128,13 @@ Header read_header(Bytes file) {
   }
   header.data_offset = lines.position();
   for (auto& f : header.fields) f.source.type = source_type(f);
-  if (header.numbers() > most_values)
+  if (header.numbers() > max_values)
     throw bad_input("the PCD header names " + std::to_string(header.numbers()) + " values per point",
-                    "at most " + std::to_string(most_values));
+                    "at most " + std::to_string(max_values));
   return header;
 }
 
-// One field per value: those of a field with a count are told apart by a number.
+// One field per value. Values of a field with a count above 1 get numbered names.
 std::vector<SourceField> flat_fields(const Header& header) {
   std::vector<SourceField> fields;
   for (const auto& f : header.fields)
@@ -146,13 +146,13 @@ std::vector<SourceField> flat_fields(const Header& header) {
   return fields;
 }
 
-// Colours written as decimal numbers are the bits of a float.
+// A colour written as a decimal number is the bit pattern of a float.
 double ascii_value(const SourceField& field, char type, std::string_view word) {
   double value = 0;
   if (!parse_number(word, value)) return std::nan("");
   if (field.type == SourceType::packed_rgb && type == 'F')
     return std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  // As a signed number an opaque colour is negative.
+  // An opaque colour is negative when it is read as a signed number.
   if (field.type == SourceType::packed_rgb && type == 'I' && value < 0) return value + 4294967296.0;
   return value;
 }
@@ -183,7 +183,7 @@ CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
   if (bad > 0)
     out.report.warn(std::to_string(bad) + " lines with fewer than " + std::to_string(fields.size()) +
-                    " values were left out");
+                    " values were skipped");
   warn_cut_off(out.report, header.declared(), read);
   return out;
 }
@@ -209,7 +209,7 @@ CloudReading read_binary(Bytes data, const Header& header, const CloudReadOption
   return out;
 }
 
-// Compressed data is stored field after field.
+// Compressed data is stored field by field.
 CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
@@ -223,7 +223,7 @@ CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOp
   if (packed > data.size() - 8)
     throw bad_input("the file is cut off: compressed PCD data of " + std::to_string(packed) + " bytes, " +
                         std::to_string(data.size() - 8) + " are there",
-                    "the whole file", "Nothing can be read from a part of compressed data");
+                    "the whole file", "Compressed PCD data cannot be read in part: copy the file again");
   if (declared > unpacked / record || declared * record != unpacked)
     throw bad_input(
         "compressed PCD data of " + std::to_string(unpacked) + " bytes for " + std::to_string(declared) + " points",
@@ -258,7 +258,7 @@ std::vector<std::uint8_t> lzf_unpack(Bytes packed, std::size_t size) {
   const auto wrong = [](const char* what) {
     return bad_input(std::string("the compressed PCD data is damaged: ") + what, "LZF data");
   };
-  // Three bytes give 264 at most.
+  // Three packed bytes give at most 264 bytes.
   if (size > packed.size() * 88 + 264) throw wrong("it claims to unpack to more than it can");
   std::vector<std::uint8_t> out;
   out.reserve(size);

@@ -8,11 +8,10 @@ namespace bole::io {
 
 bool looks_like_pcd(Bytes file);
 
-// Throws Error{bad_input} naming the header line or field that cannot be used. Points missing at the end are warned of.
+// Throws Error{bad_input} that names the header line or field that cannot be used. Warns of points missing at the end.
 CloudReading read_pcd(Bytes file, const CloudReadOptions& options, const Run& run);
 
-// LZF (liblzf's format): the bytes that `packed` unpacks to. Throws Error{bad_input} when it does not give `size`
-// bytes.
+// Unpacks LZF (the format of liblzf). Throws Error{bad_input} where `packed` does not give `size` bytes.
 std::vector<std::uint8_t> lzf_unpack(Bytes packed, std::size_t size);
 
 }  // namespace bole::io

@@ -5,13 +5,14 @@
 #include <optional>
 
 #include "base/error.h"
+#include "cloud/known_facts.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/clouds/cloud_builder.h"
 
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_properties = 1024;
+constexpr std::size_t max_properties = 1024;
 
 struct Property {
   SourceField field;                     // for a list: the type of its entries
@@ -28,6 +29,7 @@ struct Header {
   std::string format;
   std::vector<Element> elements;
   std::size_t data_offset = 0;
+  std::string facts;  // JSON
 };
 
 SourceType scalar_type(std::string_view name, std::size_t line) {
@@ -59,6 +61,7 @@ Header read_header(Bytes file) {
   };
   std::size_t properties = 0;
   while (lines.next(text)) {
+    if (text.starts_with(ply_facts_comment)) header.facts = text.substr(ply_facts_comment.size());
     const auto words = split_blanks(text);
     if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") {
@@ -75,7 +78,7 @@ Header read_header(Bytes file) {
       if (!parse_number(words[2], element.count)) throw wrong("element NAME COUNT");
       header.elements.push_back(std::move(element));
     } else if (words[0] == "property" && words.size() >= 3 && !header.elements.empty()) {
-      if (++properties > most_properties) throw wrong("at most " + std::to_string(most_properties) + " properties");
+      if (++properties > max_properties) throw wrong("at most " + std::to_string(max_properties) + " properties");
       auto& into = header.elements.back().properties;
       if (words[1] == "list") {
         if (words.size() < 5) throw wrong("property list COUNT_TYPE TYPE NAME");
@@ -99,12 +102,12 @@ std::vector<SourceField> scalar_fields(const Element& vertex) {
   return fields;
 }
 
-// Walks through binary records; a record that does not end within the file stops it.
+// Reads binary records and stops at a record that goes beyond the end of the file.
 class BinaryWalker {
  public:
   BinaryWalker(Bytes data, bool swap) : data_(data), swap_(swap) {}
 
-  // Reads one record; scalars go to `row` in order. False when it goes beyond the end.
+  // Reads one record, and its scalars into `row`. False when the record goes beyond the end.
   bool read(const Element& element, std::vector<double>* row) {
     std::size_t at = at_, scalar = 0;
     for (const auto& p : element.properties) {
@@ -126,7 +129,7 @@ class BinaryWalker {
     return true;
   }
 
-  // Passes over a whole element. False when it goes beyond the end.
+  // Skips a whole element. False when it goes beyond the end.
   bool skip(const Element& element, const Run& run) {
     const bool lists =
         std::ranges::any_of(element.properties, [](const Property& p) { return p.list_count.has_value(); });
@@ -152,7 +155,7 @@ class BinaryWalker {
   std::size_t at_ = 0;
 };
 
-std::size_t smallest_record(const Element& element) {
+std::size_t min_record(const Element& element) {
   std::size_t bytes = 0;
   for (const auto& p : element.properties) bytes += source_type_bytes(p.list_count.value_or(p.field.type));
   return bytes;
@@ -169,8 +172,7 @@ CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_in
     if (!walker.skip(header.elements[e], run))
       throw bad_input("the file is cut off in the PLY element '" + header.elements[e].name + "', before the points",
                       "the whole file");
-  builder.reserve(
-      static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / smallest_record(vertex))));
+  builder.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(vertex.count, walker.left() / min_record(vertex))));
   std::vector<double> row(fields.size());
   std::uint64_t read = 0;
   while (read < vertex.count && walker.read(vertex, &row)) {
@@ -183,7 +185,7 @@ CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_in
   return out;
 }
 
-// The scalars of a line, lists passed over. False when there are too few words or one is no number.
+// The scalars of a line, without its lists. False where there are too few words or one is not a number.
 bool read_words(const std::vector<std::string_view>& words, const Element& element, std::vector<double>& row) {
   std::size_t word = 0, scalar = 0;
   for (const auto& p : element.properties) {
@@ -233,8 +235,7 @@ CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_ind
   }
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
-  if (bad > 0)
-    out.report.warn(std::to_string(bad) + " lines that do not hold the properties of a vertex were left out");
+  if (bad > 0) out.report.warn(std::to_string(bad) + " lines without the properties of a vertex were skipped");
   warn_cut_off(out.report, vertex.count, read);
   return out;
 }
@@ -264,6 +265,11 @@ CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& ru
       throw bad_input("the PLY format is '" + header.format.substr(0, 40) + "'",
                       "ascii, binary_little_endian or binary_big_endian");
     }
+  }
+  if (!header.facts.empty()) {
+    std::vector<std::string> warnings;
+    out.cloud.facts = facts_from_json(header.facts, warnings);
+    for (auto& text : warnings) out.report.warn(std::move(text));
   }
   out.report.facts["format"] = "PLY " + header.format;
   return out;

@@ -6,10 +6,14 @@
 
 namespace bole::io {
 
+// The facts of a cloud are a comment in the header, as a JSON object of texts:
+//   comment Bole facts {"sensor":"VLP-32C"}
+inline constexpr std::string_view ply_facts_comment = "comment Bole facts ";
+
 bool looks_like_ply(Bytes file);
 
-// All scalar types; list properties and other elements are skipped. Throws Error{bad_input} naming the header line that
-// cannot be used. Points missing at the end are warned of.
+// Reads all scalar types; list properties and other elements are skipped. Throws Error{bad_input} that names the header
+// line that cannot be used. Warns of points missing at the end.
 CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& run);
 
 }  // namespace bole::io

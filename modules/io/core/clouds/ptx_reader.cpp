@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t lines_between_polls = 1 << 15;
 
-// Reads lines of `count` numbers and says what is wrong otherwise.
+// Reads lines of numbers, and throws Error{bad_input} for other lines.
 class PtxLines {
  public:
   explicit PtxLines(Bytes file) : lines_(file) {}
@@ -22,20 +22,20 @@ class PtxLines {
       if (!trimmed(line_).empty()) return false;
     return true;
   }
-  // The numbers of the current line, after at_end() has said that there is one.
-  const std::vector<double>& numbers(std::size_t fewest, const char* what) {
+  // The numbers of the current line. Call at_end() before.
+  const std::vector<double>& numbers(std::size_t min_count, const char* what) {
     split_blanks(line_, words_);
     values_.assign(words_.size(), 0);
-    bool good = words_.size() >= fewest;
+    bool good = words_.size() >= min_count;
     for (std::size_t i = 0; i < words_.size(); ++i) good = parse_number(words_[i], values_[i]) && good;
     if (!good)
       throw bad_input("PTX line " + std::to_string(lines_.number()) + " is '" + std::string(line_.substr(0, 60)) + "'",
                       what);
     return values_;
   }
-  const std::vector<double>& next(std::size_t fewest, const char* what) {
+  const std::vector<double>& next(std::size_t min_count, const char* what) {
     if (at_end()) throw bad_input("the PTX file ends after line " + std::to_string(lines_.number()), what);
-    return numbers(fewest, what);
+    return numbers(min_count, what);
   }
   std::size_t number() const { return lines_.number(); }
   std::size_t position() const { return lines_.position(); }
@@ -71,8 +71,7 @@ Eigen::Affine3d read_pose(PtxLines& lines) {
 
 }  // namespace
 
-bool looks_like_ptx(Bytes file, const std::string& extension) {
-  if (extension != ".ptx") return false;
+bool looks_like_ptx(Bytes file) {
   LineReader lines(file);
   std::string_view line;
   std::size_t count = 0;
@@ -102,7 +101,7 @@ CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& ru
         run.check_cancel();
         run.report(static_cast<double>(lines.position()) / static_cast<double>(file.size()), "reading lines");
       }
-      auto row = lines.numbers(3, "x y z, perhaps intensity and red green blue");
+      auto row = lines.numbers(3, "x y z, with or without intensity and red green blue");
       if (!builder) {
         fields = row.size() >= 7 ? 7 : row.size() >= 4 ? 4 : 3;
         std::vector<SourceField> all{{"x"}, {"y"}, {"z"}, {"intensity"}, {"red"}, {"green"}, {"blue"}};
@@ -115,12 +114,14 @@ CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& ru
       }
       row.resize(fields, std::nan(""));
       const Eigen::Vector3d p = pose * Eigen::Vector3d(row[0], row[1], row[2]);
-      row[0] = p.x(), row[1] = p.y(), row[2] = p.z();
+      row[0] = p.x();
+      row[1] = p.y();
+      row[2] = p.z();
       builder->add(row);
     }
     missing += cells - cell;
   }
-  if (!builder) throw bad_input("the PTX file holds no points", "lines x y z intensity behind the header of a scan");
+  if (!builder) throw bad_input("the PTX file holds no points", "lines x y z intensity below the header of a scan");
   auto out = builder->finish();
   out.report.counts["empty_cells"] = empty_cells;
   out.report.counts["scans"] = static_cast<std::int64_t>(scans);

@@ -1,5 +1,5 @@
-// Where the sensor stood when a point was measured: three columns that hold a position, counted from the cloud's origin
-// in memory and a coordinate like that of the point in files.
+// The sensor position at the time of each point: three columns. In memory it is relative to the cloud's origin, in
+// files it is a coordinate like that of the point.
 #pragma once
 
 #include <array>

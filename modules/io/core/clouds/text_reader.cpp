@@ -1,17 +1,18 @@
 #include "io/core/clouds/text_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/clouds/cloud_builder.h"
-#include "io/core/clouds/ptx_reader.h"
 
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_columns = 1024;
+constexpr std::size_t max_columns = 1024;
+constexpr std::size_t max_header_lines = 200;
 constexpr std::size_t lines_between_polls = 1 << 15;
 
 struct Dialect {
@@ -46,16 +47,24 @@ bool number(std::string_view word, const Dialect& dialect, double& value) {
   return parse_number(copy, value);
 }
 
-Dialect dialect_of(std::string_view line, const std::string& wanted) {
+char delimiter_of(std::string_view line, std::optional<Delimiter> wanted) {
+  if (wanted) {
+    constexpr std::array characters{' ', ',', ';', '\t'};
+    return characters[static_cast<std::size_t>(*wanted)];
+  }
   const auto has = [&](char c) { return line.find(c) != std::string_view::npos; };
-  Dialect dialect;
-  if (wanted == "comma") dialect.delimiter = ',';
-  if (wanted == "semicolon") dialect.delimiter = ';';
-  if (wanted == "tab") dialect.delimiter = '\t';
-  if (wanted == "auto") dialect.delimiter = has(';') ? ';' : has(',') && !has('\t') ? ',' : ' ';
-  // "1,5 2,25 3,0" and "1,5;2,25;3,0" are written with decimal commas; "1,5, 2,25" is not.
-  if (dialect.delimiter != ',') dialect.decimal_comma = has(',') && !has('.');
-  if (dialect.delimiter == ',' && wanted == "auto" && !has('.')) {
+  if (has(';')) return ';';
+  return has(',') && !has('\t') ? ',' : ' ';
+}
+
+// "1,5 2,25 3,0" and "1,5;2,25;3,0" are written with decimal commas. "1,5, 2,25" is not.
+Dialect dialect_of(std::string_view line, std::optional<Delimiter> wanted) {
+  const bool points = line.find('.') != std::string_view::npos;
+  Dialect dialect{delimiter_of(line, wanted), false};
+  if (points) return dialect;
+  if (dialect.delimiter != ',') {
+    dialect.decimal_comma = line.find(',') != std::string_view::npos;
+  } else if (!wanted) {
     const auto words = split_blanks(line);
     const bool inside = std::ranges::all_of(
         words, [](std::string_view w) { return std::ranges::count(w, ',') <= 1 && w.back() != ','; });
@@ -64,7 +73,7 @@ Dialect dialect_of(std::string_view line, const std::string& wanted) {
   return dialect;
 }
 
-// A line as people write them above columns; "//X Y Z" is CloudCompare's.
+// The text of a header line, as in CloudCompare's "//X Y Z".
 std::string_view without_comment_sign(std::string_view line) {
   line = trimmed(line);
   while (!line.empty() && (line.front() == '#' || line.front() == '/' || line.front() == '%')) line.remove_prefix(1);
@@ -79,7 +88,9 @@ bool names_xyz(const std::vector<std::string_view>& words) {
   bool x = false, y = false, z = false;
   for (const auto w : words) {
     const auto name = array_name(w);
-    x = x || name == "x", y = y || name == "y", z = z || name == "z";
+    x = x || name == "x";
+    y = y || name == "y";
+    z = z || name == "z";
   }
   return x && y && z;
 }
@@ -90,7 +101,7 @@ std::vector<SourceField> fields_of(const std::vector<std::string_view>& names) {
   return fields;
 }
 
-// What columns without names usually are.
+// The usual names of columns that have none in the file.
 std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
   const std::size_t columns = first_row.size();
   std::vector<std::string> names{"x", "y", "z"};
@@ -108,7 +119,7 @@ std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
   return fields;
 }
 
-// What the first lines say of the rest.
+// What the first lines tell about the rest.
 struct Layout {
   Dialect dialect;
   std::vector<SourceField> fields;
@@ -126,7 +137,6 @@ bool all_numbers(const std::vector<std::string_view>& words, const Dialect& dial
 }
 
 Layout find_layout(Bytes file, const CloudReadOptions& options) {
-  constexpr std::size_t most_header_lines = 200;
   Layout layout;
   LineReader lines(file);
   std::string_view line, header;
@@ -137,7 +147,7 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     before = lines.position();
     if (!lines.next(line)) break;
     if (lines.number() <= static_cast<std::size_t>(options.skip_lines) || trimmed(line).empty()) continue;
-    if (lines.number() > most_header_lines + static_cast<std::size_t>(options.skip_lines)) break;
+    if (lines.number() > max_header_lines + static_cast<std::size_t>(options.skip_lines)) break;
     if (is_comment(line)) {
       const auto text = without_comment_sign(line);
       split(text, dialect_of(text, options.delimiter), words);
@@ -146,14 +156,16 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     }
     const auto dialect = dialect_of(line, options.delimiter);
     split(line, dialect, words);
-    if (words.size() > most_columns)
+    if (words.size() > max_columns)
       throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns",
-                      "at most " + std::to_string(most_columns));
+                      "at most " + std::to_string(max_columns));
     if (!all_numbers(words, dialect, row)) {
       if (words.size() >= 3) header = line;
       continue;
     }
-    layout.dialect = dialect, layout.data_offset = before, layout.lines_before = lines.number() - 1;
+    layout.dialect = dialect;
+    layout.data_offset = before;
+    layout.lines_before = lines.number() - 1;
     if (!options.columns.empty()) {
       std::string list = options.columns;
       std::ranges::replace(list, ',', ' ');
@@ -162,8 +174,9 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
       split(header, dialect_of(header, options.delimiter), names);
       layout.fields = fields_of(names);
       if (!names_xyz(names))
-        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' names no x, y and z",
-                        "these names", "Say what the columns are with the option columns, for instance \"_ x y z\"");
+        throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' does not name x, y and z",
+                        "a header line with x, y and z",
+                        "Name the columns with the option columns, for instance \"_ x y z\"");
       if (names.size() > row.size()) layout.fields.resize(row.size());
     } else {
       layout.fields = usual_fields(row);
@@ -172,7 +185,7 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
   }
   if (file.empty()) throw bad_input("the file is empty", "points as text");
   throw bad_input("none of the first " + std::to_string(lines.number()) + " lines holds three numbers",
-                  "lines with x, y and z", "If the points begin further down, say so with the option skip_lines");
+                  "lines with x, y and z", "If the points begin further down, set the option skip_lines");
 }
 
 void check_columns(const Layout& layout, const CloudReadOptions& options, std::size_t present) {
@@ -184,9 +197,20 @@ void check_columns(const Layout& layout, const CloudReadOptions& options, std::s
 
 }  // namespace
 
-CloudReading read_text_cloud(Bytes file, const std::string& extension, const CloudReadOptions& options,
-                             const Run& run) {
-  if (looks_like_ptx(file, extension)) return read_ptx(file, options, run);
+bool holds_text_points(Bytes file) {
+  LineReader lines(file);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  std::vector<double> row;
+  while (lines.number() < max_header_lines && lines.next(line)) {
+    const auto dialect = dialect_of(line, {});
+    split(line, dialect, words);
+    if (words.size() <= max_columns && all_numbers(words, dialect, row)) return true;
+  }
+  return false;
+}
+
+CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const Run& run) {
   const Layout layout = find_layout(file, options);
   CloudBuilder builder(layout.fields, options);
   LineReader lines(file.subspan(layout.data_offset));
@@ -225,8 +249,8 @@ CloudReading read_text_cloud(Bytes file, const std::string& extension, const Clo
   auto out = builder.finish();
   out.report.counts["bad_lines"] = static_cast<std::int64_t>(bad);
   if (bad > 0)
-    out.report.warn(std::to_string(bad) + " lines left out that do not hold " + std::to_string(row.size()) +
-                    " numbers; the first is line " + std::to_string(first_bad));
+    out.report.warn(std::to_string(bad) + " lines without " + std::to_string(row.size()) +
+                    " numbers were skipped; the first is line " + std::to_string(first_bad));
   out.report.facts["format"] = "text";
   std::string columns;
   for (const auto& f : layout.fields)

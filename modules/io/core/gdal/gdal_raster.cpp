@@ -57,7 +57,7 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
         driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));
     require(set != nullptr, errors, path, "creating the file");
     fill(*set, raster, errors, path);
-    // Closing writes what is left; only then an error of a full disk shows.
+    // Only closing the file writes its last part and shows that the disk is full.
     CPLErrorReset();
     set.reset();
     require(CPLGetLastErrorType() < CE_Failure, errors, path, "writing the file");
@@ -74,17 +74,18 @@ Raster read_geotiff(const std::filesystem::path& path) {
     throw bad_input(fmt::format("'{}' cannot be read: {}", path.string(), errors.last()), "a GeoTIFF with a band");
   double t[6];
   if (set->GetGeoTransform(t) != CE_None)
-    throw bad_input(fmt::format("'{}' has no place in space", path.string()), "a georeferenced GeoTIFF");
+    throw bad_input(fmt::format("'{}' has no georeference", path.string()), "a georeferenced GeoTIFF");
   if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
     throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]),
                     "square cells, north up");
-  // A sparse file of a few bytes may promise any number of cells.
-  constexpr std::int64_t most_cells = 400'000'000;
-  if (const std::int64_t cells = std::int64_t{set->GetRasterXSize()} * set->GetRasterYSize(); cells > most_cells)
+  // A sparse file of a few bytes can declare any number of cells.
+  constexpr std::int64_t max_cells = 400'000'000;
+  if (const std::int64_t cells = std::int64_t{set->GetRasterXSize()} * set->GetRasterYSize(); cells > max_cells)
     throw bad_input(fmt::format("'{}' has {} x {} cells", path.string(), set->GetRasterXSize(), set->GetRasterYSize()),
-                    fmt::format("at most {} million cells", most_cells / 1'000'000), "Cut it to the plot, or thin it");
+                    fmt::format("at most {} million cells", max_cells / 1'000'000), "Cut it to the plot, or thin it");
   Raster raster;
-  raster.nx = set->GetRasterXSize(), raster.ny = set->GetRasterYSize();
+  raster.nx = set->GetRasterXSize();
+  raster.ny = set->GetRasterYSize();
   raster.cell_m = t[1];
   raster.origin = {t[0], t[3] + raster.ny * t[5]};
   if (const auto* crs = set->GetSpatialRef(); crs != nullptr) {
@@ -96,7 +97,7 @@ Raster read_geotiff(const std::filesystem::path& path) {
   }
   GDALRasterBand& band = *set->GetRasterBand(1);
   if (const std::string description = band.GetDescription(); !description.empty()) raster.quantity = description;
-  // Row by row: a file that promises more than it holds fails at its first missing row.
+  // Row by row, so that a file that is cut off fails at its first missing row.
   std::vector<float> row(static_cast<std::size_t>(raster.nx));
   int has_no_data = FALSE;
   const auto no_data = static_cast<float>(band.GetNoDataValue(&has_no_data));

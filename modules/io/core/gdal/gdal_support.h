@@ -1,4 +1,4 @@
-// What the GDAL writers share.
+// Drivers and error messages of GDAL, for the readers and writers of this folder.
 #pragma once
 
 #include <filesystem>
@@ -16,10 +16,10 @@ struct CloseDataset {
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-// Registers all drivers once and returns the one of that name. Throws Error{failed} when GDAL was built without it.
+// The driver of this name. Throws Error{failed} where GDAL was built without it.
 GDALDriver& driver(const char* name);
 
-// While it lives, GDAL's errors are collected rather than printed.
+// Collects GDAL's errors during its lifetime, so that they are not printed.
 class Errors {
  public:
   Errors();

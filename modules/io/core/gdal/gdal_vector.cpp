@@ -78,7 +78,7 @@ std::unique_ptr<OGRGeometry> make_geometry(GeometryKind kind, const std::vector<
   return nullptr;
 }
 
-// GeoPackage has a primary key of its own name, and names there do not tell upper from lower case.
+// GeoPackage reserves the names of its primary key and its geometry, in upper and lower case.
 std::string field_name(const std::string& column) {
   return EQUAL(column.c_str(), "fid") || EQUAL(column.c_str(), "geom") ? column + "_" : column;
 }
@@ -109,8 +109,8 @@ void set_fields(OGRFeature& feature, const VectorLayer& layer, std::size_t row) 
   }
 }
 
-// Plane metres about a place that nobody knows. By this name GeoPackage has an id of its own (-1); layers without any
-// system would be degrees of longitude and latitude there (0).
+// Metres in a plane without a known place. GeoPackage has an id for a system of this name (-1). A layer without any
+// system would count as longitude and latitude there (0).
 constexpr char unknown_place[] =
     R"(LOCAL_CS["Undefined Cartesian SRS",UNIT["Meter",1],AXIS["Easting",EAST],AXIS["Northing",NORTH]])";
 
@@ -127,7 +127,8 @@ void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& e
   require(out != nullptr, errors, layer, "creating it");
   define_fields(*out, layer, errors);
   const std::size_t features = layer.geometry == GeometryKind::none ? layer.attributes.rows() : layer.shapes.size();
-  const bool transaction = set.StartTransaction() == OGRERR_NONE;  // where there is one, it makes many rows cheap
+  const bool transaction =
+      set.StartTransaction() == OGRERR_NONE;  // makes many rows fast, where the format has transactions
   for (std::size_t i = 0; i < features; ++i) {
     const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(OGRFeature::CreateFeature(out->GetLayerDefn()),
                                                                      OGRFeature::DestroyFeature);
@@ -180,7 +181,8 @@ void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) 
   VectorLayer out = layer;
   if (!layer.crs_wkt.empty()) {
     OGRSpatialReference from, to;
-    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER), to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     const gdal::Errors errors;
     if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE)
       throw bad_input(
@@ -188,7 +190,7 @@ void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) 
           "WKT 1 or 2");
     const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(
         OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
-    require(transformation != nullptr, errors, layer, "finding a way to longitude and latitude");
+    require(transformation != nullptr, errors, layer, "finding the transformation to longitude and latitude");
     for (auto& shape : out.shapes)
       for (auto& v : shape)
         require(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,

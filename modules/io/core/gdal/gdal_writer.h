@@ -1,4 +1,4 @@
-// Rasters and vector layers in the formats of geographic information systems, through GDAL.
+// Rasters and vector layers for geographic information systems, through GDAL.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace bole::io {
 
-// A raster as float32 GeoTIFF: north up, DEFLATE, NaN as "no data", `quantity` as the band's description, the CRS when
+// Writes float32 GeoTIFF: north up, DEFLATE, NaN as "no data", `quantity` as the band's description, and the CRS where
 // the raster has one. The file appears under its name only when it is whole. Throws Error{bad_input} for an empty
 // raster or a size that does not fit its values, Error{failed} when it cannot be written.
 void write_geotiff(const std::filesystem::path& path, const Raster& raster);
@@ -23,10 +23,10 @@ enum class GeometryKind {
   none,    // a table
   point,   // one vertex per row
   line,    // two or more
-  polygon  // three or more, the ring is closed by the writer
+  polygon  // three or more; the writer closes the ring
 };
 
-// A row of `attributes` per feature. `shapes[i]` are the vertices of feature i, x, y, z in the axes of the CRS.
+// One row of `attributes` per feature. `shapes[i]` are the vertices of feature i: x, y, z in the axes of the CRS.
 struct VectorLayer {
   std::string name;
   GeometryKind geometry = GeometryKind::point;
@@ -35,18 +35,18 @@ struct VectorLayer {
   std::string crs_wkt;  // empty when not known
 };
 
-// A layer of points from a table with x_m, y_m and z_m (z_m may be absent or NaN: 0); all columns are attributes.
+// A layer of points from a table with x_m, y_m and z_m (0 where it is absent or NaN). All columns are attributes.
 // `origin` is added to the coordinates, not to the columns.
 VectorLayer point_layer(std::string name, const Table& table, const std::string& crs_wkt,
                         const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-// Layers into one GeoPackage, replacing a file of that name when the new one is whole. Columns keep their types; NaN
-// and empty texts become NULL. Throws Error{bad_input} when shapes and rows differ in number or a shape has too few
-// vertices, Error{failed} when GDAL refuses.
+// Writes layers into one GeoPackage. A file of that name is replaced once the new one is whole. Columns keep their
+// types; NaN and empty texts become NULL. Throws Error{bad_input} when shapes and rows differ in number or a shape has
+// too few vertices, Error{failed} when GDAL refuses.
 void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers);
 
-// One layer as GeoJSON. GeoJSON knows longitude and latitude only: with a CRS the coordinates are transformed to them,
-// without one they are written as they are.
+// Writes one layer as GeoJSON. With a CRS the coordinates are transformed to longitude and latitude, the only ones of
+// GeoJSON. Without one they are written as they are.
 void write_geojson(const std::filesystem::path& path, const VectorLayer& layer);
 
 }  // namespace bole::io

@@ -15,7 +15,7 @@ namespace {
 
 enum TiffType : std::uint16_t { tiff_ascii = 2, tiff_short = 3, tiff_long = 4, tiff_double = 12 };
 
-// A TIFF image of one pixel, tag by tag; GDAL reads the keys from it as it would from any GeoTIFF.
+// A TIFF image of one pixel with the keys, because GDAL reads keys only from a GeoTIFF.
 class OnePixelTiff {
  public:
   OnePixelTiff() {
@@ -25,7 +25,7 @@ class OnePixelTiff {
       store(tag.data.data(), static_cast<std::uint16_t>(value));
       tags_.push_back(std::move(tag));
     }
-    // A pixel size and a tie point: without a place in space GDAL may not look for a CRS.
+    // Without a pixel size and a tie point GDAL may not look for a CRS.
     const double pixel[3] = {1, 1, 0}, tie[6] = {};
     add(33550, tiff_double, {reinterpret_cast<const std::uint8_t*>(pixel), sizeof pixel}, 8);
     add(33922, tiff_double, {reinterpret_cast<const std::uint8_t*>(tie), sizeof tie}, 8);
@@ -50,7 +50,9 @@ class OnePixelTiff {
     for (std::size_t i = 0; i < tags_.size(); ++i) {
       const Tag& tag = tags_[i];
       const std::size_t at = directory_at + 2 + 12 * i;
-      store(out.data() + at, tag.id), store(out.data() + at + 2, tag.type), store(out.data() + at + 4, tag.count);
+      store(out.data() + at, tag.id);
+      store(out.data() + at + 2, tag.type);
+      store(out.data() + at + 4, tag.count);
       if (tag.data.size() <= 4) {
         std::memcpy(out.data() + at + 8, tag.data.data(), tag.data.size());
       } else {
@@ -68,7 +70,7 @@ class OnePixelTiff {
     std::uint32_t count;
     std::vector<std::uint8_t> data;
   };
-  std::vector<Tag> tags_;  // ids ascending, as TIFF wants them
+  std::vector<Tag> tags_;  // TIFF requires ascending ids
 };
 
 void quiet(CPLErr, CPLErrorNum, const char*) {}
@@ -76,8 +78,8 @@ void quiet(CPLErr, CPLErrorNum, const char*) {}
 }  // namespace
 
 std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii) {
-  constexpr std::size_t most_bytes = 65535;
-  if (directory.size() < 8 || directory.size() > most_bytes || doubles.size() > most_bytes || ascii.size() > most_bytes)
+  constexpr std::size_t max_bytes = 65535;
+  if (directory.size() < 8 || directory.size() > max_bytes || doubles.size() > max_bytes || ascii.size() > max_bytes)
     return {};
   GDALRegister_GTiff();
   OnePixelTiff tiff;

@@ -7,12 +7,12 @@
 
 namespace bole::io::las {
 
-// The WKT of the keys (tags 34735, 34736 and 34737 as they lie in the file), made by GDAL, so that user-defined systems
-// count too; empty when they name none.
+// The WKT of the keys (tags 34735, 34736 and 34737 as they are in the file), user-defined systems included. Made by
+// GDAL. Empty where the keys name no system.
 std::string wkt_from_geokeys(Bytes directory, Bytes doubles, Bytes ascii);
 
-// What a program that takes coordinates for metres must be told of a WKT: that they are feet or degrees. Empty when
-// they are metres or GDAL does not know the system.
+// A warning where the coordinates of a WKT are feet or degrees. Empty where they are metres or GDAL does not know the
+// system.
 std::string unit_warning(const std::string& wkt);
 
 // The EPSG code of a WKT, 0 when it has none.

@@ -1,4 +1,4 @@
-// Little-endian fields in runs of bytes, as LAS and LAZ have them.
+// Little-endian fields of LAS and LAZ.
 #pragma once
 
 #include <bit>
@@ -31,7 +31,7 @@ inline std::string load_text(const std::uint8_t* at, std::size_t width) {
   return as_utf8({text, strnlen(text, width)});
 }
 
-// Shorter texts are padded with zeros, longer ones are cut behind a whole letter.
+// Shorter texts are padded with zeros, longer ones are cut after a whole character.
 inline void store_text(std::uint8_t* at, std::size_t width, std::string_view text) {
   std::size_t length = std::min(width, text.size());
   if (length < text.size())

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<const ArrayInfo*, 3> sensor_position{&arrays::sensor_x, &arrays::sensor_y, &arrays::sensor_z};
 
-// An axis of the sensor's position is written as a global coordinate, since the cloud that reads it has another origin.
+// The sensor position is written as a global coordinate, because the cloud that is read back has another origin.
 int sensor_axis(const ExtraDimension& dimension) {
   for (int axis = 0; axis < 3; ++axis)
     if (dimension.name == sensor_position[static_cast<std::size_t>(axis)]->name) return axis;
@@ -44,7 +44,10 @@ void leave(const std::vector<T>& values, std::size_t first, std::size_t count) {
 }  // namespace
 
 void IntegerBox::add(const IntegerBox& other) {
-  for (std::size_t k = 0; k < 3; ++k) min[k] = std::min(min[k], other.min[k]), max[k] = std::max(max[k], other.max[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    min[k] = std::min(min[k], other.min[k]);
+    max[k] = std::max(max[k], other.max[k]);
+  }
 }
 
 ColumnBuilder::ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions)
@@ -55,7 +58,7 @@ ColumnBuilder::ColumnBuilder(int point_format, int record_length, std::vector<Ex
     extra_.push_back(make_column(sensor_axis(dimension) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
 }
 
-// All but the positions, as far as the points have them.
+// The columns that the point format has, without the positions.
 template <class F>
 void ColumnBuilder::for_each_column(F&& f) {
   const auto all = [&](auto&... columns) { (f(columns), ...); };
@@ -67,7 +70,7 @@ void ColumnBuilder::for_each_column(F&& f) {
   for (auto& column : extra_) std::visit(f, column);
 }
 
-void ColumnBuilder::expect(std::size_t count, std::size_t most_bytes, const std::vector<std::filesystem::path>& folders,
+void ColumnBuilder::expect(std::size_t count, std::size_t max_bytes, const std::vector<std::filesystem::path>& folders,
                            std::vector<std::string>& warnings) {
   expected_ = count;
   positions_.reserve(count);
@@ -76,11 +79,11 @@ void ColumnBuilder::expect(std::size_t count, std::size_t most_bytes, const std:
     values.reserve(count);
     bytes += count * sizeof(values[0]);
   });
-  if (bytes <= most_bytes) return;
+  if (bytes <= max_bytes) return;
   folders_ = folders;
   for_each_column([&](auto& values) {
     const std::size_t size = count * sizeof(values[0]);
-    if (size < least_file_bytes) return;
+    if (size < min_file_bytes) return;
     if (auto pages = lay_on_file(values.data(), size, Content::undefined, folders_))
       pages_[values.data()] = std::move(pages);
     else
@@ -114,8 +117,10 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     std::int32_t v[3];
     std::memcpy(v, at, sizeof v);
     std::memcpy(positions_[first + i].data(), v, sizeof v);
-    for (std::size_t k = 0; k < 3; ++k)
-      box.min[k] = std::min(box.min[k], v[k]), box.max[k] = std::max(box.max[k], v[k]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.min[k] = std::min(box.min[k], v[k]);
+      box.max[k] = std::max(box.max[k], v[k]);
+    }
   }
   each(intensity_, [](const std::uint8_t* p) { return load<std::uint16_t>(p + field::intensity); });
   if (layout_.extended) {
@@ -143,7 +148,9 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
     const auto colour = [&](int channel) {
       return [place = layout_.colour + 2 * channel](const std::uint8_t* p) { return load<std::uint16_t>(p + place); };
     };
-    each(red_, colour(0)), each(green_, colour(1)), each(blue_, colour(2));
+    each(red_, colour(0));
+    each(green_, colour(1));
+    each(blue_, colour(2));
   }
   if (layout_.near_infrared >= 0)
     each(near_infrared_,
@@ -166,8 +173,8 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
       middle[k] = grid_middle(box.min[k], box.max[k], scale[axis], offset[axis]);
       cloud.origin[axis] = offset[axis] + middle[k] * scale[axis];
       // A float32 has 24 bits: up to 2^23 steps from the origin the nearest step is the right one.
-      constexpr std::int64_t most_steps = std::int64_t{1} << 23;
-      if (std::int64_t{box.max[k]} - middle[k] > most_steps || std::int64_t{middle[k]} - box.min[k] > most_steps)
+      constexpr std::int64_t max_steps = std::int64_t{1} << 23;
+      if (std::int64_t{box.max[k]} - middle[k] > max_steps || std::int64_t{middle[k]} - box.min[k] > max_steps)
         *exact = false;
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions_.size(), 1 << 16),
@@ -222,7 +229,9 @@ void ColumnBuilder::set_unless_zero(PointCloud& cloud, const ArrayInfo& info, st
 
 void ColumnBuilder::finish_colours(PointCloud& cloud) {
   if (!any_set(red_) && !any_set(green_) && !any_set(blue_)) return;
-  set(cloud, arrays::red.name, red_), set(cloud, arrays::green.name, green_), set(cloud, arrays::blue.name, blue_);
+  set(cloud, arrays::red.name, red_);
+  set(cloud, arrays::green.name, green_);
+  set(cloud, arrays::blue.name, blue_);
 }
 
 void ColumnBuilder::finish_flags(PointCloud& cloud) {
@@ -239,7 +248,7 @@ void ColumnBuilder::finish_flags(PointCloud& cloud) {
   flags_ = {};
 }
 
-// Extra bytes win over fields of the point of the same name: a writer that has both means the exact one.
+// Extra bytes replace a field of the same name, because they hold the exact value.
 void ColumnBuilder::finish_extra(PointCloud& cloud, const Run& run) {
   for (std::size_t d = 0; d < dimensions_.size(); ++d) {
     run.check_cancel();
@@ -260,7 +269,8 @@ void ColumnBuilder::finish_sensor_axis(PointCloud& cloud, std::size_t dimension,
     run.check_cancel();
     const std::size_t count = std::min(block, local.size() - begin);
     for (std::size_t i = begin; i < begin + count; ++i) local[i] = static_cast<float>(global[i] - cloud.origin[axis]);
-    las::leave(global, begin, count), las::leave(local, begin, count);
+    las::leave(global, begin, count);
+    las::leave(local, begin, count);
   }
   pages_of(global);
   global = {};

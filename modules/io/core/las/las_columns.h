@@ -28,25 +28,24 @@ class ColumnBuilder {
  public:
   ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions);
 
-  // Tells how many points will come, so that columns need not be moved as they grow. Where there are more than
-  // `most_bytes` of columns they lie on file in one of the folders from the start (cloud/large_cloud.h), with a warning
-  // when none of them has the room.
-  void expect(std::size_t count, std::size_t most_bytes, const std::vector<std::filesystem::path>& folders,
+  // Reserves the columns of `count` points. Where they take more than `max_bytes`, they lie in a file in one of the
+  // folders from the start (cloud/large_cloud.h), with a warning where no folder has room.
+  void expect(std::size_t count, std::size_t max_bytes, const std::vector<std::filesystem::path>& folders,
               std::vector<std::string>& warnings);
 
-  // Room for `count` points; what was decoded stays.
+  // Grows to `count` points and keeps those that were decoded.
   void resize(std::size_t count);
   std::size_t size() const { return positions_.size(); }
 
-  // Lets the points [first, first + count) leave memory, all but their coordinates, as far as they lie on file.
+  // Releases the memory of the points [first, first + count) as far as their columns lie on file. Coordinates stay.
   void leave(std::size_t first, std::size_t count);
 
-  // Decodes records into the places [first, first + count) and returns their bounding box. Different places may be
-  // filled from different threads.
+  // Decodes records into the points [first, first + count) and returns their bounding box. Threads may fill different
+  // points at the same time.
   IntegerBox decode(const std::uint8_t* records, std::size_t count, std::size_t first);
 
-  // The cloud, its origin near the middle of `box` on the grid of the coordinates. Columns that hold nothing but zeros
-  // are left out. `*exact` says whether float32 offsets give every coordinate back.
+  // The cloud. Its origin is near the middle of `box`, on the grid of the coordinates. Columns of zeros are left out.
+  // `*exact`: float32 offsets give every coordinate back.
   PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact,
                     const Run& run = {});
 

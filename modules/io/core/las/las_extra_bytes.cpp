@@ -40,8 +40,8 @@ void with_type(ExtraType type, F&& f) {
   }
 }
 
-// Integers outside the target's range are held at its ends, and what is not a number becomes zero: a hostile file must
-// not reach a conversion that C++ leaves undefined.
+// Integers are clamped to the range of the target, and NaN becomes zero, because other conversions are undefined in
+// C++ and a hostile file could reach them.
 template <class To>
 To converted(double value) {
   if constexpr (std::is_floating_point_v<To>) {
@@ -90,7 +90,8 @@ std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, st
     const std::uint8_t* d = data.data() + i * extra_descriptor_size;
     const unsigned type = d[2], options = d[3];
     ExtraDimension dimension;
-    dimension.name = load_text(d + 4, 32), dimension.description = load_text(d + 160, 32);
+    dimension.name = load_text(d + 4, 32);
+    dimension.description = load_text(d + 160, 32);
     dimension.offset = at;
     const bool scalar = type >= 1 && type <= 10;
     // Types 11 to 30 are pairs and triples of the scalar types, 0 is a run of `options` bytes.
@@ -101,21 +102,27 @@ std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, st
     at += size;
     if (type > 30 || at > static_cast<std::size_t>(info.record_length)) {
       warnings.push_back(fmt::format(
-          "extra bytes '{}' (type {}) do not lie within the point record; they and those behind them are left out",
+          "extra bytes '{}' (type {}) do not lie within the point record; they and those after them are skipped",
           dimension.name, type));
       break;
     }
     if (!scalar) {
-      warnings.push_back(fmt::format("extra bytes '{}' are not a single number; they are left out", dimension.name));
+      warnings.push_back(fmt::format("extra bytes '{}' are not a single number and are skipped", dimension.name));
       continue;
     }
     if (dimension.name.empty() || std::ranges::find(out, dimension.name, &ExtraDimension::name) != out.end()) {
-      warnings.push_back(fmt::format("extra bytes {} have no name of their own; they are left out", i + 1));
+      warnings.push_back(fmt::format("extra bytes {} have no unique name and are skipped", i + 1));
       continue;
     }
     dimension.type = static_cast<ExtraType>(type);
-    if ((options & has_scale) != 0) dimension.scaled = true, dimension.scale = load<double>(d + 112);
-    if ((options & has_offset) != 0) dimension.scaled = true, dimension.shift = load<double>(d + 136);
+    if ((options & has_scale) != 0) {
+      dimension.scaled = true;
+      dimension.scale = load<double>(d + 112);
+    }
+    if ((options & has_offset) != 0) {
+      dimension.scaled = true;
+      dimension.shift = load<double>(d + 136);
+    }
     out.push_back(std::move(dimension));
   }
   return out;
@@ -150,7 +157,10 @@ void store_descriptor(const ExtraDimension& dimension, std::uint8_t* at) {
   at[2] = static_cast<std::uint8_t>(dimension.type);
   at[3] = static_cast<std::uint8_t>(dimension.scaled ? has_scale | has_offset : 0U);
   store_text(at + 4, 32, dimension.name);
-  if (dimension.scaled) store(at + 112, dimension.scale), store(at + 136, dimension.shift);
+  if (dimension.scaled) {
+    store(at + 112, dimension.scale);
+    store(at + 136, dimension.shift);
+  }
   store_text(at + 160, 32, dimension.description);
 }
 

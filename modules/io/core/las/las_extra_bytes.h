@@ -1,4 +1,4 @@
-// Extra bytes of LAS points: columns that the point format has no field for (LAS 1.4 R15, "Extra Bytes", record 4).
+// Extra bytes of LAS points: columns without a field in the point format (LAS 1.4 R15, "Extra Bytes", record 4).
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct ExtraDimension {
   bool scaled = false;     // value = stored * scale + shift
   double scale = 1, shift = 0;
 
-  // What it becomes in a cloud: the vocabulary's type for the names it knows, else the smallest that holds the values.
+  // Type of the column: that of the vocabulary for its names, else the smallest that holds the values.
   ArrayType column_type() const;
 };
 

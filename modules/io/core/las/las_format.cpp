@@ -5,7 +5,7 @@
 namespace bole::io::las {
 
 const PointLayout& point_layout(int format) {
-  static constexpr std::array<PointLayout, most_point_format + 1> layouts{{
+  static constexpr std::array<PointLayout, max_point_format + 1> layouts{{
       {20, false, -1, -1, -1},
       {28, false, 20, -1, -1},
       {26, false, -1, 20, -1},

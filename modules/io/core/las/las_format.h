@@ -1,4 +1,4 @@
-// Where the fields of the LAS point formats 0 to 10 lie (ASPRS LAS Specification 1.4 R15, tables 7 to 17).
+// The fields of the LAS point formats 0 to 10 (ASPRS LAS Specification 1.4 R15, tables 7 to 17).
 #pragma once
 
 #include <algorithm>
@@ -18,9 +18,9 @@ struct PointLayout {
   int near_infrared = -1;
 };
 
-inline constexpr int most_point_format = 10;
+inline constexpr int max_point_format = 10;
 
-// Of a format from 0 to most_point_format.
+// Of a format from 0 to max_point_format.
 const PointLayout& point_layout(int format);
 
 namespace field {
@@ -38,7 +38,7 @@ inline constexpr std::size_t flags = 15, classification = 16, user_data = 17, sc
 // Degrees per unit of the scan angle of formats 6 and up.
 inline constexpr double scan_angle_step_deg = 0.006;
 
-// Point flags as columns of 0 and 1 (scanner_channel: 0 to 3); a cloud has those of them that are set anywhere.
+// Point flags as columns of 0 and 1 (scanner_channel: 0 to 3). A cloud has only those that are set for some point.
 struct FlagColumn {
   const char* name;
   unsigned shift, mask;

@@ -33,11 +33,14 @@ void read_identity(Bytes file, LasInfo& info) {
   const std::uint8_t* h = file.data();
   info.file_source_id = load<std::uint16_t>(h + 4);
   info.global_encoding = load<std::uint16_t>(h + 6);
-  info.version_major = h[24], info.version_minor = h[25];
+  info.version_major = h[24];
+  info.version_minor = h[25];
   if (info.version_major != 1 || info.version_minor > 4)
     throw bad_input(fmt::format("LAS version {}.{}", info.version_major, info.version_minor), "1.0 to 1.4");
-  info.system = load_text(h + 26, 32), info.software = load_text(h + 58, 32);
-  info.creation_day = load<std::uint16_t>(h + 90), info.creation_year = load<std::uint16_t>(h + 92);
+  info.system = load_text(h + 26, 32);
+  info.software = load_text(h + 58, 32);
+  info.creation_day = load<std::uint16_t>(h + 90);
+  info.creation_year = load<std::uint16_t>(h + 92);
 }
 
 void read_layout(Bytes file, LasInfo& info) {
@@ -57,7 +60,7 @@ void read_layout(Bytes file, LasInfo& info) {
                                 file.size()));
   info.compressed = (h[104] & 0x80) != 0;
   info.point_format = h[104] & 0x3f;
-  if (info.point_format > most_point_format)
+  if (info.point_format > max_point_format)
     throw bad_input(fmt::format("point format {}", info.point_format), "0 to 10");
   info.record_length = load<std::uint16_t>(h + 105);
   if (info.record_length < point_layout(info.point_format).size)
@@ -68,7 +71,8 @@ void read_layout(Bytes file, LasInfo& info) {
 
 void read_extent(Bytes file, LasInfo& info) {
   const std::uint8_t* h = file.data();
-  info.scale = load_vector(h + 131), info.offset = load_vector(h + 155);
+  info.scale = load_vector(h + 131);
+  info.offset = load_vector(h + 155);
   if (!info.scale.allFinite() || (info.scale.array() == 0).any() || !info.offset.allFinite())
     throw bad_input(fmt::format("coordinate scale {} {} {} and offset {} {} {}", info.scale.x(), info.scale.y(),
                                 info.scale.z(), info.offset.x(), info.offset.y(), info.offset.z()),

@@ -1,4 +1,4 @@
-// What a LAS or LAZ file says of itself, without its points.
+// Header and variable length records of a LAS or LAZ file, without its points.
 #pragma once
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct LasInfo {
   int record_length = 0;    // bytes per point, extra bytes included
   int file_source_id = 0;
   unsigned global_encoding = 0;   // bit 0: time is GPS time minus 1e9 s; bit 4: the CRS is WKT
-  std::uint64_t points = 0;       // as declared; the reader says when the file holds fewer
+  std::uint64_t points = 0;       // as declared; the file may hold fewer
   std::uint64_t data_offset = 0;  // of the first point
   std::uint64_t data_end = 0;     // behind the last byte that may hold points
   std::array<std::uint64_t, 15> points_by_return{};
@@ -41,17 +41,17 @@ struct LasInfo {
   std::string crs_wkt;  // from the WKT record, else made of the GeoTIFF keys; empty when there is neither
   std::vector<LasVlr> vlrs;
   std::vector<std::string> extra_columns;  // names of the documented extra bytes
-  std::vector<std::string> warnings;       // what the header gets wrong
+  std::vector<std::string> warnings;       // errors in the header
 };
 
-// Reads header and variable length records. Throws Error{bad_input} when it is no LAS file or its header cannot be used
-// (truncated, unknown version or format, record or data offset that cannot hold).
+// Reads header and variable length records. Throws Error{bad_input} where it is not a LAS file or its header cannot be
+// used (truncated, unknown version or format, impossible record length or data offset).
 LasInfo las_info(const std::filesystem::path& path);
 
 namespace las {
 
-// The same of a file in memory. `with_crs`: GeoTIFF keys are turned into WKT and the unit is looked at, which needs
-// PROJ's database.
+// The same of a file in memory. `with_crs`: GeoTIFF keys are converted to WKT and the unit is checked, which needs the
+// database of PROJ.
 LasInfo parse_info(Bytes file, bool with_crs = true);
 
 // The first record of that kind, or nullptr.

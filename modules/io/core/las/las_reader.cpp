@@ -8,6 +8,7 @@
 
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/las/las_columns.h"
+#include "io/core/las/las_facts.h"
 #include "io/core/laz/laz_reader.h"
 
 namespace bole::io {
@@ -99,6 +100,7 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
         "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",
         info.scale.minCoeff()));
   cloud.crs_wkt = info.crs_wkt;
+  cloud.facts = las::read_facts(file, info, warnings);
   cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
   if (cloud.has("withheld")) {
     const std::vector<std::uint32_t> kept = not_withheld(cloud);

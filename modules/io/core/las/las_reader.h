@@ -20,17 +20,18 @@ namespace bole::io {
 struct LasReadOptions {
   bool drop_withheld = false;
   bool extra_bytes = true;
-  std::size_t columns_in_memory = large_columns_bytes;  // bytes; with more of them columns lie on file: no option of a
-                                                        // pipeline, for it changes no result
+  // Bytes. Larger clouds have their columns on file. Not an option of a stage, because it changes no result.
+  std::size_t columns_in_memory = large_columns_bytes;
 };
 const OptionTable& option_table(const LasReadOptions*);
 
-// Columns: the vocabulary's names for the fields of a LAS point (intensity as the file has it; scan_angle in degrees;
-// time as GPS time), flags as `withheld`, `synthetic` and so on where set, extra bytes under their own names. A column
-// that is zero throughout is left out. Waveforms are skipped. Axes are `global` when the file names its CRS.
+// Columns: the fields of a LAS point under the names of base/arrays.h (scan_angle in degrees, time as GPS time), flags
+// such as `withheld` and `synthetic` where they are set, and extra bytes under their own names. A column of zeros is
+// left out. Facts that write_las() wrote come back (las_facts.h). Waveforms are skipped. Axes are `global` where the
+// file names its CRS.
 //
-// A damaged file is read as far as it is sound, with a warning in `report` that says how many of how many points that
-// is. Throws Error{bad_input} when it is no LAS file or none of its points can be read, Error{cancelled}.
+// A damaged file is read up to the damage, and a warning in `report` gives the number of points read and declared.
+// Throws Error{bad_input} where it is not a LAS file or no point can be read, and Error{cancelled}.
 PointCloud read_las(const std::filesystem::path& path, const LasReadOptions& options = {}, const Run& run = {},
                     Report* report = nullptr);
 

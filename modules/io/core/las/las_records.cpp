@@ -104,7 +104,10 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
                                  std::uint8_t* records, double per_unit, double low, double high) {
   const auto it = cloud_.columns().find(name);
   if (it == cloud_.columns().end()) return;
-  if (low >= high) low = std::numeric_limits<T>::min(), high = std::numeric_limits<T>::max();
+  if (low >= high) {
+    low = std::numeric_limits<T>::min();
+    high = std::numeric_limits<T>::max();
+  }
   std::size_t fractions = 0;
   std::visit(
       [&](const auto& values) {

@@ -1,4 +1,4 @@
-// The columns of a cloud turned into point records: the reverse of las_columns.h.
+// Point records from the columns of a cloud: the reverse of las_columns.h.
 #pragma once
 
 #include <map>
@@ -38,7 +38,7 @@ class RecordEncoder {
     return record[field::returns] & (layout_.extended ? 15U : 7U);
   }
 
-  // What did not fit its field, one line per column.
+  // Values that did not fit their field, one line per column.
   std::vector<std::string> warnings() const;
 
  private:
@@ -58,8 +58,8 @@ class RecordEncoder {
   PointLayout layout_;
   std::size_t record_length_ = 0;
   std::vector<ExtraDimension> dimensions_;
-  std::map<std::string, std::size_t, std::less<>> held_;     // values held at the end of a field, per column
-  std::map<std::string, std::size_t, std::less<>> rounded_;  // values that lost a fraction
+  std::map<std::string, std::size_t, std::less<>> held_;     // clamped values, by column
+  std::map<std::string, std::size_t, std::less<>> rounded_;  // values that lost a fraction, by column
 };
 
 }  // namespace bole::io::las

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "cloud/large_cloud.h"
 #include "io/core/las/crs_geokeys.h"
+#include "io/core/las/las_facts.h"
 #include "io/core/las/las_records.h"
 
 namespace bole::io {
@@ -50,7 +51,8 @@ struct Statistics {
   void add(const las::RecordEncoder& encoder, const std::uint8_t* record) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = las::load<std::int32_t>(record + 4 * k);
-      min[k] = std::min(min[k], v), max[k] = std::max(max[k], v);
+      min[k] = std::min(min[k], v);
+      max[k] = std::max(max[k], v);
     }
     const unsigned r = encoder.return_number(record);
     if (r >= 1 && r <= by_return.size()) ++by_return[r - 1];
@@ -101,6 +103,18 @@ struct Vlrs {
   }
 };
 
+void add_facts(const Facts& facts, Vlrs& vlrs, std::vector<std::string>& warnings) {
+  if (facts.empty()) return;
+  const std::string text = facts_to_json(facts);
+  if (text.size() > las::max_vlr_bytes) {
+    warnings.push_back(fmt::format("the facts of the cloud take {} bytes, a LAS record holds {}: they were not written",
+                                   text.size(), las::max_vlr_bytes));
+    return;
+  }
+  vlrs.add(las::facts_user, las::facts_record, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
+           "facts of the cloud (JSON)");
+}
+
 Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool legacy,
                std::vector<std::string>& warnings) {
   Vlrs vlrs;
@@ -115,7 +129,7 @@ Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool 
       vlrs.add("LASF_Projection", 34735, geokey_directory(epsg), "GeoTIFF keys");
     } else {
       warnings.emplace_back(
-          "the coordinate reference system has no EPSG code that LAS 1.2 could carry; it is left out");
+          "the coordinate reference system has no EPSG code that LAS 1.2 could hold; it was not written");
     }
   }
   if (!encoder.dimensions().empty()) {
@@ -124,6 +138,7 @@ Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool 
       las::store_descriptor(encoder.dimensions()[i], &descriptors[i * las::extra_descriptor_size]);
     vlrs.add("LASF_Spec", 4, descriptors, "extra bytes");
   }
+  add_facts(cloud.facts, vlrs, warnings);
   return vlrs;
 }
 
@@ -133,8 +148,10 @@ std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const V
   std::vector<std::uint8_t> h(legacy ? 227 : 375);
   std::memcpy(h.data(), "LASF", 4);
   store(&h[6], static_cast<std::uint16_t>(wkt ? 16 : 0));
-  h[24] = 1, h[25] = legacy ? 2 : 4;
-  store_text(&h[26], 32, "Bole"), store_text(&h[58], 32, "Bole");
+  h[24] = 1;
+  h[25] = legacy ? 2 : 4;
+  store_text(&h[26], 32, "Bole");
+  store_text(&h[58], 32, "Bole");
   const auto today = std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
   const std::chrono::year_month_day date{today};
   store(&h[90], static_cast<std::uint16_t>((today - std::chrono::sys_days{date.year() / 1 / 1}).count() + 1));
@@ -154,7 +171,8 @@ std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const V
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const double scale = encoder.grid().scale[axis], offset = encoder.grid().offset[axis];
-    store(&h[131 + 8 * k], scale), store(&h[155 + 8 * k], offset);
+    store(&h[131 + 8 * k], scale);
+    store(&h[155 + 8 * k], offset);
     if (points == 0) continue;
     store(&h[179 + 16 * k], statistics.max[k] * scale + offset),
         store(&h[187 + 16 * k], statistics.min[k] * scale + offset);
@@ -192,7 +210,7 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
     encoder.encode(begin, count, records.data());
     for (std::size_t i = 0; i < count; ++i) statistics.add(encoder, &records[i * encoder.record_length()]);
     write_bytes(file, records);
-    if (!file.stream()) break;  // a full disk is told by commit()
+    if (!file.stream()) break;  // commit() reports a full disk
     leave_memory(cloud, begin, count);
     run.report(static_cast<double>(begin + count) / static_cast<double>(cloud.size()), "writing points");
   }

@@ -1,4 +1,4 @@
-// Point clouds into LAS files.
+// Writes point clouds as LAS.
 #pragma once
 
 #include <filesystem>
@@ -21,10 +21,10 @@ const OptionTable& option_table(const LasWriteOptions*);
 // LAS 1.4 in point format 6 (7 with colour, 8 with near infrared), or 1.2 in format 1 or 3 for older programs. Columns
 // go to the fields of their names; those without a field (tree_id, height_above_ground, range, ...) become extra bytes,
 // sensor positions as global coordinates to 0.1 mm. The CRS is written as WKT (1.4) or as the EPSG code in GeoTIFF keys
-// (1.2).
+// (1.2). Facts go to a record of Bole's own (las_facts.h).
 //
 // Coordinates lie on the cloud's own grid (PointCloud::scale) when it has one, so that a cloud read from LAS comes back
-// exactly; else they are rounded to `scale_m`. Values that a field cannot hold are held at its ends, with a warning.
+// exactly; else they are rounded to `scale_m`. Values beyond the range of a field are clamped, with a warning.
 //
 // The file appears under its name only when it is whole. Throws Error{bad_input} when a coordinate is not finite or too
 // far away for the grid, Error{failed} when the file cannot be written, Error{cancelled}.

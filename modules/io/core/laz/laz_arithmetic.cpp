@@ -11,8 +11,8 @@ void SymbolModel::prepare() {
     table_size_ = 1U << table_bits;
     table_shift_ = length_shift - table_bits;
   }
-  // Two entries behind the table: the share of the interval reaches slightly beyond its nominal end, and a stretch is
-  // bounded by its successor.
+  // Two entries more than the table: the interval reaches slightly beyond its nominal end, and the last stretch needs a
+  // successor.
   data_.assign(2 * symbols_ + (table_size_ != 0 ? table_size_ + 2 : 0), 0);
   std::fill_n(counts(), symbols_, std::uint16_t{1});
   total_count_ = 0;
@@ -23,7 +23,7 @@ void SymbolModel::prepare() {
 
 void SymbolModel::update() {
   total_count_ += update_cycle_;
-  if (total_count_ > most_count) {
+  if (total_count_ > max_count) {
     total_count_ = 0;
     for (unsigned k = 0; k < symbols_; ++k) {
       counts()[k] = static_cast<std::uint16_t>((counts()[k] + 1) >> 1);
@@ -50,7 +50,7 @@ void SymbolModel::update() {
 
 void BitModel::update() {
   total_count_ += update_cycle_;
-  if (total_count_ > most_count) {
+  if (total_count_ > max_count) {
     total_count_ = (total_count_ + 1) >> 1;
     zero_count_ = (zero_count_ + 1) >> 1;
     if (zero_count_ == total_count_) ++total_count_;
@@ -75,7 +75,7 @@ std::uint32_t ArithmeticDecoder::raw_bits(unsigned count) {
   length_ >>= count;
   const std::uint32_t found = value_ / length_;
   value_ -= found * length_;
-  if (length_ < least_length) renormalise();
+  if (length_ < min_length) renormalise();
   return found & ((1U << count) - 1);
 }
 

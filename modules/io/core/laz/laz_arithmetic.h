@@ -11,15 +11,15 @@
 
 namespace bole::io::laz {
 
-// Frequencies of the symbols 0 .. symbols - 1, refreshed ever more rarely as they settle. Unprepared until first used,
-// so that the many models of a chunk that never occur cost nothing.
+// Frequencies of the symbols 0 .. symbols - 1, updated less often as they settle. Prepared on first use, because most
+// models of a chunk are never used.
 class SymbolModel {
  public:
   explicit SymbolModel(unsigned symbols = 2) : symbols_(symbols) {}
 
  private:
   friend class ArithmeticDecoder;
-  static constexpr unsigned length_shift = 15, most_count = 1U << length_shift;
+  static constexpr unsigned length_shift = 15, max_count = 1U << length_shift;
   void prepare();
   void update();
 
@@ -36,7 +36,7 @@ class SymbolModel {
 class BitModel {
  private:
   friend class ArithmeticDecoder;
-  static constexpr unsigned length_shift = 13, most_count = 1U << length_shift;
+  static constexpr unsigned length_shift = 13, max_count = 1U << length_shift;
   void update();
   unsigned zero_count_ = 1, total_count_ = 2, zero_probability_ = 1U << (length_shift - 1), update_cycle_ = 4,
            until_update_ = 4;
@@ -46,7 +46,7 @@ class ArithmeticDecoder {
  public:
   ArithmeticDecoder() = default;
 
-  // Begins with the first four of `bytes`. Behind the end it reads zeros and counts them (overrun()).
+  // Begins with the first four of `bytes`. Beyond the end it reads zeros and counts them (overrun()).
   void start(Bytes bytes);
 
   unsigned symbol(SymbolModel& model);
@@ -61,13 +61,13 @@ class ArithmeticDecoder {
   std::size_t position() const { return static_cast<std::size_t>(next_ - begin_); }  // bytes taken so far
 
  private:
-  static constexpr std::uint32_t least_length = 1U << 24;
+  static constexpr std::uint32_t min_length = 1U << 24;
 
   void renormalise() {
     do {
       value_ = value_ << 8 | next_byte();
       length_ <<= 8;
-    } while (length_ < least_length);
+    } while (length_ < min_length);
   }
   std::uint32_t next_byte() {
     if (next_ != end_) [[likely]]
@@ -81,7 +81,7 @@ class ArithmeticDecoder {
   const std::uint8_t* next_ = nullptr;
   const std::uint8_t* end_ = nullptr;
   std::size_t overrun_ = 0;
-  // value_ < length_ holds throughout, whatever the bytes are: that keeps every table look-up below in bounds.
+  // value_ < length_ always holds, for any bytes. It keeps every table look-up below in bounds.
   std::uint32_t value_ = 0, length_ = ~0U;
 };
 
@@ -110,7 +110,7 @@ inline unsigned ArithmeticDecoder::symbol(SymbolModel& model) {
   if (found + 1 != model.symbols_) upper = cumulative[found + 1] * length_;
   value_ -= lower;
   length_ = upper - lower;
-  if (length_ < least_length) renormalise();
+  if (length_ < min_length) renormalise();
   ++model.counts()[found];
   if (--model.until_update_ == 0) model.update();
   return found;
@@ -120,12 +120,13 @@ inline unsigned ArithmeticDecoder::bit(BitModel& model) {
   const std::uint32_t split = model.zero_probability_ * (length_ >> BitModel::length_shift);
   const bool one = value_ >= split;
   if (one) {
-    value_ -= split, length_ -= split;
+    value_ -= split;
+    length_ -= split;
   } else {
     length_ = split;
     ++model.zero_count_;
   }
-  if (length_ < least_length) renormalise();
+  if (length_ < min_length) renormalise();
   if (--model.until_update_ == 0) model.update();
   return one ? 1 : 0;
 }

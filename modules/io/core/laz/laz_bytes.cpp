@@ -46,8 +46,8 @@ Error unknown(const Item& item) {
                    "items as LASzip 1 to 3 writes them");
 }
 
-void require(const Item& item, int size, int least_version, int most_version) {
-  if ((size >= 0 && item.size != size) || item.size <= 0 || item.version < least_version || item.version > most_version)
+void require(const Item& item, int size, int min_version, int max_version) {
+  if ((size >= 0 && item.size != size) || item.size <= 0 || item.version < min_version || item.version > max_version)
     throw unknown(item);
 }
 
@@ -81,7 +81,7 @@ std::unique_ptr<PointwiseItem> make_pointwise_item(const Item& item) {
 }
 
 std::unique_ptr<LayeredItem> make_layered_item(const Item& item) {
-  // Version 2 was never released for these; some writers put it where 3 is meant.
+  // Version 2 was never released for these. Some writers write it for 3.
   switch (item.type) {
     case ItemType::point14:
       require(item, 30, 2, 4);

@@ -45,7 +45,7 @@ std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t dat
   if (packing.compressor == Compressor::pointwise || file.size() < data_offset + 8) return std::nullopt;
   const std::uint64_t first = data_offset + 8;
   auto at = load<std::uint64_t>(file.data() + data_offset);
-  // A writer that could not seek back leaves -1 here and puts the place at the end of the file.
+  // A writer that cannot seek back leaves -1 here and writes the offset at the end of the file.
   if (at == ~std::uint64_t{0}) at = load<std::uint64_t>(file.data() + file.size() - 8);
   if (at < first || at > file.size() || file.size() - at < 8 || load<std::uint32_t>(file.data() + at) != 0)
     return std::nullopt;
@@ -82,7 +82,7 @@ ChunkDecoder::ChunkDecoder(const Packing& packing, int record_length)
     : layered_(packing.compressor == Compressor::layered_chunked),
       record_length_(static_cast<std::size_t>(record_length)),
       items_(packing.items) {
-  // Fail before any chunk is started when an item is not known.
+  // Fails on an unknown item before any chunk is started.
   for (const Item& item : items_)
     layered_ ? static_cast<void>(make_layered_item(item)) : static_cast<void>(make_pointwise_item(item));
   if (layered_ && (items_.empty() || items_.front().type != ItemType::point14))
@@ -93,8 +93,9 @@ std::uint64_t ChunkDecoder::start(Bytes bytes, std::uint64_t points) {
   bytes_ = bytes;
   at_first_ = true;
   if (bytes.size() < record_length_ || points == 0) return 0;
-  // Fresh decoders: no chunk knows anything of another.
-  pointwise_.clear(), layers_.clear();
+  // New decoders, because chunks are independent of one another.
+  pointwise_.clear();
+  layers_.clear();
   for (const Item& item : items_)
     layered_ ? layers_.push_back(make_layered_item(item)) : pointwise_.push_back(make_pointwise_item(item));
   if (layered_) return start_layers(record_length_, points);
@@ -155,7 +156,7 @@ std::size_t ChunkDecoder::decode(std::uint8_t* records, std::size_t count) {
       layered_ ? layers_[i]->next(at, channel_) : pointwise_[i]->next(in_, at);
       at += items_[i].size;
     }
-    // Layers end together with their chunk, so that one look per run of points is enough there.
+    // Layers end with their chunk, so that one check per run of points is enough.
     if (!layered_ && overran()) return done;
   }
   return layered_ && count > 1 && overran() ? 0 : done;

@@ -1,4 +1,4 @@
-// How a LAZ file is cut into chunks, and the decoding of one.
+// The chunks of a LAZ file, and how one is decoded.
 #pragma once
 
 #include <memory>
@@ -28,8 +28,8 @@ struct Chunk {
   std::uint64_t points = 0;
 };
 
-// The chunk table: nothing when the file has none or it cannot be right (then chunks must be read one after another).
-// `data_offset`: where the points begin; `points`: how many there are.
+// The chunk table, or nothing where the file has none or it is impossible; then chunks must be read in order.
+// `data_offset` is where the points begin, `points` is their number.
 std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t data_offset, std::uint64_t points,
                                                    const Packing& packing, int record_length);
 

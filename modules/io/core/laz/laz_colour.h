@@ -1,4 +1,4 @@
-// Colours: which of the six bytes changed, each as a correction of a prediction from the bytes before it.
+// Colours: a mask of the changed bytes, then each of them as a correction of a prediction from the bytes before it.
 #pragma once
 
 #include <array>

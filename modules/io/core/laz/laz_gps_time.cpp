@@ -8,8 +8,8 @@ namespace bole::io::laz {
 
 namespace {
 
-constexpr int most_multiple = 500, least_multiple = -10;
-constexpr unsigned multiples_end = most_multiple - least_multiple + 1;  // symbols below it are multiples
+constexpr int max_multiple = 500, min_multiple = -10;
+constexpr unsigned multiples_end = max_multiple - min_multiple + 1;  // symbols below it are multiples
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void GpsTimeDecoder::new_sequence(ArithmeticDecoder& in) {
   extremes_[last_] = 0;
 }
 
-// A difference that fits no multiple well becomes the new unit when that happens four times in a row.
+// A difference that fits no multiple becomes the new unit after four in a row.
 void GpsTimeDecoder::note_extreme(std::int32_t difference) {
   if (++extremes_[last_] <= 3) return;
   differences_[last_] = difference;
@@ -74,13 +74,13 @@ GpsTimeDecoder::Step GpsTimeDecoder::after_difference(ArithmeticDecoder& in) {
     extremes_[last_] = 0;
     return Step::done;
   }
-  const int multiple = code <= most_multiple ? static_cast<int>(code) : most_multiple - static_cast<int>(code);
-  const unsigned context = code == 0                    ? 7
-                           : multiple == most_multiple  ? 4
-                           : multiple == least_multiple ? 6
-                           : multiple < 0               ? 5
-                           : multiple < 10              ? 2
-                                                        : 3;
+  const int multiple = code <= max_multiple ? static_cast<int>(code) : max_multiple - static_cast<int>(code);
+  const unsigned context = code == 0                  ? 7
+                           : multiple == max_multiple ? 4
+                           : multiple == min_multiple ? 6
+                           : multiple < 0             ? 5
+                           : multiple < 10            ? 2
+                                                      : 3;
   const std::int32_t difference = difference_.decode(in, wrapping_multiply(multiple, unit), context);
   if (context == 7 || context == 4 || context == 6) note_extreme(difference);
   add(difference);
@@ -125,8 +125,14 @@ class GpsTime11V1 final : public PointwiseItem {
     const unsigned context = code == 0 ? 2 : code == 1 ? 1 : code < 10 ? 3 : code < 50 ? 4 : 5;
     const std::int32_t difference =
         difference_.decode(in, code == 0 ? unit_ / 4 : wrapping_multiply(code, unit_), context);
-    if (code == 1) unit_ = difference, extremes_ = 0;
-    if ((code == 0 || code == static_cast<int>(multiples) - 3) && ++extremes_ > 3) unit_ = difference, extremes_ = 0;
+    if (code == 1) {
+      unit_ = difference;
+      extremes_ = 0;
+    }
+    if ((code == 0 || code == static_cast<int>(multiples) - 3) && ++extremes_ > 3) {
+      unit_ = difference;
+      extremes_ = 0;
+    }
     add(difference);
   }
 

@@ -12,9 +12,9 @@ namespace bole::io::laz {
 
 namespace {
 
-// The last value and the models of each scanner channel. Version 3 of the algorithm has a quirk that its writers share:
-// the first value after a change to a channel seen before is predicted from, and stored as, the last value of the
-// channel that was left, while the models are those of the channel entered. Version 4 has it not.
+// The last value and the models of each scanner channel. Version 3 has a quirk that its writers share: after a change
+// back to a channel, the first value is predicted from the last value of the channel that was left, and stored there,
+// while the models are those of the new channel. Version 4 does not have it.
 template <class Value, class Models>
 class PerChannel {
  public:

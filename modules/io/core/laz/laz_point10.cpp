@@ -24,7 +24,7 @@ std::array<SymbolModel, 256> byte_models() {
   return models;
 }
 
-// What both versions do alike: fields of one byte, coded with a model per former value.
+// Common to both versions: fields of one byte, with a model for each previous value.
 class Point10 : public PointwiseItem {
  public:
   void first(const std::uint8_t* item) override { std::memcpy(last_.data(), item, point_size); }
@@ -96,7 +96,8 @@ class Point10V1 final : public Point10 {
     const unsigned kx = x_.magnitude();
     const std::int32_t dy = y_.decode(in, median(dy_), std::min(kx, 19U));
     const unsigned k = (kx + y_.magnitude()) / 2;
-    move(f::x, dx), move(f::y, dy);
+    move(f::x, dx);
+    move(f::y, dy);
     store(&last_[f::z], z_.decode(in, coordinate(f::z), std::min(k, 19U)));
 
     const unsigned changed = in.symbol(changed_);
@@ -110,7 +111,8 @@ class Point10V1 final : public Point10 {
     if ((changed & 2) != 0) next_byte(in, user_data_, lf::user_data);
     if ((changed & 1) != 0) next_source(in);
 
-    dx_[turn_] = dx, dy_[turn_] = dy;
+    dx_[turn_] = dx;
+    dy_[turn_] = dy;
     turn_ = (turn_ + 1) % 3;
     std::memcpy(item, last_.data(), point_size);
   }

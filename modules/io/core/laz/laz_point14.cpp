@@ -1,4 +1,4 @@
-// The point of formats 6 to 10: nine layers, models apart for each scanner channel.
+// The point of formats 6 to 10: nine layers, with separate models for each scanner channel.
 #include <array>
 #include <cstring>
 #include <optional>
@@ -44,11 +44,15 @@ struct Point14State {
 
   static Point14State from(const std::uint8_t* p) {
     Point14State s;
-    s.x = load<std::int32_t>(p + f::x), s.y = load<std::int32_t>(p + f::y), s.z = load<std::int32_t>(p + f::z);
+    s.x = load<std::int32_t>(p + f::x);
+    s.y = load<std::int32_t>(p + f::y);
+    s.z = load<std::int32_t>(p + f::z);
     s.intensity = load<std::uint16_t>(p + f::intensity);
-    s.r = p[f::returns] & 15U, s.n = p[f::returns] >> 4U;
+    s.r = p[f::returns] & 15U;
+    s.n = p[f::returns] >> 4U;
     s.flags = (p[fe::flags] & 15U) | (p[fe::flags] >> 6U) << 4U;
-    s.classification = p[fe::classification], s.user_data = p[fe::user_data];
+    s.classification = p[fe::classification];
+    s.user_data = p[fe::user_data];
     s.scan_angle = load<std::int16_t>(p + fe::scan_angle);
     s.source = load<std::uint16_t>(p + fe::point_source_id);
     s.time = load<std::int64_t>(p + time_at);
@@ -56,11 +60,14 @@ struct Point14State {
   }
 
   void write(std::uint8_t* p, unsigned channel) const {
-    store(p + f::x, x), store(p + f::y, y), store(p + f::z, z);
+    store(p + f::x, x);
+    store(p + f::y, y);
+    store(p + f::z, z);
     store(p + f::intensity, intensity);
     p[f::returns] = static_cast<std::uint8_t>(r | n << 4U);
     p[fe::flags] = static_cast<std::uint8_t>((flags & 15U) | channel << 4U | (flags >> 4U) << 6U);
-    p[fe::classification] = classification, p[fe::user_data] = user_data;
+    p[fe::classification] = classification;
+    p[fe::user_data] = user_data;
     store(p + fe::scan_angle, scan_angle);
     store(p + fe::point_source_id, source);
     store(p + time_at, time);
@@ -77,7 +84,7 @@ std::array<SymbolModel, Count> models(unsigned symbols) {
   return out;
 }
 
-// What one scanner channel remembers.
+// The state of one scanner channel.
 struct Channel {
   explicit Channel(const Point14State& start) : last(start), times(false, start.time) {
     last.time_changed = false;
@@ -114,8 +121,8 @@ class Point14 final : public LayeredItem {
     ArithmeticDecoder& in = layers_[returns_xy].in;
     const Point14State& before = channels_[current_]->last;
     const unsigned changed = in.symbol(channels_[current_]->changed[before.place() + (before.time_changed ? 4U : 0U)]);
-    // Version 3 tells the items behind it of a channel only where it changes, and calls it 0 everywhere else: its
-    // writers do the same, so that this has become the format.
+    // Version 3 passes the channel to later items only where it changes, and 0 elsewhere. Its writers do the same, so
+    // that this is the format.
     channel = publishes_always_ ? current_ : 0;
     if ((changed & 64) != 0) {
       const unsigned other = (current_ + in.symbol(channels_[current_]->channel_step) + 1) % channels;

@@ -18,8 +18,8 @@ using las::IntegerBox;
 
 // Points that are decoded at a time: 4096, or fewer where the header asks for long records.
 std::size_t block_points(int record_length) {
-  constexpr std::size_t most_points = 1 << 12, most_bytes = 1 << 20;
-  return std::clamp<std::size_t>(most_bytes / static_cast<std::size_t>(std::max(record_length, 1)), 1, most_points);
+  constexpr std::size_t max_points = 1 << 12, max_bytes = 1 << 20;
+  return std::clamp<std::size_t>(max_bytes / static_cast<std::size_t>(std::max(record_length, 1)), 1, max_points);
 }
 
 class PointReader {
@@ -35,7 +35,7 @@ class PointReader {
       read_chunks(*table);
     } else {
       if (packing_.compressor != Compressor::pointwise)
-        warnings.emplace_back("the file has no usable chunk table; its chunks are read one after another");
+        warnings.emplace_back("the file has no usable chunk table; its chunks are read in order");
       read_in_order();
     }
     builder_.resize(done_);
@@ -45,7 +45,7 @@ class PointReader {
   const IntegerBox& box() const { return box_; }
 
  private:
-  // Each thread's own tools.
+  // One per thread.
   struct Worker {
     explicit Worker(const Packing& packing, int record_length)
         : decoder(packing, record_length),
@@ -55,14 +55,14 @@ class PointReader {
     IntegerBox box;
   };
 
-  // Points that many in so few bytes are promised by mistake or malice: such chunks are decoded step by step, so that
-  // memory is taken only for points that are there.
+  // So many points in so few bytes are an error or an attack. Such chunks are decoded step by step, so that memory is
+  // taken only for points that exist.
   static bool plausible(const Chunk& chunk) {
-    constexpr std::uint64_t most_points_per_byte = 64, most_points = 1 << 20;
-    return chunk.points <= most_points && chunk.points / most_points_per_byte <= chunk.end - chunk.begin;
+    constexpr std::uint64_t max_points_per_byte = 64, max_points = 1 << 20;
+    return chunk.points <= max_points && chunk.points / max_points_per_byte <= chunk.end - chunk.begin;
   }
 
-  // Points of the whole table, or 0 where that many in so few bytes would be new: then memory grows with what is found.
+  // Points of the whole table, or 0 where they are too many for the bytes. Then memory grows with the points found.
   std::uint64_t believable(const std::vector<Chunk>& table) const {
     std::uint64_t points = 0;
     for (const auto& chunk : table) {
@@ -89,7 +89,7 @@ class PointReader {
     }
   }
 
-  // Chunks side by side; what lies behind the first unsound point is dropped.
+  // Decodes chunks in parallel and drops everything after the first unsound point.
   void read_batch(std::span<const Chunk> chunks) {
     std::vector<std::uint64_t> first(chunks.size()), sound(chunks.size());
     std::uint64_t total = done_;
@@ -193,7 +193,7 @@ std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builde
   if (vlr == nullptr)
     throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
   if (info.points == 0) return 0;
-  // EVLRs lie behind the chunk table: what is before them is all that chunks may use.
+  // Extended records follow the chunk table. Chunks end before them.
   PointReader reader(file, info, builder, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));
   const std::uint64_t points = reader.read(columns_in_memory, warnings);
   box = reader.box();

@@ -1,4 +1,4 @@
-// Contexts that LAZ makes of the number of returns n and the return number r. They are part of the format.
+// The contexts that LAZ derives from the number of returns n and the return number r. They are part of the format.
 #pragma once
 
 #include <algorithm>

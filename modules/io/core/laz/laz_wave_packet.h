@@ -1,4 +1,4 @@
-// Where a point's waveform lies: 29 bytes that Bole does not use but must decode to reach what follows.
+// The waveform packet of a point: 29 bytes that Bole does not use but must decode to reach the fields after them.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 namespace bole::io {
 namespace {
 
-constexpr std::size_t fewest_rings = 8, most_rings = 160;
+constexpr std::size_t min_rings = 8, max_rings = 160;
 
 double elevation_rad(const Eigen::Vector3f& p) { return std::atan2(p.z(), std::hypot(p.x(), p.y())); }
 
@@ -18,7 +18,10 @@ std::vector<double> mean_elevations_rad(std::span<const Eigen::Vector3f> positio
   std::vector<double> sum;
   std::vector<std::size_t> count;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (rings[i] >= sum.size()) sum.resize(rings[i] + 1U, 0), count.resize(rings[i] + 1U, 0);
+    if (rings[i] >= sum.size()) {
+      sum.resize(rings[i] + 1U, 0);
+      count.resize(rings[i] + 1U, 0);
+    }
     sum[rings[i]] += elevation_rad(positions[i]);
     ++count[rings[i]];
   }
@@ -31,11 +34,11 @@ std::vector<std::uint16_t> rings_from_order(std::span<const Eigen::Vector3f> pos
   std::vector<std::uint16_t> turn(positions.size());
   std::size_t turns = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (i > 0 && positions[i - 1].y() < 0 && positions[i].y() >= 0 && positions[i].x() > 0 && ++turns >= most_rings)
+    if (i > 0 && positions[i - 1].y() < 0 && positions[i].y() >= 0 && positions[i].x() > 0 && ++turns >= max_rings)
       return {};
     turn[i] = static_cast<std::uint16_t>(turns);
   }
-  if (positions.empty() || ++turns < fewest_rings) return {};
+  if (positions.empty() || ++turns < min_rings) return {};
   const auto means = mean_elevations_rad(positions, turn);
   const bool falling = means.front() > means.back();
   std::size_t against = 0;

@@ -12,6 +12,7 @@
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/pcd_reader.h"
 #include "io/core/scans/frame_estimates.h"
+#include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
 namespace {
@@ -35,7 +36,8 @@ bool in_number_order(std::string_view a, std::string_view b) {
       if (m != n) return m.size() != n.size() ? m.size() < n.size() : m < n;
     } else {
       if (a.front() != b.front()) return a.front() < b.front();
-      a.remove_prefix(1), b.remove_prefix(1);
+      a.remove_prefix(1);
+      b.remove_prefix(1);
     }
   }
   return a.empty() && b.empty() ? whole_a < whole_b : a.empty();
@@ -43,7 +45,7 @@ bool in_number_order(std::string_view a, std::string_view b) {
 
 bool is_frame(const fs::path& path) { return path.extension() == ".bin" || path.extension() == ".pcd"; }
 
-// The values of a companion file, or nothing when there is none. Its length must fit the number of points.
+// The values of a file beside the frame, or nothing where there is none. Its length must fit the number of points.
 template <class T>
 std::vector<T> companion(fs::path path, const char* extension, std::size_t points) {
   path.replace_extension(extension);
@@ -66,7 +68,8 @@ void load_bin(const fs::path& path, ScanFrame& frame) {
     throw bad_input(std::to_string(bytes.size()) + " bytes, which is no whole number of points",
                     "16 bytes per point: x, y, z, intensity as float32");
   const std::size_t points = bytes.size() / point_bytes;
-  frame.positions.resize(points), frame.intensity.resize(points);
+  frame.positions.resize(points);
+  frame.intensity.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
     std::memcpy(frame.positions[i].data(), bytes.data() + i * point_bytes, 3 * sizeof(float));
     std::memcpy(&frame.intensity[i], bytes.data() + i * point_bytes + 3 * sizeof(float), sizeof(float));
@@ -75,7 +78,7 @@ void load_bin(const fs::path& path, ScanFrame& frame) {
   frame.ring = companion<std::uint16_t>(path, ".ring", points);
 }
 
-// Seconds per unit of times that cover one turn: files have them in seconds, milli-, micro- or nanoseconds.
+// Seconds per unit of times that cover one revolution: files have seconds, milli-, micro- or nanoseconds.
 double seconds_per_unit(double span) {
   double unit = 1;
   while (span * unit > 2 && unit > 1e-9) unit *= 1e-3;
@@ -99,7 +102,7 @@ void load_pcd(const fs::path& path, ScanFrame& frame) {
 // Seconds as a number, or KITTI's "2011-09-26 13:02:25.964389445" (taken as UTC).
 bool parse_time(const std::string& line, double& seconds) {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, read = 0;
-  const auto number = [&line](std::size_t at, double& value) {  // scanf and its like ask the locale for the point
+  const auto number = [&line](std::size_t at, double& value) {  // independent of the locale, unlike scanf
     return std::from_chars(line.data() + at, line.data() + line.size(), value).ec == std::errc{} &&
            std::isfinite(value);
   };
@@ -141,6 +144,14 @@ bool FrameFolderSource::holds_frames(const fs::path& folder) {
   return false;
 }
 
+std::optional<fs::path> FrameFolderSource::find_frames(const fs::path& folder) {
+  if (holds_frames(folder)) return folder;
+  // KITTI raw keeps its frames in velodyne_points/data, KITTI odometry in velodyne.
+  for (const char* inner : {"data", "velodyne", "velodyne_points/data"})
+    if (holds_frames(folder / inner)) return folder / inner;
+  return {};
+}
+
 FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOptions& options, const Run& run)
     : folder_(folder), options_(options) {
   find_files();
@@ -163,7 +174,7 @@ void FrameFolderSource::find_files() {
   const auto extension = files_.front().extension();
   const auto others = std::erase_if(files_, [&](const fs::path& p) { return p.extension() != extension; });
   if (others > 0)
-    report_.warn(std::to_string(others) + " files left out: frames are read from *" + extension.string() + " only");
+    report_.warn(std::to_string(others) + " files were skipped: frames are read from *" + extension.string() + " only");
 }
 
 void FrameFolderSource::find_times() {
@@ -184,9 +195,11 @@ void FrameFolderSource::find_times() {
   const bool own_times = fs::exists(fs::path(files_.front()).replace_extension(".time"), ignored);
   if (times.empty()) {
     for (std::size_t i = 0; i < files_.size(); ++i) start_times_s_.push_back(static_cast<double>(i) * period_s_);
+    set_fact(facts_, Clock::assumed);
     report_.facts["clock"] = "frames at " + number_text(period_s_) + " s";
     return;
   }
+  set_fact(facts_, Clock::file);
   report_.facts["clock"] = "times file";
   if (times.size() > 1) {
     std::vector<double> steps;
@@ -201,24 +214,31 @@ void FrameFolderSource::find_sensor() {
   std::string name = options_.sensor;
   if (std::ifstream file(folder_ / "sensor.json"); name == "auto" && file) {
     const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
-      throw bad_input("'" + (folder_ / "sensor.json").string() + "' cannot be used", R"({"sensor": "os1_64"})");
-    name = json["sensor"].get<std::string>();
+    const auto path = folder_ / "sensor.json";
+    if (json.is_object() && json.contains("elevation_deg")) {
+      model_ = sensor::sensor_model_from_json(json, json.value("name", "sensor"));
+    } else {
+      if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
+        throw bad_input("'" + path.string() + "' cannot be used",
+                        R"({"sensor": "os1_64"}, or a description of the sensor as in resources/sensors)");
+      name = json["sensor"].get<std::string>();
+    }
   }
   if (name != "auto") model_ = sensor::load_sensor_model(name);
+  if (model_) facts_.merge(sensor_facts(*model_));
 }
 
-// Frames spread over the walk, the first left out: one with open sky above shows fewer rings than there are.
+// Frames spread over the walk, without the first. A frame below open sky shows only some of the rings.
 std::vector<ScanFrame> FrameFolderSource::sample_frames() const {
-  constexpr std::size_t most_frames = 8;
-  const std::size_t count = std::min(most_frames, files_.size());
+  constexpr std::size_t max_frames = 8;
+  const std::size_t count = std::min(max_frames, files_.size());
   std::vector<ScanFrame> sample;
   for (std::size_t k = 1; k < count; ++k) {
     ScanFrame frame;
     try {
       load(k * (files_.size() - 1) / (count - 1), frame);
     } catch (const Error&) {
-      continue;  // told when it is read
+      continue;  // reported when the frame is read
     }
     sample.push_back(std::move(frame));
   }
@@ -234,7 +254,7 @@ void FrameFolderSource::learn_own_rings(ScanFrame first) {
   elevations_rad_ = mean_elevations_rad(first.positions, first.ring);
 }
 
-// The rings of the frame that shows most of them.
+// Takes the frame that shows the most rings.
 void FrameFolderSource::learn_rings_from_order(const ScanFrame& first) {
   elevations_rad_ = mean_elevations_rad(first.positions, rings_from_order(first.positions));
   for (const auto& frame : sample_frames())
@@ -299,7 +319,9 @@ void FrameFolderSource::keep_valid(ScanFrame& frame) const {
     if (!frame.ring.empty()) frame.ring[kept] = frame.ring[i];
     ++kept;
   }
-  frame.positions.resize(kept), frame.intensity.resize(kept), frame.return_number.resize(kept);
+  frame.positions.resize(kept);
+  frame.intensity.resize(kept);
+  frame.return_number.resize(kept);
   if (!frame.time_offset_s.empty()) frame.time_offset_s.resize(kept);
   if (!frame.ring.empty()) frame.ring.resize(kept);
 }

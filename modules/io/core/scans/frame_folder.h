@@ -1,4 +1,4 @@
-// Scans as a folder with one file per frame: KITTI .bin, or .pcd.
+// Scans as a folder with one file per frame: .bin (KITTI) or .pcd.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,19 @@
 
 namespace bole::io {
 
-// 000000.bin: x, y, z, intensity as little-endian float32 per point, sensor axes. 000000.pcd: fields x y z, and when
-// there are any of them intensity, ring (channel), time (t, timestamp). Intensities of .bin files that go from 0 to 1,
-// as KITTI's do, become 0 to 255 as those of packets. Beside the frames (in the folder or, as KITTI has it, one above):
-//   times.txt       one line per frame, seconds; timestamps.txt: KITTI's dates. Neither: frames follow at frame_period.
-//   000000.time     float32 per point of 000000.bin: seconds after the frame's line in times.txt, which then is its
-//   start. 000000.ring     uint16 per point: ring, 0 lowest. sensor.json     {"sensor": "os1_64"}: a name of
-//   resources/sensors.
-// Without .time files the frame's time is when the sensor faced forward, in the middle of a clockwise turn that starts
-// behind, and every point's time follows from its azimuth. Without rings they follow from the order of the points
-// (KITTI) or from their elevations.
+// 000000.bin holds x, y, z and intensity as little-endian float32 per point, in sensor axes. 000000.pcd has the fields
+// x y z and, optionally, intensity, ring (channel) and time (t, timestamp). Intensities of .bin files from 0 to 1, as in
+// KITTI, become 0 to 255, as in packets. Beside the frames:
+//
+// - times.txt: one line per frame, seconds (timestamps.txt: KITTI's dates), here or one folder up. Without either,
+//   frames follow at frame_period.
+// - 000000.time: float32 per point of 000000.bin, seconds after the frame's line in times.txt, which is its start.
+// - 000000.ring: uint16 per point of 000000.bin, ring, 0 lowest.
+// - sensor.json: {"sensor": "os1_64"}, a name of resources/sensors, or a description as in the files there.
+//
+// Without .time files a frame's line is the moment when the sensor faced forward, in the middle of a clockwise
+// revolution that starts behind. The times of the points then follow from their azimuths. Without rings, they follow
+// from the order of the points (KITTI) or from their elevations.
 class FrameFolderSource : public FrameSource {
  public:
   // Throws Error{bad_input} when the folder holds no frames or the first one cannot be read.
@@ -30,13 +33,16 @@ class FrameFolderSource : public FrameSource {
   int rings() const override { return static_cast<int>(elevations_rad_.size()); }
   std::vector<double> ring_elevations_rad() const override { return elevations_rad_; }
   std::string sensor_model() const override { return model_ ? model_->id : "unknown"; }
+  Facts facts() const override { return facts_; }
   std::string description() const override;
   std::string locator() const override { return frame_source_locator(folder_, options_); }
 
   const Report& report() const { return report_; }
 
-  // Frames of one of these kinds lie in the folder.
+  // Frames lie in the folder itself.
   static bool holds_frames(const std::filesystem::path& folder);
+  // The folder itself, or the one below it where KITTI keeps the frames of a recording. Nothing where neither has any.
+  static std::optional<std::filesystem::path> find_frames(const std::filesystem::path& folder);
 
  private:
   void find_files();
@@ -58,6 +64,7 @@ class FrameFolderSource : public FrameSource {
   bool ring_order_ = false;
   float intensity_factor_ = 1;
   std::vector<double> elevations_rad_;
+  Facts facts_;
   Report report_;
 };
 

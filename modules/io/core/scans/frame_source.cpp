@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "io/core/formats.h"
 #include "io/core/scans/frame_folder.h"
-#include "io/core/scans/velodyne_pcap.h"
 
 namespace bole::io {
 
@@ -17,49 +17,50 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  TextKind::input_path_or_name,
                                  {},
                                  Tier::basic,
-                                 "Sensor: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, hdl64e_s2, "
-                                 "os1_64, or the path of a JSON file with the unit's own beams."},
+                                 "Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, "
+                                 "hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit."},
           Option<S, double>{"min_range",
                             &S::min_range,
                             Unit::metre,
                             {0, 50},
                             Tier::basic,
-                            "Returns nearer than this are left out (the person who carries the sensor, its housing)."},
+                            "Returns closer than this are ignored (they hit the operator or the housing)."},
           Option<S, double>{"max_range",
                             &S::max_range,
                             Unit::metre,
                             {1, 1000},
                             Tier::basic,
-                            "Returns farther than this are left out."},
+                            "Returns farther than this are ignored."},
           Option<S, double>{"cut_angle",
-                            &S::cut_angle,
+                            &S::cut_angle_deg,
                             Unit::degree,
                             {0, 360},
                             Tier::advanced,
-                            "Azimuth at which a frame of a packet capture ends and the next begins, clockwise from "
-                            "forward; 180 is behind."},
-          Option<S, bool>{
-              "keep_partial_frames", &S::keep_partial_frames, Tier::advanced,
-              "Keep the first and last frame of a capture also when they cover less than nine tenths of a turn."},
-          Option<S, int>{"port",
-                         &S::port,
-                         Unit::none,
-                         {0, 65535},
-                         Tier::advanced,
-                         "UDP port of the sensor's data packets; 0 takes the first one seen."},
+                            "Azimuth at which one frame of a capture ends and the next begins, clockwise from "
+                            "forward. 180 is behind the sensor."},
+          Option<S, bool>{"keep_partial_frames", &S::keep_partial_frames, Tier::advanced,
+                          "Keep the first and last frame of a capture when they cover less than nine tenths of a "
+                          "revolution."},
+          Option<S, std::optional<int>>{"port",
+                                        &S::port,
+                                        Unit::none,
+                                        {1, 65535},
+                                        "auto",
+                                        Tier::advanced,
+                                        "UDP port of the sensor's data packets. auto takes that of the first one."},
           Option<S, double>{"frame_period",
                             &S::frame_period,
                             Unit::second,
                             {0.001, 10},
                             Tier::advanced,
-                            "Time from frame to frame in folders of frames that come without times."},
+                            "Time between frames in a folder of frames without a file of times."},
           Option<S, int>{"rings",
                          &S::rings,
                          Unit::none,
                          {1, 256},
                          Tier::expert,
-                         "Number of scan lines assumed in folders of frames where neither the sensor, the points' "
-                         "rings nor their order tell."},
+                         "Number of rings assumed in a folder of frames where neither the sensor, the files nor the "
+                         "order of the points give it."},
       },
       [](const S& s) {
         if (s.min_range >= s.max_range)
@@ -73,29 +74,15 @@ const OptionTable& option_table(const FrameSourceOptions*) {
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
                                                      const FrameSourceOptions& options, const Run& run,
                                                      Report& report) {
+  if (path.empty()) throw bad_input("no scan is named", format_list(FileContent::scan), "Set the option file");
   std::error_code ignored;
-  const auto adopt = [&](const auto& source) -> std::shared_ptr<const FrameSource> {
-    report = source->report();
-    return source;
-  };
-  if (path.empty())
-    throw bad_input("no scan is named", "a pcap file of a Velodyne sensor, or a folder of .bin or .pcd frames",
-                    "Set the option file");
-  if (!std::filesystem::exists(path, ignored))
-    throw bad_input("there is no '" + path.string() + "'",
-                    "a pcap file of a Velodyne sensor, or a folder of .bin or .pcd frames");
-  if (!std::filesystem::is_directory(path, ignored)) {
-    if (path.extension() == ".bin" ||
-        (path.extension() == ".pcd" && FrameFolderSource::holds_frames(path.parent_path())))
-      throw bad_input("'" + path.string() + "' is a single frame", "the folder that holds the frames",
-                      "Give the folder as the scan, or read the file as a cloud");
-    return adopt(std::make_shared<const VelodynePcapSource>(path, options, run));
-  }
-  // KITTI raw keeps its frames in velodyne_points/data, KITTI odometry in velodyne.
-  for (const char* inner : {"", "data", "velodyne", "velodyne_points/data"})
-    if (FrameFolderSource::holds_frames(path / inner))
-      return adopt(std::make_shared<const FrameFolderSource>(*inner == '\0' ? path : path / inner, options, run));
-  throw bad_input("the folder '" + path.string() + "' holds no frames", "files .bin (KITTI) or .pcd, one per frame");
+  const bool in_folder_of_frames =
+      path.extension() == ".bin" || (path.extension() == ".pcd" && FrameFolderSource::holds_frames(path.parent_path()));
+  if (in_folder_of_frames && std::filesystem::is_regular_file(path, ignored))
+    throw bad_input("'" + path.string() + "' is a single frame", "the folder that holds the frames",
+                    "Give the folder as the scan, or read the file as a cloud");
+  const auto& format = require_format(FileContent::scan, path);
+  return std::get<ScanAccess>(format.access).open(path, options, run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/option.h"
@@ -16,17 +17,16 @@ struct FrameSourceOptions {
   std::string sensor = "auto";
   double min_range = 0.5;
   double max_range = 300;
-  double cut_angle = 180;
+  double cut_angle_deg = 180;  // clockwise from forward
   bool keep_partial_frames = false;
-  int port = 0;
+  std::optional<int> port;  // UDP; open: that of the first data packet
   double frame_period = 0.1;
   int rings = 64;
 };
 const OptionTable& option_table(const FrameSourceOptions*);
 
-// A pcap file of Velodyne packets, a folder of KITTI .bin frames or a folder of .pcd frames; what it is, is seen from
-// its content. `report` gets counts (packets, frames, lost and damaged ones) and warnings. Throws Error{bad_input} when
-// nothing can be read from it.
+// Opens any format of the table in formats.h that holds a scan. `report` gets counts (packets, frames, lost and damaged
+// ones) and warnings. Throws Error{bad_input} where nothing can be read.
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
                                                      const FrameSourceOptions& options, const Run& run, Report& report);
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,

@@ -5,14 +5,14 @@
 
 namespace bole::io {
 
-// The sensor's clock orders the packets exactly, the capture's clock says which hour it is. A sensor without GPS counts
-// from when it was switched on: then the first packet gets its capture time and the sensor's clock goes on from there.
+// The sensor's clock gives the exact time past the hour, the capture's clock gives the hour. A sensor without GPS
+// counts from when it was switched on. Its first packet gets the capture time, and its clock counts on from there.
 class PacketClock {
  public:
   // Time of the packet, seconds since the Unix epoch. Packets may come slightly out of order.
   double time_s(std::uint32_t past_hour_us, double capture_time_s);
 
-  // The sensor's clock jumped against the capture's (set by GPS on the way): times go on without the jump.
+  // The sensor's clock jumped against the capture's, because GPS set it. Times continue without the jump.
   bool jumped() const { return jumped_; }
   bool follows_utc() const { return follows_utc_; }  // the sensor's clock agreed with the capture's at the first packet
 
@@ -21,7 +21,7 @@ class PacketClock {
   double time_s_ = 0, capture_time_s_ = 0, past_hour_s_ = 0;
 };
 
-// b - a of two times past the hour, in microseconds, when they are less than half an hour apart.
+// b - a of two times past the hour that are less than half an hour apart, microseconds.
 std::int64_t past_hour_difference_us(std::uint32_t a_us, std::uint32_t b_us);
 
 }  // namespace bole::io

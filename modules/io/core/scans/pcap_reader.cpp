@@ -19,18 +19,21 @@ std::uint16_t get16(std::span<const std::uint8_t> p, std::size_t i) {
   return static_cast<std::uint16_t>(p[i] << 8 | p[i + 1]);
 }
 
-// What lies behind the link header: nothing when it is no IP packet.
+// The packet behind the link header, or nothing where it is not IP.
 std::optional<Bytes> ip_packet(Bytes frame, int link_type) {
   std::size_t type_at = 0, header = 0;
   switch (link_type) {
     case DLT_EN10MB:
-      type_at = 12, header = 14;
+      type_at = 12;
+      header = 14;
       break;
     case DLT_LINUX_SLL:
-      type_at = 14, header = 16;
+      type_at = 14;
+      header = 16;
       break;
     case DLT_LINUX_SLL2:
-      type_at = 0, header = 20;
+      type_at = 0;
+      header = 20;
       break;
     case DLT_NULL:
     case DLT_LOOP:

@@ -1,4 +1,4 @@
-// UDP datagrams of a pcap or pcapng file (libpcap), one after the other, with seeking.
+// Reads the UDP datagrams of a pcap or pcapng file (libpcap) in order, or from a given record.
 #pragma once
 
 #include <cstdint>
@@ -23,18 +23,18 @@ struct Datagram {
 
 class PcapReader {
  public:
-  // Throws Error{bad_input} when the file cannot be opened, is no capture, or has a link type without IP packets.
+  // Throws Error{bad_input} where the file cannot be opened, is not a capture, or has a link type without IP packets.
   explicit PcapReader(const std::filesystem::path& path);
   // The same of a buffer, which must outlive the reader.
   PcapReader(Bytes capture, const std::string& name);
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
-  // IPv6. Fragments and everything else is skipped and counted. False at the end, also when the file is cut off or
-  // damaged there: trouble() says so. `poll` is called with the place in the file once in 512 packets, whatever they
-  // are; it may throw.
+  // IPv6. Fragments and other packets are skipped and counted. False at the end and where the file is cut off or
+  // damaged; then trouble() gives the reason. `poll` is called with the byte position after every 512 packets, and it
+  // may throw.
   bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll = {});
 
-  // Goes on at a record whose offset next() has given.
+  // Continues at a record whose offset next() has given.
   void seek(std::int64_t offset);
 
   std::int64_t position() const;  // bytes read so far

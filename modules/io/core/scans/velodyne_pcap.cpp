@@ -5,13 +5,14 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
 namespace {
 
 constexpr double full_turn = 36000;
-constexpr double complete_share = 0.9;  // of the turn that most frames cover
-constexpr double longest_loss_s = 60;   // a longer silence is a pause of the recording
+constexpr double complete_share = 0.9;  // of the angle that most frames cover
+constexpr double max_loss_s = 60;       // a longer silence is a pause of the recording
 
 double file_bytes(const std::filesystem::path& path) {
   std::error_code ignored;
@@ -31,7 +32,7 @@ std::string plural(std::int64_t count, const std::string& what) {
 
 }  // namespace
 
-// Walks through the firings of the whole recording and marks where frames begin and end.
+// Goes through the firings of the whole recording and marks where frames begin and end.
 class VelodynePcapSource::Indexer {
  public:
   Indexer(VelodynePcapSource& source, double cut_centideg) : source_(source), cut_centideg_(cut_centideg) {}
@@ -40,7 +41,10 @@ class VelodynePcapSource::Indexer {
     const bool first = !last_past_hour_us_;
     const double previous_time_s = packet_time_s_;
     packet_time_s_ = clock_.time_s(packet.time_us, datagram.time_s);
-    if (clock_.jumped()) ++clock_jumps, break_ = true;
+    if (clock_.jumped()) {
+      ++clock_jumps;
+      break_ = true;
+    }
     if (!first && !clock_.jumped()) count_order(packet, previous_time_s);
     last_past_hour_us_ = packet.time_us;
     const auto& decoder = *source_.decoder_;
@@ -48,7 +52,7 @@ class VelodynePcapSource::Indexer {
     packet_end_s_ = std::max(packet_end_s_, packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s());
     if (first || clock_.jumped())
       packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
-    // How long the rotor took past a sector that the sensor leaves out is known to a few percent only.
+    // The time that the rotor takes to pass a masked sector is known to a few percent only.
     slack_s_ =
         0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
     for (std::size_t i = 0; i < firings_.size(); ++i) {
@@ -75,12 +79,12 @@ class VelodynePcapSource::Indexer {
     const double silence_s = packet_time_s_ - packet_end_s_;
     if (packet_time_s_ < previous_time_s) {
       ++out_of_order;
-    } else if (silence_s > 0.5 * period_s + slack_s_ && silence_s < longest_loss_s) {
+    } else if (silence_s > 0.5 * period_s + slack_s_ && silence_s < max_loss_s) {
       lost += std::llround(silence_s / period_s);
     }
   }
 
-  // Follows the rotor from firing to firing. The azimuth says where it is, the time how many turns lie between.
+  // Follows the rotor from firing to firing. The azimuth gives its position, the time the number of whole revolutions.
   void advance(const sensor::VelodyneFiring& firing) {
     const double time_s = packet_time_s_ + firing.time_offset_s;
     double relative = std::fmod(firing.azimuth_centideg - cut_centideg_ + 2 * full_turn, full_turn);
@@ -90,12 +94,15 @@ class VelodynePcapSource::Indexer {
       const double moved = observed + full_turn * std::nearbyint((expected - observed) / full_turn);
       starts_frame_ = starts_frame_ || last_relative_ + moved >= full_turn;
       if (last_relative_ + moved < 0 && moved > -full_turn / 2)
-        relative = 0;  // a packet from before the cut that came late
+        relative = 0;  // a late packet from before the cut angle
     } else if (started_) {
       starts_frame_ = true;
     }
     if (firing.advance_centideg > 0) rate_centideg_s_ = firing.advance_centideg / source_.decoder_->firing_period_s();
-    started_ = true, break_ = false, last_relative_ = relative, last_time_s_ = time_s;
+    started_ = true;
+    break_ = false;
+    last_relative_ = relative;
+    last_time_s_ = time_s;
   }
 
   VelodynePcapSource& source_;
@@ -122,9 +129,9 @@ VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const Fr
 
 void VelodynePcapSource::index(const Run& run) {
   if (options_.sensor != "auto") decoder_.emplace(sensor::load_sensor_model(options_.sensor));
-  port_ = options_.port;
+  port_ = options_.port.value_or(0);
   const double bytes = file_bytes(path_);
-  Indexer indexer(*this, options_.cut_angle * 100);
+  Indexer indexer(*this, options_.cut_angle_deg * 100);
   auto& counts = report_.counts;
   std::int64_t datagrams = 0, data_packets = 0, position_packets = 0, other_port = 0, other = 0;
   Datagram datagram;
@@ -161,11 +168,11 @@ void VelodynePcapSource::index(const Run& run) {
     indexer.add(datagram, *packet);
   }
   if (data_packets == 0) {
-    const std::string port_text = options_.port != 0 ? " to UDP port " + std::to_string(options_.port) : "";
+    const std::string port_text = options_.port ? " to UDP port " + std::to_string(*options_.port) : "";
     throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" +
                         port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"),
                     "datagrams of 1206 bytes",
-                    other_port > 0 ? "Data packets were seen on another port: set the option port to 0"
+                    other_port > 0 ? "Data packets were seen on another port: set the option port to auto"
                                    : "Is this the recording of a Velodyne sensor?");
   }
   if (frames_.empty())
@@ -182,10 +189,12 @@ void VelodynePcapSource::index(const Run& run) {
   counts["incomplete_frames"] =
       std::count_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.turned_centideg < complete_turn; });
   report_.facts["sensor"] = decoder_->model().name;
+  facts_ = sensor_facts(decoder_->model());
+  set_fact(facts_, indexer.follows_utc() ? Clock::utc : Clock::recorder);
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
   if (!reader_.trouble().empty())
     report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
-                 reader_.trouble() + "): everything before that is read");
+                 reader_.trouble() + "): the frames before that are read");
   if (reader_.fragments() > 0)
     report_.warn(plural(reader_.fragments(), "fragmented IP packet") +
                  " skipped: capture again with a network MTU of at least 1248 bytes");
@@ -194,14 +203,14 @@ void VelodynePcapSource::index(const Run& run) {
   if (indexer.out_of_order > 0) report_.warn(plural(indexer.out_of_order, "packet") + " out of order");
   if (indexer.clock_jumps > 0)
     report_.warn("the sensor's clock was set " + plural(indexer.clock_jumps, "time") +
-                 " during the recording; times go on without the jump");
+                 " during the recording; times continue without the jump");
   if (other_port > 0)
     report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
-                 " left out: choose with the option port");
+                 " were skipped: choose one with the option port");
   report_.message = description();
 }
 
-// A full turn, or less for a sensor that was told to leave out a sector.
+// A full revolution, or less where the sensor masks a sector.
 double VelodynePcapSource::usual_turn_centideg() const {
   if (frames_.size() < 3) return full_turn;
   std::vector<double> turns;

@@ -12,12 +12,12 @@
 
 namespace bole::io {
 
-// The capture is read once to find where each frame starts (a few dozen bytes per frame are kept); frames are decoded
-// when they are asked for. A frame is one turn of the rotor from the cut angle on; it also ends where the recording
-// breaks off for so long that the rotor passed the cut angle, or where the sensor's clock was set.
+// The capture is read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are decoded
+// when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the recording is
+// interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
 class VelodynePcapSource : public FrameSource {
  public:
-  // Throws Error{bad_input} when there is no Velodyne data packet or the sensor is not known.
+  // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
   VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
   VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
 
@@ -27,6 +27,7 @@ class VelodynePcapSource : public FrameSource {
   int rings() const override { return decoder_->model().rings(); }
   std::vector<double> ring_elevations_rad() const override { return decoder_->model().ring_elevations_rad(); }
   std::string sensor_model() const override { return decoder_->model().id; }
+  Facts facts() const override { return facts_; }
   std::string description() const override;
   std::string locator() const override { return frame_source_locator(path_, options_); }
 
@@ -61,6 +62,7 @@ class VelodynePcapSource : public FrameSource {
   std::optional<sensor::VelodyneDecoder> decoder_;
   std::vector<Frame> frames_;
   int port_ = 0;
+  Facts facts_;
   Report report_;
 };
 

@@ -13,7 +13,7 @@ namespace bole::io {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t longest_sentence = 256;  // the standard allows 82; receivers write longer ones
+constexpr std::size_t max_sentence = 256;  // the standard allows 82; receivers write longer ones
 constexpr double day_s = 86400, knot_m_s = 1852.0 / 3600;
 
 struct Malformed {};
@@ -121,26 +121,40 @@ class Reader {
       for (const auto& e : epochs_) values.push_back(e.*member);
       t.set(name, std::move(values));
     };
-    set("time_s", &Epoch::time_s), set("latitude_deg", &Epoch::latitude), set("longitude_deg", &Epoch::longitude);
+    set("time_s", &Epoch::time_s);
+    set("latitude_deg", &Epoch::latitude);
+    set("longitude_deg", &Epoch::longitude);
     set("height_m", &Epoch::height);
     std::vector<std::int64_t> quality, satellites;
-    for (const auto& e : epochs_) quality.push_back(e.quality), satellites.push_back(e.satellites);
-    t.set("quality", quality), t.set("satellites", satellites);
-    set("hdop", &Epoch::hdop), set("speed_m_s", &Epoch::speed), set("course_deg", &Epoch::course);
-    set("heading_deg", &Epoch::heading), set("sd_east_m", &Epoch::sd_east), set("sd_north_m", &Epoch::sd_north);
+    for (const auto& e : epochs_) {
+      quality.push_back(e.quality);
+      satellites.push_back(e.satellites);
+    }
+    t.set("quality", quality);
+    t.set("satellites", satellites);
+    set("hdop", &Epoch::hdop);
+    set("speed_m_s", &Epoch::speed);
+    set("course_deg", &Epoch::course);
+    set("heading_deg", &Epoch::heading);
+    set("sd_east_m", &Epoch::sd_east);
+    set("sd_north_m", &Epoch::sd_north);
     set("sd_height_m", &Epoch::sd_height);
     return t;
   }
 
  private:
-  // The epoch that a time of day belongs to; another time begins another epoch.
+  // Begins a new epoch where the time of day differs from that of the present one.
   void at_time(const std::optional<double>& of_day) {
     if (!of_day) return;
     double t = *of_day + days_ * day_s;
-    if (std::isfinite(last_s_) && t < last_s_ - day_s / 2) ++days_, t += day_s;
+    if (std::isfinite(last_s_) && t < last_s_ - day_s / 2) {
+      ++days_;
+      t += day_s;
+    }
     if (t == now_.time_s) return;
     finish();
-    now_.time_s = t, last_s_ = t;
+    now_.time_s = t;
+    last_s_ = t;
   }
 
   void finish() {
@@ -162,7 +176,9 @@ class Reader {
       ++counts_.without_fix;
       return;
     }
-    now_.latitude = latitude, now_.longitude = longitude, now_.hdop = hdop;
+    now_.latitude = latitude;
+    now_.longitude = longitude;
+    now_.hdop = hdop;
     now_.quality = static_cast<std::int64_t>(quality);
     now_.satellites = std::isfinite(satellites) ? static_cast<std::int64_t>(satellites) : 0;
     now_.height = sea + (std::isfinite(geoid) ? geoid : 0);
@@ -178,17 +194,22 @@ class Reader {
       ++counts_.without_fix;
       return;
     }
-    if (std::isnan(now_.latitude)) now_.latitude = latitude, now_.longitude = longitude;
-    now_.speed = speed * knot_m_s, now_.course = course;
+    if (std::isnan(now_.latitude)) {
+      now_.latitude = latitude;
+      now_.longitude = longitude;
+    }
+    now_.speed = speed * knot_m_s;
+    now_.course = course;
   }
 
-  // Counts from the first position on; a date that comes later would tear the times apart.
+  // Only before the first position: a later date would make the times jump.
   void date(std::string_view ddmmyy) {
     const int day = digits(ddmmyy.substr(0, 2)), month = digits(ddmmyy.substr(2, 2)),
               year = digits(ddmmyy.substr(4, 2));
     if (day < 1 || day > 31 || month < 1 || month > 12) throw Malformed{};
     if (dated_ || !epochs_.empty() || std::isfinite(now_.latitude)) return;
-    days_ = days_since_1970(year < 80 ? 2000 + year : 1900 + year, month, day), dated_ = true;
+    days_ = days_since_1970(year < 80 ? 2000 + year : 1900 + year, month, day);
+    dated_ = true;
     if (std::isfinite(now_.time_s)) now_.time_s += days_ * day_s;
     last_s_ = nan;
   }
@@ -203,7 +224,9 @@ class Reader {
     const auto time = time_of_day(f, 1);
     const double north = number(f, 6), east = number(f, 7), height = number(f, 8);
     at_time(time);
-    now_.sd_north = north, now_.sd_east = east, now_.sd_height = height;
+    now_.sd_north = north;
+    now_.sd_east = east;
+    now_.sd_height = height;
   }
 
   NmeaCounts& counts_;
@@ -220,27 +243,30 @@ int hex_digit(char c) {
   return -1;
 }
 
-// Calls `found(body, checksum good, checksum present)` for everything that looks like a sentence; returns other bytes.
+// Calls `found(body, checksum good, checksum present)` for everything that looks like a sentence. Returns the number of
+// other bytes.
 template <class Found>
 std::int64_t each_sentence(std::string_view text, Found found) {
   std::int64_t other = 0;
   for (std::size_t at = 0; at < text.size();) {
     if (text[at] != '$') {
-      ++at, ++other;
+      ++at;
+      ++other;
       continue;
     }
     std::size_t end = at + 1;
     unsigned sum = 0;
-    while (end < text.size() && end - at < longest_sentence && text[end] >= ' ' && text[end] < 127 &&
-           text[end] != '$' && text[end] != '*')
+    while (end < text.size() && end - at < max_sentence && text[end] >= ' ' && text[end] < 127 && text[end] != '$' &&
+           text[end] != '*')
       sum ^= static_cast<unsigned char>(text[end++]);
     const auto body = text.substr(at + 1, end - at - 1);
-    // A talker and a type: what else begins with a dollar is no sentence.
+    // A sentence has a talker and a type. Other text may begin with a dollar sign as well.
     bool named = body.size() >= 5;
     for (std::size_t i = 0; named && i < 5; ++i)
       named = (body[i] >= 'A' && body[i] <= 'Z') || (body[i] >= '0' && body[i] <= '9');
     if (!named) {
-      ++at, ++other;
+      ++at;
+      ++other;
       continue;
     }
     const bool star = end + 2 < text.size() + 0 && text[end] == '*';

@@ -12,7 +12,7 @@
 namespace bole::io {
 
 struct NmeaCounts {
-  std::map<std::string, std::int64_t> sentences;  // by type, the talker left out: "GGA"; good ones only
+  std::map<std::string, std::int64_t> sentences;  // good ones, by type without the talker: "GGA"
   std::int64_t good = 0;                          // sentences with the right checksum, of any type
   std::int64_t bad_checksum = 0, without_checksum = 0;
   std::int64_t malformed = 0;     // right checksum, but a field that cannot be read
@@ -26,13 +26,14 @@ struct NmeaLog {
   // an RMC gives the date before the first position), latitude_deg, longitude_deg, height_m (above the ellipsoid where
   // the geoid's height is given, else above sea level), quality (GGA: 1 single, 2 differential, 4 RTK fixed, 5 float, 6
   // estimated; 0 unknown), satellites, hdop, speed_m_s, course_deg, heading_deg (HDT), sd_east_m, sd_north_m,
-  // sd_height_m (GST). What was not said is NaN, 0 for whole numbers.
+  // sd_height_m (GST). A value that the log does not give is NaN, or 0 for whole
+  // numbers.
   Table track;
   NmeaCounts counts;
 };
 
-// Reads GGA, RMC, VTG, GST and HDT of any talker; VTG and HDT go with the epoch before them. Bad sentences are counted
-// and passed over: no content of a file is an error.
+// Reads GGA, RMC, VTG, GST and HDT of any talker. VTG and HDT belong to the epoch before them. Bad sentences are
+// counted and skipped; no content of a file is an error.
 NmeaLog read_nmea(Bytes file, const Run& run = {});
 
 // Whether a file holds NMEA sentences, by its first 64 KiB.

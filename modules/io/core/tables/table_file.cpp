@@ -15,7 +15,7 @@
 namespace bole::io {
 namespace {
 
-constexpr std::size_t most_columns = 4096;
+constexpr std::size_t max_columns = 4096;
 constexpr std::size_t records_between_polls = 1 << 14;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -25,16 +25,16 @@ class CsvRecords {
   CsvRecords(std::string_view text, char delimiter, const std::string& name, std::size_t first_line)
       : text_(text), delimiter_(delimiter), name_(name), line_(first_line) {}
 
-  // False at the end. Empty lines are passed over.
+  // False at the end. Empty lines are skipped.
   bool next(std::vector<std::string>& cells) {
     while (at_ < text_.size() && (text_[at_] == '\n' || text_[at_] == '\r')) line_ += text_[at_++] == '\n' ? 1 : 0;
     if (at_ >= text_.size()) return false;
     record_line_ = line_;
     cells.clear();
     do {
-      if (cells.size() >= most_columns)
+      if (cells.size() >= max_columns)
         throw bad_input("'" + name_ + "' line " + std::to_string(record_line_) + " has more than " +
-                            std::to_string(most_columns) + " cells",
+                            std::to_string(max_columns) + " cells",
                         "a table");
       cells.push_back(cell());
     } while (!ended_);
@@ -98,7 +98,7 @@ bool parse_cell(const std::string& cell, bool decimal_comma, double& value) {
   return parse_number(std::string_view(copy), value);
 }
 
-// "dbh_cm", "x_m": such a column holds numbers even when all of its cells are empty.
+// A column such as "dbh_cm" or "x_m" holds numbers even where all of its cells are empty.
 bool has_unit(std::string_view name) {
   constexpr std::array<std::string_view, 9> endings{"_m", "_cm", "_mm", "_m2", "_m3", "_deg", "_s", "_rad", "_ha"};
   return std::ranges::any_of(endings, [&](std::string_view e) { return name.ends_with(e); });
@@ -142,19 +142,22 @@ char delimiter_of(std::string_view header) {
   for (const char c : header) {
     if (c == '"') quoted = !quoted;
     if (quoted) continue;
-    commas += c == ',' ? 1 : 0, semicolons += c == ';' ? 1 : 0, tabs += c == '\t' ? 1 : 0;
+    commas += c == ',' ? 1 : 0;
+    semicolons += c == ';' ? 1 : 0;
+    tabs += c == '\t' ? 1 : 0;
   }
   if (tabs > commas && tabs > semicolons) return '\t';
   return semicolons > commas ? ';' : ',';
 }
 
-// "# crs: EPSG:25832" lines; returns the line and byte where the table begins.
+// Reads lines such as "# crs: EPSG:25832". Returns the line and byte where the table begins.
 std::pair<std::size_t, std::size_t> read_facts(Bytes file, Table& table) {
   LineReader lines(file);
   std::string_view line;
   std::size_t offset = 0, number = 1;
   while (true) {
-    offset = lines.position(), number = lines.number() + 1;
+    offset = lines.position();
+    number = lines.number() + 1;
     if (!lines.next(line) || !trimmed(line).starts_with('#')) return {offset, number};
     const auto text = trimmed(trimmed(line).substr(1));
     const auto colon = text.find(':');
@@ -231,7 +234,7 @@ std::string table_text(const Table& table, const Decimals& decimals) {
       if (c > 0) out += ',';
       const auto cell = table.text(name, row, it == decimals.end() ? -1 : it->second);
       if (cell.empty() && table.columns().size() == 1)
-        out += "\"\"";  // an empty line would be no row
+        out += "\"\"";  // an empty line would not be a row
       else
         append_cell(out, cell);
     }

@@ -10,14 +10,16 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "io/core/bytes/line_reader.h"
+#include "io/core/formats.h"
 
 namespace bole::io {
 namespace {
 
-constexpr double most_length_error = 0.01, most_rotation_error = 1e-3;
+constexpr double max_length_error = 0.01;
+constexpr double max_rotation_error = 1e-3;
 
-// Calls `use(numbers, place)` for each line that is no comment; `place` is "name line 12". Lines may use commas or
-// blanks.
+// Calls `use(numbers, place)` for each line that is not a comment. `place` is "name line 12". Commas or blanks stand
+// between the numbers.
 template <class F>
 void for_each_line(Bytes file, const std::string& name, std::size_t count, const char* needed, F&& use) {
   LineReader lines(file);
@@ -52,7 +54,7 @@ Trajectory read_tum(Bytes file, const std::string& name) {
   Trajectory trajectory;
   for_each_line(file, name, 8, needed, [&](const std::vector<double>& v, const std::string& place) {
     Eigen::Quaterniond q(v[7], v[4], v[5], v[6]);
-    if (!(std::abs(q.norm() - 1) <= most_length_error))
+    if (!(std::abs(q.norm() - 1) <= max_length_error))
       throw bad_input(place + " has a quaternion of length " + number_text(q.norm()),
                       "length 1 and the order qx qy qz qw");
     if (!trajectory.empty() && v[0] <= trajectory.poses.back().time_s)
@@ -79,7 +81,7 @@ Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vect
   for_each_line(file, name, 12, needed, [&](const std::vector<double>& v, const std::string& place) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(v.data());
     const Eigen::Matrix3d rotation = matrix.leftCols<3>();
-    if (!((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < most_rotation_error &&
+    if (!((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < max_rotation_error &&
           rotation.determinant() > 0))
       throw bad_input(place + " is no rotation and translation", needed);
     Pose pose = Pose::Identity();
@@ -99,17 +101,21 @@ Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector
   return read_kitti_poses(file.bytes(), path.string(), times_s);
 }
 
-Trajectory read_trajectory(const std::filesystem::path& path, const std::string& format) {
-  if (path.empty()) throw bad_input("no trajectory is named", "a TUM or KITTI file", "Set the option file");
+bool looks_like_kitti_poses(Bytes file) {
+  LineReader lines(file);
+  std::string_view line;
+  while (lines.next(line) && (trimmed(line).empty() || trimmed(line).front() == '#')) continue;
+  return split_blanks(line).size() == 12;
+}
+
+Trajectory read_trajectory(const std::filesystem::path& path, std::optional<TrajectoryFormat> format) {
+  if (path.empty())
+    throw bad_input("no trajectory is named", format_list(FileContent::trajectory), "Set the option file");
   const MappedFile file(path);
-  bool kitti = format == "kitti";
-  if (format == "auto") {
-    LineReader lines(file.bytes());
-    std::string_view line;
-    while (lines.next(line) && (trimmed(line).empty() || trimmed(line).front() == '#')) continue;
-    kitti = split_blanks(line).size() == 12;
-  }
-  return kitti ? read_kitti_poses(file.bytes(), path.string()) : read_tum(file.bytes(), path.string());
+  constexpr std::array trajectories{FileContent::trajectory};
+  const auto& row = format ? format_named(FileContent::trajectory, choice_name(*format))
+                           : *find_format(file.bytes(), path, trajectories);
+  return std::get<TrajectoryAccess>(row.access).read(file.bytes(), path.string());
 }
 
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory) {

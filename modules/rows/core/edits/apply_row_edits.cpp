@@ -19,10 +19,16 @@ struct Log {
 
   void add(const RowEdit& e, const EditOutcome& what, bool applied) {
     const Eigen::Vector2d at = e.action == Action::add ? *e.from : e.at;
-    edit.push_back(std::ssize(edit) + 1), action.emplace_back(action_name(e.action)), row_id.push_back(what.row_id);
-    x.push_back(at.x()), y.push_back(at.y());
-    outcome.emplace_back(applied ? "applied" : "conflict"), message.push_back(what.said);
-    author.push_back(e.author), time.push_back(e.time), reason.push_back(e.reason);
+    edit.push_back(std::ssize(edit) + 1);
+    action.emplace_back(action_name(e.action));
+    row_id.push_back(what.row_id);
+    x.push_back(at.x());
+    y.push_back(at.y());
+    outcome.emplace_back(applied ? "applied" : "conflict");
+    message.push_back(what.note);
+    author.push_back(e.author);
+    time.push_back(e.time);
+    reason.push_back(e.reason);
   }
 
   Table table() && {
@@ -54,22 +60,23 @@ EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& e
                            const Run& run) {
   EditableRows field = editable_rows(found);
   Log log;
-  Report told;
+  Report warnings;
   std::int64_t applied = 0;
   bool changed = false;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     run.check_cancel();
-    const auto tell = [&](const std::string& what) {
-      told.warn(fmt::format("edit {} ({}){}", i + 1, action_name(edits[i].action), what));
+    const auto warn = [&](const std::string& what) {
+      warnings.warn(fmt::format("edit {} ({}){}", i + 1, action_name(edits[i].action), what));
     };
     try {
       const auto outcome = apply_row_edit(field, edits[i], options);
       changed |= edits[i].action != Action::note;
-      log.add(edits[i], outcome, true), ++applied;
-      if (!outcome.said.empty()) tell(": " + outcome.said);
+      log.add(edits[i], outcome, true);
+      ++applied;
+      if (!outcome.note.empty()) warn(": " + outcome.note);
     } catch (const EditConflict& conflict) {
       log.add(edits[i], {"", conflict.why}, false);
-      tell(" is not applied: " + conflict.why);
+      warn(" is not applied: " + conflict.why);
     }
   }
   EditedRows out;
@@ -77,9 +84,10 @@ EditedRows apply_row_edits(const FoundRows& found, const std::vector<RowEdit>& e
   out.log = std::move(log).table();
   set_states(field, out.found.rows);
   auto& r = out.found.report;
-  r.warnings.insert(r.warnings.begin(), told.warnings.begin(), told.warnings.end());
+  r.warnings.insert(r.warnings.begin(), warnings.warnings.begin(), warnings.warnings.end());
   if (!r.warnings.empty()) r.status = Status::warning;
-  r.counts["edits"] = std::ssize(edits), r.counts["applied"] = applied;
+  r.counts["edits"] = std::ssize(edits);
+  r.counts["applied"] = applied;
   r.counts["conflicts"] = std::ssize(edits) - applied;
   r.counts["rows"] = static_cast<std::int64_t>(out.found.rows.rows());
   r.message = edits.empty() ? "no edits" : fmt::format("{} of {} edits applied", applied, edits.size());

@@ -12,8 +12,8 @@ struct RowEditOptions {
   std::string file;
   double match_distance = 1.0;
   double reach = 0.6;
-  double doubt_deg = 2;
-  std::string fit = "least_squares";
+  double angle_tolerance_deg = 2;
+  LineFitMethod fit = LineFitMethod::ordinary;
 };
 
 const OptionTable& option_table(const RowEditOptions*);

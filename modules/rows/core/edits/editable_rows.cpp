@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "rows/core/rows/joined_tables.h"
 #include "rows/core/rows/line_fit.h"
 
@@ -16,7 +16,6 @@ namespace {
 
 using Action = RowEdit::Action;
 using Eigen::Vector2d;
-constexpr double deg = std::numbers::pi / 180;
 
 // Distance from a segment.
 double from_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
@@ -26,16 +25,20 @@ double from_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
 }
 
 double distance_from(const Points2& course, const Vector2d& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < course.size(); ++i) least = std::min(least, from_segment(p, course[i - 1], course[i]));
-  return least;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < course.size(); ++i)
+    nearest = std::min(nearest, from_segment(p, course[i - 1], course[i]));
+  return nearest;
 }
 
 Vector2d chord_of(const EditableRow& row) { return row.course.back() - row.course.front(); }
 
 void give_ends(EditableRow& row, const Vector2d& from, const Vector2d& to) {
   const Vector2d d = to - from;
-  row.ends = RowEnds{from, to}, row.course = {from, to}, row.angle_rad = std::atan2(d.y(), d.x()), row.edited = true;
+  row.ends = RowEnds{from, to};
+  row.course = {from, to};
+  row.angle_rad = std::atan2(d.y(), d.x());
+  row.edited = true;
 }
 
 class Change {
@@ -66,7 +69,8 @@ class Change {
         break;
       case Action::renumber:
         if (rows_[k].id != e_.row_id) refuse_taken(e_.row_id);
-        rows_[k].id = e_.row_id, rows_[k].edited = true;
+        rows_[k].id = e_.row_id;
+        rows_[k].edited = true;
         break;
       default:  // a note changes nothing
         break;
@@ -89,10 +93,10 @@ class Change {
   }
 
   std::string free_id() const {
-    long most = 0;
+    long largest = 0;
     for (const auto& row : rows_)
-      if (is_whole_number(row.id)) most = std::max(most, std::stol(row.id));
-    return std::to_string(most + 1);
+      if (is_whole_number(row.id)) largest = std::max(largest, std::stol(row.id));
+    return std::to_string(largest + 1);
   }
 
   void refuse_taken(const std::string& id) const {
@@ -101,9 +105,11 @@ class Change {
   }
 
   void check_unchanged(const EditableRow& row) {
-    if (!e_.was_angle_deg || row_angle_difference(row.angle_rad, *e_.was_angle_deg * deg) <= o_.doubt_deg * deg) return;
-    outcome_.said = fmt::format("the row ran at {:.2f} deg and now runs at {:.2f} deg", *e_.was_angle_deg,
-                                row_angle(row.angle_rad) / deg);
+    if (!e_.was_angle_deg ||
+        row_angle_difference(row.angle_rad, *e_.was_angle_deg * rad_per_deg) <= o_.angle_tolerance_deg * rad_per_deg)
+      return;
+    outcome_.note = fmt::format("the row ran at {:.2f} deg and now runs at {:.2f} deg", *e_.was_angle_deg,
+                                row_angle(row.angle_rad) / rad_per_deg);
   }
 
   // A drawn row takes the plants in no row that stand near it.
@@ -117,7 +123,8 @@ class Change {
     for (std::size_t p = 0; p < plants_.size(); ++p)
       if (!taken[p] && from_segment(plants_[p], *e_.from, *e_.to) <= o_.reach)
         row.plants.push_back(static_cast<int>(p));
-    give_ends(row, *e_.from, *e_.to), row.replanted = true;
+    give_ends(row, *e_.from, *e_.to);
+    row.replanted = true;
     outcome_.row_id = row.id;
     rows_.push_back(std::move(row));
   }
@@ -133,13 +140,16 @@ class Change {
     for (const auto& v : row.course) ((v - e_.at).dot(d) < 0 ? before : after).course.push_back(v);
     if (before.course.empty() || after.course.empty())
       throw EditConflict{"the cut lies beyond the ends of row " + row.id};
-    before.course.push_back(e_.at), after.course.insert(after.course.begin(), e_.at);
+    before.course.push_back(e_.at);
+    after.course.insert(after.course.begin(), e_.at);
     before.angle_rad = after.angle_rad = row.angle_rad;
     if (row.ends) {  // both parts keep to the line that was given
       const Vector2d foot = row.course.front() + (e_.at - row.course.front()).dot(d) * d;
-      give_ends(before, row.course.front(), foot), give_ends(after, foot, row.course.back());
+      give_ends(before, row.course.front(), foot);
+      give_ends(after, foot, row.course.back());
     }
-    before.id = row.id, after.id = free_id();
+    before.id = row.id;
+    after.id = free_id();
     before.edited = after.edited = before.replanted = after.replanted = true;
     row = std::move(before);
     rows_.push_back(std::move(after));
@@ -160,7 +170,8 @@ class Change {
     }
     const Vector2d d = chord_of(row);
     std::ranges::stable_sort(row.course, [&](const auto& a, const auto& b) { return a.dot(d) < b.dot(d); });
-    row.ends.reset(), row.edited = row.replanted = true;
+    row.ends.reset();
+    row.edited = row.replanted = true;
     // Drawn rows without plants have nothing to be measured by.
     if (row.plants.size() < 2) give_ends(row, Vector2d(row.course.front()), Vector2d(row.course.back()));
     std::ranges::sort(others, std::greater<>());
@@ -190,7 +201,7 @@ EditableRows editable_rows(const FoundRows& found) {
   for (std::size_t i = 0; i < t.rows(); ++i) {
     by_id[t.text("row_id", i)] = i;
     out.rows.push_back(
-        {t.text("row_id", i), {{x0[i], y0[i]}, {x1[i], y1[i]}}, angle[i] * deg, {}, {}, t.text("row_id", i)});
+        {t.text("row_id", i), {{x0[i], y0[i]}, {x1[i], y1[i]}}, angle[i] * rad_per_deg, {}, {}, t.text("row_id", i)});
   }
   std::map<std::string, Points2> courses;
   const auto lx = found.lines.numbers("x_m"), ly = found.lines.numbers("y_m");

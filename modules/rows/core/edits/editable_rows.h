@@ -33,14 +33,14 @@ struct EditableRows {
 // Throws Error{bad_input} for tables without the columns of find_rows.
 EditableRows editable_rows(const FoundRows& found);
 
-// Why an edit cannot be applied. It is told and goes no further.
+// Why an edit cannot be applied.
 struct EditConflict {
   std::string why;
 };
 
 struct EditOutcome {
   std::string row_id;  // of the row that was meant; empty where none was
-  std::string said;    // applied, but the person should know
+  std::string note;    // a warning about an edit that was applied
 };
 
 // Changes the row at the place of the edit, or throws EditConflict and changes nothing.

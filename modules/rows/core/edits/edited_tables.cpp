@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
+#include "base/angles.h"
 #include "base/option_text.h"
 #include "rows/core/rows/joined_tables.h"
 #include "rows/core/rows/line_fit.h"
@@ -15,7 +15,7 @@ namespace bole::rows {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double deg = std::numbers::pi / 180, nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The ids as one type for all tables: whole numbers where all of them are.
 Table::Values ids_as(std::vector<std::string> ids, bool numbers) {
@@ -52,10 +52,15 @@ class Composer {
     std::vector<std::string> label(field_.plants.size());
     bool planted = false;
     for (const auto& row : field_.rows)
-      for (const int p : row.plants) label[static_cast<std::size_t>(p)] = row.id, planted = true;
+      for (const int p : row.plants) {
+        label[static_cast<std::size_t>(p)] = row.id;
+        planted = true;
+      }
     if (!planted) {  // no plant in any row: find_rows wants one
-      out_.rows = before_.rows.subset({}), out_.plants = before_.plants.subset({});
-      out_.lines = before_.lines.subset({}), out_.strays = field_.sources;
+      out_.rows = before_.rows.subset({});
+      out_.plants = before_.plants.subset({});
+      out_.lines = before_.lines.subset({});
+      out_.strays = field_.sources;
       for (Table* t : {&out_.rows, &out_.plants, &out_.lines}) t->set("row_id", ids_as({}, numbers_));
       return;
     }
@@ -97,8 +102,13 @@ class Composer {
     const Vector2d u(std::cos(angle), std::sin(angle));
     const bool turned = u.dot(d) < 0;
     const Vector2d a = turned ? row.ends->to : row.ends->from, b = turned ? row.ends->from : row.ends->to;
-    put(k, "angle_deg", angle / deg), put(k, "x0_m", a.x()), put(k, "y0_m", a.y()), put(k, "x1_m", b.x());
-    put(k, "y1_m", b.y()), put(k, "length_m", d.norm()), put(k, "sagitta_m", 0.0);
+    put(k, "angle_deg", angle / rad_per_deg);
+    put(k, "x0_m", a.x());
+    put(k, "y0_m", a.y());
+    put(k, "x1_m", b.x());
+    put(k, "y1_m", b.y());
+    put(k, "length_m", d.norm());
+    put(k, "sagitta_m", 0.0);
     for (const char* name : {"angle_se_deg", "angle_lo_deg", "angle_hi_deg", "rms_m"}) put(k, name, nan);
     put(k, "shape", std::string("straight"));
     set_line(row.id, a, b);
@@ -116,10 +126,17 @@ class Composer {
     auto x = lines.numbers("x_m"), y = lines.numbers("y_m");
     auto number = lines.integers("number");
     const std::size_t n = x.size();
-    ids[n - 2] = ids[n - 1] = id, number[n - 2] = 1, number[n - 1] = 2;
-    x[n - 2] = a.x(), y[n - 2] = a.y(), x[n - 1] = b.x(), y[n - 1] = b.y();
-    lines.set("row_id", ids_as(std::move(ids), numbers_)), lines.set("number", number);
-    lines.set("x_m", x), lines.set("y_m", y);
+    ids[n - 2] = ids[n - 1] = id;
+    number[n - 2] = 1;
+    number[n - 1] = 2;
+    x[n - 2] = a.x();
+    y[n - 2] = a.y();
+    x[n - 1] = b.x();
+    y[n - 1] = b.y();
+    lines.set("row_id", ids_as(std::move(ids), numbers_));
+    lines.set("number", number);
+    lines.set("x_m", x);
+    lines.set("y_m", y);
     out_.lines = std::move(lines);
   }
 
@@ -138,7 +155,10 @@ class Composer {
     std::map<std::string, std::string> name;  // of a kept row by its name before
     std::set<std::string> kept;
     for (const auto& row : field_.rows)
-      if (!row.replanted) name[row.found_id] = row.id, kept.insert(row.id);
+      if (!row.replanted) {
+        name[row.found_id] = row.id;
+        kept.insert(row.id);
+      }
     const Table measured = out_.rows;
     for (const auto part : {&FoundRows::rows, &FoundRows::plants, &FoundRows::lines}) {
       const Table old = renamed(before_.*part, name), all = joined(old, out_.*part);
@@ -161,8 +181,10 @@ class Composer {
     std::vector<std::size_t> picked;
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < table.rows(); ++i)
-      if (const auto it = name.find(table.text("row_id", i)); it != name.end())
-        picked.push_back(i), ids.push_back(it->second);
+      if (const auto it = name.find(table.text("row_id", i)); it != name.end()) {
+        picked.push_back(i);
+        ids.push_back(it->second);
+      }
     Table out = table.subset(picked);
     out.set("row_id", ids_as(std::move(ids), numbers_));
     return out;

@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cloud/edit_list.h"
+
 namespace bole::rows {
 
 // Positions are metres in the axes of the rows. `at` is a place on the row that is meant.
-struct RowEdit {
+struct RowEdit : EditRecord {
   enum class Action { move, add, remove, split, merge, renumber, note };
 
   Action action = Action::note;
@@ -18,9 +20,8 @@ struct RowEdit {
   std::optional<Eigen::Vector2d> from, to;       // move, add: the ends
   std::vector<Eigen::Vector2d> with;             // merge: places on the other rows
   std::string row_id;                            // renumber; add where given
-  std::optional<double> was_angle_deg;           // what the person saw: a changed row is told
+  std::optional<double> was_angle_deg;           // what the person saw; a changed row is reported
   std::string text;                              // note
-  std::string author, time, reason;              // who, when (ISO 8601), why
 };
 
 std::string_view action_name(RowEdit::Action action);  // "move", "add", "delete", ...

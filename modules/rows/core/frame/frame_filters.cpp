@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
 #include "base/transform.h"
@@ -14,14 +14,13 @@
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 using Cell = std::array<std::int64_t, 3>;
 
 Cell cell_of(const Eigen::Vector3d& p, double size) {
-  constexpr double most = 1e15;  // beyond, neighbouring cells cannot be told apart anyway
+  constexpr double limit = 1e15;  // beyond, neighbouring cells cannot be told apart anyway
   Cell c{};
   for (int i = 0; i < 3; ++i)
-    c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::clamp(std::floor(p[i] / size), -most, most));
+    c[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(std::clamp(std::floor(p[i] / size), -limit, limit));
   return c;
 }
 
@@ -85,7 +84,7 @@ std::vector<double> times_of(const PointCloud& frame) {
 PointCloud level(const PointCloud& frame, const LevelOptions& o, const Table* attitude) {
   PointCloud::Positions positions;
   positions.reserve(frame.size());
-  Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * deg, o.pitch_deg * deg, o.yaw_deg * deg);
+  Eigen::Matrix3d R = rotation_from_rpy(o.roll_deg * rad_per_deg, o.pitch_deg * rad_per_deg, o.yaw_deg * rad_per_deg);
   if (attitude == nullptr) {
     for (std::size_t i = 0; i < frame.size(); ++i) positions.push_back((R * frame.position(i)).cast<float>());
   } else {
@@ -96,7 +95,8 @@ PointCloud level(const PointCloud& frame, const LevelOptions& o, const Table* at
     for (std::size_t i = 0; i < frame.size(); ++i) {
       if (!(std::abs(times[i] - done) <= step_s / 2)) {
         done = times[i];
-        const Eigen::Vector3d a = deg * (track.rpy_deg(done) + Eigen::Vector3d(o.roll_deg, o.pitch_deg, o.yaw_deg));
+        const Eigen::Vector3d a =
+            rad_per_deg * (track.rpy_deg(done) + Eigen::Vector3d(o.roll_deg, o.pitch_deg, o.yaw_deg));
         R = rotation_from_rpy(a[0], a[1], a[2]);
       }
       positions.push_back((R * frame.position(i)).cast<float>());
@@ -112,7 +112,7 @@ PointCloud cut_region(const PointCloud& frame, const RegionOptions& o) {
   std::vector<std::uint32_t> kept;
   for (std::uint32_t i = 0; i < frame.size(); ++i) {
     const Eigen::Vector3d p = frame.position(i);
-    if (p.x() > o.x_min && p.x() < o.x_max && p.y() > o.y_min && p.y() < o.y_max && p.z() > o.z_min && p.z() < o.z_max)
+    if (p.x() > o.min_x && p.x() < o.max_x && p.y() > o.min_y && p.y() < o.max_y && p.z() > o.min_z && p.z() < o.max_z)
       kept.push_back(i);
   }
   return frame.subset(kept);
@@ -126,7 +126,8 @@ PointCloud voxel_centroids(const PointCloud& frame, const VoxelOptions& o) {
     centroids.push_back((sum / static_cast<double>(points.size())).cast<float>());
   }
   PointCloud out(std::move(centroids), frame.origin);
-  out.axes = frame.axes, out.crs_wkt = frame.crs_wkt;
+  out.axes = frame.axes;
+  out.crs_wkt = frame.crs_wkt;
   return out;
 }
 
@@ -139,10 +140,11 @@ PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& o, con
   for (std::uint32_t i = 0; i < frame.size(); ++i) {
     const Eigen::Vector3d p = frame.position(i);
     if (p.allFinite())
-      sectors[static_cast<std::int64_t>(std::floor(std::atan2(p.y(), p.x()) / (o.sector_deg * deg)))].push_back(
+      sectors[static_cast<std::int64_t>(std::floor(std::atan2(p.y(), p.x()) / (o.sector_deg * rad_per_deg)))].push_back(
           {p.head<2>().norm(), p.z() + o.sensor_height, i});
   }
-  const double local = std::tan(o.local_max_slope_deg * deg), general = std::tan(o.general_max_slope_deg * deg);
+  const double local = std::tan(o.max_local_slope_deg * rad_per_deg),
+               general = std::tan(o.max_general_slope_deg * rad_per_deg);
   std::vector<std::uint32_t> kept;
   for (auto& [sector, rays] : sectors) {
     run.check_cancel();
@@ -154,10 +156,12 @@ PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& o, con
       const bool near_general = std::abs(ray.height_m) <= std::max(o.height_threshold, general * ray.range_m);
       // After a jump the last ground point says little; the general slope still holds.
       const bool ground = near_last ? near_general : near_general && step > o.reset_distance;
-      if (ground)
-        range = ray.range_m, height = ray.height_m;
-      else
+      if (ground) {
+        range = ray.range_m;
+        height = ray.height_m;
+      } else {
         kept.push_back(ray.index);
+      }
     }
   }
   std::sort(kept.begin(), kept.end());
@@ -179,9 +183,9 @@ PointCloud radius_filter(const PointCloud& frame, const RadiusOptions& o, const 
       int neighbours = -1;  // itself
       for (const auto j : around) {
         neighbours += (frame.position(i) - frame.position(j)).norm() <= o.radius;
-        if (neighbours >= o.neighbours_min) break;
+        if (neighbours >= o.min_neighbours) break;
       }
-      if (neighbours >= o.neighbours_min) kept.push_back(i);
+      if (neighbours >= o.min_neighbours) kept.push_back(i);
     }
   }
   std::sort(kept.begin(), kept.end());

@@ -24,7 +24,7 @@ PointCloud voxel_centroids(const PointCloud& frame, const VoxelOptions& options)
 // last one, or lie within the general slope after a jump. Returns the points that are not ground.
 PointCloud remove_ground(const PointCloud& frame, const RayGroundOptions& options, const Run& run);
 
-// Points with at least neighbours_min others within the radius.
+// Points with at least min_neighbours others within the radius.
 PointCloud radius_filter(const PointCloud& frame, const RadiusOptions& options, const Run& run);
 
 }  // namespace bole::rows

@@ -1,18 +1,17 @@
 #include "rows/core/frame/frame_options.h"
 
 namespace bole::rows {
-
 namespace {
 
 template <class S>
-Option<S, double> metres(std::string_view name, double S::*member, double lo, double hi, std::string_view help,
+Option<S, double> metres(std::string_view name, double S::*member, double min, double max, std::string_view help,
                          Tier tier = Tier::basic) {
-  return {name, member, Unit::metre, {lo, hi}, tier, help};
+  return {name, member, Unit::metre, {min, max}, tier, help};
 }
 
 template <class S>
-Option<S, double> degrees(std::string_view name, double S::*member, double lo, double hi, std::string_view help) {
-  return {name, member, Unit::degree, {lo, hi}, Tier::basic, help};
+Option<S, double> degrees(std::string_view name, double S::*member, double min, double max, std::string_view help) {
+  return {name, member, Unit::degree, {min, max}, Tier::basic, help};
 }
 
 template <class S>
@@ -20,8 +19,10 @@ Option<S, int> count(std::string_view name, int S::*member, std::string_view hel
   return {name, member, Unit::none, {1, 1'000'000}, Tier::basic, help};
 }
 
-void check_bounds(double lo, double hi, const char* axis) {
-  if (!(lo < hi)) throw bad_input(std::string(axis) + "_min is not below " + axis + "_max", "a region with an extent");
+void check_bounds(double min, double max, const std::string& axis) {
+  if (!(min < max))
+    throw bad_input("min_" + axis + " is " + number_text(min) + " and max_" + axis + " is " + number_text(max),
+                    "a minimum below the maximum");
 }
 
 }  // namespace
@@ -29,9 +30,9 @@ void check_bounds(double lo, double hi, const char* axis) {
 const OptionTable& option_table(const LevelOptions*) {
   using S = LevelOptions;
   static const OptionTable table = make_option_table<S>({
-      degrees("roll_deg", &S::roll_deg, -180, 180, "Roll of the sensor about its x axis, from its IMU."),
-      degrees("pitch_deg", &S::pitch_deg, -90, 90, "Pitch of the sensor about its y axis."),
-      degrees("yaw_deg", &S::yaw_deg, -360, 360, "Yaw about the vertical, to the axes wanted."),
+      degrees("roll", &S::roll_deg, -180, 180, "Roll of the sensor about its x axis, from its IMU."),
+      degrees("pitch", &S::pitch_deg, -90, 90, "Pitch of the sensor about its y axis, from its IMU."),
+      degrees("yaw", &S::yaw_deg, -360, 360, "Yaw of the sensor about the vertical axis."),
   });
   return table;
 }
@@ -40,38 +41,41 @@ const OptionTable& option_table(const RegionOptions*) {
   using S = RegionOptions;
   static const OptionTable table = make_option_table<S>(
       {
-          metres("x_min", &S::x_min, -1e4, 1e4, "Least x kept."),
-          metres("x_max", &S::x_max, -1e4, 1e4, "Largest x kept."),
-          metres("y_min", &S::y_min, -1e4, 1e4, "Least y kept; y points ahead."),
-          metres("y_max", &S::y_max, -1e4, 1e4, "Largest y kept."),
-          metres("z_min", &S::z_min, -1e4, 1e4, "Least height kept, from the sensor."),
-          metres("z_max", &S::z_max, -1e4, 1e4, "Largest height kept, from the sensor."),
+          metres("min_x", &S::min_x, -1e4, 1e4, "Smallest x of the box."),
+          metres("max_x", &S::max_x, -1e4, 1e4, "Largest x of the box."),
+          metres("min_y", &S::min_y, -1e4, 1e4, "Smallest y of the box. y points ahead of the sensor."),
+          metres("max_y", &S::max_y, -1e4, 1e4, "Largest y of the box."),
+          metres("min_z", &S::min_z, -1e4, 1e4, "Smallest height of the box, counted from the sensor."),
+          metres("max_z", &S::max_z, -1e4, 1e4, "Largest height of the box, counted from the sensor."),
       },
       [](const S& s) {
-        check_bounds(s.x_min, s.x_max, "x"), check_bounds(s.y_min, s.y_max, "y"), check_bounds(s.z_min, s.z_max, "z");
+        check_bounds(s.min_x, s.max_x, "x");
+        check_bounds(s.min_y, s.max_y, "y");
+        check_bounds(s.min_z, s.max_z, "z");
       });
   return table;
 }
 
 const OptionTable& option_table(const VoxelOptions*) {
   using S = VoxelOptions;
-  static const OptionTable table =
-      make_option_table<S>({metres("size", &S::size, 0.001, 10, "Edge of the voxels; each gives its centroid.")});
+  static const OptionTable table = make_option_table<S>(
+      {metres("size", &S::size, 0.001, 10, "Edge length of the voxels. A larger value keeps fewer points.")});
   return table;
 }
 
 const OptionTable& option_table(const RayGroundOptions*) {
   using S = RayGroundOptions;
   static const OptionTable table = make_option_table<S>({
-      degrees("sector_deg", &S::sector_deg, 0.01, 45, "Width of the sectors about the sensor."),
+      degrees("sector", &S::sector_deg, 0.01, 45, "Width of the sectors around the sensor."),
       metres("sensor_height", &S::sensor_height, 0, 20, "Height of the sensor above the ground below it."),
-      degrees("local_max_slope_deg", &S::local_max_slope_deg, 0, 60, "Steepest ground from one point to the next."),
-      degrees("general_max_slope_deg", &S::general_max_slope_deg, 0, 60, "Steepest ground as seen from the sensor."),
+      degrees("max_local_slope", &S::max_local_slope_deg, 0, 60,
+              "Steepest ground from one point to the next. A larger value removes more points."),
+      degrees("max_general_slope", &S::max_general_slope_deg, 0, 60,
+              "Steepest ground as seen from the sensor. A larger value removes more points."),
       metres("height_threshold", &S::height_threshold, 0, 2,
-             "Least height difference that tells a point from the ground, where slopes would ask for less.",
-             Tier::advanced),
+             "Points less than this above the last ground point are ground, whatever the slope.", Tier::advanced),
       metres("reset_distance", &S::reset_distance, 0, 50,
-             "After a step so long, a point near the general slope is ground again.", Tier::advanced),
+             "After a horizontal step longer than this, the general slope alone decides.", Tier::advanced),
   });
   return table;
 }
@@ -79,8 +83,8 @@ const OptionTable& option_table(const RayGroundOptions*) {
 const OptionTable& option_table(const RadiusOptions*) {
   using S = RadiusOptions;
   static const OptionTable table = make_option_table<S>({
-      metres("radius", &S::radius, 0.001, 100, "Radius of the ball in which neighbours are counted."),
-      count("neighbours_min", &S::neighbours_min, "Points with fewer neighbours are dropped."),
+      metres("radius", &S::radius, 0.001, 100, "Radius of the sphere in which neighbours are counted."),
+      count("min_neighbours", &S::min_neighbours, "Points with fewer neighbours are removed."),
   });
   return table;
 }
@@ -89,8 +93,8 @@ const OptionTable& option_table(const MeanShiftOptions*) {
   using S = MeanShiftOptions;
   static const OptionTable table = make_option_table<S>({
       metres("bandwidth", &S::bandwidth, 0.01, 100,
-             "Radius of the mean shift in plan; less than half a plant spacing."),
-      count("points_min", &S::points_min, "Clusters with fewer points are no plants."),
+             "Horizontal radius of the mean shift. Choose less than half the plant spacing."),
+      count("min_points", &S::min_points, "Clusters with fewer points are not plants."),
   });
   return table;
 }
@@ -98,33 +102,28 @@ const OptionTable& option_table(const MeanShiftOptions*) {
 const OptionTable& option_table(const TrunkOptions*) {
   using S = TrunkOptions;
   static const OptionTable table = make_option_table<S>({
-      metres("layer_height", &S::layer_height, 0.01, 5, "Height of the layers that a plant is cut into."),
-      metres("d_x", &S::d_x, 0.01, 10, "Largest extent along x of a layer that is trunk only."),
-      metres("d_y", &S::d_y, 0.01, 10, "Largest extent along y of a layer that is trunk only."),
-      count("layers_min", &S::layers_min, "Fewest trunk layers of a plant."),
-      metres("ahead_min", &S::ahead_min, 0, 1000,
-             "Trunks less far ahead (y) are left out: the edge of the view or of the region cuts them.",
+      metres("layer_height", &S::layer_height, 0.01, 5, "Height of the layers into which a plant is cut."),
+      metres("max_extent_x", &S::max_extent_x, 0.01, 10, "Largest extent along x of a layer that is trunk only."),
+      metres("max_extent_y", &S::max_extent_y, 0.01, 10, "Largest extent along y of a layer that is trunk only."),
+      count("min_layers", &S::min_layers, "Smallest number of trunk layers of a plant."),
+      metres("min_ahead", &S::min_ahead, 0, 1000,
+             "Trunks less far ahead (y) are ignored: the edge of the view or of the region cuts them.", Tier::advanced),
+      Option<S, TrunkCentre>{"centre", &S::centre, Tier::basic,
+                             "mean: the mean of the trunk points, as in the paper; face: the axis behind the side that "
+                             "the sensor sees, from the points of the input dense."},
+      metres("range_sigma", &S::range_sigma, 0.0005, 0.5, "Standard deviation of a single range.", Tier::advanced),
+      metres("reach", &S::reach, 0.01, 10, "Distance from the middle of a cluster within which its trunk is searched.",
              Tier::advanced),
-      Option<S, std::string>{"centre",
-                             &S::centre,
-                             TextKind::choice,
-                             {"mean", "face"},
-                             Tier::basic,
-                             "mean: of the trunk points, as in the paper; face: the axis behind the face that the "
-                             "sensor sees, from the points of the input dense."},
-      metres("range_sigma", &S::range_sigma, 0.0005, 0.5, "Scatter (1 sigma) of a single range.", Tier::advanced),
-      metres("reach", &S::reach, 0.01, 10, "A trunk is looked for so far about the middle of its cluster.",
+      metres("min_diameter", &S::min_diameter, 0, 10, "Thinner trunks are ignored: the edge of the view cuts them.",
              Tier::advanced),
-      metres("narrowest", &S::narrowest, 0, 10, "Thinner trunks are none: what the edge of the view cut.",
-             Tier::advanced),
-      metres("height_min", &S::height_min, 0, 20, "Lower trunks are weeds.", Tier::advanced),
-      Option<S, double>{"filled_min",
-                        &S::filled_min,
+      metres("min_height", &S::min_height, 0, 20, "Lower trunks are weeds.", Tier::advanced),
+      Option<S, double>{"min_filled",
+                        &S::min_filled,
                         Unit::none,
                         {0, 1},
                         Tier::advanced,
-                        "Share of the layers from the foot to the top of a trunk that must have points."},
-      OnlyIf{"centre", {"face"}, {"range_sigma", "reach", "narrowest", "height_min", "filled_min"}},
+                        "Smallest share of the layers between foot and top of a trunk that contain points."},
+      OnlyIf{"centre", {"face"}, {"range_sigma", "reach", "min_diameter", "min_height", "min_filled"}},
   });
   return table;
 }
@@ -134,8 +133,8 @@ const OptionTable& option_table(const PlaceOptions*) {
   static const OptionTable table = make_option_table<S>({
       metres("x", &S::x, -1e8, 1e8, "Easting of the sensor, from resection or a receiver."),
       metres("y", &S::y, -1e8, 1e8, "Northing of the sensor."),
-      degrees("yaw_deg", &S::yaw_deg, -360, 360,
-              "Turn of the frame's x axis from east to north; 0 when y points north."),
+      degrees("yaw", &S::yaw_deg, -360, 360,
+              "Angle from east to the x axis of the frame, towards north. 0 when y points north."),
   });
   return table;
 }

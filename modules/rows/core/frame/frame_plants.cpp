@@ -9,15 +9,16 @@
 #include <numbers>
 #include <optional>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "base/statistics.h"
 #include "rows/core/frame/trunk_face.h"
 #include "rows/core/rows/plant_grid.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
-constexpr int most_shifts = 200;
+constexpr int max_shifts = 200;
 constexpr double still = 1e-4;  // of the bandwidth
 
 }  // namespace
@@ -35,7 +36,7 @@ PointCloud mean_shift(const PointCloud& frame, const MeanShiftOptions& o, const 
   for (std::size_t i = 0; i < plan.size(); ++i) {
     run.check_cancel();
     Eigen::Vector2d at = plan[i];
-    for (int k = 0; k < most_shifts; ++k) {
+    for (int k = 0; k < max_shifts; ++k) {
       Eigen::Vector2d shift = Eigen::Vector2d::Zero();
       const auto near = grid.within(at, o.bandwidth);
       for (const int j : near) shift += (plan[static_cast<std::size_t>(j)] - at) / static_cast<double>(near.size());
@@ -44,12 +45,15 @@ PointCloud mean_shift(const PointCloud& frame, const MeanShiftOptions& o, const 
     }
     std::size_t m = 0;
     while (m < modes.size() && (modes[m] - at).norm() > o.bandwidth / 2) ++m;
-    if (m == modes.size()) modes.push_back(at), members.emplace_back();
+    if (m == modes.size()) {
+      modes.push_back(at);
+      members.emplace_back();
+    }
     members[m].push_back(i);
   }
   std::vector<std::size_t> order;
   for (std::size_t m = 0; m < modes.size(); ++m)
-    if (std::ssize(members[m]) >= o.points_min) order.push_back(m);
+    if (std::ssize(members[m]) >= o.min_points) order.push_back(m);
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return std::pair(modes[a].x(), modes[a].y()) < std::pair(modes[b].x(), modes[b].y());
   });
@@ -75,19 +79,19 @@ RoughTrunk rough_trunk(const Layers& by_height, const TrunkOptions& o) {
   RoughTrunk t;
   for (const auto& [height, layer] : by_height) {
     Eigen::Vector2d lo = layer.front(), hi = lo;
-    for (const auto& p : layer) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
-    if (hi.x() - lo.x() > o.d_x || hi.y() - lo.y() > o.d_y) continue;
+    for (const auto& p : layer) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+    if (hi.x() - lo.x() > o.max_extent_x || hi.y() - lo.y() > o.max_extent_y) continue;
     ++t.layers;
-    for (const auto& p : layer) t.centre += p, ++t.points;
+    for (const auto& p : layer) {
+      t.centre += p;
+      ++t.points;
+    }
   }
   if (t.points > 0) t.centre /= static_cast<double>(t.points);
   return t;
-}
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
 }
 
 struct FoundTrunk {
@@ -99,16 +103,17 @@ struct FoundTrunk {
 // The trunks behind their faces, from the dense frame.
 class FaceFinder {
  public:
-  FaceFinder(const PointCloud& dense, const TrunkOptions& o) : dense_(dense), o_(o), widest_(std::max(o.d_x, o.d_y)) {}
+  FaceFinder(const PointCloud& dense, const TrunkOptions& o)
+      : dense_(dense), o_(o), widest_(std::max(o.max_extent_x, o.max_extent_y)) {}
 
   // `foot` and `top`: heights between which the trunk is looked for.
   std::optional<FoundTrunk> find(std::int32_t plant, const Eigen::Vector2d& middle, double foot, double top) const {
     const auto strip =
         find_upright(about(middle, o_.reach + widest_ / 2, foot, top), widest_, o_.range_sigma, o_.layer_height / 2);
-    if (strip.high_m - strip.low_m < o_.height_min || strip.filled < o_.filled_min) return {};
+    if (strip.high_m - strip.low_m < o_.min_height || strip.filled < o_.min_filled) return {};
     const auto near = about(strip.at, widest_ / 2 + 4 * o_.range_sigma, strip.low_m, strip.high_m);
     const auto fit = fit_trunk_face(near, strip.at, widest_, o_.range_sigma);
-    // What a nearer trunk leaves to see may be too little for a fit.
+    // Too few points may remain visible behind a nearer trunk.
     if (!fit) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near)};
     return FoundTrunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points};
   }
@@ -119,7 +124,7 @@ class FaceFinder {
     if (trunks.size() < 3) return;
     std::vector<double> radii;
     for (const auto& t : trunks) radii.push_back(t.diameter_cm / 200);
-    const double usual = median_of(radii);
+    const double usual = upper_median(radii);
     const auto seen = trunks;
     for (auto& t : trunks) {
       const double r = t.diameter_cm / 200, range = t.centre.norm(), bearing = std::atan2(t.centre.x(), t.centre.y());
@@ -180,7 +185,7 @@ using Plants = std::map<std::int32_t, Layers>;
 std::vector<FoundTrunk> trunks_by_mean(const Plants& plants, const TrunkOptions& o, std::int64_t& without) {
   std::vector<FoundTrunk> trunks;
   for (const auto& [plant, by_height] : plants)
-    if (const auto rough = rough_trunk(by_height, o); rough.layers >= o.layers_min)
+    if (const auto rough = rough_trunk(by_height, o); rough.layers >= o.min_layers)
       trunks.push_back({rough.centre, std::numeric_limits<double>::quiet_NaN(), plant, rough.layers, rough.points});
     else
       ++without;
@@ -198,20 +203,25 @@ std::vector<FoundTrunk> trunks_by_face(const Plants& plants, const PointCloud& d
   for (const auto& [plant, by_height] : plants) {
     std::vector<double> x, y;
     for (const auto& [height, layer] : by_height)
-      for (const auto& p : layer) x.push_back(p.x()), y.push_back(p.y());
+      for (const auto& p : layer) {
+        x.push_back(p.x());
+        y.push_back(p.y());
+      }
     clusters.push_back({plant,
-                        {median_of(x), median_of(y)},
+                        {upper_median(x), upper_median(y)},
                         static_cast<double>(by_height.begin()->first) * o.layer_height,
                         static_cast<double>(by_height.rbegin()->first + 1) * o.layer_height});
   }
   const FaceFinder finder(dense, o);
   std::vector<FoundTrunk> trunks;
   for (const auto& c : clusters) {
-    // Leaves may have parted the trunk among clusters: it stands between the lowest and the highest of those around.
+    // Leaves may split a trunk into several clusters, so it is searched between the lowest and highest of those nearby.
     double foot = c.foot, top = c.top;
     for (const auto& other : clusters)
-      if ((other.middle - c.middle).norm() < 2 * o.reach)
-        foot = std::min(foot, other.foot), top = std::max(top, other.top);
+      if ((other.middle - c.middle).norm() < 2 * o.reach) {
+        foot = std::min(foot, other.foot);
+        top = std::max(top, other.top);
+      }
     if (const auto found = finder.find(c.plant, c.middle, foot, top))
       trunks.push_back(*found);
     else
@@ -220,14 +230,14 @@ std::vector<FoundTrunk> trunks_by_face(const Plants& plants, const PointCloud& d
   trunks = finder.distinct(std::move(trunks));
   finder.uncover(trunks);
   without += static_cast<std::int64_t>(
-      std::erase_if(trunks, [&](const FoundTrunk& t) { return t.diameter_cm < 100 * o.narrowest; }));
+      std::erase_if(trunks, [&](const FoundTrunk& t) { return t.diameter_cm < 100 * o.min_diameter; }));
   return trunks;
 }
 
 }  // namespace
 
 Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const TrunkOptions& o, Report& report) {
-  const bool face = o.centre == "face";
+  const bool face = o.centre == TrunkCentre::face;
   if (face && dense == nullptr)
     throw bad_input("centre is face and the input dense is not connected", "the levelled frame before it was thinned",
                     "Connect dense to the output of rows.region, or set centre to mean");
@@ -239,24 +249,32 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
 
   std::int64_t without = 0;
   auto trunks = face ? trunks_by_face(layers, *dense, o, without) : trunks_by_mean(layers, o, without);
-  const auto cut = std::erase_if(trunks, [&](const FoundTrunk& t) { return t.centre.y() < o.ahead_min; });
+  const auto cut = std::erase_if(trunks, [&](const FoundTrunk& t) { return t.centre.y() < o.min_ahead; });
   if (cut > 0) report.counts["too_near"] = static_cast<std::int64_t>(cut);
   if (without > 0)
-    report.warn(
-        face ? fmt::format("{} clusters hold no trunk of {:g} m or more", without, o.height_min)
-             : fmt::format("{} clusters have fewer than {} trunk layers and are no plants: raise d_x and d_y where "
-                           "trunks are thicker",
-                           without, o.layers_min));
+    report.warn(face ? fmt::format("{} clusters hold no trunk of {:g} m or more", without, o.min_height)
+                     : fmt::format("{} clusters have fewer than {} trunk layers and are not plants: raise max_extent_x "
+                                   "and max_extent_y where "
+                                   "trunks are thicker",
+                                   without, o.min_layers));
   std::vector<double> x, y, diameter;
   std::vector<std::int64_t> id, trunk_layers, points;
   for (const auto& t : trunks) {
-    x.push_back(t.centre.x()), y.push_back(t.centre.y()), diameter.push_back(t.diameter_cm);
-    id.push_back(t.plant), trunk_layers.push_back(t.layers), points.push_back(t.points);
+    x.push_back(t.centre.x());
+    y.push_back(t.centre.y());
+    diameter.push_back(t.diameter_cm);
+    id.push_back(t.plant);
+    trunk_layers.push_back(t.layers);
+    points.push_back(t.points);
   }
   report.counts["plants"] = std::ssize(x);
   report.message = fmt::format("{} plants", x.size());
   Table t;
-  t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("layers", trunk_layers), t.set("points", points);
+  t.set("tree_id", id);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("layers", trunk_layers);
+  t.set("points", points);
   t.set("diameter_cm", diameter);
   t.facts["axes"] = std::string(axes_name(plants.axes));
   if (!plants.crs_wkt.empty()) t.facts["crs"] = plants.crs_wkt;
@@ -264,14 +282,16 @@ Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const Tru
 }
 
 Table place_stems(const Table& stems, const PlaceOptions& o) {
-  const double c = std::cos(o.yaw_deg * deg), s = std::sin(o.yaw_deg * deg);
+  const double c = std::cos(o.yaw_deg * rad_per_deg), s = std::sin(o.yaw_deg * rad_per_deg);
   auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double px = x[i], py = y[i];
-    x[i] = o.x + c * px - s * py, y[i] = o.y + s * px + c * py;
+    x[i] = o.x + c * px - s * py;
+    y[i] = o.y + s * px + c * py;
   }
   Table placed = stems;
-  placed.set("x_m", std::move(x)), placed.set("y_m", std::move(y));
+  placed.set("x_m", std::move(x));
+  placed.set("y_m", std::move(y));
   // Without a place the axes stay those of the frame, whose y need not point north.
   if (o.x != 0 || o.y != 0 || o.yaw_deg != 0) placed.facts["axes"] = "global";
   return placed;

@@ -6,19 +6,15 @@
 #include <cstdint>
 #include <map>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
-constexpr int fewest_points = 12;
+constexpr int min_points = 12;
 constexpr double lean_sigma = 0.035;  // prior of the lean, metres per metre: 2 degrees
-constexpr int rounds = 8;
+constexpr int iterations = 8;
 constexpr double thick_sigmas = 3;  // radii that the curve of the face can tell
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 double tukey(double residual, double cut) {
   const double s = residual / cut;
@@ -30,7 +26,7 @@ double tukey(double residual, double cut) {
 double radius_of_strip(const std::vector<double>& off) {
   double square = 0;
   for (const double d : off) square += d * d / static_cast<double>(off.size());
-  const double by_median = 2 * median_of(off), by_square = std::sqrt(3 * square);
+  const double by_median = 2 * upper_median(std::vector<double>(off)), by_square = std::sqrt(3 * square);
   return std::abs(by_square - by_median) < 0.12 * by_median ? by_square : by_median;
 }
 
@@ -47,7 +43,8 @@ HeightLine fit_line(const std::vector<double>& h, const std::vector<double>& y, 
   N(1, 1) = sigma * sigma / (lean_sigma * lean_sigma);
   for (std::size_t i = 0; i < h.size(); ++i) {
     const Eigen::Vector2d a(1, h[i]);
-    N += w[i] * a * a.transpose(), b += w[i] * y[i] * a;
+    N += w[i] * a * a.transpose();
+    b += w[i] * y[i] * a;
   }
   const Eigen::Vector2d x = N.ldlt().solve(b);
   return {x[0], x[1]};
@@ -56,15 +53,16 @@ HeightLine fit_line(const std::vector<double>& h, const std::vector<double>& y, 
 // A thick trunk shows its curve: circle by Gauss-Newton on the ranges, so that what hides a part of its width does not
 // move it.
 void refine_circle(const std::vector<double>& u, const std::vector<double>& v, const std::vector<double>& h,
-                   double most_radius_m, double sigma_m, HeightLine& across, HeightLine& face, double& radius) {
+                   double max_radius, double sigma_m, HeightLine& across, HeightLine& face, double& radius) {
   HeightLine a = across, f = face;
   double r = radius;
   for (int round = 0; round < 15; ++round) {
     Eigen::Matrix3d N = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    // The strip's half width is worth something too; it is too small when a part is hidden.
+    // The half width of the strip is a weak prior, because it is too small where a part is hidden.
     const double prior = 1 / (0.1 * radius * 0.1 * radius) * sigma_m * sigma_m;
-    N(2, 2) += prior, b[2] += prior * (radius - r);
+    N(2, 2) += prior;
+    b[2] += prior * (radius - r);
     double used = 0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double du = u[i] - a.at(h[i]);
@@ -72,14 +70,20 @@ void refine_circle(const std::vector<double>& u, const std::vector<double>& v, c
       const double depth = std::sqrt(r * r - du * du), e = v[i] - (f.at(h[i]) - depth);
       const double w = tukey(e, 4.5 * sigma_m);
       const Eigen::Vector3d J(-du / depth, 1, -r / depth);
-      N += w * J * J.transpose(), b += w * e * J, used += w;
+      N += w * J * J.transpose();
+      b += w * e * J;
+      used += w;
     }
-    if (used < fewest_points) return;
+    if (used < min_points) return;
     const Eigen::Vector3d step = N.ldlt().solve(b);
-    a.at0 += step[0], f.at0 += step[1], r += step[2];
-    if (!(r > 0.3 * radius && r <= most_radius_m && std::abs(a.at0 - across.at0) < radius)) return;
+    a.at0 += step[0];
+    f.at0 += step[1];
+    r += step[2];
+    if (!(r > 0.3 * radius && r <= max_radius && std::abs(a.at0 - across.at0) < radius)) return;
     if (step.norm() < 1e-5) {
-      across = a, face = f, radius = r;
+      across = a;
+      face = f;
+      radius = r;
       return;
     }
   }
@@ -88,8 +92,8 @@ void refine_circle(const std::vector<double>& u, const std::vector<double>& v, c
 }  // namespace
 
 std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector2d& start,
-                                        double widest_m, double range_sigma_m) {
-  if (!(start.norm() > 0) || std::ssize(points) < fewest_points) return {};
+                                        double max_diameter, double range_sigma) {
+  if (!(start.norm() > 0) || std::ssize(points) < min_points) return {};
   const Eigen::Vector2d ahead = start.normalized(), left(-ahead.y(), ahead.x());
   const std::size_t n = points.size();
   std::vector<double> u(n), v(n), h(n);
@@ -97,13 +101,15 @@ std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& poin
   for (const auto& p : points) mean_height += p.z() / static_cast<double>(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Eigen::Vector2d d = points[i].head<2>() - start;
-    u[i] = d.dot(left), v[i] = d.dot(ahead), h[i] = points[i].z() - mean_height;
+    u[i] = d.dot(left);
+    v[i] = d.dot(ahead);
+    h[i] = points[i].z() - mean_height;
   }
-  HeightLine across{median_of(u), 0}, face{median_of(v), 0};
-  double radius = widest_m / 2;
+  HeightLine across{upper_median(std::vector<double>(u)), 0}, face{upper_median(std::vector<double>(v)), 0};
+  double radius = max_diameter / 2;
   std::vector<double> wu(n), wv(n), back(n);
-  for (int round = 0; round < rounds; ++round) {
-    const double reach = 1.2 * radius + 0.004, depth = 4.5 * range_sigma_m + (round < 3 ? radius : 0);
+  for (int round = 0; round < iterations; ++round) {
+    const double reach = 1.2 * radius + 0.004, depth = 4.5 * range_sigma + (round < 3 ? radius : 0);
     std::vector<double> off;
     for (std::size_t i = 0; i < n; ++i) {
       const double du = u[i] - across.at(h[i]), inside = std::min(std::abs(du), radius);
@@ -113,14 +119,14 @@ std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& poin
       wu[i] = std::abs(du) < reach && std::abs(dv) < depth ? 1 : 0;
       if (wu[i] > 0) off.push_back(std::abs(du));
     }
-    if (std::ssize(off) < fewest_points) return {};
+    if (std::ssize(off) < min_points) return {};
     across = fit_line(h, u, wu, radius / 1.73);
-    face = fit_line(h, back, wv, range_sigma_m);
-    const double half = std::min(radius_of_strip(off), widest_m / 2);
+    face = fit_line(h, back, wv, range_sigma);
+    const double half = std::min(radius_of_strip(off), max_diameter / 2);
     radius = round < 2 ? std::max(half, 0.5 * radius) : half;
   }
   TrunkFace found;
-  if (radius > thick_sigmas * range_sigma_m) refine_circle(u, v, h, widest_m / 2, range_sigma_m, across, face, radius);
+  if (radius > thick_sigmas * range_sigma) refine_circle(u, v, h, max_diameter / 2, range_sigma, across, face, radius);
   double count = 0;
   for (const double w : wu) count += w;
   found.centre = start + across.at0 * left + face.at0 * ahead;
@@ -130,17 +136,17 @@ std::optional<TrunkFace> fit_trunk_face(const std::vector<Eigen::Vector3d>& poin
   return found;
 }
 
-UprightStrip find_upright(const std::vector<Eigen::Vector3d>& points, double widest_m, double range_sigma_m,
-                          double layer_m) {
+UprightStrip find_upright(const std::vector<Eigen::Vector3d>& points, double max_diameter, double range_sigma,
+                          double layer_height) {
   constexpr std::size_t per_layer = 6;  // candidates
   struct Layer {
     std::vector<Eigen::Vector2d> points;
   };
   std::map<std::int64_t, Layer> layers;
   for (const auto& p : points)
-    layers[static_cast<std::int64_t>(std::floor(p.z() / layer_m))].points.push_back(p.head<2>());
+    layers[static_cast<std::int64_t>(std::floor(p.z() / layer_height))].points.push_back(p.head<2>());
   UprightStrip best;
-  std::size_t most_points = 0;
+  std::size_t best_points = 0;
   for (const auto& [height, layer] : layers) {
     const std::size_t step = std::max<std::size_t>(1, layer.points.size() / per_layer);
     for (std::size_t c = 0; c < layer.points.size(); c += step) {
@@ -154,18 +160,22 @@ UprightStrip find_upright(const std::vector<Eigen::Vector3d>& points, double wid
         for (const auto& q : other.points) {
           const Eigen::Vector2d d = q - layer.points[c];
           const double along = d.dot(ahead), across = std::abs(d.x() * ahead.y() - d.y() * ahead.x());
-          if (across > widest_m / 2 || std::abs(along) > widest_m / 2 + 2.5 * range_sigma_m) continue;
-          ++here, sum += q;
+          if (across > max_diameter / 2 || std::abs(along) > max_diameter / 2 + 2.5 * range_sigma) continue;
+          ++here;
+          sum += q;
         }
         if (here == 0) continue;
         if (strip.layers++ == 0) low = h;
-        high = h, count += here;
+        high = h;
+        count += here;
       }
-      if (std::pair(strip.layers, count) <= std::pair(best.layers, most_points)) continue;
+      if (std::pair(strip.layers, count) <= std::pair(best.layers, best_points)) continue;
       strip.at = sum / static_cast<double>(count);
-      strip.low_m = static_cast<double>(low) * layer_m, strip.high_m = static_cast<double>(high + 1) * layer_m;
+      strip.low_m = static_cast<double>(low) * layer_height,
+      strip.high_m = static_cast<double>(high + 1) * layer_height;
       strip.filled = static_cast<double>(strip.layers) / static_cast<double>(high - low + 1);
-      best = strip, most_points = count;
+      best = strip;
+      best_points = count;
     }
   }
   return best;

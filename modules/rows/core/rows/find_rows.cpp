@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "rows/core/rows/median_or.h"
 #include "rows/core/rows/row_tables.h"
 
 namespace bole::rows {
@@ -15,13 +16,6 @@ namespace {
 
 constexpr double widest_m = 3e6;
 constexpr double ambiguous_ratio = 1.15;  // row spacing over plant spacing: below, across and along look alike
-
-double median_of(std::vector<double> v, double if_empty) {
-  if (v.empty()) return if_empty;
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 class Finder {
  public:
@@ -40,7 +34,7 @@ class Finder {
     order();
     run_.report(0.95, "tables");
     fill_tables(set_, found_);
-    tell();
+    report_counts();
     return std::move(found_);
   }
 
@@ -66,7 +60,7 @@ class Finder {
     if (set_.plants.empty())
       throw bad_input(fmt::format("the table has {} rows and no stem with coordinates", x.size()),
                       "columns x_m and y_m with numbers");
-    if (lost > 0) found_.report.warn(fmt::format("{} stems without coordinates are left out", lost));
+    if (lost > 0) found_.report.warn(fmt::format("{} stems without coordinates are ignored", lost));
   }
 
   // Plants by the text of their row_id; rows of numbers in order of the numbers, else of the texts.
@@ -89,7 +83,10 @@ class Finder {
         throw bad_input(fmt::format("row_id {} in line {}", id, row + 1), "whole numbers or names");
       groups[{id, fmt::format("{:.0f}", id)}].push_back(p);
     }
-    for (auto& [key, chain] : groups) set_.labels.push_back(key.second), given_.push_back(std::move(chain));
+    for (auto& [key, chain] : groups) {
+      set_.labels.push_back(key.second);
+      given_.push_back(std::move(chain));
+    }
     if (set_.labels.empty()) throw bad_input("the column row_id is empty", "an id for every plant of a row");
   }
 
@@ -127,15 +124,15 @@ class Finder {
         s.push_back((set_.plants[at(chain[i])] - set_.plants[at(chain[i - 1])]).norm());
     else
       for (const int p : chain) s.push_back(patterns_[at(p)].plant_spacing_m);
-    return o_.plant_spacing > 0 ? o_.plant_spacing : std::max(median_of(std::move(s), 1), 1e-9);
+    return o_.plant_spacing ? *o_.plant_spacing : std::max(median_or(std::move(s), 1), 1e-9);
   }
 
   double row_spacing_about(const std::vector<int>& plants) const {
-    if (o_.row_spacing > 0) return o_.row_spacing;
+    if (o_.row_spacing) return *o_.row_spacing;
     std::vector<double> s;
     if (!patterns_.empty())
       for (const int p : plants) s.push_back(patterns_[at(p)].row_spacing_m);
-    return median_of(std::move(s), std::numeric_limits<double>::infinity());
+    return median_or(std::move(s), std::numeric_limits<double>::infinity());
   }
 
   // Blocks from the chains as they are, for the direction that plants are counted in; then the rows.
@@ -217,12 +214,13 @@ class Finder {
       for (int r = 0; r < static_cast<int>(set_.rows.size()); ++r) set_.order.push_back(r);
   }
 
-  void tell() {
+  void report_counts() {
     auto& r = found_.report;
     std::int64_t planted = 0, missing = 0, uneven = 0, curved = 0;
     std::vector<double> spacing, to_next, ratio;
     for (const auto& row : set_.rows) {
-      planted += std::ssize(row.plants), missing += std::ssize(row.missing);
+      planted += std::ssize(row.plants);
+      missing += std::ssize(row.missing);
       curved += row.curve.degree() > 1 && row.plants.size() > 1;
       if (row.plants.size() >= 3 && !row.even) ++uneven;
       if (std::isfinite(row.spacing_m)) spacing.push_back(row.spacing_m);
@@ -230,24 +228,28 @@ class Finder {
     for (const auto& block : set_.blocks)
       for (const double d : block.to_next_m)
         if (std::isfinite(d)) to_next.push_back(d);
-    const double along = median_of(spacing, std::nan("")), across = median_of(to_next, std::nan(""));
-    r.counts["stems"] = std::ssize(set_.plants), r.counts["rows"] = std::ssize(set_.rows);
-    r.counts["blocks"] = std::ssize(set_.blocks), r.counts["plants"] = planted, r.counts["missing"] = missing;
-    r.counts["strays"] = std::ssize(set_.strays), r.counts["curved"] = curved;
+    const double along = median_or(spacing, std::nan("")), across = median_or(to_next, std::nan(""));
+    r.counts["stems"] = std::ssize(set_.plants);
+    r.counts["rows"] = std::ssize(set_.rows);
+    r.counts["blocks"] = std::ssize(set_.blocks);
+    r.counts["plants"] = planted;
+    r.counts["missing"] = missing;
+    r.counts["strays"] = std::ssize(set_.strays);
+    r.counts["curved"] = curved;
     if (std::isfinite(along)) r.metrics["plant_spacing"] = {along, Unit::metre};
     if (std::isfinite(across)) r.metrics["row_spacing"] = {across, Unit::metre};
     r.message = fmt::format("{} rows in {} blocks: {} plants, {} missing, {} strays", set_.rows.size(),
                             set_.blocks.size(), planted, missing, set_.strays.size());
     if (set_.rows.empty())
-      r.warn(fmt::format("no row of {} or more plants among {} stems: lower plants_min or raise lateral_tolerance",
-                         o_.plants_min, set_.plants.size()));
+      r.warn(fmt::format("no row of {} or more plants among {} stems: lower min_plants or raise lateral_tolerance",
+                         o_.min_plants, set_.plants.size()));
     if (uneven > 0)
-      r.warn(fmt::format("{} rows are planted too unevenly to tell missing plants: give plant_spacing when it is known",
+      r.warn(fmt::format("{} rows are planted too unevenly to find missing plants: set plant_spacing if it is known",
                          uneven));
-    if (!labelled_ && o_.direction == "auto" && across < ambiguous_ratio * along)
+    if (!labelled_ && !o_.direction_deg && across < ambiguous_ratio * along)
       r.warn(
-          fmt::format("rows are {:.2f} m apart and plants {:.2f} m: rows may run the other way, set direction to "
-                      "given to fix them",
+          fmt::format("rows are {:.2f} m apart and plants {:.2f} m: the rows may run the other way. Set direction "
+                      "to fix it",
                       across, along));
   }
 

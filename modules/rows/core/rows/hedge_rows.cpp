@@ -4,19 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "base/statistics.h"
 #include "rows/core/rows/line_fit.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double bin_m = 0.1;     // of the profile
 constexpr double widest_m = 1e4;  // a field
-constexpr int rounds = 4;         // of median and window
+constexpr int iterations = 4;     // of median and window
 constexpr double keep = 0.7;      // of the drift of a row from piece to piece
 
 struct Profile {
@@ -28,7 +28,10 @@ struct Profile {
 Profile profile_of(const Points2& points, double angle_rad) {
   const Eigen::Vector2d left(-std::sin(angle_rad), std::cos(angle_rad));
   double lo = points[0].dot(left), hi = lo;
-  for (const auto& p : points) lo = std::min(lo, p.dot(left)), hi = std::max(hi, p.dot(left));
+  for (const auto& p : points) {
+    lo = std::min(lo, p.dot(left));
+    hi = std::max(hi, p.dot(left));
+  }
   Profile profile{lo, std::vector<double>(static_cast<std::size_t>((hi - lo) / bin_m) + 1)};
   for (const auto& p : points) profile.count[static_cast<std::size_t>((p.dot(left) - lo) / bin_m)] += 1;
   return profile;
@@ -42,15 +45,18 @@ double sharpness(const Points2& points, double angle_rad) {
 }
 
 double sharpest_angle(const Points2& points, const Run& run) {
-  double best = 0, most = -1;
+  double best = 0, sharpest = -1;
   const auto scan = [&](double from, double to, double step) {
     for (double a = from; a <= to; a += step) {
       run.check_cancel();
-      if (const double s = sharpness(points, a); s > most) most = s, best = a;
+      if (const double s = sharpness(points, a); s > sharpest) {
+        sharpest = s;
+        best = a;
+      }
     }
   };
-  scan(-90 * deg, 89 * deg, 1 * deg);
-  scan(best - 1 * deg, best + 1 * deg, 0.1 * deg);
+  scan(-90 * rad_per_deg, 89 * rad_per_deg, 1 * rad_per_deg);
+  scan(best - 1 * rad_per_deg, best + 1 * rad_per_deg, 0.1 * rad_per_deg);
   return row_angle(best);
 }
 
@@ -70,16 +76,16 @@ std::vector<double> smooth(const std::vector<double>& values, double sigma_bins)
 
 // Where rows stand, from left to right: peaks of the profile, the strongest first, none near another.
 std::vector<double> peaks_of(const Profile& profile, const HedgeOptions& o) {
-  const auto height = smooth(profile.count, o.row_spacing_min / 6 / bin_m);
+  const auto height = smooth(profile.count, o.min_row_spacing / 6 / bin_m);
   std::vector<std::size_t> order(height.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return height[a] > height[b]; });
   std::vector<double> peaks;
   for (const auto i : order) {
-    if (height[i] < o.least_share * height[order[0]]) break;
+    if (height[i] < o.min_share * height[order[0]]) break;
     const bool top = (i == 0 || height[i - 1] <= height[i]) && (i + 1 == height.size() || height[i + 1] <= height[i]);
     if (top &&
-        std::ranges::none_of(peaks, [&](double other) { return std::abs(other - profile.at(i)) < o.row_spacing_min; }))
+        std::ranges::none_of(peaks, [&](double other) { return std::abs(other - profile.at(i)) < o.min_row_spacing; }))
       peaks.push_back(profile.at(i));
   }
   std::ranges::sort(peaks, std::greater<>());
@@ -96,19 +102,20 @@ struct HedgePoint {
 };
 
 // The middle of a row in a piece: median across within the window about `expected_m`, the window following it.
-std::optional<HedgePoint> middle_of(const Piece& piece, double expected_m, double half_width_m, int points_min) {
+std::optional<HedgePoint> middle_of(const Piece& piece, double expected_m, double half_width_m, int min_points) {
   HedgePoint found{0, expected_m, 0};
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < iterations; ++round) {
     std::vector<double> across;
     double along = 0;
     for (const auto& p : piece.points)
-      if (std::abs(p.y() - found.across_m) <= half_width_m) across.push_back(p.y()), along += p.x();
-    if (std::ssize(across) < points_min) return {};
-    const auto middle = across.begin() + static_cast<std::ptrdiff_t>(across.size() / 2);
-    std::nth_element(across.begin(), middle, across.end());
-    found = {along / static_cast<double>(across.size()), *middle, std::ssize(across)};
+      if (std::abs(p.y() - found.across_m) <= half_width_m) {
+        across.push_back(p.y());
+        along += p.x();
+      }
+    if (std::ssize(across) < min_points) return {};
+    found = {along / static_cast<double>(across.size()), upper_median(across), std::ssize(across)};
   }
-  if (std::abs(found.across_m - expected_m) > half_width_m) return {};  // it went over to something else
+  if (std::abs(found.across_m - expected_m) > half_width_m) return {};  // the window left the row
   return found;
 }
 
@@ -118,7 +125,10 @@ class Follower {
     const Eigen::Vector2d u(std::cos(angle_rad), std::sin(angle_rad)), left(-u.y(), u.x());
     first_m_ = points[0].dot(u);
     double last = first_m_;
-    for (const auto& p : points) first_m_ = std::min(first_m_, p.dot(u)), last = std::max(last, p.dot(u));
+    for (const auto& p : points) {
+      first_m_ = std::min(first_m_, p.dot(u));
+      last = std::max(last, p.dot(u));
+    }
     pieces_.resize(static_cast<std::size_t>((last - first_m_) / o.step) + 1);
     for (const auto& p : points)
       pieces_[static_cast<std::size_t>((p.dot(u) - first_m_) / o.step)].points.emplace_back(p.dot(u), p.dot(left));
@@ -129,9 +139,11 @@ class Follower {
     std::size_t densest = 0;
     std::optional<HedgePoint> start;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (const auto m = middle_of(pieces_[i], peak_m, half_width_m, o_.points_min);
-          m && (!start || m->points > start->points))
-        start = m, densest = i;
+      if (const auto m = middle_of(pieces_[i], peak_m, half_width_m, o_.min_points);
+          m && (!start || m->points > start->points)) {
+        start = m;
+        densest = i;
+      }
     if (!start) return {};
     std::vector<HedgePoint> row{*start};
     for (const int way : {-1, 1}) {
@@ -139,13 +151,14 @@ class Follower {
       int behind = 1;  // pieces since the last point
       for (auto i = static_cast<std::ptrdiff_t>(densest) + way; i >= 0 && i < std::ssize(pieces_); i += way) {
         const auto m =
-            middle_of(pieces_[static_cast<std::size_t>(i)], expected + drift * behind, half_width_m, o_.points_min);
+            middle_of(pieces_[static_cast<std::size_t>(i)], expected + drift * behind, half_width_m, o_.min_points);
         if (!m) {
           ++behind;
           continue;
         }
         drift += (1 - keep) * ((m->across_m - expected) / behind - drift);
-        expected = m->across_m, behind = 1;
+        expected = m->across_m;
+        behind = 1;
         row.push_back(*m);
       }
     }
@@ -165,46 +178,46 @@ const OptionTable& option_table(const HedgeOptions*) {
   using S = HedgeOptions;
   using Number = Option<S, double>;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"direction",
-                             &S::direction,
-                             TextKind::choice,
-                             {"auto", "given"},
-                             Tier::basic,
-                             "Direction of the rows: the one across which the points stand most apart, or "
-                             "direction_deg."},
-      Number{"direction_deg",
-             &S::direction_deg,
-             Unit::degree,
-             {-180, 180},
-             Tier::basic,
-             "Direction of the rows from east to north."},
-      Number{"row_spacing_min",
-             &S::row_spacing_min,
+      Option<S, std::optional<double>>{"direction",
+                                       &S::direction_deg,
+                                       Unit::degree,
+                                       {-180, 180},
+                                       "auto",
+                                       Tier::basic,
+                                       "Direction of the rows, from east to north. auto: the direction across which "
+                                       "the rows are most sharply separated."},
+      Number{"min_row_spacing",
+             &S::min_row_spacing,
              Unit::metre,
              {0.2, 100},
              Tier::basic,
-             "Rows are no nearer to one another than this."},
+             "Smallest distance between neighbouring rows. A larger value joins double rows."},
       Number{"width",
              &S::width,
              Unit::metre,
              {0.1, 50},
              Tier::basic,
-             "Canopy further than half of this from the course of its row does not move it."},
-      Number{
-          "step", &S::step, Unit::metre, {0.05, 50}, Tier::basic, "Length of hedge that gives one point of its line."},
-      Option<S, int>{"points_min",
-                     &S::points_min,
+             "Width of the window that follows a row. Canopy outside it does not move the row."},
+      Number{"step",
+             &S::step,
+             Unit::metre,
+             {0.05, 50},
+             Tier::basic,
+             "Length of a piece of hedge. Each piece gives one point of the row's line."},
+      Option<S, int>{"min_points",
+                     &S::min_points,
                      Unit::none,
                      {1, 1'000'000},
                      Tier::advanced,
                      "A piece of hedge with fewer points is a gap."},
-      Number{"least_share",
-             &S::least_share,
-             Unit::none,
-             {0, 1},
-             Tier::advanced,
-             "A row has at least this share of the points of the densest one."},
-      OnlyIf{"direction", {"given"}, {"direction_deg"}},
+      Number{
+          "min_share",
+          &S::min_share,
+          Unit::none,
+          {0, 1},
+          Tier::advanced,
+          "Smallest height of a row's peak in the profile, as a share of the highest peak. A larger value drops weak "
+          "rows."},
   });
   return table;
 }
@@ -221,8 +234,9 @@ Table hedge_rows(const PointCloud& canopy, const HedgeOptions& o, const Run& run
       throw bad_input(fmt::format("point {} lies {:.0f} m from the first", i, points.back().norm()),
                       "a field of less than 10 km", "Cut a region first");
   }
-  if (points.empty()) throw bad_input("the cloud has no point", "the canopy of a row", "Did the region leave it out?");
-  const double angle = o.direction == "given" ? row_angle(o.direction_deg * deg) : sharpest_angle(points, run);
+  if (points.empty())
+    throw bad_input("the cloud has no point", "the canopy of a row", "Check the bounds of rows.region");
+  const double angle = o.direction_deg ? row_angle(*o.direction_deg * rad_per_deg) : sharpest_angle(points, run);
   const Eigen::Vector2d u(std::cos(angle), std::sin(angle)), left(-u.y(), u.x());
   const auto peaks = peaks_of(profile_of(points, angle), o);
   const Follower follower(points, angle, o);
@@ -235,15 +249,21 @@ Table hedge_rows(const PointCloud& canopy, const HedgeOptions& o, const Run& run
     if (r + 1 < peaks.size()) half = std::min(half, 0.45 * (peaks[r] - peaks[r + 1]));
     for (const auto& p : follower.follow_row(peaks[r], half)) {
       const Eigen::Vector2d at = origin + p.along_m * u + p.across_m * left;
-      row.push_back(static_cast<std::int64_t>(r) + 1), count.push_back(p.points);
-      x.push_back(at.x()), y.push_back(at.y());
+      row.push_back(static_cast<std::int64_t>(r) + 1);
+      count.push_back(p.points);
+      x.push_back(at.x());
+      y.push_back(at.y());
     }
   }
-  report.counts["rows"] = std::ssize(peaks), report.counts["pieces"] = std::ssize(x);
-  report.metrics["direction"] = {angle / deg, Unit::degree};
-  report.message = fmt::format("{} rows at {:.1f} deg in {} pieces", peaks.size(), angle / deg, x.size());
+  report.counts["rows"] = std::ssize(peaks);
+  report.counts["pieces"] = std::ssize(x);
+  report.metrics["direction"] = {angle / rad_per_deg, Unit::degree};
+  report.message = fmt::format("{} rows at {:.1f} deg in {} pieces", peaks.size(), angle / rad_per_deg, x.size());
   Table t;
-  t.set("row_id", row), t.set("x_m", x), t.set("y_m", y), t.set("points", count);
+  t.set("row_id", row);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("points", count);
   t.facts["axes"] = std::string(axes_name(canopy.axes));
   if (!canopy.crs_wkt.empty()) t.facts["crs"] = canopy.crs_wkt;
   return t;

@@ -1,7 +1,7 @@
 // Rows whose canopy hides the trunks: vines, fruit walls, hedges.
 #pragma once
 
-#include <string>
+#include <optional>
 
 #include "base/option.h"
 #include "base/report.h"
@@ -12,13 +12,12 @@
 namespace bole::rows {
 
 struct HedgeOptions {
-  std::string direction = "auto";
-  double direction_deg = 0;
-  double row_spacing_min = 1.5;
+  std::optional<double> direction_deg;  // left open: the direction with the sharpest profile
+  double min_row_spacing = 1.5;
   double width = 1.2;
   double step = 0.5;
-  int points_min = 5;
-  double least_share = 0.15;
+  int min_points = 5;
+  double min_share = 0.15;
 };
 
 const OptionTable& option_table(const HedgeOptions*);

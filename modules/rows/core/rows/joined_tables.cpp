@@ -47,7 +47,8 @@ void append(const Table& a, const Table& b, const std::string& name, Table& out)
 
 Table joined(const Table& a, const Table& b) {
   Table out;
-  out.facts = a.facts, out.facts.insert(b.facts.begin(), b.facts.end());
+  out.facts = a.facts;
+  out.facts.insert(b.facts.begin(), b.facts.end());
   for (const Table* from : {&a, &b})
     for (const auto& column : from->columns()) {
       if (out.has(column.name)) continue;

@@ -19,7 +19,9 @@ Moments moments_of(const Points2& points) {
   for (const auto& p : points) m.mean += p / static_cast<double>(points.size());
   for (const auto& p : points) {
     const Eigen::Vector2d d = p - m.mean;
-    m.xx += d.x() * d.x(), m.xy += d.x() * d.y(), m.yy += d.y() * d.y();
+    m.xx += d.x() * d.x();
+    m.xy += d.x() * d.y();
+    m.yy += d.y() * d.y();
   }
   return m;
 }

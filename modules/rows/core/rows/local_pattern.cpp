@@ -6,13 +6,14 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
 #include "rows/core/rows/line_fit.h"
+#include "rows/core/rows/median_or.h"
 
 namespace bole::rows {
 namespace {
 
 using std::numbers::pi;
-constexpr double deg = pi / 180;
 constexpr int bins = 180;
 constexpr int window_plants = 20, pair_neighbours = 10, spacing_neighbours = 24;
 constexpr double kernel_deg = 6, refine_deg = 18, cone_deg = 15;
@@ -21,13 +22,6 @@ constexpr double too_near = 0.4;  // of the usual nearest distance: forked trees
 struct Vote {
   double angle_rad, weight;
 };
-
-double median(std::vector<double> v, double if_empty) {
-  if (v.empty()) return if_empty;
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 const std::array<double, bins>& kernel() {
   static const auto values = [] {
@@ -46,7 +40,7 @@ std::pair<double, double> peak_of(const std::vector<Vote>& votes) {
   std::array<double, bins> raw{}, smooth{};
   double all = 0;
   for (const auto& v : votes) {
-    const double degrees = v.angle_rad / deg;  // (-90, 90]
+    const double degrees = v.angle_rad / rad_per_deg;  // (-90, 90]
     raw[static_cast<std::size_t>((static_cast<int>(std::floor(degrees)) + 2 * bins) % bins)] += v.weight;
     all += v.weight;
   }
@@ -56,12 +50,15 @@ std::pair<double, double> peak_of(const std::vector<Vote>& votes) {
         smooth[static_cast<std::size_t>(i)] +=
             raw[static_cast<std::size_t>(j)] * kernel()[static_cast<std::size_t>(std::abs(i - j))];
   const auto best = std::max_element(smooth.begin(), smooth.end()) - smooth.begin();
-  double angle = row_angle((static_cast<double>(best) + 0.5) * deg), share = 0;
+  double angle = row_angle((static_cast<double>(best) + 0.5) * rad_per_deg), share = 0;
   for (int round = 0; round < 4; ++round) {
     double sum = 0, weight = 0;
     for (const auto& v : votes) {
       const double d = std::remainder(v.angle_rad - angle, pi);
-      if (std::abs(d) <= refine_deg * deg) sum += v.weight * d, weight += v.weight;
+      if (std::abs(d) <= refine_deg * rad_per_deg) {
+        sum += v.weight * d;
+        weight += v.weight;
+      }
     }
     if (weight > 0) angle = row_angle(angle + sum / weight);
     share = all > 0 ? weight / all : 0;
@@ -85,14 +82,15 @@ class PatternFinder {
   }
 
   void find_direction(int i, LocalPattern& pattern) const {
-    if (options_.direction == "given") {
-      pattern.angle_rad = row_angle(options_.direction_deg * deg), pattern.confidence = 1;
+    if (options_.direction_deg) {
+      pattern.angle_rad = row_angle(*options_.direction_deg * rad_per_deg);
+      pattern.confidence = 1;
       return;
     }
     const auto around = window(i);
     std::vector<double> nearest;
     for (const int j : around) nearest.push_back(distance(j, near_[static_cast<std::size_t>(j)].front()));
-    const double usual = std::max(median(nearest, 1), 1e-9);
+    const double usual = std::max(median_or(nearest, 1), 1e-9);
     std::vector<Vote> votes;
     for (const int j : around) {
       const auto& near = near_[static_cast<std::size_t>(j)];
@@ -108,7 +106,7 @@ class PatternFinder {
   // Nearest plants along the direction, before and behind, and across it, of the plants around.
   void find_spacings(int i, LocalPattern& pattern) const {
     const Eigen::Vector2d u(std::cos(pattern.angle_rad), std::sin(pattern.angle_rad)), n(-u.y(), u.x());
-    const double slope = std::tan(cone_deg * deg);
+    const double slope = std::tan(cone_deg * rad_per_deg);
     std::vector<double> steps;
     for (const int j : window(i)) {
       double ahead = inf, behind = inf;
@@ -123,9 +121,9 @@ class PatternFinder {
     }
     const double nearest = distance(i, near_[static_cast<std::size_t>(i)].front());
     pattern.plant_spacing_m =
-        std::max(options_.plant_spacing > 0 ? options_.plant_spacing : median(steps, nearest), 1e-9);
-    if (options_.row_spacing > 0) {
-      pattern.row_spacing_m = options_.row_spacing;
+        std::max(options_.plant_spacing ? *options_.plant_spacing : median_or(steps, nearest), 1e-9);
+    if (options_.row_spacing) {
+      pattern.row_spacing_m = *options_.row_spacing;
       return;
     }
     std::vector<double> gaps;
@@ -140,7 +138,7 @@ class PatternFinder {
       for (const double g : {left, right})
         if (std::isfinite(g)) gaps.push_back(g);
     }
-    pattern.row_spacing_m = median(gaps, inf);
+    pattern.row_spacing_m = median_or(gaps, inf);
   }
 
  private:

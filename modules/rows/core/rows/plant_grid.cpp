@@ -8,7 +8,10 @@ namespace bole::rows {
 PlantGrid::PlantGrid(const Points2& points) : points_(points) {
   if (points.empty()) return;
   Eigen::Vector2d lo = points[0], hi = points[0];
-  for (const auto& p : points) lo = lo.cwiseMin(p), hi = hi.cwiseMax(p);
+  for (const auto& p : points) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
   extent_m_ = (hi - lo).norm();
   // About three points per cell of the box, were they spread evenly.
   const Eigen::Vector2d size = (hi - lo).cwiseMax(1e-3 * extent_m_).cwiseMax(1e-6);

@@ -5,21 +5,17 @@
 #include <limits>
 #include <optional>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
-constexpr int most_curve_degree = 6;
+constexpr int max_curve_degree = 6;
 constexpr double beside_sigmas = 4.5, beside_share = 0.1;  // robust sigmas; of the plant spacing
 constexpr double same_place = 0.6;                         // plant spacings: nearer ones stand at one place
 constexpr double off_place = 0.3, off_sigmas = 5;          // of the spacing; robust sigmas of the scatter
-constexpr double most_places_per_plant = 20;  // more places than that: the spacing is not one of a planting
-constexpr double even_limit = 0.16;           // scatter over spacing: beyond, places cannot be told
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
+constexpr double max_places_per_plant = 20;  // more places than that: the spacing is not one of a planting
+constexpr double even_limit = 0.16;          // scatter over spacing: beyond, places cannot be told
 
 struct Placed {
   int plant;
@@ -54,10 +50,11 @@ class Assembler {
   void place() {
     Points2 points;
     for (std::size_t i = 0; i < placed_.size(); ++i) points.push_back(at(i));
-    result_.row.curve = RowCurve::fit(points, o_.shape == "straight" ? 1 : most_curve_degree);
+    result_.row.curve = RowCurve::fit(points, o_.shape == RowShape::straight ? 1 : max_curve_degree);
     for (auto& p : placed_) {
       const auto foot = result_.row.curve.foot(plants_[static_cast<std::size_t>(p.plant)]);
-      p.t_m = foot.t_m, p.across_m = foot.across_m;
+      p.t_m = foot.t_m;
+      p.across_m = foot.across_m;
     }
     std::stable_sort(placed_.begin(), placed_.end(), [](const Placed& a, const Placed& b) { return a.t_m < b.t_m; });
   }
@@ -94,17 +91,17 @@ class Assembler {
       scatter_m_ = 0;
       return;
     }
-    if (o_.plant_spacing <= 0)
+    if (!o_.plant_spacing)
       for (int round = 0; round < 4; ++round) {
         std::vector<double> single;
         for (const double step : d)
           if (step > 0.5 * spacing_m_) single.push_back(step / places(step, spacing_m_));
         if (single.empty()) break;
-        spacing_m_ = median_of(std::move(single));
+        spacing_m_ = upper_median(std::move(single));
       }
     std::vector<double> off;
     for (const double step : d) off.push_back(std::abs(step - spacing_m_ * places(step, spacing_m_)));
-    scatter_m_ = 1.4826 * median_of(std::move(off)) / std::sqrt(2.0);  // a step has the scatter of two plants
+    scatter_m_ = 1.4826 * upper_median(std::move(off)) / std::sqrt(2.0);  // a step has the scatter of two plants
   }
 
   // How badly plant i sits between its neighbours, in plant spacings.
@@ -114,7 +111,8 @@ class Assembler {
     double uneven = 0;
     const auto add = [&](double step) {
       const double k = step / spacing_m_;
-      uneven += std::abs(k - std::max(1.0, std::round(k))), ++sides;
+      uneven += std::abs(k - std::max(1.0, std::round(k)));
+      ++sides;
     };
     // The other plant of the same place does not count.
     if (i > 0) {
@@ -133,9 +131,12 @@ class Assembler {
   bool drop_one_of_a_place() {
     if (placed_.size() < 4) return false;
     std::size_t nearest = 0;
-    double least = same_place * spacing_m_;
+    double smallest = same_place * spacing_m_;
     for (std::size_t i = 1; i < placed_.size(); ++i)
-      if (const double d = placed_[i].t_m - placed_[i - 1].t_m; d < least) nearest = i, least = d;
+      if (const double d = placed_[i].t_m - placed_[i - 1].t_m; d < smallest) {
+        nearest = i;
+        smallest = d;
+      }
     if (nearest == 0) return false;
     drop(misfit(nearest) >= misfit(nearest - 1) ? nearest : nearest - 1);
     return true;
@@ -146,14 +147,17 @@ class Assembler {
     if (placed_.size() < 6 || scatter_m_ > even_limit * spacing_m_) return false;
     const double limit = std::max(off_sigmas * scatter_m_, off_place * spacing_m_);
     std::size_t worst = 0;
-    double most = limit;
+    double largest = limit;
     for (std::size_t i = 1; i + 1 < placed_.size(); ++i) {
       const double whole = placed_[i + 1].t_m - placed_[i - 1].t_m, left = placed_[i].t_m - placed_[i - 1].t_m;
       const int k = places(whole, spacing_m_);
       const double place = whole / k;
       if (k < 2 || std::abs(place - spacing_m_) > off_place * spacing_m_ / 2) continue;
       const double off = std::abs(left - place * std::clamp(static_cast<int>(std::round(left / place)), 1, k - 1));
-      if (off > most) worst = i, most = off;
+      if (off > largest) {
+        worst = i;
+        largest = off;
+      }
     }
     if (worst == 0) return false;
     drop(worst);
@@ -166,15 +170,16 @@ class Assembler {
     int number = 1;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       if (i > 0) number += places(placed_[i].t_m - placed_[i - 1].t_m, spacing_m_);
-      row.plants.push_back(placed_[i].plant), row.numbers.push_back(number);
+      row.plants.push_back(placed_[i].plant);
+      row.numbers.push_back(number);
       points.push_back(at(i));
     }
     const bool alone = points.size() < 2;
-    row.line = o_.fit == "orthogonal" ? fit_orthogonal(points) : fit_least_squares(points);
+    row.line = o_.fit == LineFitMethod::orthogonal ? fit_orthogonal(points) : fit_least_squares(points);
     row.spacing_m = alone ? std::numeric_limits<double>::quiet_NaN() : spacing_m_;
     row.spacing_sd_m = alone ? std::numeric_limits<double>::quiet_NaN() : scatter_m_;
     row.even = points.size() >= 3 && scatter_m_ <= even_limit * spacing_m_ &&
-               row.numbers.back() <= most_places_per_plant * static_cast<double>(points.size());
+               row.numbers.back() <= max_places_per_plant * static_cast<double>(points.size());
     if (!row.even) {
       // No places can be told: numbers without holes.
       for (std::size_t i = 0; i < row.numbers.size(); ++i) row.numbers[i] = static_cast<int>(i) + 1;

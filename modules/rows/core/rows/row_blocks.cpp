@@ -4,17 +4,18 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <numeric>
 #include <optional>
+
+#include "base/angles.h"
+#include "base/groups.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double same_direction = 15 * std::numbers::pi / 180;
+constexpr double same_direction = radians(15);
 constexpr double neighbour_spacings = 1.7;  // a single row may have been lost between two, a headland not
 constexpr int samples = 9;
-constexpr int least_beside = 3;  // samples of the shorter row that lie beside the longer
+constexpr int min_beside = 3;  // samples of the shorter row that lie beside the longer
 
 // How far apart two rows run; nothing where they do not run side by side.
 std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b) {
@@ -29,24 +30,12 @@ std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b
     if (std::abs(u.x() * v.y() - u.y() * v.x()) > std::sin(same_direction)) continue;
     across.push_back(std::abs(foot.across_m));
   }
-  if (std::ssize(across) < least_beside) return {};
+  if (std::ssize(across) < min_beside) return {};
   std::sort(across.begin(), across.end());
   return across[across.size() / 2];
 }
 
 Eigen::Vector2d middle_of(const PlantRow& row) { return row.curve.at(row.curve.length_m() / 2); }
-
-struct Groups {
-  std::vector<int> parent;
-  int find(int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
-    return i;
-  }
-  void join(int a, int b) {
-    const int ra = find(a), rb = find(b);
-    parent[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
-  }
-};
 
 double mean_angle(const std::vector<PlantRow>& rows, const std::vector<int>& members) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -64,9 +53,7 @@ double mean_angle(const std::vector<PlantRow>& rows, const std::vector<int>& mem
 std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Points2& plants,
                                   const std::vector<double>& row_spacing_m) {
   const int n = static_cast<int>(rows.size());
-  Groups groups;
-  groups.parent.resize(rows.size());
-  std::iota(groups.parent.begin(), groups.parent.end(), 0);
+  Groups groups(rows.size());
   std::map<std::pair<int, int>, double> distances;
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b) {
@@ -79,11 +66,11 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
       const auto d = distance_side_by_side(ra.curve, rb.curve);
       if (!d || *d > reach) continue;
       distances[{a, b}] = *d;
-      groups.join(a, b);
+      groups.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     }
 
-  std::map<int, std::vector<int>> members;
-  for (int i = 0; i < n; ++i) members[groups.find(i)].push_back(i);
+  std::map<std::size_t, std::vector<int>> members;
+  for (int i = 0; i < n; ++i) members[groups.root(static_cast<std::size_t>(i))].push_back(i);
   std::vector<std::pair<Eigen::Vector2d, RowBlock>> blocks;
   for (auto& [root, list] : members) {
     RowBlock block;
@@ -104,8 +91,10 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     double count = 0;
     for (const int i : list)
-      for (const int p : rows[static_cast<std::size_t>(i)].plants)
-        centre += plants[static_cast<std::size_t>(p)], count += 1;
+      for (const int p : rows[static_cast<std::size_t>(i)].plants) {
+        centre += plants[static_cast<std::size_t>(p)];
+        count += 1;
+      }
     blocks.emplace_back(centre / std::max(count, 1.0), std::move(block));
   }
   std::stable_sort(blocks.begin(), blocks.end(), [](const auto& a, const auto& b) {

@@ -7,22 +7,22 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "rows/core/rows/line_fit.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr std::size_t look_back = 5;       // plants of the chain that tell where it leads
 constexpr std::size_t look_back_bent = 8;  // and of one long enough to tell how it bends
 constexpr std::size_t bend_from = 7;
-constexpr double bend_weight = 3;        // of the direction at the end of a bent chain
-constexpr double prior_weight = 2;       // of the local direction, in squared plant spacings
-constexpr double across_share = 0.35;    // of the row spacing: never further towards the next row
-constexpr double gap_widening = 0.06;    // of the lateral tolerance, in plant spacings per spacing ahead
-constexpr double turn_limit = 30 * deg;  // between a chain and the pattern beyond a gap
-constexpr double gap_from = 1.6;         // plant spacings: further plants lie beyond a gap
-constexpr double least_step = 0.45;      // plant spacings
+constexpr double bend_weight = 3;                // of the direction at the end of a bent chain
+constexpr double prior_weight = 2;               // of the local direction, in squared plant spacings
+constexpr double across_share = 0.35;            // of the row spacing: never further towards the next row
+constexpr double gap_widening = 0.06;            // of the lateral tolerance, in plant spacings per spacing ahead
+constexpr double turn_limit = 30 * rad_per_deg;  // between a chain and the pattern beyond a gap
+constexpr double gap_from = 1.6;                 // plant spacings: further plants lie beyond a gap
+constexpr double min_step = 0.45;                // plant spacings
 constexpr double short_chain_fill =
     0.55;  // plants over places of a short chain: fewer are strays that line up by chance
 constexpr std::size_t short_chain = 6;
@@ -127,7 +127,7 @@ class Grower {
   double cost(const Lead& lead, int candidate, double angle_there, std::size_t chain_size) const {
     constexpr double no = std::numeric_limits<double>::infinity();
     const double steps = (plant(candidate) - lead.end).dot(lead.u) / lead.spacing_m;
-    if (steps < least_step || steps > o_.gap_max + 1.5) return no;
+    if (steps < min_step || steps > o_.max_gap + 1.5) return no;
     Eigen::Vector2d u = lead.u;
     if (steps > gap_from || chain_size == 1) {  // beyond a gap another block may begin
       const double angle = std::atan2(u.y(), u.x()), turn = std::remainder(angle_there - angle, std::numbers::pi);
@@ -148,11 +148,13 @@ class Grower {
     const Lead lead = lead_of(chain, sign);
     int best = -1;
     double best_cost = std::numeric_limits<double>::infinity();
-    for (const double reach : {2.2, o_.gap_max + 2.0}) {  // most often the next plant is near
+    for (const double reach : {2.2, o_.max_gap + 2.0}) {  // most often the next plant is near
       for (const int j : grid_.within(lead.end, reach * lead.spacing_m)) {
         if (taken_[at(j)]) continue;
-        if (const double c = cost(lead, j, patterns_[at(j)].angle_rad, chain.size()); c < best_cost)
-          best = j, best_cost = c;
+        if (const double c = cost(lead, j, patterns_[at(j)].angle_rad, chain.size()); c < best_cost) {
+          best = j;
+          best_cost = c;
+        }
       }
       if (best >= 0 && best_cost <= reach) return best;
     }
@@ -160,7 +162,10 @@ class Grower {
   }
 
   void extend(Chain& chain, int sign) {
-    for (int j = next(chain, sign); j >= 0; j = next(chain, sign)) chain.push_back(j), taken_[at(j)] = true;
+    for (int j = next(chain, sign); j >= 0; j = next(chain, sign)) {
+      chain.push_back(j);
+      taken_[at(j)] = true;
+    }
   }
 
   // The chain whose end `a` leads to, -1 when none; `reversed` when its last plant is the nearer one.
@@ -172,7 +177,7 @@ class Grower {
       if (a == b || chains[b].empty()) continue;
       for (const bool back : {false, true}) {
         const int first = back ? chains[b].back() : chains[b].front();
-        if ((plant(first) - lead.end).norm() > (o_.gap_max + 2) * lead.spacing_m) continue;
+        if ((plant(first) - lead.end).norm() > (o_.max_gap + 2) * lead.spacing_m) continue;
         Chain other = chains[b];
         if (!back) std::reverse(other.begin(), other.end());
         if (other.size() < 2 || chains[a].size() < 2) continue;
@@ -203,7 +208,7 @@ class Grower {
   }
 
   bool is_row(const Chain& chain) const {
-    if (std::ssize(chain) < o_.plants_min) return false;
+    if (std::ssize(chain) < o_.min_plants) return false;
     if (chain.size() >= short_chain) return true;
     double length = 0, spacing = 0;
     for (std::size_t i = 0; i < chain.size(); ++i) {

@@ -11,7 +11,7 @@ namespace bole::rows {
 using Chain = std::vector<int>;  // indices of plants in the order of the row
 
 // Grows chains from the plants with the clearest direction on: the next plant is looked for ahead along the chain's own
-// last stretch, over up to gap_max missing plants, and where several offer, that which keeps line and spacing. Chains
+// last stretch, over up to max_gap missing plants, and where several offer, that which keeps line and spacing. Chains
 // that lead into one another are joined. Plants that fit nowhere are in no chain.
 std::vector<Chain> grow_chains(const Points2& plants, const PlantGrid& grid, const std::vector<LocalPattern>& patterns,
                                const RowOptions& options, const Run& run);

@@ -5,19 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.h"
+
 namespace bole::rows {
 namespace {
 
 constexpr int plants_per_coefficient = 4;  // fewer would let a curve follow the scatter of the planting
-constexpr Eigen::Index least_for_weights = 5;
+constexpr Eigen::Index min_for_weights = 5;
 constexpr double tukey = 4.7;   // sigmas beyond which a plant has no weight
 constexpr int refinements = 2;  // of the lengths along the row by the fitted curve
-
-double median_of(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
-}
 
 }  // namespace
 
@@ -48,12 +44,12 @@ RowCurve::Foot RowCurve::foot(const Eigen::Vector2d& p) const {
 
 double RowCurve::sagitta_m() const {
   const Eigen::Vector2d a = at(0), u = (at(length_m_) - a).normalized();
-  double most = 0;
+  double largest = 0;
   for (int i = 1; i < 32; ++i) {
     const Eigen::Vector2d d = at(length_m_ * i / 32) - a;
-    most = std::max(most, std::abs(u.x() * d.y() - u.y() * d.x()));
+    largest = std::max(largest, std::abs(u.x() * d.y() - u.y() * d.x()));
   }
-  return most;
+  return largest;
 }
 
 // One degree: solve, measure the lengths and distances anew by the curve, and again with Tukey's weights.
@@ -78,10 +74,11 @@ RowCurve RowCurve::fit_degree(const Points2& in_order, int degree, std::vector<d
     std::vector<double> across;
     for (std::size_t i = 0; i < t.size(); ++i) {
       const auto foot = curve.foot(in_order[i]);
-      t[i] = foot.t_m, across.push_back(std::abs(foot.across_m));
+      t[i] = foot.t_m;
+      across.push_back(std::abs(foot.across_m));
     }
-    curve.sigma_m_ = 1.4826 * median_of(across);
-    if (n < least_for_weights) continue;
+    curve.sigma_m_ = 1.4826 * upper_median(across);
+    if (n < min_for_weights) continue;
     for (Eigen::Index i = 0; i < n; ++i) {
       const double r = across[static_cast<std::size_t>(i)] / (tukey * std::max(curve.sigma_m_, 1e-9));
       weight[i] = r < 1 ? 1 - r * r : 0;
@@ -91,11 +88,11 @@ RowCurve RowCurve::fit_degree(const Points2& in_order, int degree, std::vector<d
   return curve;
 }
 
-RowCurve RowCurve::fit(const Points2& in_order, int most_degree) {
+RowCurve RowCurve::fit(const Points2& in_order, int max_degree) {
   const auto n = static_cast<double>(in_order.size());
   RowCurve best;
   double best_score = std::numeric_limits<double>::infinity();
-  for (int degree = 1; degree <= most_degree; ++degree) {
+  for (int degree = 1; degree <= max_degree; ++degree) {
     if (degree > 1 && n < plants_per_coefficient * (degree + 1)) break;
     std::vector<double> t;
     const Eigen::Vector2d u = (in_order.back() - in_order.front()).normalized();
@@ -108,10 +105,12 @@ RowCurve RowCurve::fit(const Points2& in_order, int most_degree) {
     }
     const double floor = 1e-12 * curve.length_m_ * curve.length_m_;
     const double score = n * std::log(square_sum / n + floor) + 2.0 * degree * std::log(n);
-    if (score < best_score)
-      best = std::move(curve), best_score = score;
-    else if (degree > 2)
-      break;  // an S may need the third degree before it pays
+    if (score < best_score) {
+      best = std::move(curve);
+      best_score = score;
+    } else if (degree > 2) {
+      break;
+    }  // an S may need the third degree before it pays
   }
   return best;
 }

@@ -13,9 +13,9 @@ class RowCurve {
  public:
   RowCurve() = default;
 
-  // Plants in row order, two or more. Degree 1 to `most_degree`, the least whose next one is not clearly better (Bayes
+  // Plants in row order, two or more. Degree 1 to `max_degree`, the least whose next one is not clearly better (Bayes
   // information criterion on the distances across).
-  static RowCurve fit(const Points2& in_order, int most_degree);
+  static RowCurve fit(const Points2& in_order, int max_degree);
 
   int degree() const { return static_cast<int>(coefficients_.rows()) - 1; }
   double length_m() const { return length_m_; }

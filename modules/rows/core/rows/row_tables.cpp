@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double guidance_step_m = 1;
 
@@ -67,27 +66,48 @@ Table rows_table(const RowSet& set) {
     const auto& row = set.rows[static_cast<std::size_t>(r)];
     const auto [a, b] = ends_of(set, row);
     const double half = student_975(static_cast<double>(row.plants.size()) - 2) * row.line.angle_se_rad;
-    angle.push_back(row.line.angle_rad / deg), se.push_back(row.line.angle_se_rad / deg);
-    lo.push_back((row.line.angle_rad - half) / deg), hi.push_back((row.line.angle_rad + half) / deg);
-    x0.push_back(a.x()), y0.push_back(a.y()), x1.push_back(b.x()), y1.push_back(b.y());
-    plants.push_back(std::ssize(row.plants)), missing.push_back(std::ssize(row.missing));
-    spacing.push_back(row.spacing_m), spacing_sd.push_back(row.spacing_sd_m);
+    angle.push_back(row.line.angle_rad / rad_per_deg);
+    se.push_back(row.line.angle_se_rad / rad_per_deg);
+    lo.push_back((row.line.angle_rad - half) / rad_per_deg);
+    hi.push_back((row.line.angle_rad + half) / rad_per_deg);
+    x0.push_back(a.x());
+    y0.push_back(a.y());
+    x1.push_back(b.x());
+    y1.push_back(b.y());
+    plants.push_back(std::ssize(row.plants));
+    missing.push_back(std::ssize(row.missing));
+    spacing.push_back(row.spacing_m);
+    spacing_sd.push_back(row.spacing_sd_m);
     next.push_back(to_next[static_cast<std::size_t>(r)]);
     const bool alone = row.plants.size() < 2;
     length.push_back(alone ? 0 : row.curve.length_m());
     sagitta.push_back(alone ? 0 : row.curve.sagitta_m());
     rms.push_back(row.line.rms_m);
     shape.emplace_back(alone ? "plant" : row.curve.degree() == 1 ? "straight" : "curved");
-    block.push_back(row.block), place.push_back(index_in_block[static_cast<std::size_t>(r)]);
+    block.push_back(row.block);
+    place.push_back(index_in_block[static_cast<std::size_t>(r)]);
   }
   Table t;
   t.set("row_id", ids_of(set, set.order));
-  t.set("angle_deg", angle), t.set("angle_se_deg", se);
-  t.set("x0_m", x0), t.set("y0_m", y0), t.set("x1_m", x1), t.set("y1_m", y1);
-  t.set("plants", plants), t.set("spacing_m", spacing), t.set("spacing_sd_m", spacing_sd), t.set("missing", missing);
-  t.set("block", block), t.set("row_in_block", place), t.set("to_next_m", next);
-  t.set("angle_lo_deg", lo), t.set("angle_hi_deg", hi);
-  t.set("length_m", length), t.set("rms_m", rms), t.set("shape", shape), t.set("sagitta_m", sagitta);
+  t.set("angle_deg", angle);
+  t.set("angle_se_deg", se);
+  t.set("x0_m", x0);
+  t.set("y0_m", y0);
+  t.set("x1_m", x1);
+  t.set("y1_m", y1);
+  t.set("plants", plants);
+  t.set("spacing_m", spacing);
+  t.set("spacing_sd_m", spacing_sd);
+  t.set("missing", missing);
+  t.set("block", block);
+  t.set("row_in_block", place);
+  t.set("to_next_m", next);
+  t.set("angle_lo_deg", lo);
+  t.set("angle_hi_deg", hi);
+  t.set("length_m", length);
+  t.set("rms_m", rms);
+  t.set("shape", shape);
+  t.set("sagitta_m", sagitta);
   copy_facts(set, t);
   return t;
 }
@@ -124,8 +144,12 @@ Table plants_table(const RowSet& set) {
     const auto& row = set.rows[static_cast<std::size_t>(r)];
     auto gap = row.missing.begin();
     const auto add = [&](int n, int plant, const Eigen::Vector2d& p, double a) {
-      row_of.push_back(r), plant_of.push_back(plant), number.push_back(n);
-      x.push_back(p.x()), y.push_back(p.y()), across.push_back(a);
+      row_of.push_back(r);
+      plant_of.push_back(plant);
+      number.push_back(n);
+      x.push_back(p.x());
+      y.push_back(p.y());
+      across.push_back(a);
       state.emplace_back(plant < 0 ? "missing" : "present");
     };
     for (std::size_t i = 0; i < row.plants.size(); ++i) {
@@ -137,8 +161,12 @@ Table plants_table(const RowSet& set) {
     }
   }
   Table t;
-  t.set("row_id", ids_of(set, row_of)), t.set("number", number), t.set("x_m", x), t.set("y_m", y);
-  t.set("state", state), t.set("across_m", across);
+  t.set("row_id", ids_of(set, row_of));
+  t.set("number", number);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("state", state);
+  t.set("across_m", across);
   add_tree_ids(set, plant_of, t);
   copy_facts(set, t);
   return t;
@@ -158,12 +186,19 @@ Table lines_table(const RowSet& set) {
       const int steps = std::max(2, static_cast<int>(std::ceil(row.curve.length_m() / guidance_step_m)));
       for (int i = 0; i <= steps; ++i) line.push_back(row.curve.at(row.curve.length_m() * i / steps) + set.origin);
     }
-    for (std::size_t i = 0; i < line.size(); ++i)
-      row_of.push_back(r), number.push_back(static_cast<std::int64_t>(i) + 1), x.push_back(line[i].x()),
-          y.push_back(line[i].y());
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      row_of.push_back(r);
+      number.push_back(static_cast<std::int64_t>(i) + 1);
+      x.push_back(line[i].x());
+
+      y.push_back(line[i].y());
+    }
   }
   Table t;
-  t.set("row_id", ids_of(set, row_of)), t.set("number", number), t.set("x_m", x), t.set("y_m", y);
+  t.set("row_id", ids_of(set, row_of));
+  t.set("number", number);
+  t.set("x_m", x);
+  t.set("y_m", y);
   copy_facts(set, t);
   return t;
 }
@@ -173,10 +208,12 @@ Table strays_table(const RowSet& set) {
   const StemPlaces stem_at(set);
   for (const int p : set.strays) {
     const auto at = stem_at(p);
-    x.push_back(at.x()), y.push_back(at.y());
+    x.push_back(at.x());
+    y.push_back(at.y());
   }
   Table t;
-  t.set("x_m", x), t.set("y_m", y);
+  t.set("x_m", x);
+  t.set("y_m", y);
   add_tree_ids(set, set.strays, t);
   copy_facts(set, t);
   return t;

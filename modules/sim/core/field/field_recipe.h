@@ -2,17 +2,25 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "sim/core/plot/recipe_fields.h"
 
 namespace bole::sim {
 
+// tube: with leaves taped on; tree: clear bole; vine: posts and a wall of leaves; apple: branches to all sides.
+enum class PlantKind { tube, tree, vine, apple };
+constexpr std::array<std::string_view, 4> choice_names(PlantKind) { return {"tube", "tree", "vine", "apple"}; }
+
 // Plants stand at `at` (rows of positions, metres, x east, y north), or are planted in even rows about the origin.
 struct FieldPlants {
-  std::string kind = "tube";  // tube: with leaves taped on; tree: clear bole; vine: posts and a wall of leaves; apple
-  std::vector<std::vector<Eigen::Vector2d>> at;
+  PlantKind kind = PlantKind::tube;
+  PlantPositions at;
   int rows = 2, plants_per_row = 5;
   double plant_spacing_m = 2, row_spacing_m = 3, angle_deg = 0, position_sd_m = 0.05, missing_share = 0;
   double diameter_min_mm = 25, diameter_max_mm = 50, height_m = 1, lean_sd_deg = 0.5;

@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/angles.h"
 #include "sim/core/plot/plants.h"
 #include "sim/core/scene/random.h"
 #include "sim/core/scene/shapes.h"
@@ -12,25 +13,29 @@
 namespace bole::sim {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr float tube_reflectivity = 0.5f, leaf_reflectivity = 0.45f, bark_reflectivity = 0.35f, soil = 0.22f;
 constexpr double trunk_middle_m = 0.5;
 constexpr double margin_m = 14;
 
 TerrainRecipe terrain_of(const FieldRecipe& r, std::uint64_t seed) {
   TerrainRecipe t;
-  t.slope_deg = r.ground.slope_deg, t.undulation_m = r.ground.undulation_m, t.undulation_scale_m = 5;
-  t.aspect_deg = Random(seed, Stream::terrain, 7).uniform(0, 360), t.micro_relief_m = 0.015;
+  t.slope_deg = r.ground.slope_deg;
+  t.undulation_m = r.ground.undulation_m;
+  t.undulation_scale_m = 5;
+  t.aspect_deg = Random(seed, Stream::terrain, 7).uniform(0, 360);
+  t.micro_relief_m = 0.015;
   return t;
 }
 
 FieldPlant plant_at(const FieldRecipe& r, const Eigen::Vector2d& at, int row, int number, std::uint64_t seed) {
   Random random(seed, Stream::stem, static_cast<std::uint64_t>(row) * 1000 + static_cast<std::uint64_t>(number));
   FieldPlant p;
-  p.row = row, p.number = number, p.at = at;
+  p.row = row;
+  p.number = number;
+  p.at = at;
   p.diameter_m = random.uniform(r.plants.diameter_min_mm, r.plants.diameter_max_mm) / 1000;
   p.height_m = r.plants.height_m;
-  const double lean = r.plants.lean_sd_deg * deg;
+  const double lean = r.plants.lean_sd_deg * rad_per_deg;
   p.lean = lean * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal());
   return p;
 }
@@ -47,7 +52,7 @@ class SceneBuilder {
     ground();
     for (const auto& p : field_.plants)
       if (!p.missing) plant(p);
-    if (r_.plants.kind == "vine") posts();
+    if (r_.plants.kind == PlantKind::vine) posts();
     weeds();
     return std::move(model_);
   }
@@ -57,8 +62,12 @@ class SceneBuilder {
 
   void bounds() {
     lo_ = hi_ = {r_.sensor.x_m, r_.sensor.y_m};
-    for (const auto& p : field_.plants) lo_ = lo_.cwiseMin(p.at), hi_ = hi_.cwiseMax(p.at);
-    lo_.array() -= margin_m, hi_.array() += margin_m;
+    for (const auto& p : field_.plants) {
+      lo_ = lo_.cwiseMin(p.at);
+      hi_ = hi_.cwiseMax(p.at);
+    }
+    lo_.array() -= margin_m;
+    hi_.array() += margin_m;
   }
 
   void ground() {
@@ -91,7 +100,7 @@ class SceneBuilder {
     Random random(seed_, Stream::leaves,
                   static_cast<std::uint64_t>(p.row) * 1000 + static_cast<std::uint64_t>(p.number));
     const int id = static_cast<int>(&p - field_.plants.data()) + 1;
-    const bool tube = r_.plants.kind == "tube";
+    const bool tube = r_.plants.kind == PlantKind::tube;
     Piece trunk{{}, Material::bark, tube ? tube_reflectivity : bark_reflectivity, 0, id};
     const double r = p.diameter_m / 2, taper = tube ? 1 : 0.6;
     // Facets lie inside their circle: the vertices go out by the mean of that.
@@ -107,7 +116,7 @@ class SceneBuilder {
     add_tube(trunk.mesh, path, radii, 32);
     model_.pieces.push_back(std::move(trunk));
     if (tube) return taped_leaves(p, id, random);
-    if (r_.plants.kind == "tree") return twigs(p, id, random);
+    if (r_.plants.kind == PlantKind::tree) return twigs(p, id, random);
     crown(p, id, random);
   }
 
@@ -124,7 +133,8 @@ class SceneBuilder {
         const Eigen::Vector3d along =
             length / parts * Eigen::Vector3d(std::cos(rise) * out + std::sin(rise) * Eigen::Vector3d::UnitZ());
         add_leaf(leaves.mesh, at + along / 2, 0.55 * along, random.uniform(0.008, 0.014) * side);
-        at += along, rise -= 0.45;
+        at += along;
+        rise -= 0.45;
       }
     }
     model_.pieces.push_back(std::move(leaves));
@@ -157,9 +167,9 @@ class SceneBuilder {
 
   // Vines: a wall of leaves along the row above the trunk. Apple: branches to all sides, across the alley too.
   void crown(const FieldPlant& p, int id, Random& random) {
-    const bool vine = r_.plants.kind == "vine";
+    const bool vine = r_.plants.kind == PlantKind::vine;
     Piece wood{{}, Material::wood, wood_reflectivity, 0, id};
-    const double along = r_.plants.angle_deg * deg;
+    const double along = r_.plants.angle_deg * rad_per_deg;
     for (int i = 0; i < r_.plants.leaves; ++i) {
       if (vine) {
         const double s = random.uniform(-0.55, 0.55), up = random.uniform(0.75, 1.7);
@@ -188,7 +198,7 @@ class SceneBuilder {
     Piece wood{{}, Material::wood, wood_reflectivity, 0, 0};
     for (const auto& p : field_.plants)
       if (p.number % 4 == 2) {
-        const double a = r_.plants.angle_deg * deg;
+        const double a = r_.plants.angle_deg * rad_per_deg;
         const Eigen::Vector2d at = p.at + 0.5 * r_.plants.plant_spacing_m * Eigen::Vector2d(std::cos(a), std::sin(a));
         add_cylinder(wood.mesh, {at.x(), at.y(), ground_at(at) - 0.1}, 0.04, 2.0, 12);
       }
@@ -229,7 +239,7 @@ Field plant_field(const FieldRecipe& r, std::uint64_t seed) {
   }
   if (!r.plants.at.empty()) return field;
   Random random(seed, Stream::layout, 77);
-  const double c = std::cos(r.plants.angle_deg * deg), s = std::sin(r.plants.angle_deg * deg);
+  const double c = std::cos(r.plants.angle_deg * rad_per_deg), s = std::sin(r.plants.angle_deg * rad_per_deg);
   for (row = 1; row <= r.plants.rows; ++row) {
     // Rows from left to right, seen along their direction.
     const double across = ((r.plants.rows + 1) / 2.0 - row) * r.plants.row_spacing_m, phase = random.uniform(-0.5, 0.5);
@@ -254,13 +264,22 @@ Table field_plant_table(const Field& field) {
   std::vector<double> x, y, diameter;
   std::vector<std::string> state;
   for (const auto& p : field.plants) {
-    row.push_back(p.row), number.push_back(p.number), id.push_back(std::ssize(id) + 1);
-    x.push_back(p.at.x()), y.push_back(p.at.y()), diameter.push_back(1000 * p.diameter_m);
+    row.push_back(p.row);
+    number.push_back(p.number);
+    id.push_back(std::ssize(id) + 1);
+    x.push_back(p.at.x());
+    y.push_back(p.at.y());
+    diameter.push_back(1000 * p.diameter_m);
     state.emplace_back(p.missing ? "missing" : "present");
   }
   Table t;
-  t.set("row_id", row), t.set("number", number), t.set("x_m", x), t.set("y_m", y), t.set("state", state);
-  t.set("diameter_mm", diameter), t.set("tree_id", id);
+  t.set("row_id", row);
+  t.set("number", number);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  t.set("state", state);
+  t.set("diameter_mm", diameter);
+  t.set("tree_id", id);
   t.facts["axes"] = "global";
   return t;
 }
@@ -277,21 +296,35 @@ Table field_row_table(const Field& field) {
     double xx = 0, xy = 0, yy = 0;
     for (const auto& p : at) {
       const Eigen::Vector2d d = p - mean;
-      xx += d.x() * d.x(), xy += d.x() * d.y(), yy += d.y() * d.y();
+      xx += d.x() * d.x();
+      xy += d.x() * d.y();
+      yy += d.y() * d.y();
     }
     const bool east = xx >= yy;
     const double a = east ? std::atan2(xy, xx) : std::atan2(yy, xy);
     const double folded = std::remainder(a, std::numbers::pi);
     const Eigen::Vector2d u(std::cos(folded), std::sin(folded));
     double lo = 0, hi = 0;
-    for (const auto& p : at) lo = std::min(lo, (p - mean).dot(u)), hi = std::max(hi, (p - mean).dot(u));
-    id.push_back(row), plants.push_back(std::ssize(at)), angle.push_back(folded / deg);
-    x0.push_back(mean.x() + lo * u.x()), y0.push_back(mean.y() + lo * u.y());
-    x1.push_back(mean.x() + hi * u.x()), y1.push_back(mean.y() + hi * u.y());
+    for (const auto& p : at) {
+      lo = std::min(lo, (p - mean).dot(u));
+      hi = std::max(hi, (p - mean).dot(u));
+    }
+    id.push_back(row);
+    plants.push_back(std::ssize(at));
+    angle.push_back(folded / rad_per_deg);
+    x0.push_back(mean.x() + lo * u.x());
+    y0.push_back(mean.y() + lo * u.y());
+    x1.push_back(mean.x() + hi * u.x());
+    y1.push_back(mean.y() + hi * u.y());
   }
   Table t;
-  t.set("row_id", id), t.set("angle_deg", angle), t.set("x0_m", x0), t.set("y0_m", y0), t.set("x1_m", x1);
-  t.set("y1_m", y1), t.set("plants", plants);
+  t.set("row_id", id);
+  t.set("angle_deg", angle);
+  t.set("x0_m", x0);
+  t.set("y0_m", y0);
+  t.set("x1_m", x1);
+  t.set("y1_m", y1);
+  t.set("plants", plants);
   t.facts["axes"] = "global";
   return t;
 }

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "sim/core/scene/random.h"
 
 namespace bole::sim {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, two_pi = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 constexpr int beams = 6, rays = RayBundle::size;
 constexpr double wedge_1_hz = 97.31, wedge_2_hz = -wedge_1_hz * 0.6180339887498949;
 constexpr double blend_m = 0.2;  // surfaces closer together in range give one return between them
@@ -33,17 +34,23 @@ Echo strongest(std::array<RayHit, rays>& hits) {
   double best_light = 0;
   for (std::size_t first = 0; first < hits.size();) {
     std::size_t next = first;
-    double sum = 0, moment = 0, most = 0;
+    double sum = 0, moment = 0, peak = 0;
     int tree = 0;
     for (; next < hits.size() &&
            (next == first || hits[next].range_m - hits[next - 1].range_m < static_cast<float>(blend_m));
          ++next) {
       const double e = hits[next].range_m > 0 ? energy(hits[next]) : 0;
       sum += e, moment += e * static_cast<double>(hits[next].range_m);
-      if (e > most) most = e, tree = hits[next].tree_id;
+      if (e > peak) {
+        peak = e;
+        tree = hits[next].tree_id;
+      }
     }
     const double range = sum > 0 ? moment / sum : 0, light = sum > 0 ? sum / (range * range) : 0;
-    if (light > best_light) best_light = light, best = {range, sum / rays, tree};
+    if (light > best_light) {
+      best_light = light;
+      best = {range, sum / rays, tree};
+    }
     first = next;
   }
   return best;
@@ -61,8 +68,8 @@ LivoxScanner::LivoxScanner(const LivoxModel& model, double noise, const RayScene
 Eigen::Vector3d LivoxScanner::direction(std::int64_t n) const {
   const double t = static_cast<double>(n) / model_.rate_hz, turn = two_pi * static_cast<double>(n % beams) / beams;
   const double a = two_pi * wedge_1_hz * t + turn, b = two_pi * wedge_2_hz * t - 0.37 * turn;
-  const double azimuth = 0.5 * model_.field_horizontal_deg * deg * 0.5 * (std::cos(a) + std::cos(b));
-  const double elevation = 0.5 * model_.field_vertical_deg * deg * 0.5 * (std::sin(a) + std::sin(b));
+  const double azimuth = 0.5 * model_.field_horizontal_deg * rad_per_deg * 0.5 * (std::cos(a) + std::cos(b));
+  const double elevation = 0.5 * model_.field_vertical_deg * rad_per_deg * 0.5 * (std::sin(a) + std::sin(b));
   return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
 }
 
@@ -74,9 +81,10 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   const Eigen::Vector3d right = (T.linear() * out.direction.cross(Eigen::Vector3d::UnitZ())).normalized(),
                         up = right.cross(axis);
   // Full 1/e^2 widths are four standard deviations.
-  const double kh = 0.25 * model_.divergence_horizontal_deg * deg, kv = 0.25 * model_.divergence_vertical_deg * deg;
+  const double kh = 0.25 * model_.divergence_horizontal_deg * rad_per_deg,
+               kv = 0.25 * model_.divergence_vertical_deg * rad_per_deg;
   RayBundle bundle;
-  bundle.most_range_m = static_cast<float>(model_.most_range_m);
+  bundle.max_range_m = static_cast<float>(model_.max_range_m);
   for (std::size_t i = 0; i < rays; ++i) {
     const double u = kh * quantiles[static_cast<std::size_t>(shuffled[i])], v = kv * quantiles[i];
     const Eigen::Vector3d d = (axis + u * right + v * up).normalized();
@@ -87,7 +95,7 @@ LivoxReturn LivoxScanner::fire(const Pose& T, std::int64_t n) const {
   scene_.intersect(bundle, hits.data());
   const Echo echo = strongest(hits);
   const double z = random.bounded_normal(4);
-  if (echo.range_m < model_.least_range_m || random.chance(model_.dropouts)) return out;
+  if (echo.range_m < model_.min_range_m || random.chance(model_.dropouts)) return out;
   // Weak returns scatter more: a tenth of the light of a white wall at 20 m by half again.
   const double strength = echo.energy * 400 / (echo.range_m * echo.range_m) / 0.08;
   const double sigma = noise_ * model_.range_sigma_m * std::min(1.5, std::sqrt(1 + 0.125 / strength));

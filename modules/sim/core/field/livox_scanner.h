@@ -14,7 +14,7 @@ struct LivoxModel {
   double field_horizontal_deg = 81.7, field_vertical_deg = 25.1;
   double rate_hz = 240'000;
   double range_sigma_m = 0.02, range_bias_sigma_m = 0.005;  // the bias is constant over a recording
-  double least_range_m = 0.5, most_range_m = 60;
+  double min_range_m = 0.5, max_range_m = 60;
   double divergence_horizontal_deg = 0.03, divergence_vertical_deg = 0.28;
   double dropouts = 0.004;
 };

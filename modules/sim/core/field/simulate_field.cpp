@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/arrays.h"
 #include "sim/core/field/field_scene.h"
 #include "sim/core/field/livox_scanner.h"
@@ -17,19 +18,20 @@ namespace bole::sim {
 namespace {
 
 using namespace sim;
-constexpr double deg = std::numbers::pi / 180, two_pi = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 
 // A robot on a straight line over uneven ground: a constant tilt where it stands, and a sway.
 class RobotMotion {
  public:
   RobotMotion(const Field& field, const FieldSimulationOptions& o, std::uint64_t seed) : field_(field), o_(o) {
     Random random(seed, Stream::walk, 31);
-    roll_deg_ = o.tilt * random.bounded_normal(), pitch_deg_ = o.tilt * random.bounded_normal();
+    roll_deg_ = o.tilt * random.bounded_normal();
+    pitch_deg_ = o.tilt * random.bounded_normal();
     for (auto& wave : waves_)
       wave = {o.sway * random.uniform(0.2, 0.6), random.uniform(0.4, 3.5), random.angle(), random.chance(0.5)};
     const auto& s = field.recipe.sensor;
     start_ = {s.x_m + random.uniform(-0.15, 0.15), s.y_m + random.uniform(-0.1, 0.1)};
-    heading_ = (s.heading_deg + random.uniform(-3, 3)) * deg;
+    heading_ = (s.heading_deg + random.uniform(-3, 3)) * rad_per_deg;
   }
 
   double heading_rad() const { return heading_; }
@@ -41,7 +43,7 @@ class RobotMotion {
   }
   Pose pose(double t) const {
     const Eigen::Vector2d at = start_ + o_.speed * t * Eigen::Vector2d(std::cos(heading_), std::sin(heading_));
-    const Eigen::Vector2d tilt = deg * tilt_deg(t);
+    const Eigen::Vector2d tilt = rad_per_deg * tilt_deg(t);
     Pose T = Pose::Identity();
     T.linear() = rotation_from_rpy(tilt[0], tilt[1], heading_ - std::numbers::pi / 2);
     T.translation() =
@@ -80,9 +82,13 @@ class FieldSimulator {
       returns += static_cast<std::int64_t>(scan.frames.back().size());
       run_.report((f + 1.0) / o_.frames, "scanning the field");
     }
-    scan.attitude = attitude(), scan.poses = poses(), scan.marks = marks();
-    scan.plants = field_plant_table(field_), scan.rows = field_row_table(field_);
-    scan.report.counts["frames"] = o_.frames, scan.report.counts["returns"] = returns;
+    scan.attitude = attitude();
+    scan.poses = poses();
+    scan.marks = marks();
+    scan.plants = field_plant_table(field_);
+    scan.rows = field_row_table(field_);
+    scan.report.counts["frames"] = o_.frames;
+    scan.report.counts["returns"] = returns;
     scan.report.counts["plants"] = static_cast<std::int64_t>(scan.plants.rows());
     scan.report.message = fmt::format("{}: {} frames of {:g} s, {} returns, {} plants in {} rows", field_.recipe.title,
                                       o_.frames, o_.integration, returns, scan.plants.rows(), scan.rows.rows());
@@ -109,8 +115,10 @@ class FieldSimulator {
       const auto& r = returns[static_cast<std::size_t>(i)];
       if (!(r.range_m > 0)) continue;
       points.push_back((static_cast<double>(r.range_m) * r.direction).cast<float>());
-      intensity.push_back(r.intensity), time.push_back(static_cast<double>(first + i) / rate),
-          tree.push_back(r.tree_id);
+      intensity.push_back(r.intensity);
+      time.push_back(static_cast<double>(first + i) / rate);
+
+      tree.push_back(r.tree_id);
     }
     PointCloud cloud(std::move(points));
     cloud.axes = Axes::sensor;
@@ -132,12 +140,15 @@ class FieldSimulator {
     std::vector<double> time, roll, pitch;
     for (double t = -1 / hz; t < o_.frames * o_.integration + 2 / hz; t += 1 / hz) {
       const auto tilt = robot_.tilt_deg(t);
-      time.push_back(t), roll.push_back(tilt[0] + bias[0] + o_.imu_noise * random.normal());
+      time.push_back(t);
+      roll.push_back(tilt[0] + bias[0] + o_.imu_noise * random.normal());
       pitch.push_back(tilt[1] + bias[1] + o_.imu_noise * random.normal());
     }
     Table t;
     t.set("yaw_deg", std::vector<double>(time.size(), 0.0));
-    t.set("time_s", std::move(time)), t.set("roll_deg", std::move(roll)), t.set("pitch_deg", std::move(pitch));
+    t.set("time_s", std::move(time));
+    t.set("roll_deg", std::move(roll));
+    t.set("pitch_deg", std::move(pitch));
     return t;
   }
 
@@ -148,13 +159,26 @@ class FieldSimulator {
       const double t = (f + 0.5) * o_.integration;
       const Eigen::Vector3d at = robot_.pose(t).translation();
       const auto tilt = robot_.tilt_deg(t);
-      frame.push_back(f), time.push_back(t), x.push_back(at.x()), y.push_back(at.y()), z.push_back(at.z());
-      heading.push_back(robot_.heading_rad() / deg), yaw.push_back(robot_.heading_rad() / deg - 90);
-      roll.push_back(tilt[0]), pitch.push_back(tilt[1]);
+      frame.push_back(f);
+      time.push_back(t);
+      x.push_back(at.x());
+      y.push_back(at.y());
+      z.push_back(at.z());
+      heading.push_back(robot_.heading_rad() / rad_per_deg);
+      yaw.push_back(robot_.heading_rad() / rad_per_deg - 90);
+      roll.push_back(tilt[0]);
+      pitch.push_back(tilt[1]);
     }
     Table t;
-    t.set("frame", frame), t.set("time_s", time), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z);
-    t.set("heading_deg", heading), t.set("roll_deg", roll), t.set("pitch_deg", pitch), t.set("yaw_deg", yaw);
+    t.set("frame", frame);
+    t.set("time_s", time);
+    t.set("x_m", x);
+    t.set("y_m", y);
+    t.set("z_m", z);
+    t.set("heading_deg", heading);
+    t.set("roll_deg", roll);
+    t.set("pitch_deg", pitch);
+    t.set("yaw_deg", yaw);
     return t;
   }
 
@@ -164,7 +188,7 @@ class FieldSimulator {
     Random random(seed_, Stream::targets, 71);
     const Pose T = robot_.pose(0.5 * o_.integration);
     const auto tilt = robot_.tilt_deg(0.5 * o_.integration);
-    const Eigen::Vector2d seen_tilt = deg * (tilt + imu_bias_deg());
+    const Eigen::Vector2d seen_tilt = rad_per_deg * (tilt + imu_bias_deg());
     const Eigen::Matrix3d level = rotation_from_rpy(seen_tilt[0], seen_tilt[1], 0);
     std::vector<std::string> name;
     std::vector<double> x, y, z, range, sx, sy, sz;
@@ -174,19 +198,30 @@ class FieldSimulator {
       const Eigen::Vector3d nav =
           T.translation() + rotation_from_rpy(0, 0, robot_.heading_rad() - std::numbers::pi / 2) * places[i];
       Eigen::Vector3d seen = T.linear().transpose() * (nav - T.translation());
-      const double most = scanner_.model().range_sigma_m * o_.noise / 4;
-      const Eigen::Vector3d off(0.03 * deg * random.normal(), 0.03 * deg * random.normal(),
-                                0.03 * deg * random.normal());
-      seen += seen.cross(off), seen *= 1 + most * random.normal() / seen.norm();
+      const double range_sigma = scanner_.model().range_sigma_m * o_.noise / 4;
+      const Eigen::Vector3d off(0.03 * rad_per_deg * random.normal(), 0.03 * rad_per_deg * random.normal(),
+                                0.03 * rad_per_deg * random.normal());
+      seen += seen.cross(off);
+      seen *= 1 + range_sigma * random.normal() / seen.norm();
       const Eigen::Vector3d levelled = level * seen;
       name.emplace_back(1, static_cast<char>('E' + i));
-      x.push_back(nav.x() + o_.mark_noise * random.normal()), y.push_back(nav.y() + o_.mark_noise * random.normal());
+      x.push_back(nav.x() + o_.mark_noise * random.normal());
+      y.push_back(nav.y() + o_.mark_noise * random.normal());
       z.push_back(nav.z() + 2 * o_.mark_noise * random.normal());
-      range.push_back(seen.norm()), sx.push_back(levelled.x()), sy.push_back(levelled.y()), sz.push_back(levelled.z());
+      range.push_back(seen.norm());
+      sx.push_back(levelled.x());
+      sy.push_back(levelled.y());
+      sz.push_back(levelled.z());
     }
     Table t;
-    t.set("name", name), t.set("x_m", x), t.set("y_m", y), t.set("z_m", z), t.set("range_m", range);
-    t.set("seen_x_m", sx), t.set("seen_y_m", sy), t.set("seen_z_m", sz);
+    t.set("name", name);
+    t.set("x_m", x);
+    t.set("y_m", y);
+    t.set("z_m", z);
+    t.set("range_m", range);
+    t.set("seen_x_m", sx);
+    t.set("seen_y_m", sy);
+    t.set("seen_z_m", sz);
     return t;
   }
 
@@ -209,35 +244,42 @@ const OptionTable& option_table(const FieldSimulationOptions*) {
                              TextKind::plain,
                              {},
                              Tier::basic,
-                             "Field: tubes1, tubes2, tubes3, metasequoia, vineyard, apple, or the path of a recipe."},
-      Option<S, int>{
-          "seed", &S::seed, Unit::none, {0, 2'000'000'000}, Tier::basic, "Number that everything random follows from."},
-      Option<S, double>{
-          "integration", &S::integration, Unit::second, {0.01, 10}, Tier::basic, "Time that a frame collects points."},
-      Option<S, int>{
-          "frames", &S::frames, Unit::none, {1, 1000}, Tier::basic, "Number of frames, one after the other."},
-      Option<S, double>{"speed",
-                        &S::speed,
-                        Unit::metre_per_second,
-                        {0, 5},
+                             "Field recipe: a name in resources/fields or the path of a recipe file."},
+      Option<S, int>{"seed",
+                     &S::seed,
+                     Unit::none,
+                     {0, 2'000'000'000},
+                     Tier::basic,
+                     "Seed of all randomness. The same seed gives the same data."},
+      Option<S, double>{"integration",
+                        &S::integration,
+                        Unit::second,
+                        {0.01, 10},
                         Tier::basic,
-                        "Speed of the robot along its heading; 0: it stands."},
+                        "Integration time of a frame. A longer time gives more points."},
+      Option<S, int>{"frames", &S::frames, Unit::none, {1, 1000}, Tier::basic, "Number of consecutive frames."},
+      Option<S, double>{
+          "speed", &S::speed, Unit::metre_per_second, {0, 5}, Tier::basic, "Speed of the robot along its heading."},
       Option<S, double>{"tilt",
                         &S::tilt,
                         Unit::degree,
                         {0, 10},
                         Tier::advanced,
-                        "Scatter (1 sigma) of the constant roll and pitch of the robot where it stands."},
+                        "Standard deviation of the constant roll and pitch of the robot."},
       Option<S, double>{
-          "sway", &S::sway, Unit::degree, {0, 10}, Tier::advanced, "Size of the swaying of roll and pitch."},
-      Option<S, double>{
-          "imu_noise", &S::imu_noise, Unit::degree, {0, 5}, Tier::advanced, "Scatter of a roll or pitch from the IMU."},
+          "sway", &S::sway, Unit::degree, {0, 10}, Tier::advanced, "Amplitude of the sway in roll and pitch."},
+      Option<S, double>{"imu_noise",
+                        &S::imu_noise,
+                        Unit::degree,
+                        {0, 5},
+                        Tier::advanced,
+                        "Standard deviation of a single roll or pitch of the IMU."},
       Option<S, double>{"imu_bias",
                         &S::imu_bias,
                         Unit::degree,
                         {0, 5},
                         Tier::advanced,
-                        "Scatter of the constant error of the IMU's roll and pitch."},
+                        "Standard deviation of the constant roll and pitch error of the IMU."},
       Option<S, double>{
           "noise", &S::noise, Unit::none, {0, 10}, Tier::advanced, "Factor on the range noise of the sensor."},
       Option<S, double>{"mark_noise",
@@ -245,7 +287,7 @@ const OptionTable& option_table(const FieldSimulationOptions*) {
                         Unit::metre,
                         {0, 1},
                         Tier::advanced,
-                        "Scatter of the receiver's positions of the antennas used for resection."},
+                        "Standard deviation of the antenna positions used for resection."},
   });
   return table;
 }

@@ -56,7 +56,8 @@ class Block {
       add_tube(wood_.mesh, {foot - 0.3 * up, foot + 0.5 * post_h * up, foot + post_h * up}, {radius, radius, radius},
                10);
       vegetation_.obstacles.push_back({foot.head<2>(), 0.3});
-      feet.push_back(foot), heads.push_back(up);
+      feet.push_back(foot);
+      heads.push_back(up);
     }
     for (const double h : {cordon_h, 1.15, 1.5, 1.85}) {
       std::vector<Eigen::Vector3d> path;

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "sim/core/plot/layout.h"
 #include "sim/core/scene/random.h"
 
 namespace bole::sim {
 namespace {
-
-using std::numbers::pi;
 
 Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -35,7 +33,7 @@ void shape_stem(Tree& tree, const TreeRecipe& recipe, double dbh_cm, Random& ran
   s.height_m = std::max(3.0, height_from_dbh(dbh_cm) * random.uniform(0.88, 1.12));
   s.end_m = s.height_m;
   s.taper_exponent = tree.species == Species::conifer ? random.uniform(0.75, 0.95) : random.uniform(0.65, 0.85);
-  s.lean = std::tan(recipe.lean_sd_deg * pi / 180) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) /
+  s.lean = std::tan(radians(recipe.lean_sd_deg)) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) /
            std::numbers::sqrt2;
   s.bow = recipe.sweep_m * random.bounded_normal() * direction(random.angle());
   s.bow_length_m = random.uniform(6, 14);
@@ -69,7 +67,7 @@ void join_twin(Tree& twin, const Tree& sister, Random& random) {
   const Eigen::Vector2d away = direction(random.angle());
   const double feet = 0.75 * (sister.stem.radius_m + twin.stem.radius_m);
   twin.stem.foot.head<2>() = sister.stem.foot.head<2>() + feet * away;
-  twin.stem.lean = sister.stem.lean + std::tan(random.uniform(7, 12) * pi / 180) * away;
+  twin.stem.lean = sister.stem.lean + std::tan(radians(random.uniform(7, 12))) * away;
   twin.stem.bow = sister.stem.bow;
   twin.stem.bow_length_m = sister.stem.bow_length_m;
   twin.twin_of = sister.id;

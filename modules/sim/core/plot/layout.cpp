@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
 #include "sim/core/field/vineyard.h"
@@ -92,7 +93,7 @@ std::vector<Site> vineyard_surroundings(const PlotRecipe& recipe, std::uint64_t 
 std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   const auto& l = recipe.layout;
   const double half = 0.5 * recipe.size_m, outer = half + recipe.buffer_m, reach = outer * std::numbers::sqrt2;
-  const double azimuth = l.row_azimuth_deg * std::numbers::pi / 180;
+  const double azimuth = radians(l.row_azimuth_deg);
   const Eigen::Vector2d along(std::sin(azimuth), std::cos(azimuth)), across(along.y(), -along.x());
   Random random(seed, Stream::layout);
   std::vector<Site> inner, buffer;
@@ -125,7 +126,7 @@ std::vector<Site> row_layout(const PlotRecipe& recipe, std::uint64_t seed) {
 
 std::vector<Site> make_layout(const PlotRecipe& recipe, std::uint64_t seed) {
   if (recipe.is_vineyard()) return vineyard_surroundings(recipe, seed);
-  return recipe.layout.kind == "rows" ? row_layout(recipe, seed) : natural_layout(recipe, seed);
+  return recipe.layout.kind == LayoutKind::rows ? row_layout(recipe, seed) : natural_layout(recipe, seed);
 }
 
 }  // namespace bole::sim

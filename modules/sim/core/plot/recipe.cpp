@@ -1,19 +1,14 @@
 #include "sim/core/plot/recipe.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/error.h"
 #include "base/option.h"
+#include "sim/core/plot/recipe_fields.h"
 
 namespace bole::sim {
-namespace {
 
-using Json = nlohmann::json;
-
-// One list of fields serves reading, checking and writing: `visit(name, member, min, max)`.
 template <class R, class V>
 void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, LayoutRecipe> {
   visit("kind", r.kind, 0, 0);
@@ -90,77 +85,10 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
   visit("vineyard", r.vineyard, 0, 0);
 }
 
-class FieldReader {
- public:
-  FieldReader(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
-    if (!json_.is_object())
-      throw bad_input(
-          "recipe field '" + (path_.empty() ? "(whole file)" : path_) + "' is " + json_.dump().substr(0, 60),
-          "an object {...}");
-  }
-
-  template <class T>
-  void operator()(const char* name, T& value, double min, double max) {
-    known_.insert(name);
-    const auto it = json_.find(name);
-    if (it == json_.end()) return;
-    const std::string path = path_.empty() ? name : path_ + "." + name;
-    if constexpr (std::is_same_v<T, std::string>) {
-      if (!it->is_string()) throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60), "a text");
-      value = it->get<std::string>();
-    } else if constexpr (std::is_arithmetic_v<T>) {
-      const bool right_type = std::is_integral_v<T> ? it->is_number_integer() : it->is_number();
-      const double number = right_type ? it->get<double>() : 0;
-      if (!right_type || !(number >= min && number <= max))
-        throw bad_input("recipe field '" + path + "' is " + it->dump().substr(0, 60),
-                        (std::is_integral_v<T> ? "a whole number from " : "a number from ") + number_text(min) +
-                            " to " + number_text(max));
-      value = static_cast<T>(number);
-    } else {
-      FieldReader inner(*it, path);
-      each_field(value, inner);
-      inner.refuse_unknown();
-    }
-  }
-
-  void refuse_unknown() const {
-    for (const auto& [key, unused] : json_.items())
-      if (!known_.contains(key)) {
-        const std::vector<std::string> names(known_.begin(), known_.end());
-        const auto near = nearest_names(key, names, 1);
-        throw bad_input("unknown recipe field '" + (path_.empty() ? key : path_ + "." + key) + "'",
-                        "a field of modules/sim/README.md", near.empty() ? "" : "Did you mean '" + near.front() + "'?");
-      }
-  }
-
- private:
-  const Json& json_;
-  std::string path_;
-  std::set<std::string> known_;
-};
-
-class FieldWriter {
- public:
-  explicit FieldWriter(Json& json) : json_(json) {}
-  template <class T>
-  void operator()(const char* name, const T& value, double, double) {
-    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-      json_[name] = value;
-    } else {
-      Json inner = Json::object();
-      each_field(value, FieldWriter(inner));
-      json_[name] = std::move(inner);
-    }
-  }
-
- private:
-  Json& json_;
-};
+namespace {
 
 void check_relations(const PlotRecipe& r) {
   const auto& t = r.trees;
-  if (r.layout.kind != "natural" && r.layout.kind != "rows" && !r.is_vineyard())
-    throw bad_input("recipe field 'layout.kind' is \"" + r.layout.kind + "\"", "\"natural\", \"rows\" or \"vineyard\"");
   const auto& v = r.vineyard;
   if (r.is_vineyard() && std::max(v.row_length_m, (v.rows - 1) * v.row_spacing_m) + 2 * vineyard_headland_m > r.size_m)
     throw bad_input("recipe fields vineyard: " + std::to_string(v.rows) + " rows of " + number_text(v.row_length_m) +
@@ -186,29 +114,23 @@ void check_relations(const PlotRecipe& r) {
 }  // namespace
 
 PlotRecipe parse_recipe(const nlohmann::json& json) {
-  PlotRecipe recipe;
-  FieldReader reader(json, "");
-  each_field(recipe, reader);
-  reader.refuse_unknown();
+  const auto recipe = recipe_from_json<PlotRecipe>(json);
   check_relations(recipe);
   return recipe;
 }
 
 PlotRecipe read_recipe(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw bad_input("cannot open the recipe " + file.string(), "a readable file");
+  const auto json = read_recipe_json(file);
   try {
-    return parse_recipe(Json::parse(in, nullptr, true, true));
-  } catch (const Json::exception& e) {
-    throw bad_input(file.string() + " is not valid JSON: " + e.what(), "a plot recipe");
+    return parse_recipe(json);
   } catch (const Error& e) {
     throw e.at(file.string());
   }
 }
 
 nlohmann::json to_json(const PlotRecipe& recipe) {
-  Json json = Json::object();
-  each_field(recipe, FieldWriter(json));
+  auto json = nlohmann::json::object();
+  each_field(recipe, RecipeWriter(json));
   return json;
 }
 

@@ -2,18 +2,24 @@
 // modules/sim/README.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace bole::sim {
 
+// natural: Poisson-disc with clustering; rows: a planting; vineyard: a block of vine rows within the plot, trees around
+// it.
+enum class LayoutKind { natural, rows, vineyard };
+constexpr std::array<std::string_view, 3> choice_names(LayoutKind) { return {"natural", "rows", "vineyard"}; }
+
 struct LayoutRecipe {
-  std::string kind = "natural";   // natural: Poisson-disc with clustering; rows: a planting; vineyard: a block of vine
-                                  // rows within the plot, trees around it
-  double min_spacing_m = 1.2;     // natural: least distance between stem axes
+  LayoutKind kind = LayoutKind::natural;
+  double min_spacing_m = 1.2;     // natural: smallest distance between stem axes
   double clustering = 0.3;        // natural, 0 to 1: share of trees that stand close to an earlier one
   double row_spacing_m = 3.0;     // rows
   double plant_spacing_m = 2.0;   // rows
@@ -83,7 +89,7 @@ struct PlotRecipe {
   UnderstoreyRecipe understorey;
   VineyardRecipe vineyard;
 
-  bool is_vineyard() const { return layout.kind == "vineyard"; }
+  bool is_vineyard() const { return layout.kind == LayoutKind::vineyard; }
 };
 
 // Throws Error{bad_input} that names the field, its value and what was needed; unknown fields are errors too.

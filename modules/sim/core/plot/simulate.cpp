@@ -5,14 +5,14 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <sstream>
 
-#include "base/resources.h"
+#include "base/angles.h"
 #include "sensor/core/sensor_model.h"
 #include "sim/core/field/vineyard.h"
 #include "sim/core/plot/build_scene.h"
 #include "sim/core/plot/recipe.h"
+#include "sim/core/plot/recipe_fields.h"
 #include "sim/core/plot/truth.h"
 #include "sim/core/walk/disturbance.h"
 #include "sim/core/walk/route.h"
@@ -23,24 +23,6 @@ namespace bole::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-void check_relations(const SimulationOptions& o) {
-  if (o.most_time > 0 && o.most_time < 0.2)
-    throw bad_input("most_time is " + number_text(o.most_time) + " s", "0 (the whole walk) or at least 0.2 s");
-}
-
-PlotRecipe load_recipe(const std::string& plot) {
-  if (plot.find('/') != std::string::npos || plot.ends_with(".json")) return read_recipe(plot);
-  const fs::path folder = resource_path("plots"), file = folder / (plot + ".json");
-  if (fs::exists(file)) return read_recipe(file);
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  std::ranges::sort(names);
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw bad_input("there is no plot recipe '" + plot + "'", "one of " + list + ", or the path of a recipe file");
-}
 
 std::vector<Eigen::Vector2d> read_way_points(const fs::path& file) {
   std::ifstream in(file);
@@ -85,191 +67,9 @@ void write_truth(const SimulationOptions& options, const Forest& forest, const V
   write_dem(forest.terrain.raster(forest.half_side_m() + 4, options.dem_cell), dir / "dem.tif");
 }
 
-}  // namespace
-
-const OptionTable& option_table(const SimulationOptions*) {
-  using S = SimulationOptions;
-  static const OptionTable table = make_option_table<S>(
-      {
-          Option<S, std::string>{"plot",
-                                 &S::plot,
-                                 TextKind::plain,
-                                 {},
-                                 Tier::basic,
-                                 "Plot recipe: a name in resources/plots or the path of a recipe file."},
-          Option<S, int>{"seed",
-                         &S::seed,
-                         Unit::none,
-                         {0, 2147483647},
-                         Tier::basic,
-                         "Seed of all randomness; the same seed gives the same bytes."},
-          Option<S, std::string>{"sensor",
-                                 &S::sensor,
-                                 TextKind::plain,
-                                 {},
-                                 Tier::basic,
-                                 "Sensor: a name in resources/sensors or the path of a sensor file."},
-          Option<S, double>{"rotation_hz",
-                            &S::rotation_hz,
-                            Unit::hertz,
-                            {1, 20},
-                            Tier::advanced,
-                            "Turns of the sensor's rotor per second."},
-          Option<S, std::string>{
-              "walk",
-              &S::walk,
-              TextKind::input_path,
-              {},
-              Tier::advanced,
-              "File of way-points (x_m,y_m per line, plot axes) instead of centre, north-west "
-              "corner, parallel lines, south-east corner, centre (in a vineyard: its alleys forth and back)."},
-          Option<S, std::string>{"carrier",
-                                 &S::carrier,
-                                 TextKind::choice,
-                                 {"person", "robot"},
-                                 Tier::advanced,
-                                 "Who carries the sensor: a person who walks, or a tracked robot that rolls and "
-                                 "pitches with the ground under its tracks."},
-          Option<S, double>{"speed", &S::speed, Unit::metre_per_second, {0.2, 3}, Tier::basic, "Walking speed."},
-          Option<S, double>{"line_spacing",
-                            &S::line_spacing,
-                            Unit::metre,
-                            {1, 50},
-                            Tier::basic,
-                            "Distance between the parallel lines of the walk."},
-          Option<S, double>{"sensor_height",
-                            &S::sensor_height,
-                            Unit::metre,
-                            {0.3, 4},
-                            Tier::advanced,
-                            "Height of the sensor above the ground."},
-          Option<S, double>{
-              "gait",
-              &S::gait,
-              Unit::none,
-              {0, 3},
-              Tier::advanced,
-              "Strength of bob, sway and hand motion: 1 an ordinary step, 0 a smooth glide; of a robot: its "
-              "vibration."},
-          Option<S, double>{"stand_still",
-                            &S::stand_still,
-                            Unit::second,
-                            {0, 60},
-                            Tier::advanced,
-                            "Time that the recording stands still before the walk starts."},
-          Option<S, double>{"most_time",
-                            &S::most_time,
-                            Unit::second,
-                            {0, 3600},
-                            Tier::advanced,
-                            "Longest recording; 0 records the whole walk."},
-          Option<S, double>{"noise",
-                            &S::noise,
-                            Unit::none,
-                            {0, 10},
-                            Tier::advanced,
-                            "Factor on the range noise of the sensor and on its laser biases; 0 gives exact ranges."},
-          Option<S, double>{"divergence",
-                            &S::divergence,
-                            Unit::none,
-                            {0, 5},
-                            Tier::advanced,
-                            "Factor on the size of the laser beam; 0 gives rays without mixed pixels."},
-          Option<S, double>{
-              "dropouts", &S::dropouts, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses lost at random."},
-          Option<S, double>{"laser_bias",
-                            &S::laser_bias,
-                            Unit::metre,
-                            {0, 0.1},
-                            Tier::expert,
-                            "Standard deviation of the constant range error of each laser."},
-          Option<S, double>{"pulse_length",
-                            &S::pulse_length,
-                            Unit::metre,
-                            {0, 3},
-                            Tier::expert,
-                            "Surfaces in one beam closer together than this are measured as one, in between."},
-          Option<S, bool>{"bark", &S::bark, Tier::expert, "Bark with fissures; otherwise stems are smooth."},
-          Option<S, double>{"turn_on_spot",
-                            &S::turn_on_spot,
-                            Unit::degree,
-                            {-720, 720},
-                            Tier::expert,
-                            "Turn at 90 deg/s on the spot, between standing still and walking."},
-          Option<S, double>{"gap_at",
-                            &S::gap_at,
-                            Unit::second,
-                            {0, 3600},
-                            Tier::expert,
-                            "Time after the start at which packets begin to be lost."},
-          Option<S, double>{
-              "gap", &S::gap, Unit::second, {0, 600}, Tier::expert, "Time for which packets are lost; 0: none are."},
-          Option<S, double>{"blind_sector",
-                            &S::blind_sector,
-                            Unit::degree,
-                            {0, 350},
-                            Tier::expert,
-                            "Sector about the back of the sensor from which nothing returns."},
-          Option<S, double>{
-              "rain", &S::rain, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses that end at a drop of rain."},
-          Option<S, bool>{"companion", &S::companion, Tier::expert, "A person walks round the bearer, 1.2 m away."},
-          Option<S, double>{"trajectory_rate",
-                            &S::trajectory_rate,
-                            Unit::hertz,
-                            {1, 1000},
-                            Tier::expert,
-                            "Poses per second in trajectory.tum."},
-          Option<S, double>{"dem_cell", &S::dem_cell, Unit::metre, {0.05, 5}, Tier::expert, "Cell size of dem.tif."},
-          Unless{"gap", {"0"}, {"gap_at"}},
-      },
-      check_relations);
-  return table;
-}
-
-Report simulate(const SimulationOptions& options, const fs::path& out_dir, const Run& run) {
-  check_relations(options);
-  const auto seed = static_cast<std::uint64_t>(options.seed);
-  const sensor::SensorModel sensor = sensor::load_sensor_model(options.sensor);
-  const PlotRecipe recipe = load_recipe(options.plot);
-  std::error_code error;
-  fs::create_directories(out_dir, error);
-  if (error) throw failure("cannot make the folder " + out_dir.string() + ": " + error.message());
-
-  run.report(0, "growing the plot");
-  const Forest forest = make_forest(recipe, seed);
-  run.check_cancel();
-  const PlotScene scene = build_scene(forest, seed);
-  run.check_cancel();
-  run.report(0.02, "planning the walk");
-  const auto way_points = !options.walk.empty()  ? read_way_points(options.walk)
-                          : recipe.is_vineyard() ? vineyard_pattern(recipe.vineyard)
-                                                 : survey_pattern(recipe.size_m, options.line_spacing);
-  const auto route = plan_route(way_points, forest, scene.vegetation.obstacles, Walk::step_m);
-  const Walk walk(route, forest.terrain,
-                  {options.speed, options.sensor_height, options.gait, options.stand_still, options.most_time,
-                   options.turn_on_spot * std::numbers::pi / 180, options.carrier == "robot"},
-                  seed);
-  run.check_cancel();
-  run.report(0.03, "building the ray tracer");
-  const RayScene rays(scene.model);
-  write_truth(options, forest, scene.vegetation, out_dir);
-  write_tum(walk.trajectory(options.trajectory_rate, simulation_epoch_s), out_dir / "trajectory.tum");
-  write_recipe(options, recipe, sensor, out_dir / "recipe.json");
-
-  const auto start = std::chrono::steady_clock::now();
-  const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s);
-  const BeamParameters beam{options.noise,      options.divergence,   options.dropouts,
-                            options.laser_bias, options.pulse_length, options.bark};
-  Disturbance disturbance({options.gap_at, options.gap, options.blind_sector * std::numbers::pi / 180, options.rain,
-                           options.companion, options.sensor_height, options.noise},
-                          sensor, walk, seed);
-  const auto statistics =
-      scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1), [&](FiringSequence s) {
-        if (disturbance.apply(s)) writer->add(s);
-      });
-  writer->close();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-
+Report report_of(const PlotRecipe& recipe, const Forest& forest, const PlotScene& scene, const RayScene& rays,
+                 const Walk& walk, const sensor::SensorModel& sensor, const ScanStatistics& statistics,
+                 double seconds) {
   Report report;
   const auto in_plot = std::ranges::count_if(forest.trees, &Tree::in_plot);
   report.message = recipe.name + ": " + std::to_string(in_plot) + " trees, " +
@@ -287,6 +87,222 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
       {"pulses_per_second", {static_cast<double>(statistics.pulses) / std::max(1e-9, seconds)}},
       {"rays_per_second", {static_cast<double>(statistics.pulses) * RayBundle::size / std::max(1e-9, seconds)}}};
   report.facts["axes"] = "plot";
+  return report;
+}
+
+using Entries = std::vector<OptionEntry<SimulationOptions>>;
+
+Entries plot_and_sensor_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, std::string>{"plot",
+                             &S::plot,
+                             TextKind::plain,
+                             {},
+                             Tier::basic,
+                             "Plot recipe: a name in resources/plots or the path of a recipe file."},
+      Option<S, int>{"seed",
+                     &S::seed,
+                     Unit::none,
+                     {0, 2147483647},
+                     Tier::basic,
+                     "Seed of all randomness. The same seed gives the same bytes."},
+      Option<S, std::string>{"sensor",
+                             &S::sensor,
+                             TextKind::plain,
+                             {},
+                             Tier::basic,
+                             "Sensor: a name in resources/sensors or the path of a sensor file."},
+      Option<S, double>{"rotation_rate",
+                        &S::rotation_hz,
+                        Unit::hertz,
+                        {1, 20},
+                        Tier::advanced,
+                        "Revolutions of the sensor per second."},
+  };
+}
+
+Entries walk_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, std::string>{"walk",
+                             &S::walk,
+                             TextKind::input_path,
+                             {},
+                             Tier::advanced,
+                             "File of way-points, one x_m,y_m per line in plot axes. Without it the walk leads along "
+                             "parallel lines, or through the alleys of a vineyard."},
+      Option<S, Carrier>{"carrier", &S::carrier, Tier::advanced,
+                         "Carrier of the sensor: a walking person, or a tracked robot that rolls and pitches with the "
+                         "ground under its tracks."},
+      Option<S, double>{"speed", &S::speed, Unit::metre_per_second, {0.2, 3}, Tier::basic, "Walking speed."},
+      Option<S, double>{"line_spacing",
+                        &S::line_spacing,
+                        Unit::metre,
+                        {1, 50},
+                        Tier::basic,
+                        "Distance between the parallel lines of the walk."},
+      Option<S, double>{"sensor_height",
+                        &S::sensor_height,
+                        Unit::metre,
+                        {0.3, 4},
+                        Tier::advanced,
+                        "Height of the sensor above the ground."},
+      Option<S, double>{"gait",
+                        &S::gait,
+                        Unit::none,
+                        {0, 3},
+                        Tier::advanced,
+                        "Strength of the operator's bob, sway and hand motion, or of a robot's vibration. 1: an "
+                        "ordinary step; 0: a smooth glide."},
+      Option<S, double>{"stand_still",
+                        &S::stand_still,
+                        Unit::second,
+                        {0, 60},
+                        Tier::advanced,
+                        "Time at rest before the walk starts."},
+      Option<S, std::optional<double>>{"max_time",
+                                       &S::max_time,
+                                       Unit::second,
+                                       {0.2, 3600},
+                                       "none",
+                                       Tier::advanced,
+                                       "Longest recording. none: the whole walk is recorded."},
+      Option<S, double>{"turn_on_spot",
+                        &S::turn_on_spot,
+                        Unit::degree,
+                        {-720, 720},
+                        Tier::expert,
+                        "Turn on the spot at 90 deg/s, between standing still and walking."},
+  };
+}
+
+Entries beam_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, double>{"noise",
+                        &S::noise,
+                        Unit::none,
+                        {0, 10},
+                        Tier::advanced,
+                        "Factor on the range noise and on the laser biases of the sensor. 0 gives exact ranges."},
+      Option<S, double>{"divergence",
+                        &S::divergence,
+                        Unit::none,
+                        {0, 5},
+                        Tier::advanced,
+                        "Factor on the size of the laser beam. 0 gives rays without mixed pixels."},
+      Option<S, double>{
+          "dropouts", &S::dropouts, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses lost at random."},
+      Option<S, double>{"laser_bias",
+                        &S::laser_bias,
+                        Unit::metre,
+                        {0, 0.1},
+                        Tier::expert,
+                        "Standard deviation of the constant range error of each laser."},
+      Option<S, double>{"pulse_length",
+                        &S::pulse_length,
+                        Unit::metre,
+                        {0, 3},
+                        Tier::expert,
+                        "Surfaces in one beam closer together than this give one range between them."},
+      Option<S, bool>{"bark", &S::bark, Tier::expert, "Bark with fissures. Otherwise stems are smooth."},
+  };
+}
+
+Entries disturbance_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, double>{"gap_at",
+                        &S::gap_at,
+                        Unit::second,
+                        {0, 3600},
+                        Tier::expert,
+                        "Time after the start at which packets begin to be lost."},
+      Option<S, double>{"gap", &S::gap, Unit::second, {0, 600}, Tier::expert, "Duration of the packet loss."},
+      Option<S, double>{"blind_sector",
+                        &S::blind_sector,
+                        Unit::degree,
+                        {0, 350},
+                        Tier::expert,
+                        "Sector around the back of the sensor from which nothing returns."},
+      Option<S, double>{
+          "rain", &S::rain, Unit::none, {0, 0.9}, Tier::expert, "Share of pulses that end at a rain drop."},
+      Option<S, bool>{"companion", &S::companion, Tier::expert, "A person walks around the operator, 1.2 m away."},
+      Unless{"gap", {"0"}, {"gap_at"}},
+  };
+}
+
+Entries truth_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, double>{"trajectory_rate",
+                        &S::trajectory_rate,
+                        Unit::hertz,
+                        {1, 1000},
+                        Tier::expert,
+                        "Poses per second in trajectory.tum."},
+      Option<S, double>{"dem_cell", &S::dem_cell, Unit::metre, {0.05, 5}, Tier::expert, "Cell size of dem.tif."},
+  };
+}
+
+}  // namespace
+
+const OptionTable& option_table(const SimulationOptions*) {
+  static const OptionTable table = [] {
+    Entries all;
+    for (const auto& part :
+         {plot_and_sensor_entries(), walk_entries(), beam_entries(), disturbance_entries(), truth_entries()})
+      all.insert(all.end(), part.begin(), part.end());
+    return make_option_table<SimulationOptions>(std::move(all));
+  }();
+  return table;
+}
+
+Report simulate(const SimulationOptions& options, const fs::path& out_dir, const Run& run) {
+  const auto seed = static_cast<std::uint64_t>(options.seed);
+  const sensor::SensorModel sensor = sensor::load_sensor_model(options.sensor);
+  const PlotRecipe recipe = read_recipe(find_recipe("plots", options.plot));
+  std::error_code error;
+  fs::create_directories(out_dir, error);
+  if (error) throw failure("cannot make the folder " + out_dir.string() + ": " + error.message());
+
+  run.report(0, "growing the plot");
+  const Forest forest = make_forest(recipe, seed);
+  run.check_cancel();
+  const PlotScene scene = build_scene(forest, seed);
+  run.check_cancel();
+  run.report(0.02, "planning the walk");
+  const auto way_points = !options.walk.empty()  ? read_way_points(options.walk)
+                          : recipe.is_vineyard() ? vineyard_pattern(recipe.vineyard)
+                                                 : walk_pattern(recipe.size_m, options.line_spacing);
+  const auto route = plan_route(way_points, forest, scene.vegetation.obstacles, Walk::step_m);
+  const Walk walk(route, forest.terrain,
+                  {options.speed, options.sensor_height, options.gait, options.stand_still, options.max_time,
+                   radians(options.turn_on_spot), options.carrier},
+                  seed);
+  run.check_cancel();
+  run.report(0.03, "building the ray tracer");
+  const RayScene rays(scene.model);
+  write_truth(options, forest, scene.vegetation, out_dir);
+  write_tum(walk.trajectory(options.trajectory_rate, simulation_epoch_s), out_dir / "trajectory.tum");
+  write_recipe(options, recipe, sensor, out_dir / "recipe.json");
+
+  const auto start = std::chrono::steady_clock::now();
+  const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s);
+  const BeamParameters beam{options.noise,      options.divergence,   options.dropouts,
+                            options.laser_bias, options.pulse_length, options.bark};
+  Disturbance disturbance({options.gap_at, options.gap, radians(options.blind_sector), options.rain, options.companion,
+                           options.sensor_height, options.noise},
+                          sensor, walk, seed);
+  const auto statistics =
+      scan(sensor, beam, rays, walk, options.rotation_hz, seed, run.part(0.06, 1), [&](FiringSequence s) {
+        if (disturbance.apply(s)) writer->add(s);
+      });
+  writer->close();
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  Report report = report_of(recipe, forest, scene, rays, walk, sensor, statistics, seconds);
   if (run.asked_to_finish()) report.status = Status::finished_early;
   return report;
 }

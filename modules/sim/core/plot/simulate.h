@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/option.h"
 #include "base/report.h"
 #include "base/run.h"
+#include "sim/core/walk/walk.h"
 
 namespace bole::sim {
 
@@ -17,13 +19,13 @@ struct SimulationOptions {
   double rotation_hz = 10;
 
   std::string walk;
-  std::string carrier = "person";
+  Carrier carrier = Carrier::person;
   double speed = 1.0;
   double line_spacing = 6.0;
   double sensor_height = 1.7;
   double gait = 1.0;
   double stand_still = 2.5;
-  double most_time = 0;
+  std::optional<double> max_time;
 
   double noise = 1.0;
   double divergence = 1.0;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "sim/core/scene/noise.h"
 #include "sim/core/scene/random.h"
 
@@ -10,10 +11,9 @@ namespace bole::sim {
 
 Terrain::Terrain(const TerrainRecipe& recipe, std::uint64_t seed)
     : recipe_(recipe), seed_(Random(seed, Stream::terrain).next()) {
-  const double aspect = recipe.aspect_deg * std::numbers::pi / 180;
+  const double aspect = radians(recipe.aspect_deg);
   // Downhill is towards the aspect, so the height falls that way.
-  gradient_ =
-      -std::tan(recipe.slope_deg * std::numbers::pi / 180) * Eigen::Vector2d(std::sin(aspect), std::cos(aspect));
+  gradient_ = -std::tan(radians(recipe.slope_deg)) * Eigen::Vector2d(std::sin(aspect), std::cos(aspect));
   height_at_centre_ = shape(0, 0);
 }
 

@@ -6,12 +6,11 @@
 #include <fstream>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::sim {
 namespace {
-
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 class TextFile {
  public:
@@ -34,25 +33,39 @@ Table tree_table(const Forest& forest) {
   std::vector<double> x, y, z, dbh, height, lean, azimuth, base_x, base_y;
   std::vector<std::string> state, species;
   for (const auto& t : forest.trees) {
-    id.push_back(t.id), in_plot.push_back(t.in_plot), twin.push_back(t.twin_of);
-    x.push_back(t.taped.centre.x()), y.push_back(t.taped.centre.y()), z.push_back(t.taped.ground_z_m);
+    id.push_back(t.id);
+    in_plot.push_back(t.in_plot);
+    twin.push_back(t.twin_of);
+    x.push_back(t.taped.centre.x());
+    y.push_back(t.taped.centre.y());
+    z.push_back(t.taped.ground_z_m);
     dbh.push_back(100 * t.taped.diameter_m);
     height.push_back(t.stem.axis(t.stem.end_m).z() - t.taped.ground_z_m);
-    lean.push_back(degrees_per_radian * std::acos(std::min(1.0, t.taped.axis.z())));
-    const double a = degrees_per_radian * std::atan2(t.taped.axis.x(), t.taped.axis.y());
+    lean.push_back(deg_per_rad * std::acos(std::min(1.0, t.taped.axis.z())));
+    const double a = deg_per_rad * std::atan2(t.taped.axis.x(), t.taped.axis.y());
     azimuth.push_back(a < 0 ? a + 360 : a);
     state.emplace_back(t.alive ? "alive" : "dead");
     species.emplace_back(species_name(t.species));
-    base_x.push_back(t.stem.foot.x()), base_y.push_back(t.stem.foot.y());
+    base_x.push_back(t.stem.foot.x());
+    base_y.push_back(t.stem.foot.y());
   }
   Table table;
   table.facts["axes"] = "plot";
   table.set("tree_id", id);
-  table.set("x_m", x), table.set("y_m", y), table.set("z_m", z);
-  table.set("dbh_cm", dbh), table.set("height_m", height), table.set("lean_deg", lean),
-      table.set("lean_azimuth_deg", azimuth);
-  table.set("state", state), table.set("in_plot", in_plot), table.set("species", species);
-  table.set("base_x_m", base_x), table.set("base_y_m", base_y), table.set("twin_of", twin);
+  table.set("x_m", x);
+  table.set("y_m", y);
+  table.set("z_m", z);
+  table.set("dbh_cm", dbh);
+  table.set("height_m", height);
+  table.set("lean_deg", lean);
+
+  table.set("lean_azimuth_deg", azimuth);
+  table.set("state", state);
+  table.set("in_plot", in_plot);
+  table.set("species", species);
+  table.set("base_x_m", base_x);
+  table.set("base_y_m", base_y);
+  table.set("twin_of", twin);
   return table;
 }
 
@@ -61,13 +74,21 @@ Table sapling_table(const std::vector<Sapling>& saplings) {
   std::vector<double> x, y, z, dbh, height;
   for (const auto& s : saplings) {
     id.push_back(static_cast<std::int64_t>(id.size()) + 1);
-    x.push_back(s.taped.centre.x()), y.push_back(s.taped.centre.y()), z.push_back(s.taped.ground_z_m);
-    dbh.push_back(100 * s.taped.diameter_m), height.push_back(s.stem.end_m);
+    x.push_back(s.taped.centre.x());
+    y.push_back(s.taped.centre.y());
+    z.push_back(s.taped.ground_z_m);
+    dbh.push_back(100 * s.taped.diameter_m);
+    height.push_back(s.stem.end_m);
   }
   Table table;
   table.facts["axes"] = "plot";
-  table.set("sapling_id", id), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z), table.set("dbh_cm", dbh),
-      table.set("height_m", height);
+  table.set("sapling_id", id);
+  table.set("x_m", x);
+  table.set("y_m", y);
+  table.set("z_m", z);
+  table.set("dbh_cm", dbh);
+
+  table.set("height_m", height);
   return table;
 }
 
@@ -76,13 +97,22 @@ Table target_table(const Forest& forest) {
   std::vector<double> x, y, z, diameter, height;
   for (const auto& t : forest.targets) {
     name.push_back(t.name);
-    x.push_back(t.middle.x()), y.push_back(t.middle.y()), z.push_back(t.middle.z()), diameter.push_back(2 * t.radius_m),
-        height.push_back(t.height_m);
+    x.push_back(t.middle.x());
+    y.push_back(t.middle.y());
+    z.push_back(t.middle.z());
+    diameter.push_back(2 * t.radius_m);
+
+    height.push_back(t.height_m);
   }
   Table table;
   table.facts["axes"] = "plot";
-  table.set("name", name), table.set("x_m", x), table.set("y_m", y), table.set("z_m", z),
-      table.set("diameter_m", diameter), table.set("height_m", height);
+  table.set("name", name);
+  table.set("x_m", x);
+  table.set("y_m", y);
+  table.set("z_m", z);
+
+  table.set("diameter_m", diameter);
+  table.set("height_m", height);
   return table;
 }
 

@@ -224,7 +224,9 @@ void Grower::understorey(Vegetation& vegetation) {
     s.height_m = s.end_m = 1.6 + 160 * s.radius_m * random.uniform(0.7, 1.3);
     s.lean = Eigen::Vector2d(random.normal(0, 0.07), random.normal(0, 0.07));
     s.bow = Eigen::Vector2d(random.normal(0, 0.06), random.normal(0, 0.06));
-    s.flare = 0, s.lobe_amplitude = 0, s.bark_depth_m = 0;
+    s.flare = 0;
+    s.lobe_amplitude = 0;
+    s.bark_depth_m = 0;
     if (!is_free(s.foot, 0.3)) continue;
     sapling.taped = tape(s, forest_.terrain);
     Piece wood{{}, Material::wood, wood_reflectivity};

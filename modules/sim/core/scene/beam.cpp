@@ -68,7 +68,10 @@ Beam::Return Beam::strongest(const RayHit hits[rays]) const {
       if (hit.range_m - previous > parameters_.pulse_length_m) break;
       previous = hit.range_m;
       const double e = energy(hit);
-      sum += e, moment += e * hit.range_m, bark += e * hit.bark_depth_m, cosine += e * hit.cos_incidence;
+      sum += e;
+      moment += e * hit.range_m;
+      bark += e * hit.bark_depth_m;
+      cosine += e * hit.cos_incidence;
       if (hit.material == Material::retro)
         retro += 1;
       else
@@ -102,7 +105,7 @@ sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_
   // A full 1/e^2 width is four standard deviations.
   const double k = 0.25 * parameters_.divergence, spin = random.angle(), cs = std::cos(spin), ss = std::sin(spin);
   RayBundle bundle;
-  bundle.most_range_m = static_cast<float>(sensor_.max_range_m);
+  bundle.max_range_m = static_cast<float>(sensor_.max_range_m);
   for (int i = 0; i < rays; ++i) {
     const auto& p = pattern[static_cast<std::size_t>(i)];
     const double u = k * (cs * p.x() - ss * p.y()), v = k * (ss * p.x() + cs * p.y());

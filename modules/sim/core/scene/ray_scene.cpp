@@ -111,12 +111,20 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
   alignas(32) int valid[n];
   for (int i = 0; i < n; ++i) {
     valid[i] = -1;
-    packet.ray.org_x[i] = rays.origin[0][i], packet.ray.org_y[i] = rays.origin[1][i],
+    packet.ray.org_x[i] = rays.origin[0][i];
+    packet.ray.org_y[i] = rays.origin[1][i];
+
     packet.ray.org_z[i] = rays.origin[2][i];
-    packet.ray.dir_x[i] = rays.direction[0][i], packet.ray.dir_y[i] = rays.direction[1][i],
+    packet.ray.dir_x[i] = rays.direction[0][i];
+    packet.ray.dir_y[i] = rays.direction[1][i];
+
     packet.ray.dir_z[i] = rays.direction[2][i];
-    packet.ray.tnear[i] = 0, packet.ray.tfar[i] = rays.most_range_m;
-    packet.ray.time[i] = 0, packet.ray.mask[i] = ~0u, packet.ray.flags[i] = 0, packet.ray.id[i] = 0;
+    packet.ray.tnear[i] = 0;
+    packet.ray.tfar[i] = rays.max_range_m;
+    packet.ray.time[i] = 0;
+    packet.ray.mask[i] = ~0u;
+    packet.ray.flags[i] = 0;
+    packet.ray.id[i] = 0;
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }

@@ -13,7 +13,7 @@ struct RayBundle {
   static constexpr int size = 8;
   float origin[3][size];
   float direction[3][size];  // unit
-  float most_range_m = 200;
+  float max_range_m = 200;
 };
 
 struct RayHit {

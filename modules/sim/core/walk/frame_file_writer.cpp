@@ -20,6 +20,13 @@ void write_bytes(const fs::path& file, const void* data, std::size_t size) {
   if (!out) throw failure("cannot write " + file.string(), "a writable folder with free space");
 }
 
+// A sensor of the user's own: the folder is read without naming it.
+void copy_description(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (error) throw failure("cannot copy " + from.string() + " to " + to.string() + ": " + error.message());
+}
+
 void write_text(const fs::path& file, const std::string& text) { write_bytes(file, text.data(), text.size()); }
 
 }  // namespace
@@ -42,8 +49,12 @@ void FrameFileWriter::add(const FiringSequence& s) {
                azimuth = since_cut < -1e-9 ? since_cut + two_pi : since_cut;
   const bool round = azimuth < last_azimuth_rad_ || (s.time_s - last_time_s_) * s.turn_rad_s > two_pi;
   if (open_ && round) finish_frame();
-  last_azimuth_rad_ = azimuth, last_time_s_ = s.time_s;
-  if (!open_) frame_starts_s_.push_back(s.time_s), open_ = true;
+  last_azimuth_rad_ = azimuth;
+  last_time_s_ = s.time_s;
+  if (!open_) {
+    frame_starts_s_.push_back(s.time_s);
+    open_ = true;
+  }
   for (std::size_t c = 0; c < s.echoes.size(); ++c) {
     const auto& echo = s.echoes[c];
     if (!(echo.range_m > 0)) continue;
@@ -72,7 +83,9 @@ void FrameFileWriter::finish_frame() {
   write("bin", points_);
   write("time", point_times_s_);
   write("ring", rings_);
-  points_.clear(), point_times_s_.clear(), rings_.clear();
+  points_.clear();
+  point_times_s_.clear();
+  rings_.clear();
   open_ = false;
 }
 
@@ -81,7 +94,10 @@ void FrameFileWriter::close() {
   std::string text;
   for (const double t : frame_starts_s_) text += fmt::format("{:.6f}\n", epoch_s_ + t);
   write_text(folder_ / "times.txt", text);
-  write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
+  if (sensor_.file.empty())
+    write_text(folder_ / "sensor.json", nlohmann::json{{"sensor", sensor_.id}}.dump() + "\n");
+  else
+    copy_description(sensor_.file, folder_ / "sensor.json");
 }
 
 }  // namespace bole::sim

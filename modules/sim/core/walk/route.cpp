@@ -52,7 +52,10 @@ class CostGrid {
     int best = -1;
     double distance = std::numeric_limits<double>::infinity();
     for (int i = 0; i < n_ * n_; ++i)
-      if (const double d = (point(i) - p).squaredNorm(); is_free(i) && d < distance) best = i, distance = d;
+      if (const double d = (point(i) - p).squaredNorm(); is_free(i) && d < distance) {
+        best = i;
+        distance = d;
+      }
     return best;
   }
 
@@ -135,8 +138,8 @@ void smooth(std::vector<Eigen::Vector2d>& path, const Forest& forest, double cle
     for (auto& p : next)
       for (const auto& tree : forest.trees) {
         const Eigen::Vector2d from_stem = p - tree.stem.axis(0.9).head<2>();
-        const double least = tree.stem.mean_radius(0.4) + clearance_m + 0.05, d = from_stem.norm();
-        if (d < least && d > 1e-6) p += from_stem * ((least - d) / d);
+        const double reach = tree.stem.mean_radius(0.4) + clearance_m + 0.05, d = from_stem.norm();
+        if (d < reach && d > 1e-6) p += from_stem * ((reach - d) / d);
       }
     path = std::move(next);
   }
@@ -144,7 +147,7 @@ void smooth(std::vector<Eigen::Vector2d>& path, const Forest& forest, double cle
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> survey_pattern(double plot_size_m, double line_spacing_m) {
+std::vector<Eigen::Vector2d> walk_pattern(double plot_size_m, double line_spacing_m) {
   const double half = 0.5 * plot_size_m, end = std::max(1.0, half - 1.0);
   int lines = std::max(1, static_cast<int>(std::floor((plot_size_m - 2.0) / line_spacing_m)) + 1);
   if (lines % 2 == 0) --lines;

@@ -11,7 +11,7 @@ namespace bole::sim {
 
 // SPEC A13: centre, NW corner, parallel lines `line_spacing_m` apart, SE corner, centre. An odd number of east-west
 // lines, as many as fit with that spacing, so that the last one ends in the south-east.
-std::vector<Eigen::Vector2d> survey_pattern(double plot_size_m, double line_spacing_m);
+std::vector<Eigen::Vector2d> walk_pattern(double plot_size_m, double line_spacing_m);
 
 // Points about `step_m` apart that follow the way-points, keep 0.5 m from stems (less only where trees leave no such
 // gap: down to 0.3 m) and go around shrubs and rocks where that is cheap. The first and last points may be moved to

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "sim/core/scene/random.h"
 
@@ -11,7 +12,6 @@ namespace bole::sim {
 namespace {
 
 using std::numbers::pi;
-constexpr double radians_per_degree = pi / 180;
 constexpr double rest_at_end_s = 1.0;
 
 double footing(const Terrain& terrain, const Eigen::Vector2d& p) {
@@ -87,15 +87,15 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
   // Easing in and out covers half of its time at full speed.
   full_speed_s_ = std::max(0.0, length_m_ / parameters.speed_m_s - ease_s_);
   // The fastest moment of an eased turn is half as fast again as its mean.
-  turn_s_ = 1.5 * std::abs(parameters.turn_rad) / (90 * radians_per_degree);
+  turn_s_ = 1.5 * std::abs(parameters.turn_rad) / (90 * rad_per_deg);
   duration_s_ = parameters.stand_still_s + turn_s_ + full_speed_s_ + 2 * ease_s_ + rest_at_end_s;
-  if (parameters.most_s > 0) duration_s_ = std::min(duration_s_, parameters.most_s);
+  if (parameters.max_s) duration_s_ = std::min(duration_s_, *parameters.max_s);
 
   Random random(seed, Stream::walk);
   mount_yaw_rad_ = random.angle();
   step_hz_ = 1.8 * std::sqrt(std::clamp(parameters.speed_m_s, 0.3, 2.5)) * random.uniform(0.95, 1.05);
   for (auto& p : phases_) p = random.angle();
-  const double degree = radians_per_degree * parameters.gait;
+  const double degree = rad_per_deg * parameters.gait;
   swings_ = {make_swing(1.5 * degree, random), make_swing(1.5 * degree, random), make_swing(3.0 * degree, random),
              make_swing(0.02 * parameters.gait, random)};
 }
@@ -132,7 +132,7 @@ Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
   };
   const double front_left = ground(half_length_m, half_width_m), front_right = ground(half_length_m, -half_width_m),
                rear_left = ground(-half_length_m, half_width_m), rear_right = ground(-half_length_m, -half_width_m);
-  const double shake = 0.08 * radians_per_degree * parameters_.gait * pace;
+  const double shake = 0.08 * rad_per_deg * parameters_.gait * pace;
   const double pitch = -std::atan2(0.5 * (front_left + front_right - rear_left - rear_right), 2 * half_length_m) +
                        shake * (std::sin(2 * pi * 4.3 * t + phases_[0]) + std::sin(2 * pi * 7.9 * t + phases_[1])),
                roll = std::atan2(0.5 * (front_left + rear_left - front_right - rear_right), 2 * half_width_m) +
@@ -147,16 +147,16 @@ Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
 Pose Walk::pose(double t) const {
   const auto [distance, pace] = progress(t);
   const Eigen::Vector4d k = spline(knots_, distance / step_m);
-  if (parameters_.robot) return robot_pose(k, pace, t);
+  if (parameters_.carrier == Carrier::robot) return robot_pose(k, pace, t);
   // Even a standing person trembles a little.
   const double step = parameters_.gait * pace, hand = 0.04 + 0.96 * pace;
   const double beat = 2 * pi * step_hz_ * t;
   const double bob = 0.022 * step * std::cos(beat + phases_[0]);
   const double sway = 0.025 * step * std::sin(0.5 * beat + phases_[1]);
-  const double roll = 1.5 * radians_per_degree * step * std::sin(0.5 * beat + phases_[2]) + hand * swings_[0].at(t);
-  const double pitch = 1.2 * radians_per_degree * step * std::sin(beat + phases_[3]) + hand * swings_[1].at(t);
-  const double yaw = k[3] + turned_rad(t) + 2.0 * radians_per_degree * step * std::sin(0.5 * beat + phases_[3]) +
-                     hand * swings_[2].at(t);
+  const double roll = 1.5 * rad_per_deg * step * std::sin(0.5 * beat + phases_[2]) + hand * swings_[0].at(t);
+  const double pitch = 1.2 * rad_per_deg * step * std::sin(beat + phases_[3]) + hand * swings_[1].at(t);
+  const double yaw =
+      k[3] + turned_rad(t) + 2.0 * rad_per_deg * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
   Pose T = Pose::Identity();
   T.linear() = rotation_from_rpy(roll, pitch, yaw) *
                Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/transform.h"
@@ -10,14 +12,18 @@
 
 namespace bole::sim {
 
+// robot: on tracks, tilted with the ground under them, with vibration in place of a gait.
+enum class Carrier { person, robot };
+constexpr std::array<std::string_view, 2> choice_names(Carrier) { return {"person", "robot"}; }
+
 struct WalkParameters {
   double speed_m_s = 1.0;
   double sensor_height_m = 1.7;
-  double gait = 1.0;           // 1: an ordinary step; 0: gliding
-  double stand_still_s = 2.5;  // at the start
-  double most_s = 0;           // the recording ends here at the latest; 0: at the end of the route
-  double turn_rad = 0;         // on the spot, after standing still, at up to 90 deg/s
-  bool robot = false;          // on tracks: tilted with the ground under them, with vibration in place of a gait
+  double gait = 1.0;            // 1: an ordinary step; 0: gliding
+  double stand_still_s = 2.5;   // at the start
+  std::optional<double> max_s;  // longest recording; left open: until the end of the route
+  double turn_rad = 0;          // on the spot, after standing still, at up to 90 deg/s
+  Carrier carrier = Carrier::person;
 };
 
 class Walk {

@@ -10,7 +10,7 @@ namespace {
 
 using Tree = flann::Index<flann::L2_Simple<float>>;
 
-// One tree with the key frames behind its entries. The keys are owned here: FLANN keeps pointers.
+// A tree with the keyframes of its entries. The keys are owned here because FLANN keeps pointers.
 struct KeyTree {
   std::vector<std::unique_ptr<std::vector<float>>> keys;
   std::vector<std::size_t> keyframes;
@@ -28,11 +28,11 @@ struct KeyTree {
     }
   }
 
-  std::vector<std::size_t> nearest(std::vector<float> key, std::size_t most) const {
+  std::vector<std::size_t> nearest(std::vector<float> key, std::size_t max_count) const {
     if (!tree) return {};
     std::vector<std::vector<std::size_t>> found;
     std::vector<std::vector<float>> distances;
-    tree->knnSearch(flann::Matrix<float>(key.data(), 1, key.size()), found, distances, std::min(most, keys.size()),
+    tree->knnSearch(flann::Matrix<float>(key.data(), 1, key.size()), found, distances, std::min(max_count, keys.size()),
                     flann::SearchParams(flann::FLANN_CHECKS_UNLIMITED));
     std::vector<std::size_t> out;
     for (const auto i : found.front()) out.push_back(keyframes[i]);
@@ -40,10 +40,10 @@ struct KeyTree {
   }
 };
 
-Pose turned_and_shifted(double turn_rad, double left_m) {
+Pose turned_and_shifted(double turn_rad, double left) {
   Pose T = Pose::Identity();
   T.linear() = Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  T.translation().y() = left_m;
+  T.translation().y() = left;
   return T;
 }
 
@@ -60,8 +60,8 @@ Pose levelled(const Pose& T_map_sensor) {
   return T;
 }
 
-ScanContextShape context_shape(const SlamOptions& options) {
-  return {.rings = options.context_rings, .sectors = options.context_sectors, .range_m = options.context_range_m};
+ScanContextShape context_shape(const SlamSettings& settings) {
+  return {.rings = settings.context_rings, .sectors = settings.context_sectors, .range = settings.context_range};
 }
 
 ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape) {
@@ -90,37 +90,37 @@ std::optional<ContextCandidate> ContextIndex::best(const std::vector<Keyframe>& 
 }
 
 std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
-                                                   const ContextSearch& search, std::size_t most_places,
-                                                   double apart_m) const {
+                                                   const ContextSearch& search, std::size_t max_places,
+                                                   double min_spacing) const {
   const auto& own = keyframes[k].context;
   if (own.empty()) return {};
   std::vector<ContextCandidate> found;
-  const auto offer = [&](std::size_t j, const ContextMatch& match, double turn_rad, double left_m) {
-    if (match.distance < search.tau) found.push_back({j, match.distance, turned_and_shifted(turn_rad, left_m)});
+  const auto offer = [&](std::size_t j, const ContextMatch& match, double turn_rad, double left) {
+    if (match.distance < search.tau) found.push_back({j, match.distance, turned_and_shifted(turn_rad, left)});
   };
-  const auto most = static_cast<std::size_t>(search.nearest);
-  for (const auto j : trees_->rings.nearest(own.ring_key, most)) {
+  const auto max_count = static_cast<std::size_t>(search.nearest);
+  for (const auto j : trees_->rings.nearest(own.ring_key, max_count)) {
     const auto match = match_polar(keyframes[j].context, own);
     offer(j, match, 2 * std::numbers::pi * match.shift / shape_.sectors, 0);
   }
   for (const bool reversed : {false, true}) {
     if (!search.cart) break;
-    for (const auto j : trees_->carts.nearest(reversed ? reversed_key(own.cart_key) : own.cart_key, most)) {
+    for (const auto j : trees_->carts.nearest(reversed ? reversed_key(own.cart_key) : own.cart_key, max_count)) {
       const auto match = match_cart(keyframes[j].context, own, reversed);
-      offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range_m / shape_.columns * match.shift);
+      offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range / shape_.columns * match.shift);
     }
   }
-  return most_alike(keyframes, std::move(found), most_places, apart_m);
+  return most_similar(keyframes, std::move(found), max_places, min_spacing);
 }
 
-std::vector<ContextCandidate> most_alike(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
-                                         std::size_t most, double apart_m) {
+std::vector<ContextCandidate> most_similar(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+                                           std::size_t max_count, double min_spacing) {
   std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
   std::vector<ContextCandidate> apart;
   for (const auto& c : found) {
-    if (apart.size() == most) break;
+    if (apart.size() == max_count) break;
     if (std::ranges::none_of(apart, [&](const ContextCandidate& a) {
-          return std::abs(keyframes[a.keyframe].path_m - keyframes[c.keyframe].path_m) < apart_m;
+          return std::abs(keyframes[a.keyframe].travelled - keyframes[c.keyframe].travelled) < min_spacing;
         }))
       apart.push_back(c);
   }

@@ -1,4 +1,4 @@
-// Key frames that look alike: nearest keys in a KD-tree (FLANN), then the best of the matrices behind them.
+// Keyframes with similar surroundings: the nearest keys in a KD-tree (FLANN), then the best of their scan contexts.
 #pragma once
 
 #include <memory>
@@ -15,27 +15,27 @@ namespace bole::slam {
 struct ContextCandidate {
   std::size_t keyframe = 0;
   double distance = 1;
-  // Where the later key frame is, in the levelled axes of the earlier one: turn about z and shift.
+  // Pose of the later keyframe in the levelled axes of the earlier one: turn about z and shift.
   Pose T_from_to = Pose::Identity();
 };
 
 struct ContextSearch {
-  int nearest = 10;   // matrices compared per key
-  double tau = 0.5;   // largest distance
-  bool cart = false;  // look by cart context as well, in both directions
+  int nearest = 10;   // contexts compared per key
+  double tau = 0.5;   // maximum distance
+  bool cart = false;  // search by cart context as well, in both directions
 };
 
-ScanContextShape context_shape(const SlamOptions& options);
+ScanContextShape context_shape(const SlamSettings& settings);
 
-// Of a frame whose motion is known.
+// The context of a frame whose motion is known.
 ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanContextShape& shape);
 
-// Axes at a pose that look along its heading and are level in map axes.
+// Axes at a pose that follow its heading and are level in map axes.
 Pose levelled(const Pose& T_map_sensor);
 
-// The best of `found`, the most alike first, no two of them within `apart_m` of way.
-std::vector<ContextCandidate> most_alike(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
-                                         std::size_t most, double apart_m);
+// The best of `found`, the most similar first, with at least `min_spacing` travelled between any two of them.
+std::vector<ContextCandidate> most_similar(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+                                           std::size_t max_count, double min_spacing);
 
 class ContextIndex {
  public:
@@ -44,13 +44,13 @@ class ContextIndex {
   ContextIndex(const ContextIndex&) = delete;
   ContextIndex& operator=(const ContextIndex&) = delete;
 
-  // Key frames are added in their order; one without a context is passed over.
+  // Keyframes are added in order; one without a context is skipped.
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
-  // See most_alike().
+  // See most_similar().
   std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
-                                       const ContextSearch& search, std::size_t most, double apart_m) const;
+                                       const ContextSearch& search, std::size_t max_count, double min_spacing) const;
 
  private:
   struct Trees;

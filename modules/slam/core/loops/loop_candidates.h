@@ -1,4 +1,4 @@
-// Where to look for revisits: which earlier key frames may show the place of a later one, and where that would put it.
+// Candidates for loop closures: which earlier keyframes may show the place of a later one, and its pose there.
 #pragma once
 
 #include <string>
@@ -11,31 +11,31 @@
 
 namespace bole::slam {
 
-// A key frame, and where a revisit would put it.
+// A pair of keyframes, and the pose of the later one if they show the same place.
 struct LoopCandidate {
   std::size_t from = 0, to = 0;
   Pose T_map_to = Pose::Identity();
-  double most_correction_m = 0;  // against the odometry
-  std::string found_by;          // "odometry" or "context"
+  double max_correction = 0;  // of the odometry
+  FoundBy found_by = FoundBy::odometry;
 };
 
-// First and last key frame of the stretch about `from` that `to` is held against.
+// First and last keyframe of the stretch around `from` that `to` is compared with.
 std::pair<std::size_t, std::size_t> stretch_about(const std::vector<Keyframe>& keyframes, std::size_t from,
                                                   std::size_t to);
 
-// A key frame every 1.5 m of the way is asked, in turn, against those at least loop_path before it. By odometry: the
-// nearest in the estimated path, within loop_radius. By context, no farther off than the odometry may have drifted (3 m
-// and loop_drift of the way between), as the option context_search says:
-// "single" (Kim and Kim 2018, SPEC D): of the nearest ring keys the context that is most alike; the guess is its pose,
-// turned.
-// "placed": the three most alike (with loops "both" by cart context as well), each laid on the occupancy of its stretch
-// (place_guess.h), and the best fit taken.
-// "sequence": rows of one kind look alike wherever one stands, so the odometry and the way speak as well. All places
-// and headings that it can have drifted to are compared, and none else, and the distance is the mean over the key frame
-// and those before it, each held against the place where it would have been (Milford and Wyeth 2012 compare sequences
-// of pictures so). Then as "placed".
+// Tries a keyframe every 1.5 m against those at least loop_path before it. By odometry: the nearest one on the
+// estimated trajectory within loop_radius. By context: no farther away than the odometry can have drifted (3 m plus
+// loop_drift of the distance travelled between them), as settings.context_search says:
+// `single` (Kim and Kim 2018, SPEC D): the most similar context of the nearest ring keys. The guess is its pose,
+// rotated.
+// `placed`: the three most similar (with LoopSource::both also by cart context). Each is aligned with the occupancy of
+// its stretch (place_guess.h), and the best fit is taken.
+// `sequence`: rows of one kind look similar everywhere, so odometry and earlier keyframes count as well. All places and
+// headings within the drift are compared, and no others. The distance is the mean over the keyframe and those before
+// it, each compared with the place where it would have been (Milford and Wyeth 2012 compare sequences of images in this
+// way). Then as `placed`.
 // Throws Error{cancelled}.
-std::vector<LoopCandidate> find_loop_candidates(const std::vector<Keyframe>& keyframes, const SlamOptions& options,
+std::vector<LoopCandidate> find_loop_candidates(const std::vector<Keyframe>& keyframes, const SlamSettings& options,
                                                 const Run& run);
 
 }  // namespace bole::slam

@@ -1,4 +1,4 @@
-// The relative pose of a revisit, by the ways that systems differ in.
+// The relative pose of a loop closure, by the methods of the different systems.
 #pragma once
 
 #include <string>
@@ -8,19 +8,20 @@
 
 namespace bole::slam {
 
-// What a key frame is held against: the key frames of one stretch of the walk, in map axes.
+// What a keyframe is registered against: the keyframes of one stretch of the walk, in map axes.
 class LoopTarget {
  public:
-  LoopTarget(const std::vector<Keyframe>& keyframes, std::size_t first, std::size_t last, const SlamOptions& options);
+  LoopTarget(const std::vector<Keyframe>& keyframes, std::size_t first, std::size_t last, const SlamSettings& settings);
 
-  // From `guess` on: "features" (edges and planes, SPEC A8), "icp" (LeGO-LOAM), "ndt_icp" (SPEC D2). Overlap, rms and
-  // information are always those of the edges and planes at the pose that was found, so that one rule judges them all.
+  // Registers from `guess` on by settings.loop_registration: edges and planes (SPEC A8), ICP (LeGO-LOAM), or NDT and
+  // ICP (SPEC D2). Overlap, rms and information are always those of the edges and planes at the pose that was found, so
+  // that one rule applies to all methods.
   Registration registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const;
 
  private:
-  const SlamOptions& options_;
+  const SlamSettings& settings_;
   FeatureMaps maps_;
-  std::vector<Eigen::Vector3f> points_;  // about the first key frame of the stretch
+  std::vector<Eigen::Vector3f> points_;  // relative to the first keyframe of the stretch
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
 };
 

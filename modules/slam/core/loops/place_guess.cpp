@@ -4,26 +4,26 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
+#include "base/angles.h"
 #include "slam/core/map/grid_key.h"
 
 namespace bole::slam {
 namespace {
 
-constexpr double cell_m = 0.3, reach_m = 25, height_m = 5, point_spacing_m = 0.4;
+constexpr double cell_size = 0.3, reach = 25, height = 5, point_spacing = 0.4;
 constexpr int steps_ahead = 10, steps_aside = 3, steps_up = 1, steps_turn = 3;  // to each side
-constexpr double step_turn_rad = 2 * std::numbers::pi / 180;
+constexpr double step_turn_rad = radians(2);
 
-// Which cells about a place are taken. Offsets are whole cells, so that a shift is an addition to an index: the margin
-// holds what a shift brings out of the grid. A cell answers for itself and for those below and above it at once.
+// Occupied cells around a place. Offsets are whole cells, so that a shift is an addition to an index; the margin holds
+// what a shift moves out of the grid. A cell also holds the bits of the cells below and above it.
 class Occupancy {
  public:
   explicit Occupancy(const Eigen::Vector3d& middle)
       : middle_(middle), taken_(static_cast<std::size_t>(stride_up * (n_up + 2 * margin_up))) {}
 
   Eigen::Vector3i cell(const Eigen::Vector3d& p) const {
-    const Eigen::Vector3d c = (p - middle_) / cell_m;
+    const Eigen::Vector3d c = (p - middle_) / cell_size;
     return {static_cast<int>(std::floor(c.x())) + n / 2, static_cast<int>(std::floor(c.y())) + n / 2,
             static_cast<int>(std::floor(c.z())) + n_up / 2};
   }
@@ -39,7 +39,7 @@ class Occupancy {
   }
   static int offset(const Eigen::Vector2i& shift) { return shift.y() * stride + shift.x(); }
 
-  // How many of the cells are taken when all are shifted by `offset` and up by -steps_up to steps_up.
+  // How many of the cells are occupied when all are shifted by `offset` and up by -steps_up to steps_up.
   std::array<int, 2 * steps_up + 1> hits(const std::vector<int>& indices, int offset) const {
     constexpr int bits = 21;
     static constexpr auto counts = [] {
@@ -58,7 +58,7 @@ class Occupancy {
   }
 
  private:
-  static constexpr int n = 2 * static_cast<int>(reach_m / cell_m), n_up = 2 * static_cast<int>(height_m / cell_m);
+  static constexpr int n = 2 * static_cast<int>(reach / cell_size), n_up = 2 * static_cast<int>(height / cell_size);
   static constexpr int margin = 2 * (steps_ahead + steps_aside), margin_up = 2 * steps_up;
   static constexpr int stride = n + 2 * margin, stride_up = stride * stride;
 
@@ -76,7 +76,7 @@ std::vector<Eigen::Vector3d> points_of(const Keyframe& keyframe) {
   std::vector<Eigen::Vector3d> out;
   for (const auto* part : {&keyframe.edges, &keyframe.planes})
     for (const auto& p : *part)
-      if (p.norm() < reach_m && seen.insert(grid_key(Eigen::Vector3d(p.cast<double>() / point_spacing_m))))
+      if (p.norm() < reach && seen.insert(grid_key(Eigen::Vector3d(p.cast<double>() / point_spacing))))
         out.push_back(p.cast<double>());
   return out;
 }
@@ -113,7 +113,8 @@ PlaceGuess place_on_stretch(const std::vector<Keyframe>& keyframes, std::size_t 
           if (share <= best.score) continue;
           best.score = share;
           best.T_map_keyframe.linear() = R;
-          best.T_map_keyframe.translation() = guess.translation() + cell_m * Eigen::Vector3d(shift.x(), shift.y(), up);
+          best.T_map_keyframe.translation() =
+              guess.translation() + cell_size * Eigen::Vector3d(shift.x(), shift.y(), up);
         }
       }
   }

@@ -10,26 +10,27 @@
 namespace bole::slam {
 namespace {
 
-// A loop is good to a centimetre whatever its Hessian claims, for the errors of neighbouring points go together.
-constexpr double loop_sigma_m = 0.01, loop_sigma_rad = 0.001;
+// A loop is accurate to a centimetre whatever its Hessian claims, because the errors of neighbouring points are
+// correlated.
+constexpr double loop_sigma = 0.01, loop_sigma_rad = 0.001;
 constexpr double kernel_sigmas = 3;
-// What is so far from where the rest puts it is no imprecise loop but another place.
-constexpr double refused_m = 0.5, refused_rad = 0.1;
-// Of the loops; where more are refused it is the odometry that is in doubt.
-constexpr double most_refused = 0.25;
-constexpr int most_iterations = 50;
+// A loop this far from where the rest puts it is another place, not an imprecise one.
+constexpr double max_error = 0.5, max_error_rad = 0.1;
+// Share of the loops. Where more are refused, the odometry is in doubt.
+constexpr double max_refused_share = 0.25;
+constexpr int max_iterations = 50;
 
-// How far the odometry is believed from one key frame to the next, and the kernels of the loops, in standard
-// deviations, of the solutions that follow one another.
+// How far the odometry is trusted from one keyframe to the next, and the kernels of the loops in standard deviations,
+// one for each solution in turn.
 struct Trust {
-  double sigma_floor_m, sigma_per_m, sigma_rad;
+  double sigma_floor, sigma_per_m, sigma_rad;
   std::span<const double> kernels;
 };
 
 constexpr std::array<double, 1> narrow_kernel{kernel_sigmas};
 constexpr std::array<double, 6> narrowing_kernel{1000, 300, 100, 30, 10, kernel_sigmas};
 constexpr Trust drifts{0.002, 0.01, 0.0005, narrow_kernel};
-// A kernel of centimetres does not feel loops that put the path metres off, however many agree. So it begins wide and
+// A kernel of centimetres ignores loops that move the trajectory by metres, however many agree. So it starts wide and
 // is narrowed (graduated non-convexity: Yang, Antonante, Tzoumas and Carlone 2020).
 constexpr Trust slips{0.002, 0.05, 0.002, narrowing_kernel};
 
@@ -42,7 +43,7 @@ struct GraphPose {
 struct RelativePoseError {
   Eigen::Quaterniond q_ab;
   Eigen::Vector3d t_ab;
-  double weight_rad, weight_m;
+  double weight_turn, weight_shift;
 
   template <class T>
   bool operator()(const T* qa, const T* ta, const T* qb, const T* tb, T* residual) const {
@@ -50,15 +51,15 @@ struct RelativePoseError {
     const Eigen::Map<const Eigen::Matrix<T, 3, 1>> pa(ta), pb(tb);
     Eigen::Map<Eigen::Matrix<T, 6, 1>> r(residual);
     const Eigen::Quaternion<T> difference = q_ab.cast<T>().conjugate() * (a.conjugate() * b);
-    r.template head<3>() = T(2.0 * weight_rad) * (difference.w() < T(0) ? T(-1) : T(1)) * difference.vec();
-    r.template tail<3>() = T(weight_m) * (a.conjugate() * (pb - pa) - t_ab.cast<T>());
+    r.template head<3>() = T(2.0 * weight_turn) * (difference.w() < T(0) ? T(-1) : T(1)) * difference.vec();
+    r.template tail<3>() = T(weight_shift) * (a.conjugate() * (pb - pa) - t_ab.cast<T>());
     return true;
   }
 };
 
-ceres::CostFunction* edge(const Pose& T_ab, double sigma_rad, double sigma_m) {
+ceres::CostFunction* edge(const Pose& T_ab, double sigma_rad, double sigma) {
   return new ceres::AutoDiffCostFunction<RelativePoseError, 6, 4, 3, 4, 3>(
-      new RelativePoseError{Eigen::Quaterniond(T_ab.linear()), T_ab.translation(), 1 / sigma_rad, 1 / sigma_m});
+      new RelativePoseError{Eigen::Quaterniond(T_ab.linear()), T_ab.translation(), 1 / sigma_rad, 1 / sigma});
 }
 
 class CancelCallback : public ceres::IterationCallback {
@@ -73,14 +74,14 @@ class CancelCallback : public ceres::IterationCallback {
   const Run& run_;
 };
 
-// Nothing of an adjustment that failed is used.
+// The result of an adjustment that failed: the poses of the start.
 PoseGraphResult unsolved(PoseGraphResult out, const std::vector<Pose>& start, const std::string& why) {
   out.T_map_keyframe = start;
-  out.warnings = {"the loops could not be adjusted and none is used: " + why};
+  out.warnings = {"the loop closures could not be adjusted and none is used: " + why};
   return out;
 }
 
-// One adjustment from `start` on with the loops that are not refused, a solution for each kernel in turn.
+// One adjustment from `start` on with the loops that are not refused; one solution for each kernel in turn.
 PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                          const std::vector<std::uint8_t>& refused, const std::vector<Pose>& start, const Trust& trust,
                          const Run& run) {
@@ -99,7 +100,7 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
   };
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     const Pose T = keyframes[k - 1].T_map_keyframe.inverse() * keyframes[k].T_map_keyframe;
-    add(k - 1, k, edge(T, trust.sigma_rad, trust.sigma_floor_m + trust.sigma_per_m * T.translation().norm()), nullptr);
+    add(k - 1, k, edge(T, trust.sigma_rad, trust.sigma_floor + trust.sigma_per_m * T.translation().norm()), nullptr);
   }
   std::vector<ceres::ResidualBlockId> loop_blocks;
   std::vector<ceres::LossFunctionWrapper*> losses;  // owned by the problem
@@ -107,7 +108,7 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
     const auto& l = loops[i];
     if (refused[i]) continue;
     losses.push_back(new ceres::LossFunctionWrapper(nullptr, ceres::TAKE_OWNERSHIP));
-    loop_blocks.push_back(add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma_m), losses.back()));
+    loop_blocks.push_back(add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma), losses.back()));
   }
 
   PoseGraphResult out;
@@ -116,7 +117,7 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
     problem.SetParameterBlockConstant(nodes.front().t.data());
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.max_num_iterations = most_iterations;
+    options.max_num_iterations = max_iterations;
     options.num_threads = 1;  // the same sums in the same order
     CancelCallback cancel(run);
     options.callbacks.push_back(&cancel);
@@ -125,7 +126,8 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
       ceres::Solver::Summary summary;
       ceres::Solve(options, &problem, &summary);
       run.check_cancel();
-      out.initial_cost = summary.initial_cost, out.final_cost = summary.final_cost;
+      out.initial_cost = summary.initial_cost;
+      out.final_cost = summary.final_cost;
       out.solved = summary.IsSolutionUsable() && std::isfinite(summary.final_cost);
       out.settled = summary.termination_type != ceres::NO_CONVERGENCE;
       if (!out.solved) return unsolved(std::move(out), start, summary.message);
@@ -150,8 +152,8 @@ std::vector<std::uint8_t> contradicting(const std::vector<Loop>& loops, const st
   std::vector<std::uint8_t> refused;
   for (const auto& l : loops) {
     const Pose error = l.T_from_to.inverse() * (T_map_keyframe[l.from].inverse() * T_map_keyframe[l.to]);
-    refused.push_back(error.translation().norm() > refused_m ||
-                      Eigen::AngleAxisd(error.linear()).angle() > refused_rad);
+    refused.push_back(error.translation().norm() > max_error ||
+                      Eigen::AngleAxisd(error.linear()).angle() > max_error_rad);
   }
   return refused;
 }
@@ -173,19 +175,22 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
   };
   if (!out.solved) return given_up(out);
   auto refused = contradicting(loops, out.T_map_keyframe);
-  if (static_cast<double>(std::ranges::count(refused, 1)) > most_refused * static_cast<double>(loops.size())) {
+  if (static_cast<double>(std::ranges::count(refused, 1)) > max_refused_share * static_cast<double>(loops.size())) {
     auto again = adjusted(keyframes, loops, none, start, slips, run);
     auto refused_again = contradicting(loops, again.T_map_keyframe);
     if (again.solved && std::ranges::count(refused_again, 1) < std::ranges::count(refused, 1)) {
-      trust = slips, trust.kernels = narrow_kernel;
-      start = again.T_map_keyframe, out = std::move(again), refused = std::move(refused_again);
+      trust = slips;
+      trust.kernels = narrow_kernel;
+      start = again.T_map_keyframe;
+      out = std::move(again);
+      refused = std::move(refused_again);
     }
   }
   if (std::ranges::count(refused, 1) > 0) out = adjusted(keyframes, loops, refused, start, trust, run);
   if (!out.solved) return given_up(out);
   if (!out.settled)
-    out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loops stopped after " +
-                           std::to_string(most_iterations) + " iterations, before it settled");
+    out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loop closures stopped after " +
+                           std::to_string(max_iterations) + " iterations without converging");
   out.refused = std::move(refused);
   return out;
 }

@@ -1,4 +1,4 @@
-// Key-frame poses that agree best with odometry and loops.
+// Keyframe poses that agree best with odometry and loop closures.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace bole::slam {
 struct PoseGraphResult {
   std::vector<Pose> T_map_keyframe;
   double initial_cost = 0, final_cost = 0;
-  std::size_t doubted_loops = 0;  // loops that the robust kernel gave less than a tenth of their weight
-  // By loop: 1 where it contradicts the others and the odometry so much that it must be another place. These were left
-  // out of a second adjustment, which the poses come from.
+  std::size_t doubted_loops = 0;  // loops to which the robust kernel gave less than a tenth of their weight
+  // One per loop: 1 where it contradicts the others and the odometry so much that it must be another place. These loops
+  // are left out of a second adjustment, which gives the poses.
   std::vector<std::uint8_t> refused;
-  bool solved = true, settled = true;  // a solution was found; and within the iterations
-  // What the report should warn of: an adjustment that found no solution, or broke off before it settled.
+  bool solved = true, settled = true;  // `solved`: there is a solution; `settled`: it converged within the iterations
+  // Warnings for the report: an adjustment that found no solution, or did not converge.
   std::vector<std::string> warnings;
 };
 
-// The first key frame stands; loops that contradict the rest are refused. Odometry edges join neighbours, loops are
-// held by a Cauchy kernel. Where a quarter of the loops would be refused the odometry is believed to 5 % of
-// the way in place of 1 %, and the kernel begins wide, so that many loops that agree prevail over a path that slipped.
-// Where an adjustment has no solution the key frames stay where they were and all loops are refused, with a warning;
-// one that did not settle within its iterations is used, with a warning. Throws Error{cancelled}.
+// The first keyframe is fixed. Odometry edges join neighbours, and loops have a Cauchy kernel. Loops that contradict
+// the rest are refused. Where more than a quarter of the loops would be refused, the odometry is trusted to 5 % of the
+// distance instead of 1 %, and the kernel starts wide, so that many loops that agree prevail over a trajectory that
+// slipped. Where an adjustment has no solution, the keyframes keep their poses and all loops are refused, with a
+// warning. One that did not converge is used, with a warning. Throws Error{cancelled}.
 PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
                                     const Run& run);
 

@@ -7,19 +7,20 @@
 namespace bole::slam {
 namespace {
 
-constexpr float lowest_m = -2;
-constexpr float least_height_m = 0.05f;  // so that a taken cell is never 0
-constexpr double least_shared = 0.3;     // of the columns that either has
+constexpr float lowest = -2;
+constexpr float min_height = 0.05f;  // so that an occupied cell is never 0
+constexpr double min_shared = 0.3;   // of the columns that either has
 
-// Mean cosine distance of the columns that both have, `b` moved by `shift`: round and round, or off the edge.
+// Mean cosine distance of the common columns with `b` moved by `shift`. The columns wrap around with `wrap`, and are
+// cut off without.
 double column_distance(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, const std::vector<float>& norm_a,
-                       const std::vector<float>& norm_b, int shift, bool round, bool reversed) {
+                       const std::vector<float>& norm_b, int shift, bool wrap, bool reversed) {
   const int n = static_cast<int>(a.cols());
   double sum = 0;
   int shared = 0, either = 0;
   for (int j = 0; j < n; ++j) {
     int k = j - shift;
-    if (round) k = ((k % n) + n) % n;
+    if (wrap) k = ((k % n) + n) % n;
     const bool inside = k >= 0 && k < n;
     const int from = reversed ? n - 1 - k : k;
     const float na = norm_a[static_cast<std::size_t>(j)], nb = inside ? norm_b[static_cast<std::size_t>(from)] : 0;
@@ -29,7 +30,7 @@ double column_distance(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, const
     sum += 1 - dot / (na * nb);
     ++shared;
   }
-  return shared > 0 && shared >= least_shared * either ? sum / shared : 1;
+  return shared > 0 && shared >= min_shared * either ? sum / shared : 1;
 }
 
 std::vector<float> column_norms(const Eigen::MatrixXf& m) {
@@ -60,10 +61,10 @@ ScanContext make_scan_context(const std::vector<Eigen::Vector3f>& points, const 
   ScanContext out;
   out.polar = Eigen::MatrixXf::Zero(shape.rings, shape.sectors);
   out.cart = Eigen::MatrixXf::Zero(shape.rows, shape.columns);
-  const auto range = static_cast<float>(shape.range_m);
+  const auto range = static_cast<float>(shape.range);
   const auto raise = [](float& cell, float height) { cell = std::max(cell, height); };
   for (const auto& p : points) {
-    const float r = p.head<2>().norm(), height = std::max(p.z() - lowest_m, least_height_m);
+    const float r = p.head<2>().norm(), height = std::max(p.z() - lowest, min_height);
     if (!(r < range)) continue;
     float turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi_v<float>);
     turn -= std::floor(turn);
@@ -92,8 +93,8 @@ ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_s
 
 ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed) {
   const auto na = column_norms(a.cart), nb = column_norms(b.cart);
-  const int most = static_cast<int>(a.cart.cols()) / 4;
-  return best_shift(-most, most,
+  const int max_shift = static_cast<int>(a.cart.cols()) / 4;
+  return best_shift(-max_shift, max_shift,
                     [&](int shift) { return column_distance(a.cart, b.cart, na, nb, shift, false, reversed); });
 }
 

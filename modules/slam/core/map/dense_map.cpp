@@ -11,7 +11,7 @@
 namespace bole::slam {
 namespace {
 
-constexpr std::size_t least_counters = 1u << 20, most_counters = 1u << 28;
+constexpr std::size_t min_counters = 1u << 20, max_counters = 1u << 28;
 constexpr std::size_t chunk = 4096;
 
 template <class T>
@@ -26,18 +26,25 @@ void keep_every_second(std::vector<T>& v) {
 DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
     : settings_(settings),
       counters_(settings.expected_points == 0
-                    ? most_counters
-                    : std::clamp(std::bit_ceil(4 * settings.expected_points), least_counters, most_counters)) {
+                    ? max_counters
+                    : std::clamp(std::bit_ceil(4 * settings.expected_points), min_counters, max_counters)) {
   // Reserved memory is not touched until it is used, and nothing is copied as the map grows.
   const std::size_t room =
-      settings.expected_points == 0 ? settings.most_points : std::min(settings.most_points, settings.expected_points);
-  positions_.reserve(room), time_.reserve(room), range_.reserve(room), intensity_.reserve(room), ring_.reserve(room);
-  sensor_x_.reserve(room), sensor_y_.reserve(room), sensor_z_.reserve(room), pass_.reserve(room),
-      keyframe_.reserve(room);
+      settings.expected_points == 0 ? settings.max_points : std::min(settings.max_points, settings.expected_points);
+  positions_.reserve(room);
+  time_.reserve(room);
+  range_.reserve(room);
+  intensity_.reserve(room);
+  ring_.reserve(room);
+  sensor_x_.reserve(room);
+  sensor_y_.reserve(room);
+  sensor_z_.reserve(room);
+  pass_.reserve(room);
+  keyframe_.reserve(room);
 }
 
 bool DenseMapBuilder::admit(const Eigen::Vector3f& position, std::int32_t pass) {
-  const Eigen::Vector3d in_voxels = position.cast<double>() / settings_.voxel_m;
+  const Eigen::Vector3d in_voxels = position.cast<double>() / settings_.voxel;
   const std::uint64_t h =
       mix_bits(grid_key(in_voxels) ^ (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
   const std::size_t mask = counters_.size() - 1;
@@ -54,18 +61,28 @@ bool DenseMapBuilder::survives(std::uint64_t serial) const {
 
 void DenseMapBuilder::halve() {
   ++halvings_;
-  keep_every_second(positions_), keep_every_second(time_), keep_every_second(range_), keep_every_second(intensity_),
-      keep_every_second(ring_);
-  keep_every_second(sensor_x_), keep_every_second(sensor_y_), keep_every_second(sensor_z_), keep_every_second(pass_),
-      keep_every_second(keyframe_);
+  keep_every_second(positions_);
+  keep_every_second(time_);
+  keep_every_second(range_);
+  keep_every_second(intensity_);
+
+  keep_every_second(ring_);
+  keep_every_second(sensor_x_);
+  keep_every_second(sensor_y_);
+  keep_every_second(sensor_z_);
+  keep_every_second(pass_);
+
+  keep_every_second(keyframe_);
 }
 
 void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::int32_t pass, std::int32_t keyframe) {
   const std::size_t n = frame.size();
-  const auto min2 = static_cast<float>(settings_.range_min_m * settings_.range_min_m),
-             max2 = static_cast<float>(settings_.range_max_m * settings_.range_max_m);
+  const auto min2 = static_cast<float>(settings_.min_range * settings_.min_range),
+             max2 = static_cast<float>(settings_.max_range * settings_.max_range);
   const auto inverse_span = static_cast<float>(1.0 / std::max(frame.end_time_s - frame.start_time_s, 1e-6));
-  in_map_.resize(n), sensor_.resize(n), usable_.resize(n);
+  in_map_.resize(n);
+  sensor_.resize(n);
+  usable_.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, chunk), [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const float r2 = frame.positions[i].squaredNorm();
@@ -81,7 +98,7 @@ void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::in
     if (!usable_[i]) continue;
     ++offered_;
     if (!admit(in_map_[i], pass) || !survives(serial_++)) continue;
-    if (positions_.size() >= settings_.most_points) halve();
+    if (positions_.size() >= settings_.max_points) halve();
     positions_.push_back(in_map_[i]);
     time_.push_back(frame.start_time_s + frame.time_offset_s[i]);
     range_.push_back(frame.positions[i].norm());
@@ -89,7 +106,9 @@ void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::in
     ring_.push_back(i < frame.ring.size() ? frame.ring[i] : 0);
     pass_.push_back(pass);
     keyframe_.push_back(keyframe);
-    sensor_x_.push_back(sensor_[i].x()), sensor_y_.push_back(sensor_[i].y()), sensor_z_.push_back(sensor_[i].z());
+    sensor_x_.push_back(sensor_[i].x());
+    sensor_y_.push_back(sensor_[i].y());
+    sensor_z_.push_back(sensor_[i].z());
   }
 }
 

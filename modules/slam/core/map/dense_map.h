@@ -1,4 +1,4 @@
-// The map that goes out: all returns, de-skewed with the final path and thinned evenly, with the history of each point.
+// The output map: all returns, de-skewed with the final path and thinned evenly, with the history of each point.
 #pragma once
 
 #include <cstdint>
@@ -11,27 +11,27 @@
 namespace bole::slam {
 
 struct DenseMapSettings {
-  double range_min_m = 0.8, range_max_m = 25;
-  double voxel_m = 0.015;
+  double min_range = 0.8, max_range = 25;
+  double voxel = 0.015;
   int points_per_voxel = 1;  // of each pass
-  std::size_t most_points = 20'000'000;
-  std::size_t expected_points = 0;  // returns that will be offered, for the size of the filter; 0: unknown
+  std::size_t max_points = 20'000'000;
+  std::size_t expected_points = 0;  // expected number of returns, for the size of the filter; 0: unknown
 };
 
-// Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, the
-// lower one counts. Memory does not grow with the walk; a voxel that shares both counters with others loses points (1
-// in 100 when the filter is a tenth full). When most_points are reached, every second point is dropped, and of those to
-// come as well.
+// Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, of
+// which the lower one counts. The memory does not grow with the walk. A voxel that shares both counters with others
+// loses points (1 in 100 when the filter is 10 % full). When max_points is reached, every second point is dropped, and
+// so are those added later.
 class DenseMapBuilder {
  public:
   explicit DenseMapBuilder(const DenseMapSettings& settings);
 
-  // Sensor positions and poses over the frame come from `poses` (grid over start_time_s .. end_time_s).
+  // `poses` gives the poses over the frame (grid over start_time_s .. end_time_s).
   void add(const ScanFrame& frame, const PoseGrid& poses, std::int32_t pass, std::int32_t keyframe);
 
   std::size_t size() const { return positions_.size(); }
   std::size_t offered() const { return offered_; }
-  // How often the map had to be halved.
+  // How often the map was halved.
   int halvings() const { return halvings_; }
   // The cloud in map axes with time, range, ring, intensity, pass, keyframe and sensor_x/y/z. Leaves the builder empty.
   PointCloud take();
@@ -48,7 +48,7 @@ class DenseMapBuilder {
   std::vector<float> range_, intensity_, sensor_x_, sensor_y_, sensor_z_;
   std::vector<std::uint16_t> ring_;
   std::vector<std::int32_t> pass_, keyframe_;
-  std::vector<Eigen::Vector3f> in_map_, sensor_;  // of the frame in work
+  std::vector<Eigen::Vector3f> in_map_, sensor_;  // of the current frame
   std::vector<std::uint8_t> usable_;
   std::uint64_t serial_ = 0;
   std::size_t offered_ = 0;

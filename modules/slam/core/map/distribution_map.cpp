@@ -22,8 +22,8 @@ std::size_t place_in_block(const Cell3& c) {
 
 }  // namespace
 
-DistributionMap::DistributionMap(double finest_cell_m) : levels_(levels) {
-  for (int l = 0; l < levels; ++l) levels_[static_cast<std::size_t>(l)].cell_m = std::ldexp(finest_cell_m, l);
+DistributionMap::DistributionMap(double finest_cell_size) : levels_(levels) {
+  for (int l = 0; l < levels; ++l) levels_[static_cast<std::size_t>(l)].cell_size = std::ldexp(finest_cell_size, l);
   clear();
 }
 
@@ -80,7 +80,7 @@ void DistributionMap::insert(std::span<const Eigen::Vector3d> points, std::span<
 }
 
 void DistributionMap::Level::insert(const Eigen::Vector3d& point, std::uint16_t line_bit) {
-  const Eigen::Vector3d in_cells = point / cell_m;
+  const Eigen::Vector3d in_cells = point / cell_size;
   const Eigen::Vector3d corner(std::floor(in_cells.x()), std::floor(in_cells.y()), std::floor(in_cells.z()));
   const Cell3 c = corner.cast<std::int64_t>();
   std::uint32_t& place = block_at(block_key(c)).cell[place_in_block(c)];
@@ -89,18 +89,22 @@ void DistributionMap::Level::insert(const Eigen::Vector3d& point, std::uint16_t 
     place = static_cast<std::uint32_t>(cells.size());
   }
   Cell& cell = cells[place - 1];
-  if (cell.count >= most_per_cell) return;
-  const Eigen::Vector3f d = ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(cell_m);
+  if (cell.count >= max_per_cell) return;
+  const Eigen::Vector3f d = ((in_cells - corner).array() - 0.5).matrix().cast<float>() * static_cast<float>(cell_size);
   ++cell.count;
   cell.lines |= line_bit;
   cell.sum += d;
-  cell.second[0] += d.x() * d.x(), cell.second[1] += d.x() * d.y(), cell.second[2] += d.x() * d.z();
-  cell.second[3] += d.y() * d.y(), cell.second[4] += d.y() * d.z(), cell.second[5] += d.z() * d.z();
+  cell.second[0] += d.x() * d.x();
+  cell.second[1] += d.x() * d.y();
+  cell.second[2] += d.x() * d.z();
+  cell.second[3] += d.y() * d.y();
+  cell.second[4] += d.y() * d.z();
+  cell.second[5] += d.z() * d.z();
 }
 
-// The cells that meet in a corner, null where there is none; bit k of the index: the upper one along axis k.
+// The cells that meet in a corner, null where there is none. Bit k of the index: the upper one along axis k.
 std::array<const DistributionMap::Cell*, 8> DistributionMap::Level::cells_about(const Cell3& corner) const {
-  // Along an axis whose corner lies between two blocks, the lower and the upper cells are in different ones.
+  // Along an axis whose corner lies between two blocks, the lower and upper cells are in different blocks.
   const unsigned between = (corner.x() & 3 ? 0u : 1u) | (corner.y() & 3 ? 0u : 2u) | (corner.z() & 3 ? 0u : 4u);
   std::array<const Block*, 8> blocks_met{};
   std::array<const Cell*, 8> met{};
@@ -138,7 +142,7 @@ LocalSurface DistributionMap::Moments::surface(const Eigen::Vector3d& place, int
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
   surface.mean = place + mean;
-  surface.deviations_m = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
+  surface.deviations = solver.eigenvalues().cwiseMax(1e-12).cwiseSqrt();
   surface.axes = solver.eigenvectors();
   surface.points = count;
   surface.lines = std::popcount(lines);
@@ -146,33 +150,33 @@ LocalSurface DistributionMap::Moments::surface(const Eigen::Vector3d& place, int
   return surface;
 }
 
-// The 2 x 2 x 2 cells whose common corner is nearest to the point; moments are moved to that corner before they are
+// The 2 x 2 x 2 cells whose common corner is nearest to the point. Moments are moved to that corner before they are
 // added.
 std::optional<LocalSurface> DistributionMap::surface(const Eigen::Vector3d& point, int level_index,
-                                                     int least_points) const {
+                                                     int min_points) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
-  const double cell_m = level.cell_m, half = 0.5 * cell_m;
-  const Cell3 corner(std::llround(point.x() / cell_m), std::llround(point.y() / cell_m),
-                     std::llround(point.z() / cell_m));
+  const double cell_size = level.cell_size, half = 0.5 * cell_size;
+  const Cell3 corner(std::llround(point.x() / cell_size), std::llround(point.y() / cell_size),
+                     std::llround(point.z() / cell_size));
   const auto met = level.cells_about(corner);
   int points = 0;
   for (const Cell* cell : met) points += cell ? cell->count : 0;
-  if (points < least_points) return std::nullopt;
+  if (points < min_points) return std::nullopt;
   Moments moments;
   for (std::size_t k = 0; k < met.size(); ++k)
     if (met[k]) moments.add(*met[k], {k & 1 ? half : -half, k & 2 ? half : -half, k & 4 ? half : -half});
-  return moments.surface(cell_m * corner.cast<double>(), level_index);
+  return moments.surface(cell_size * corner.cast<double>(), level_index);
 }
 
 std::optional<LocalSurface> DistributionMap::cell_surface(const Eigen::Vector3d& point, int level_index,
-                                                          int least_points) const {
+                                                          int min_points) const {
   const Level& level = levels_[static_cast<std::size_t>(level_index)];
-  const Eigen::Vector3d in_cells = (point / level.cell_m).array().floor();
+  const Eigen::Vector3d in_cells = (point / level.cell_size).array().floor();
   const Cell* cell = level.find_cell(in_cells.cast<std::int64_t>());
-  if (!cell || cell->count < least_points) return std::nullopt;
+  if (!cell || cell->count < min_points) return std::nullopt;
   Moments moments;
   moments.add(*cell, Eigen::Vector3d::Zero());
-  return moments.surface((in_cells.array() + 0.5).matrix() * level.cell_m, level_index);
+  return moments.surface((in_cells.array() + 0.5).matrix() * level.cell_size, level_index);
 }
 
 }  // namespace bole::slam

@@ -1,7 +1,7 @@
-// A map of point distributions on a pyramid of grids: each cell keeps count, sum and second moments, so the surface
-// around a place is found by merging the eight cells about it, in constant time and with every point averaged in. Who
-// asks goes from fine to coarse until the points are enough and of the wanted shape, which adapts the neighbourhood to
-// the density of the scan.
+// A map of point distributions on a pyramid of grids. Each cell keeps count, sum and second moments, so the surface at
+// a place is found by merging the eight cells around it, in constant time and with every point averaged in. The caller
+// goes from fine to coarse until there are enough points of the wanted shape, which adapts the neighbourhood to the
+// density of the scan.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,60 +15,60 @@
 
 namespace bole::slam {
 
-// What the map looks like around a place.
+// The surface of the map around a place.
 struct LocalSurface {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Vector3d deviations_m = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, rising
+  Eigen::Vector3d deviations = Eigen::Vector3d::Zero();  // square roots of the eigenvalues of the covariance, ascending
   Eigen::Matrix3d axes =
       Eigen::Matrix3d::Identity();  // eigenvectors in columns: column 0 is the normal, column 2 the direction
   int points = 0;
-  int lines = 0;  // scan lines that they come from, as far as those were told; at most 16
+  int lines = 0;  // number of scan lines that the points come from, where known; at most 16
   int level = 0;
 
-  // 0 to 1: how plane and how line-like (Demantke et al. 2011, dimensionality features).
-  double planarity() const { return (deviations_m[1] - deviations_m[0]) / deviations_m[2]; }
-  double linearity() const { return (deviations_m[2] - deviations_m[1]) / deviations_m[2]; }
+  // How planar and how linear, 0 to 1 (Demantke et al. 2011, dimensionality features).
+  double planarity() const { return (deviations[1] - deviations[0]) / deviations[2]; }
+  double linearity() const { return (deviations[2] - deviations[1]) / deviations[2]; }
 };
 
 class DistributionMap {
  public:
   static constexpr int levels = 5;
-  static constexpr std::uint16_t most_per_cell = 200;  // then the cell is settled: early points hold against drift
+  static constexpr std::uint16_t max_per_cell = 200;  // then the cell is full: early points hold against drift
 
-  explicit DistributionMap(double finest_cell_m);
+  explicit DistributionMap(double finest_cell_size);
 
   void clear();
-  // `line_bit`: one bit for the scan line that the point comes from (see line_bit()), or 0.
+  // `line_bit`: one bit for the scan line of the point (see line_bit()), or 0.
   void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
-  // Many at once, the levels side by side; `line_bits` has one per point or is empty.
+  // Many at once, the levels in parallel. `line_bits` has one per point or is empty.
   void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {});
-  // The points about `point` on one level (the 2 x 2 x 2 cells nearest to it), when there are at least `least_points`.
-  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  // The points around `point` on one level (the 2 x 2 x 2 nearest cells), where there are at least `min_points`.
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
   // The points of the one cell that holds `point`.
-  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int least_points = 8) const;
+  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
 
-  double cell_m(int level) const { return levels_[static_cast<std::size_t>(level)].cell_m; }
+  double cell_size(int level) const { return levels_[static_cast<std::size_t>(level)].cell_size; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells.size(); }
   bool empty() const { return levels_[0].cells.empty(); }
 
  private:
-  // Moments about the centre of the cell; float32 holds them well because they are small there.
+  // Moments about the centre of the cell. They are small there, so float32 is precise enough.
   struct Cell {
     std::uint16_t count = 0, lines = 0;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float second[6] = {0, 0, 0, 0, 0, 0};  // xx xy xz yy yz zz
   };
-  // What makes this slow is memory that is not in the cache. So cells stand one after the other, found through blocks
-  // of 4 x 4 x 4: the eight cells about a place take two look-ups of a block on average, not eight of a cell.
+  // Memory that is not in the cache makes this slow. So cells are stored consecutively and found through blocks of 4 x
+  // 4 x 4: the eight cells around a place need two look-ups of a block on average, not eight of a cell.
   struct Block {
-    std::array<std::uint32_t, 64> cell{};  // 1 + place in `cells`; 0: none
+    std::array<std::uint32_t, 64> cell{};  // 1 + index in `cells`; 0: none
   };
   struct Slot {
     std::uint64_t key = ~0ull;
     std::uint32_t block = 0;
   };
   struct Level {
-    double cell_m = 0;
+    double cell_size = 0;
     std::vector<Slot> slots;  // open addressing, size a power of two
     std::vector<Block> blocks;
     std::vector<Cell> cells;
@@ -88,7 +88,7 @@ class DistributionMap {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // the lower triangle
 
-    // `centre`: of the cell, from the common place.
+    // `centre`: of the cell, relative to the common place.
     void add(const Cell& cell, const Eigen::Vector3d& centre);
     LocalSurface surface(const Eigen::Vector3d& place, int level) const;
   };
@@ -96,7 +96,7 @@ class DistributionMap {
   std::vector<Level> levels_;
 };
 
-// A bit for the elevation (in bins of a third of a degree, sixteen in turn) at which a sensor at the origin sees a
+// A bit for the elevation (in bins of a third of a degree, modulo sixteen) at which a sensor at the origin sees a
 // point.
 inline std::uint16_t line_bit(const Eigen::Vector3f& point_in_sensor) {
   const float slope = point_in_sensor.z() / std::max(point_in_sensor.head<2>().norm(), 1e-3f);

@@ -17,7 +17,7 @@ inline std::uint64_t pack_cell(std::int64_t ix, std::int64_t iy, std::int64_t iz
          ((static_cast<std::uint64_t>(iy + half) & mask) << 21) | (static_cast<std::uint64_t>(iz + half) & mask);
 }
 
-// The cell that a point, in units of the cell, lies in.
+// The cell of a point given in units of the cell.
 template <class Vector>
 std::uint64_t grid_key(const Vector& p_in_cells) {
   return pack_cell(static_cast<std::int64_t>(std::floor(p_in_cells.x())),
@@ -25,17 +25,20 @@ std::uint64_t grid_key(const Vector& p_in_cells) {
                    static_cast<std::int64_t>(std::floor(p_in_cells.z())));
 }
 
-// Bits well mixed (finalizer of MurmurHash3).
+// Mixes the bits (finalizer of MurmurHash3).
 inline std::uint64_t mix_bits(std::uint64_t k) {
-  k ^= k >> 33, k *= 0xff51afd7ed558ccdull;
-  k ^= k >> 33, k *= 0xc4ceb9fe1a85ec53ull;
+  k ^= k >> 33;
+  k *= 0xff51afd7ed558ccdull;
+  k ^= k >> 33;
+  k *= 0xc4ceb9fe1a85ec53ull;
   return k ^ (k >> 33);
 }
 
 // A set of keys with room for a known number of them.
 class GridKeySet {
  public:
-  explicit GridKeySet(std::size_t most) : slots_(std::bit_ceil(2 * most + 2), empty), mask_(slots_.size() - 1) {}
+  explicit GridKeySet(std::size_t max_keys)
+      : slots_(std::bit_ceil(2 * max_keys + 2), empty), mask_(slots_.size() - 1) {}
 
   // False when the key was there already.
   bool insert(std::uint64_t key) {

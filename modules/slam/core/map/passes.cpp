@@ -6,35 +6,35 @@
 namespace bole::slam {
 namespace {
 
-constexpr double scan_step_s = 0.05;  // the path is walked in steps of this much
+constexpr double scan_step_s = 0.05;  // step along the path
 
-bool comes_back(const std::vector<PathMark>& marks, std::size_t first_of_pass, double radius_m) {
+bool comes_back(const std::vector<PathMark>& marks, std::size_t first_of_pass, double radius) {
   const auto& now = marks.back();
   for (std::size_t j = first_of_pass; j + 1 < marks.size(); ++j) {
-    if (now.path_m - marks[j].path_m < 3 * radius_m) break;
-    if ((now.place - marks[j].place).norm() < radius_m) return true;
+    if (now.travelled - marks[j].travelled < 3 * radius) break;
+    if ((now.place - marks[j].place).norm() < radius) return true;
   }
   return false;
 }
 
 }  // namespace
 
-std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing_m,
-                                double radius_m) {
+std::vector<PathMark> mark_path(const Path& path, const std::vector<double>& keyframe_times_s, double spacing,
+                                double radius) {
   std::vector<PathMark> marks;
   std::size_t first_of_pass = 0;
   const auto steps = static_cast<std::size_t>(std::ceil((path.end_s() - path.begin_s()) / scan_step_s));
   Eigen::Vector3d last = path.at(path.begin_s()).translation();
-  double path_m = 0;
+  double travelled = 0;
   for (std::size_t i = 0; i <= steps; ++i) {
     const double t = std::min(path.begin_s() + static_cast<double>(i) * scan_step_s, path.end_s());
     const Eigen::Vector3d place = path.at(t).translation();
-    path_m += (place - last).norm();
+    travelled += (place - last).norm();
     last = place;
-    if (!marks.empty() && path_m - marks.back().path_m < spacing_m) continue;
+    if (!marks.empty() && travelled - marks.back().travelled < spacing) continue;
     const std::int32_t pass = marks.empty() ? 0 : marks.back().pass;
-    marks.push_back({t, place, path_m, static_cast<std::int32_t>(marks.size()), pass});
-    if (comes_back(marks, first_of_pass, radius_m)) {
+    marks.push_back({t, place, travelled, static_cast<std::int32_t>(marks.size()), pass});
+    if (comes_back(marks, first_of_pass, radius)) {
       first_of_pass = marks.size() - 1;
       ++marks.back().pass;
     }

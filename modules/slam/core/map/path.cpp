@@ -23,14 +23,15 @@ Path::Path(std::vector<StampedPose> nodes) : nodes_(std::move(nodes)) {
   update_velocities();
 }
 
-// Of unevenly spaced neighbours the nearer counts more: the velocity of the parabola through three nodes.
+// Of unevenly spaced neighbours the nearer one counts more: the velocity of the parabola through three nodes.
 void Path::update_velocities() {
   const auto n = nodes_.size();
   std::vector<Vector6d> pieces(n - 1);
   for (std::size_t i = 0; i + 1 < n; ++i) {
     const double dt = nodes_[i + 1].time_s - nodes_[i].time_s;
-    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt,
-        (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
+    pieces[i] << relative_turn(nodes_[i].T_target_sensor, nodes_[i + 1].T_target_sensor) / dt;
+
+    (nodes_[i + 1].T_target_sensor.translation() - nodes_[i].T_target_sensor.translation()) / dt;
   }
   velocities_.assign(n, Vector6d::Zero());
   velocities_.front() = pieces.front();
@@ -89,12 +90,12 @@ Path::Influence Path::influence(double time_s) const {
   return out;
 }
 
-Trajectory Path::sampled(double rate_hz, Axes axes) const {
+Trajectory Path::sampled(double rate, Axes axes) const {
   Trajectory out;
   out.axes = axes;
-  const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil((end_s() - begin_s()) * rate_hz)));
+  const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil((end_s() - begin_s()) * rate)));
   for (std::size_t i = 0; i <= steps; ++i) {
-    const double t = i == steps ? end_s() : begin_s() + static_cast<double>(i) / rate_hz;
+    const double t = i == steps ? end_s() : begin_s() + static_cast<double>(i) / rate;
     out.poses.push_back({t, at(t)});
   }
   return out;

@@ -1,6 +1,6 @@
-// The sensor's path as a smooth curve through poses: cubic between nodes, with velocities from the neighbouring nodes
-// (Catmull-Rom on positions and on rotation vectors). Linear interpolation between frames loses millimetres to
-// centimetres of a walking gait; this does not.
+// The path of the sensor as a smooth curve through poses: cubic between nodes, with velocities from the neighbouring
+// nodes (Catmull-Rom on positions and on rotation vectors). Linear interpolation between frames would lose millimetres
+// to centimetres of a walking gait.
 #pragma once
 
 #include <array>
@@ -24,24 +24,25 @@ class Path {
     return time_s >= begin_s() - margin_s && time_s <= end_s() + margin_s;
   }
 
-  // Beyond the ends the motion of the outermost piece goes on.
+  // Beyond the ends, the motion of the outermost piece continues.
   Pose at(double time_s) const;
 
-  // The nodes that the pose at a time depends on, and how much a small move of each moves it: weights sum to 1. A piece
-  // between nodes i and i + 1 depends on i - 1 .. i + 2; at the ends of the path the missing ones have weight 0.
+  // The nodes that the pose at a time depends on, and how far a small displacement of each moves it: the weights sum to
+  // 1. A piece between nodes i and i + 1 depends on i - 1 .. i + 2; at the ends of the path missing nodes have weight
+  // 0.
   struct Influence {
     std::ptrdiff_t first = 0;  // node i - 1: may be -1
     std::array<double, 4> weight{};
   };
   Influence influence(double time_s) const;
 
-  // Replaces the poses of the nodes, their times stay.
+  // Replaces the pose of a node; its time stays.
   void set_pose(std::size_t node, const Pose& T) { nodes_[node].T_target_sensor = T; }
-  // Velocities belong to the poses: call after the last set_pose().
+  // Call after the last set_pose(): the velocities depend on the poses.
   void update_velocities();
 
   // Poses at an even rate from begin to end, both included.
-  Trajectory sampled(double rate_hz, Axes axes) const;
+  Trajectory sampled(double rate, Axes axes) const;
 
  private:
   struct Piece {
@@ -54,8 +55,8 @@ class Path {
   std::vector<Vector6d> velocities_;  // turn in sensor axes (rad/s), shift in map axes (m/s)
 };
 
-// A path through frames: a node where each begins and ends; a begin and the end before it that are less than `join_s`
-// apart become one.
+// A path through frames, with a node where each begins and ends. A begin less than `join_s` after the last end is
+// merged with it.
 Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s,
                          double join_s = 0.02);
 

@@ -51,7 +51,8 @@ class BandedSystem {
   std::vector<Vector6d> g_;
 };
 
-// Sums over the points of one frame: per piece of the path that it touches, equations on the four nodes of that piece.
+// Sums over the points of one frame: for each piece of the path that it touches, equations on the four nodes of that
+// piece.
 struct PieceSums {
   std::ptrdiff_t first = 0;
   std::array<std::array<Matrix6d, 4>, 4> H;  // upper: [a][b], b >= a
@@ -63,7 +64,7 @@ struct PieceSums {
 };
 struct FrameSums {
   std::vector<PieceSums> pieces;
-  double squared_m2 = 0;
+  double squared_error = 0;
   std::size_t inliers = 0;
 };
 
@@ -87,17 +88,21 @@ void build_map(const Path& path, const std::vector<FrameSample>& frames, Feature
     if (edges.size() >= batch) hand_over(edges, maps.edges);
     if (planes.size() >= batch) hand_over(planes, maps.planes);
   }
-  hand_over(edges, maps.edges), hand_over(planes, maps.planes);
+  hand_over(edges, maps.edges);
+  hand_over(planes, maps.planes);
 }
 
 void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line,
                   const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s);
   const Eigen::Vector3d x = lever + poses.translation(p.s);
-  const auto target = find_target(map, x, line, 0, settings.sigma_m, CellChoice::cell);
+  const auto target = find_target(map, x, line, 0, settings.sigma, CellChoice::cell);
   if (target.kind == Target::Kind::none) return;
   const auto e = pose_equations(target, x, lever, settings.kernel_sigmas);
-  if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2;
+  if (e.inlier) {
+    ++sums.inliers;
+    sums.squared_error += e.squared_error;
+  }
 
   const auto influence = path.influence(frame.begin_s + static_cast<double>(p.s) * (frame.end_s - frame.begin_s));
   auto piece = std::ranges::find(sums.pieces, influence.first, &PieceSums::first);
@@ -121,8 +126,8 @@ void add_to_system(const FrameSums& sums, BandedSystem& system) {
     }
 }
 
-// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. Holds nodes where no
-// frame is.
+// The path is smooth: velocities of neighbouring pieces differ by what a walking person can do. This holds nodes where
+// there is no frame.
 void add_smoothness(const Path& path, const RefineSettings& settings, BandedSystem& system) {
   const auto& nodes = path.nodes();
   for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
@@ -131,11 +136,13 @@ void add_smoothness(const Path& path, const RefineSettings& settings, BandedSyst
     const Pose &A = nodes[i - 1].T_target_sensor, &B = nodes[i].T_target_sensor, &C = nodes[i + 1].T_target_sensor;
     Vector6d error;
     error << so3_log(Eigen::Quaterniond(C.linear() * B.linear().transpose())) / after -
-                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before,
-        (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
+                 so3_log(Eigen::Quaterniond(B.linear() * A.linear().transpose())) / before;
+
+    (C.translation() - B.translation()) / after - (B.translation() - A.translation()) / before;
     Vector6d w;
-    w << Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_rad_s2 * mean, -2)),
-        Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma_m_s2 * mean, -2));
+    w << Eigen::Vector3d::Constant(std::pow(settings.angular_acceleration_sigma * mean, -2));
+
+    Eigen::Vector3d::Constant(std::pow(settings.acceleration_sigma * mean, -2));
     const std::array<double, 3> share{1 / before, -1 / before - 1 / after, 1 / after};
     for (std::size_t a = 0; a < 3; ++a) {
       system.gradient(i - 1 + a) += share[a] * w.cwiseProduct(error);
@@ -158,14 +165,29 @@ Path with_nodes_every(const Path& path, double spacing_s) {
   return Path(std::move(nodes));
 }
 
-// Empty when the steps of a round can be believed. Odometry and loops are right to decimetres, or they were refused.
+// Why the steps of an iteration are not credible; empty when they are. Odometry and loops are right to decimetres, or
+// they were refused.
 std::string objection(const std::vector<Vector6d>& steps) {
-  constexpr double most_m = 1;
+  constexpr double max_step = 1;
   if (steps.empty()) return "it has no solution";
-  double largest_m = 0;
-  for (const auto& step : steps) largest_m = std::max(largest_m, step.tail<3>().norm());
-  if (largest_m <= most_m) return {};
-  return "it would move the path by " + number_text(std::round(largest_m * 10) / 10) + " m";
+  double largest = 0;
+  for (const auto& step : steps) largest = std::max(largest, step.tail<3>().norm());
+  if (largest <= max_step) return {};
+  return "it would move the path by " + number_text(std::round(largest * 10) / 10) + " m";
+}
+
+// Returns the root mean square displacement.
+double move_nodes(Path& path, const std::vector<Vector6d>& steps) {
+  double squared = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    Pose T = path.nodes()[i].T_target_sensor;
+    T.linear() = so3_exp(steps[i].head<3>()).toRotationMatrix() * T.linear();
+    T.translation() += steps[i].tail<3>();
+    path.set_pose(i, T);
+    squared += steps[i].tail<3>().squaredNorm();
+  }
+  path.update_velocities();
+  return std::sqrt(squared / static_cast<double>(steps.size()));
 }
 
 }  // namespace
@@ -173,14 +195,14 @@ std::string objection(const std::vector<Vector6d>& steps) {
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
                          const Run& run) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
-  FeatureMaps maps(settings.cell_m);
-  constexpr std::size_t batch = 64;  // frames between looks at the clock and the cancel flag
-  for (int round = 0; round < settings.rounds && !run.asked_to_finish(); ++round) {
-    const Run part =
-        run.part(static_cast<double>(round) / settings.rounds, static_cast<double>(round + 1) / settings.rounds);
+  FeatureMaps maps(settings.cell_size);
+  constexpr std::size_t batch = 64;  // frames between checks of the cancel flag
+  for (int iteration = 0; iteration < settings.iterations && !run.asked_to_finish(); ++iteration) {
+    const Run part = run.part(static_cast<double>(iteration) / settings.iterations,
+                              static_cast<double>(iteration + 1) / settings.iterations);
     build_map(out.path, frames, maps, part);
     BandedSystem system(out.path.nodes().size());
-    double squared_m2 = 0;
+    double squared_error = 0;
     std::size_t inliers = 0;
     for (std::size_t begin = 0; begin < frames.size(); begin += batch) {
       const std::size_t end = std::min(begin + batch, frames.size());
@@ -197,25 +219,20 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
           });
       part.check_cancel();
       part.report(static_cast<double>(end) / static_cast<double>(frames.size()), "adjusting the path");
-      for (const auto& s : sums) add_to_system(s, system), squared_m2 += s.squared_m2, inliers += s.inliers;
+      for (const auto& s : sums) {
+        add_to_system(s, system);
+        squared_error += s.squared_error;
+        inliers += s.inliers;
+      }
     }
     add_smoothness(out.path, settings, system);
-    // The map hangs on the first pose.
+    // The first pose fixes the map.
     system.block(0, 0).diagonal().array() += 1e10;
 
     const auto steps = system.solve();
     if (out.stopped = objection(steps); !out.stopped.empty()) break;
-    double squared_step = 0;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      Pose T = out.path.nodes()[i].T_target_sensor;
-      T.linear() = so3_exp(steps[i].head<3>()).toRotationMatrix() * T.linear();
-      T.translation() += steps[i].tail<3>();
-      out.path.set_pose(i, T);
-      squared_step += steps[i].tail<3>().squaredNorm();
-    }
-    out.path.update_velocities();
-    out.rms_m.push_back(inliers ? std::sqrt(squared_m2 / static_cast<double>(inliers)) : 0);
-    out.step_m.push_back(std::sqrt(squared_step / static_cast<double>(steps.size())));
+    out.step_size.push_back(move_nodes(out.path, steps));
+    out.rms.push_back(inliers ? std::sqrt(squared_error / static_cast<double>(inliers)) : 0);
   }
   return out;
 }

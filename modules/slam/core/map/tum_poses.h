@@ -1,4 +1,4 @@
-// Given poses: a text file of lines "time x y z qx qy qz qw" (TUM), '#' starts a comment.
+// Given poses: a text file with lines "time x y z qx qy qz qw" (TUM); '#' starts a comment.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace bole::slam {
 
-// Throws Error{bad_input} that names file and line for a line that is not eight numbers, a zero quaternion, or a time
-// that does not rise.
+// Throws Error{bad_input} with file and line where a line is not eight numbers, a quaternion is not of length 1, or the
+// times are not ascending.
 std::vector<StampedPose> read_tum_poses(const std::filesystem::path& file);
 
 }  // namespace bole::slam

@@ -1,4 +1,4 @@
-// The points of a frame that take part in registration.
+// The points of a frame that are used for registration.
 #pragma once
 
 #include <vector>
@@ -18,22 +18,25 @@ struct FeaturePoint {
 struct FeatureSet {
   std::vector<FeaturePoint> edges, planes;
   std::size_t size() const { return edges.size() + planes.size(); }
-  void clear() { edges.clear(), planes.clear(); }
+  void clear() {
+    edges.clear();
+    planes.clear();
+  }
 };
 
 struct Features {
   FeatureSet query;  // sparse: registered against the map
-  FeatureSet map;    // denser: what a key frame adds to the map
+  FeatureSet map;    // denser: what a keyframe adds to the map
 };
 
-// By options.features: "curvature" (LOAM: Zhang and Singh 2014, section V-A, with the occlusion rules of
-// options.occlusion), "connected" (the same, but curvature is measured among neighbours without a step in range between
-// them, and planes are thinned on a grid in place of taking the smoothest), "ground" (the same, but the planes to be
-// registered lie on the ground, edges on things that stand on it, and what is loose is left out: Shan and Englot 2018)
-// or "sampled" (points thinned on a voxel grid, all of them plane candidates).
+// As settings.features says, see FeatureKind. `curvature`: Zhang and Singh 2014 (LOAM), section V-A, with the occlusion
+// rules of settings.occlusion. `connected`: the same, but curvature is measured only among neighbours without a step in
+// range between them, and planes are thinned on a grid instead of taking the flattest. `ground`: as `curvature`, but
+// the planes to be registered lie on the ground, the edges on objects that stand on it, and loose points are left out
+// (Shan and Englot 2018). `sampled`: points thinned on a voxel grid, all of them plane candidates.
 class FeatureExtractor {
  public:
-  explicit FeatureExtractor(const SlamOptions& options) : options_(options) {}
+  explicit FeatureExtractor(const SlamSettings& settings) : settings_(settings) {}
   void extract(const Scan& scan, Features& features);
 
  private:
@@ -43,14 +46,14 @@ class FeatureExtractor {
   void measure_connected_curvature(std::span<const ScanPoint> line);
   void mark_unreliable(std::span<const ScanPoint> line);
 
-  const SlamOptions options_;
-  std::vector<float> curvature_;        // squared metres; of the line in work
+  const SlamSettings settings_;
+  std::vector<float> curvature_;        // squared metres; of the current line
   std::vector<std::uint8_t> unusable_;  // bits: no edge, no plane
   std::vector<std::uint32_t> order_;
   std::vector<FeaturePoint> candidates_;
 };
 
-// One point per voxel: the first met. `points` is replaced by the kept ones, in their order.
-void thin_on_grid(std::vector<FeaturePoint>& points, double voxel_m);
+// Keeps the first point of each voxel, in the order of `points`.
+void thin_on_grid(std::vector<FeaturePoint>& points, double voxel);
 
 }  // namespace bole::slam

@@ -9,14 +9,16 @@
 namespace bole::slam {
 namespace {
 
-constexpr double most_ground_rise = 0.176;      // tan 10 deg
-constexpr double least_joint_angle_rad = 1.05;  // 60 deg: the surface between two returns is steep enough to be one
-constexpr double range_scatter_m = 0.12;        // three times that of a difference with a sensor of 3 cm
+constexpr double max_ground_slope = 0.176;  // tan 10 deg
+constexpr double min_joint_angle_rad =
+    1.05;                               // 60 deg: the surface between two returns is steep enough to be one object
+constexpr double range_scatter = 0.12;  // three times that of a range difference with a sensor of 3 cm
 constexpr std::size_t sure_points = 30, few_points = 5, few_lines = 3;
 constexpr std::uint32_t none = ~0u;
 
-// The scan as a picture: lines by elevation, columns by azimuth; a cell holds the index of the first point that falls
-// into it, and speaks for the others. Columns are half as many as firings, so that none stays empty by rounding.
+// The scan as an image: lines by elevation, columns by azimuth. A cell holds the index of the first point that falls
+// into it, and its label counts for the others. There are half as many columns as firings, so that rounding leaves none
+// empty.
 struct RangeImage {
   std::size_t rows = 0, columns = 0;
   std::vector<std::uint32_t> cells, cell_of_point;
@@ -25,19 +27,19 @@ struct RangeImage {
 
 RangeImage make_image(const Scan& scan) {
   std::vector<std::pair<double, std::size_t>> order;  // mean slope of a line, line
-  std::size_t most = 0;
+  std::size_t longest = 0;
   for (std::size_t r = 0; r < scan.lines(); ++r) {
     const auto line = scan.line(r);
     if (line.empty()) continue;
     double slope = 0;
     for (const auto& p : line) slope += p.position.z() / std::max(p.range, 1e-3f);
     order.emplace_back(slope / static_cast<double>(line.size()), r);
-    most = std::max(most, line.size());
+    longest = std::max(longest, line.size());
   }
   std::ranges::sort(order);
   RangeImage image;
   image.rows = order.size();
-  image.columns = std::clamp<std::size_t>(most / 2, 90, 4096);
+  image.columns = std::clamp<std::size_t>(longest / 2, 90, 4096);
   image.cells.assign(image.rows * image.columns, none);
   image.cell_of_point.resize(scan.points.size());
   for (std::size_t row = 0; row < image.rows; ++row)
@@ -59,23 +61,23 @@ void mark_ground(const Scan& scan, const RangeImage& image, std::vector<ScanLabe
       const auto a = image.at(row, column), b = image.at(row + 1, column);
       if (a == none || b == none) continue;
       const Eigen::Vector3f &pa = scan.points[a].position, &pb = scan.points[b].position;
-      // What is level above the sensor is no ground.
+      // A level surface above the sensor is not ground.
       if (pa.z() > 0 || pb.z() > 0) continue;
       const Eigen::Vector3f d = pb - pa;
-      if (std::abs(d.z()) < most_ground_rise * d.head<2>().norm()) labels[a] = labels[b] = ScanLabel::ground;
+      if (std::abs(d.z()) < max_ground_slope * d.head<2>().norm()) labels[a] = labels[b] = ScanLabel::ground;
     }
 }
 
-// Two returns belong together when the surface between them is steep against the rays (Bogoslavskyi and Stachniss
-// 2016). Near the sensor its neighbours are so close together that the scatter of ranges alone would part them.
+// Two returns belong to one object when the surface between them is steep to the rays (Bogoslavskyi and Stachniss
+// 2016). Close to the sensor neighbours are so close together that range noise alone would separate them.
 bool joined(const ScanPoint& a, const ScanPoint& b) {
   const double far = std::max(a.range, b.range), near = std::min(a.range, b.range);
-  if (far - near < range_scatter_m) return true;
+  if (far - near < range_scatter) return true;
   const double angle = std::acos(std::clamp(static_cast<double>(a.position.dot(b.position)) / (far * near), -1.0, 1.0));
-  return std::atan2(near * std::sin(angle), far - near * std::cos(angle)) > least_joint_angle_rad;
+  return std::atan2(near * std::sin(angle), far - near * std::cos(angle)) > min_joint_angle_rad;
 }
 
-void mark_things(const Scan& scan, const RangeImage& image, std::vector<ScanLabel>& labels) {
+void mark_objects(const Scan& scan, const RangeImage& image, std::vector<ScanLabel>& labels) {
   std::vector<std::uint8_t> seen(image.cells.size(), 0);
   std::vector<std::size_t> members;
   for (std::size_t start = 0; start < image.cells.size(); ++start) {
@@ -101,7 +103,7 @@ void mark_things(const Scan& scan, const RangeImage& image, std::vector<ScanLabe
     const auto [low, high] = std::ranges::minmax(members);
     const std::size_t lines = high / image.columns - low / image.columns + 1;
     if (members.size() < sure_points && lines < few_lines) continue;
-    for (const auto cell : members) labels[image.cells[cell]] = ScanLabel::thing;
+    for (const auto cell : members) labels[image.cells[cell]] = ScanLabel::object;
   }
 }
 
@@ -111,7 +113,7 @@ std::vector<ScanLabel> label_scan(const Scan& scan) {
   std::vector<ScanLabel> labels(scan.points.size(), ScanLabel::loose);
   const auto image = make_image(scan);
   mark_ground(scan, image, labels);
-  mark_things(scan, image, labels);
+  mark_objects(scan, image, labels);
   for (std::size_t i = 0; i < labels.size(); ++i) labels[i] = labels[image.cells[image.cell_of_point[i]]];
   return labels;
 }

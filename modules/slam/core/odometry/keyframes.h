@@ -1,4 +1,4 @@
-// Key frames: de-skewed features of chosen frames, and the local map made of those nearest to a place.
+// Keyframes: de-skewed features of selected frames, and the local map made of those nearest to the sensor.
 #pragma once
 
 #include <vector>
@@ -13,32 +13,33 @@ namespace bole::slam {
 struct Keyframe {
   std::size_t frame = 0;                       // index among the frames of the track
   double time_s = 0;                           // of its pose
-  double path_m = 0;                           // way walked until here
+  double travelled = 0;                        // distance travelled so far
   Pose T_map_keyframe = Pose::Identity();      // at the end of its frame
-  std::vector<Eigen::Vector3f> edges, planes;  // in key-frame axes, de-skewed
-  ScanContext context;                         // empty unless loops are looked for by appearance
+  std::vector<Eigen::Vector3f> edges, planes;  // in keyframe axes, de-skewed
+  ScanContext context;                         // empty unless loops are looked for by their surroundings
 };
 
-// `features` brought to the end pose of `motion`.
+// `features` moved to the end pose of `motion`.
 Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& features, const FrameMotion& motion);
 
 void insert_keyframe(const Keyframe& keyframe, FeatureMaps& maps);
 
-// The map about the place where the sensor is: the `most` key frames nearest to it, or the last ones, and, so that it
-// is built anew only now and then, up to half as many that were so before.
+// The map around the sensor: the `max_keyframes` keyframes nearest to it, or the last ones. Up to half as many that
+// were members before stay in it, so that the map is seldom rebuilt.
 class LocalMap {
  public:
-  LocalMap(double cell_m, std::size_t most, bool of_last = false) : maps_(cell_m), most_(most), of_last_(of_last) {}
+  LocalMap(double cell_size, std::size_t max_keyframes, LocalMapKind kind = LocalMapKind::nearest)
+      : maps_(cell_size), max_keyframes_(max_keyframes), kind_(kind) {}
 
-  // Call after a key frame was added, or with `moved` after poses changed.
+  // Call after a keyframe was added, or with `moved` after poses changed.
   void update(const std::vector<Keyframe>& keyframes, const Eigen::Vector3d& place, bool moved = false);
   const FeatureMaps& maps() const { return maps_; }
 
  private:
   FeatureMaps maps_;
-  std::size_t most_;
-  bool of_last_;
-  std::vector<std::size_t> members_;  // rising
+  std::size_t max_keyframes_;
+  LocalMapKind kind_;
+  std::vector<std::size_t> members_;  // ascending
 };
 
 }  // namespace bole::slam

@@ -1,4 +1,4 @@
-// How the sensor moves while a frame is taken, and points brought into map axes with it.
+// The motion of the sensor within a frame, and points moved into map axes with it.
 #pragma once
 
 #include <array>
@@ -17,14 +17,13 @@ struct FrameMotion {
   Pose delta() const { return T_map_begin.inverse() * T_map_end; }
 };
 
-// Even motion of `span_s` about the middle of a frame; velocity (turn rad/s, shift m/s) in the axes of the sensor.
+// Constant motion of `span_s` about the middle of a frame. The velocity (turn rad/s, shift m/s) is in sensor axes.
 inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) {
   return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity)};
 }
 
-// Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Between grid
-// poses the transformed points are blended; with 32 steps and 10 deg of turning in a frame that is exact to 0.01 mm at
-// 20 m.
+// Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Points are
+// blended between grid poses: with 32 steps and 10 deg of rotation in a frame this is exact to 0.01 mm at 20 m.
 class PoseGrid {
  public:
   static constexpr int steps = 32;
@@ -41,7 +40,7 @@ class PoseGrid {
     }
   }
 
-  // The point turned into map axes but not moved (the lever arm about the sensor), for s in [0, 1].
+  // The point rotated into map axes but not shifted (the lever arm about the sensor), for s in [0, 1].
   Eigen::Vector3d turned(const Eigen::Vector3f& point, float s) const {
     const auto [i, f] = locate(s);
     const Eigen::Vector3d p = point.cast<double>();

@@ -13,26 +13,26 @@
 namespace bole::slam {
 namespace {
 
-// Neighbouring points of a scan line share errors, and a cell is seldom filled evenly: of many points in a cell only so
-// many tell something of their own about its tilt.
-constexpr double most_independent_points = 8;
-// Ghosts, planes that are none, are few but strong: groups vote.
-constexpr std::size_t most_groups = 15, group_points = 40;
-constexpr int least_lines = 4;             // one scan line that bends round a corner looks like a plane across it
-constexpr double least_scatter_m = 0.002;  // no surface is smoother
-constexpr double most_scatter_sigmas = 5;  // what is thicker is neither plane nor line
+// Neighbouring points of a scan line share errors, and a cell is seldom filled evenly: at most this many points of a
+// cell count as independent observations of its tilt.
+constexpr double max_independent_points = 8;
+// Spurious planes are few but heavily weighted, so groups of points vote by their median.
+constexpr std::size_t max_groups = 15, group_points = 40;
+constexpr int min_lines = 4;              // one scan line that bends around a corner looks like a plane across it
+constexpr double min_scatter = 0.002;     // no surface is smoother
+constexpr double max_scatter_sigmas = 5;  // a thicker surface is neither plane nor line
 
-// Covariance of the unit vector that the surface hands on: of its normal, or of its direction.
+// Covariance of the unit vector that the surface gives: its normal, or its direction.
 Eigen::Matrix3d tilt_covariance(const LocalSurface& s, bool line) {
-  const double n = std::min<double>(s.points, most_independent_points);
-  const auto& d = s.deviations_m;
+  const double n = std::min<double>(s.points, max_independent_points);
+  const auto& d = s.deviations;
   const auto variance = [&](int of, int against) {
-    const double scatter = std::max(d[of], least_scatter_m), extent = std::max(d[against], scatter);
+    const double scatter = std::max(d[of], min_scatter), extent = std::max(d[against], scatter);
     return scatter * scatter / (n * extent * extent);
   };
   const auto outer = [&](int k) -> Eigen::Matrix3d { return s.axes.col(k) * s.axes.col(k).transpose(); };
   if (!line) return variance(0, 1) * outer(1) + variance(0, 2) * outer(2);
-  // What is across the line counts; a tilt lets a share of what is along it pass for across.
+  // Only the part across the line counts. A tilt lets a share of the part along it pass for across.
   return (variance(0, 2) + variance(1, 2)) * outer(2);
 }
 
@@ -46,9 +46,9 @@ struct Witness {
 std::optional<Witness> witness(const FeaturePoint& p, bool line, const DistributionMap& map, const PoseGrid& poses,
                                const RegistrationSettings& settings) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s), x = lever + poses.translation(p.s);
-  const auto surface = find_surface(map, x, line, 0, least_lines);
-  if (!surface || surface->deviations_m[line ? 1 : 0] > most_scatter_sigmas * settings.sigma_m) return std::nullopt;
-  const auto e = pose_equations(as_target(*surface, line, settings.sigma_m), x, lever, settings.kernel_sigmas);
+  const auto surface = find_surface(map, x, line, 0, min_lines);
+  if (!surface || surface->deviations[line ? 1 : 0] > max_scatter_sigmas * settings.sigma) return std::nullopt;
+  const auto e = pose_equations(as_target(*surface, line, settings.sigma), x, lever, settings.kernel_sigmas);
   if (!e.inlier) return std::nullopt;
   return Witness{*surface, x, lever, line};
 }
@@ -67,14 +67,19 @@ struct Information {
   Matrix6d signal = Matrix6d::Zero(), noise = Matrix6d::Zero();
   std::size_t points = 0;
 
-  void operator+=(const Information& o) { signal += o.signal, noise += o.noise, points += o.points; }
+  void operator+=(const Information& o) {
+    signal += o.signal;
+    noise += o.noise;
+    points += o.points;
+  }
 };
 
 void add(const Witness& w, const RegistrationSettings& settings, Information& to) {
   const auto e =
-      pose_equations(as_target(w.surface, w.line, settings.sigma_m), w.in_map, w.lever, settings.kernel_sigmas);
+      pose_equations(as_target(w.surface, w.line, settings.sigma), w.in_map, w.lever, settings.kernel_sigmas);
   Eigen::Matrix<double, 3, 6> J;
-  J << -skew(w.lever), Eigen::Matrix3d::Identity();
+  J << -skew(w.lever);
+  Eigen::Matrix3d::Identity();
   to.signal += e.H;
   to.noise += e.weight * J.transpose() * tilt_covariance(w.surface, w.line) * J;
   ++to.points;
@@ -117,15 +122,15 @@ Observability observability(const FeatureSet& features, const FeatureMaps& maps,
   for (const auto& w : asked)
     if (w) witnesses.push_back(*w);
   const std::size_t used = witnesses.size();
-  std::array<Information, most_groups> dealt;
-  tbb::parallel_for(std::size_t{0}, most_groups, [&](std::size_t g) {
-    for (std::size_t i = g; i < used; i += most_groups) add(witnesses[i], settings, dealt[g]);
+  std::array<Information, max_groups> dealt;
+  tbb::parallel_for(std::size_t{0}, max_groups, [&](std::size_t g) {
+    for (std::size_t i = g; i < used; i += max_groups) add(witnesses[i], settings, dealt[g]);
   });
-  const std::size_t groups = std::clamp(used / group_points, std::size_t{1}, most_groups);
+  const std::size_t groups = std::clamp(used / group_points, std::size_t{1}, max_groups);
   std::vector<Observability> found(groups);
   for (std::size_t g = 0; g < groups; ++g) {
     Information sum;
-    for (std::size_t d = g; d < most_groups; d += groups) sum += dealt[d];
+    for (std::size_t d = g; d < max_groups; d += groups) sum += dealt[d];
     found[g] = weakest_of(sum);
   }
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(groups / 2);

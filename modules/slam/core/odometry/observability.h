@@ -1,6 +1,6 @@
-// Which motions of a frame its surroundings determine. A long corridor, a plain field or a round tank leave some open;
-// the normal equations do not show it, for noise tilts the normals of smooth surfaces and so feigns information along
-// them.
+// Which motions of a frame its surroundings determine. A long corridor, a plain field or a round tank leave some of
+// them open. The normal equations do not show this: noise tilts the normals of smooth surfaces and so mimics
+// information along them.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 namespace bole::slam {
 
 struct Observability {
-  // Information along the weakest motion over the information that the noise of normals and line directions alone would
-  // give along it. About 1: there is nothing but noise.
+  // Information along the weakest motion, divided by the information that the noise of normals and line directions
+  // alone would give along it. About 1: there is only noise.
   double weakest = 0;
   Vector6d motion = Vector6d::Zero();  // the weakest: turn about the sensor (rad) and shift (m), map axes, of length 1
 
@@ -20,13 +20,13 @@ struct Observability {
 };
 
 // The normal of a plane through N points with deviations s0 < s1 < s2 along its axes is tilted towards axis k with the
-// variance s0^2 / (N s_k^2); the same holds for the direction of a line. With u the move of a point under a motion v, a
-// plane tells w (n . u)^2 about v and its noise feigns w u^T C u, C the covariance of the normal: the ratio of both
-// sums is least for the least generalised eigenvalue. The points are dealt out to groups and the median group speaks,
-// so that a few ghosts decide nothing. Thick surfaces are none, and those of one scan line may be
-// ghosts that move with the sensor; neither counts. The idea of judging
-// each direction by itself is that of Zhang, Kaess and Singh 2016 (degeneracy factor) and of Tuna et al. 2023 (X-ICP);
-// both need thresholds in units of the problem, the ratio to the noise does not. Throws Error{cancelled}.
+// variance s0^2 / (N s_k^2). The same holds for the direction of a line. Let u be the displacement of a point under a
+// motion v: a plane gives the information w (n . u)^2 about v, and its noise mimics w u^T C u, with C the covariance of
+// the normal. The ratio of both sums is smallest along the smallest generalised eigenvalue. Points are dealt into
+// groups and the median group counts, so that a few spurious surfaces decide nothing. Thick surfaces do not count, nor
+// do those seen by too few scan lines, which may move with the sensor. Zhang, Kaess and Singh 2016 (degeneracy factor)
+// and Tuna et al. 2023 (X-ICP) also judge each direction by itself. Both need thresholds in units of the problem; the
+// ratio to the noise does not. Throws Error{cancelled}.
 Observability observability(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& motion,
                             const RegistrationSettings& settings, const Run& run);
 

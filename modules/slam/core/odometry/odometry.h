@@ -1,4 +1,4 @@
-// Frame after frame: where the sensor was, with the local map of key frames.
+// Odometry: registers frame after frame against a local map of keyframes.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@ struct TrackedFrame {
   std::size_t index = 0;  // in the source
   double begin_s = 0, end_s = 0;
   FrameMotion motion;
-  std::size_t keyframe = 0;  // the last key frame up to and with this frame
+  std::size_t keyframe = 0;  // the last keyframe up to and with this frame
   bool ok = true;
-  double overlap = 1, rms_m = 0;
+  double overlap = 1, rms = 0;
   double conditioning = 1;                 // see Registration
-  double observability = 1;                // see Observability; not known where `rounds` is 0
+  double observability = 1;                // see Observability; unknown where `iterations` is 0
   double sigma0 = 0;                       // of the last adjustment, see Registration
   Matrix6d covariance = Matrix6d::Zero();  // of the pose; zero for the first frame, which is exact
-  int rounds = 0;
+  int iterations = 0;
   bool converged = true;  // see Registration; the first frame is not registered
-  bool bent = false;      // not moved as it was assumed for de-skewing: begin and end were fitted, see register_bent
+  bool bent = false;      // did not move as assumed for de-skewing; begin and end were fitted, see register_bent()
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
 
@@ -33,36 +33,36 @@ struct OdometryTimes {
 
 class Odometry {
  public:
-  explicit Odometry(const SlamOptions& resolved_options);
+  explicit Odometry(const SlamSettings& settings);
 
-  // Adds a frame. A frame that does not agree with the map is kept with its predicted motion, marked not ok; see
+  // Adds a frame. A frame that does not agree with the map is kept with its predicted motion and marked as not ok; see
   // lost().
   void add(std::size_t index, double begin_s, double end_s, const Features& features, const Run& run);
 
   const std::vector<TrackedFrame>& frames() const { return frames_; }
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
-  // Hands the last key frame its look of the surroundings.
+  // Sets the scan context of the last keyframe.
   void set_context(ScanContext context) { keyframes_.back().context = std::move(context); }
   std::vector<TrackedFrame> take_frames() { return std::move(frames_); }
   std::vector<Keyframe> take_keyframes() { return std::move(keyframes_); }
   const OdometryTimes& times() const { return times_; }
 
-  // Too many frames in a row failed.
-  bool lost() const { return failed_in_a_row_ >= options_.lost_frames; }
+  // Whether too many consecutive frames failed.
+  bool lost() const { return failed_in_a_row_ >= settings_.lost_frames; }
   std::size_t failed_in_a_row() const { return static_cast<std::size_t>(failed_in_a_row_); }
   const std::string& why_failed() const { return why_failed_; }
-  // How long the last frame came after the last good one before it, when the place had to be searched for; else 0.
+  // Time between the last frame and the last good one before it, when the sensor had to be found again; else 0.
   double found_again_after_s() const { return found_again_after_s_; }
   double doubt() const { return doubt_; }  // see Relocalisation
 
-  // After the last frame: a walk that never left a place without hold all round is withdrawn, see open_motion.
+  // Call after the last frame. A walk that never had a well-determined frame is withdrawn, see open_motion().
   void finish();
 
-  // Removes the failed frames at the end and the key frames made since the last good one.
+  // Removes the failed frames at the end, and the keyframes made since the last good one.
   void drop_failed_tail();
 
  private:
-  bool elastic() const { return options_.deskew == "elastic"; }
+  bool elastic() const { return settings_.deskew == Deskew::elastic; }
   FrameMotion predicted(double begin_s, double end_s) const;
   Vector6d mean_velocity(double over_s) const;
   RegistrationSettings base_settings() const;
@@ -79,33 +79,37 @@ class Odometry {
   Registration searched(double begin_s, double end_s, const Features& features, const Run& run);
   const TrackedFrame& last_good() const { return frames_[last_good_]; }
   double usual_overlap() const;
-  double least_overlap() const;
+  double min_overlap() const;
   bool is_suspect(const Registration& r, const FrameMotion& assumed, const FrameMotion& found) const;
   double recent_observability(double of_this_frame) const;
   void withdraw_start();
-  // Empty when the frame is credible, else why not.
+  void add_first(TrackedFrame frame, const Features& features);
+  bool locate(TrackedFrame& frame, const Features& features, const Run& run);
+  // Why the frame is rejected; empty when it is credible.
   std::string objection(const Registration& r, const std::string& open, const FrameMotion& prediction, double begin_s,
                         double end_s) const;
-  std::string open_motion(const Registration& r, const Observability& seen);  // empty when none is, or not judged yet
-  std::string doubt_text() const;  // empty when the place that was found is the only one
+  std::string open_motion(
+      const Registration& r,
+      const Observability& seen);  // the open motion; empty when there is none, or when it is not judged yet
+  std::string doubt_text() const;  // empty when the place that was found is unambiguous
   void add_keyframe(const Features& features, const TrackedFrame& frame);
   bool keyframe_due(const TrackedFrame& frame) const;
 
-  const SlamOptions options_;
+  const SlamSettings settings_;
   std::vector<TrackedFrame> frames_;
   std::vector<Keyframe> keyframes_;
   LocalMap local_map_;
   FeatureMaps last_frame_map_;
-  Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the motion guessed for the frame in work
-  double path_m_ = 0;
+  Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the first guess for the current frame
+  double travelled_ = 0;
   std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;
   bool doubted_ = false;                        // since the last good frame
-  std::size_t left_start_ = 0;                  // the frame that first was out of the first place; 0 when none was
-  bool held_ = false;                           // once at least, no motion was open
-  std::string open_at_start_;                   // what was open in frames that were let pass, see open_motion
-  bool bent_ = false, unsettled_ = false;       // the frame in work, see unbent()
-  double found_again_after_s_ = 0, doubt_ = 0;  // of the frame in work, see Relocalisation
+  std::size_t left_start_ = 0;                  // the first frame outside the place of the start; 0 when there is none
+  bool held_ = false;                           // at least once, no motion was open
+  std::string open_at_start_;                   // the open motion of frames that were let pass, see open_motion()
+  bool bent_ = false, unsettled_ = false;       // of the current frame, see unbent()
+  double found_again_after_s_ = 0, doubt_ = 0;  // of the current frame, see Relocalisation
   std::string why_failed_;
   OdometryTimes times_;
 };

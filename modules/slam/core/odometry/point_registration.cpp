@@ -8,7 +8,7 @@ namespace bole::slam {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-constexpr std::size_t least_points = 20;
+constexpr std::size_t min_points = 20;
 
 Cloud::Ptr as_cloud(const std::vector<Eigen::Vector3f>& points) {
   auto cloud = pcl::make_shared<Cloud>();
@@ -21,7 +21,7 @@ template <class Method>
 PointRegistration aligned(Method& method, const std::vector<Eigen::Vector3f>& source,
                           const std::vector<Eigen::Vector3f>& target, const Pose& guess) {
   PointRegistration out{guess, false};
-  if (source.size() < least_points || target.size() < least_points) return out;
+  if (source.size() < min_points || target.size() < min_points) return out;
   method.setInputTarget(as_cloud(target));
   method.setInputSource(as_cloud(source));
   Cloud moved;
@@ -37,10 +37,10 @@ PointRegistration aligned(Method& method, const std::vector<Eigen::Vector3f>& so
 }  // namespace
 
 PointRegistration register_by_ndt(const std::vector<Eigen::Vector3f>& source,
-                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double cell_m) {
+                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double cell_size) {
   pcl::NormalDistributionsTransform<pcl::PointXYZ, pcl::PointXYZ> ndt;
   ndt.setMinPointPerVoxel(5);
-  ndt.setResolution(static_cast<float>(cell_m));
+  ndt.setResolution(static_cast<float>(cell_size));
   ndt.setStepSize(0.1);
   ndt.setTransformationEpsilon(1e-4);
   ndt.setMaximumIterations(40);
@@ -48,9 +48,9 @@ PointRegistration register_by_ndt(const std::vector<Eigen::Vector3f>& source,
 }
 
 PointRegistration register_by_icp(const std::vector<Eigen::Vector3f>& source,
-                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double reach_m) {
+                                  const std::vector<Eigen::Vector3f>& target, const Pose& guess, double reach) {
   pcl::IterativeClosestPoint<pcl::PointXYZ, pcl::PointXYZ> icp;
-  icp.setMaxCorrespondenceDistance(reach_m);
+  icp.setMaxCorrespondenceDistance(reach);
   icp.setTransformationEpsilon(1e-8);
   icp.setEuclideanFitnessEpsilon(1e-6);
   icp.setMaximumIterations(60);

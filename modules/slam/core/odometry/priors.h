@@ -8,7 +8,7 @@ namespace bole::slam {
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 struct SensorPrior {
-  double range_sigma_m = 0.02;
+  double range_sigma = 0.02;
   double angle_sigma_rad = 0.001;  // of azimuth and elevation
 };
 
@@ -16,17 +16,17 @@ struct SensorPrior {
 // range d: M Sigma M^T with M = dX / d(theta, phi, d). Square metres, sensor axes.
 Eigen::Matrix3d point_covariance(const Eigen::Vector3d& point_in_sensor, const SensorPrior& prior);
 
-// Poses enter with the covariance (turn, shift; map axes) that their own adjustment gave them.
+// Poses enter with the covariance (turn, shift; map axes) of their own adjustment.
 struct AdjustmentPriors {
   SensorPrior sensor;
   Matrix6d motion_covariance = Matrix6d::Zero();  // of the motion within the frame that de-skews the points
-  // De-skew only: the points of the reference count with the sensor prior and with the pose that placed them.
+  // Only for de-skewing: the points of the reference count with the sensor prior and with the pose that placed them.
   bool reference_points = false;
   Matrix6d reference_covariance = Matrix6d::Zero();
   Eigen::Vector3d reference_position = Eigen::Vector3d::Zero();
 };
 
-// Variance along `axis` of a point at `lever` from a pose (map axes) with that covariance.
+// Variance along `axis` of a point at `lever` from a pose with that covariance (map axes).
 double pose_variance(const Eigen::Vector3d& axis, const Eigen::Vector3d& lever, const Matrix6d& covariance);
 
 }  // namespace bole::slam

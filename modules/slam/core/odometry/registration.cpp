@@ -13,19 +13,24 @@ namespace {
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 
-constexpr double least_planarity = 0.25, least_linearity = 0.5;
+constexpr double min_planarity = 0.25, min_linearity = 0.5;
 constexpr std::size_t chunk_points = 256;  // fixed, so that sums do not depend on the number of threads
 
 struct Sums {
   Matrix12d H = Matrix12d::Zero();  // blocks: begin, end
   Vector12d g = Vector12d::Zero();
   Matrix6d H_data = Matrix6d::Zero();  // every point at full weight on one pose
-  double squared_m2 = 0, weighted = 0;
+  double squared_error = 0, weighted = 0;
   std::size_t matched = 0, inliers = 0;
 
   void operator+=(const Sums& o) {
-    H += o.H, g += o.g, H_data += o.H_data;
-    squared_m2 += o.squared_m2, weighted += o.weighted, matched += o.matched, inliers += o.inliers;
+    H += o.H;
+    g += o.g;
+    H_data += o.H_data;
+    squared_error += o.squared_error;
+    weighted += o.weighted;
+    matched += o.matched;
+    inliers += o.inliers;
   }
 };
 
@@ -42,9 +47,9 @@ std::pair<double, double> shares(MotionModel model, double s) {
   return {1 - s, s};
 }
 
-// SPEC A7: the variance of a condition is A Q A^T, of the model (the thickness that the target came with), of the point
-// and, for de-skewing, of the points that make the surface. A surface through many points moves with the scatter of
-// each by its share, so that sum is their variance times the leverage.
+// SPEC A7: the variance of a condition is A Q A^T, made of the model (the thickness that the target came with), of the
+// point and, for de-skewing, of the points that make the surface. A surface through many points moves by a share of the
+// scatter of each, so their sum is their variance times the leverage.
 void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, const FeaturePoint& p,
                         const Eigen::Vector3d& lever, const Eigen::Vector3d& x, Target& target) {
   Eigen::Vector3d axis = target.axis;
@@ -56,28 +61,33 @@ void add_prior_variance(const AdjustmentPriors& priors, const PoseGrid& poses, c
   const double of_point =
       axis_in_sensor.dot(point_covariance(p.position.cast<double>(), priors.sensor) * axis_in_sensor);
   const double share = 1 - static_cast<double>(p.s);  // points are brought to the end of the frame
-  target.variance_m2 += of_point + share * share * pose_variance(axis, lever, priors.motion_covariance);
+  target.variance += of_point + share * share * pose_variance(axis, lever, priors.motion_covariance);
   if (priors.reference_points)
-    target.variance_m2 +=
+    target.variance +=
         target.leverage * of_point + pose_variance(axis, x - priors.reference_position, priors.reference_covariance);
 }
 
-// Planes: turn about x and y, shift along z; lines: the others.
+// Planes keep the turn about x and y and the shift along z, lines the others.
 void keep_own_unknowns(bool line, PoseEquations& e) {
   Vector6d own;
-  own << 1, 1, 0, 0, 0, 1;
+  own << 1;
+  1;
+  0;
+  0;
+  0;
+  1;
   if (line) own = Vector6d::Ones() - own;
   e.H = (own.asDiagonal() * e.H * own.asDiagonal()).eval();
   e.g = e.g.cwiseProduct(own);
 }
 
-// Matching costs more than summing, so targets are kept for a round.
+// Matching costs more than summing, so targets are kept for one iteration.
 class FrameEquations {
  public:
   FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings)
       : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
 
-  // At `motion`; matches anew from `first_level` up, or keeps the targets when that is negative.
+  // At `motion`. Matches again from `first_level` up, or keeps the targets when that is negative.
   Sums sums(const FrameMotion& motion, int first_level, double kernel, const Run& run) {
     const PoseGrid poses(motion);
     const std::size_t n = targets_.size();
@@ -103,23 +113,30 @@ class FrameEquations {
     const Eigen::Vector3d x = lever + poses.translation(p.s);
     Target& target = targets_[i];
     if (first_level >= 0)
-      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level,
-                           settings_.priors ? 0 : settings_.sigma_m);
+      target =
+          find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.priors ? 0 : settings_.sigma);
     if (target.kind == Target::Kind::none) return;
     if (settings_.priors && first_level >= 0) add_prior_variance(*settings_.priors, poses, p, lever, x, target);
 
     auto e = pose_equations(target, x, lever, kernel);
     ++sums.matched;
-    if (e.inlier) ++sums.inliers, sums.squared_m2 += e.squared_m2, sums.weighted += e.squared_m2 / target.variance_m2;
+    if (e.inlier) {
+      ++sums.inliers;
+      sums.squared_error += e.squared_error;
+      sums.weighted += e.squared_error / target.variance;
+    }
     if (settings_.two_step) keep_own_unknowns(line, e);
     sums.H_data += e.H;
     const auto [at_begin, at_end] = shares(settings_.model, p.s);
     if (at_begin != 0) {
-      sums.H.topLeftCorner<6, 6>() += at_begin * at_begin * e.H;
-      sums.H.topRightCorner<6, 6>() += at_begin * at_end * e.H;
+      sums.H.topLeftCorner < 6;
+      6 > () += at_begin * at_begin * e.H;
+      sums.H.topRightCorner < 6;
+      6 > () += at_begin * at_end * e.H;
       sums.g.head<6>() += at_begin * e.g;
     }
-    sums.H.bottomRightCorner<6, 6>() += at_end * at_end * e.H;
+    sums.H.bottomRightCorner < 6;
+    6 > () += at_end * at_end * e.H;
     sums.g.tail<6>() += at_end * e.g;
   }
 
@@ -131,7 +148,8 @@ class FrameEquations {
 
 Vector6d pose_difference(const Pose& from, const Pose& to) {
   Vector6d d;
-  d << so3_log(Eigen::Quaterniond(to.linear() * from.linear().transpose())), to.translation() - from.translation();
+  d << so3_log(Eigen::Quaterniond(to.linear() * from.linear().transpose()));
+  to.translation() - from.translation();
   return d;
 }
 
@@ -142,34 +160,41 @@ Pose moved(const Pose& T, const Vector6d& turn_shift) {
   return out;
 }
 
-Vector6d inverse_variances(double sigma_rad, double sigma_m) {
+Vector6d inverse_variances(double sigma_rad, double sigma) {
   Vector6d w;
-  w << Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad)), Eigen::Vector3d::Constant(1 / (sigma_m * sigma_m));
+  w << Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad));
+  Eigen::Vector3d::Constant(1 / (sigma * sigma));
   return w;
 }
 
-// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin stands.
+// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin is
+// fixed.
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
                 Sums& sums) {
   if (settings.model == MotionModel::rigid) return;
-  const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma_m),
-                 wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma_m);
+  const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma),
+                 wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma);
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin),
                  ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
-  sums.H.topLeftCorner<6, 6>() += (wb + wm).asDiagonal();
-  sums.H.bottomRightCorner<6, 6>() += wm.asDiagonal();
-  sums.H.topRightCorner<6, 6>() -= wm.asDiagonal();
+  sums.H.topLeftCorner < 6;
+  6 > () += (wb + wm).asDiagonal();
+  sums.H.bottomRightCorner < 6;
+  6 > () += wm.asDiagonal();
+  sums.H.topRightCorner < 6;
+  6 > () -= wm.asDiagonal();
   sums.g.head<6>() += wb.cwiseProduct(eb) - wm.cwiseProduct(em);
   sums.g.tail<6>() += wm.cwiseProduct(em);
 }
 
-// The step that lessens the sum of squares; applies it to `motion` and returns it for begin and end.
+// The step that reduces the sum of squares. Applies it to `motion` and returns it for begin and end.
 Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motion) {
   Vector12d step = Vector12d::Zero();
   if (model == MotionModel::elastic) {
     Matrix12d H = sums.H;
-    H.bottomLeftCorner<6, 6>() = H.topRightCorner<6, 6>().transpose();
+    H.bottomLeftCorner < 6;
+    6 > () = H.topRightCorner < 6;
+    6 > ().transpose();
     step = -H.ldlt().solve(sums.g);
     if (!step.allFinite()) return Vector12d::Constant(std::nan(""));
     motion.T_map_begin = moved(motion.T_map_begin, step.head<6>());
@@ -182,7 +207,7 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   if (!d.allFinite()) return Vector12d::Constant(std::nan(""));
   step.tail<6>() = d;
   if (model == MotionModel::rigid) {
-    // The begin is carried along about the end.
+    // The begin moves rigidly with the end.
     const Pose T_end_begin = motion.T_map_end.inverse() * motion.T_map_begin;
     motion.T_map_end = moved(motion.T_map_end, d);
     motion.T_map_begin = motion.T_map_end * T_end_begin;
@@ -192,8 +217,8 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
   return step;
 }
 
-// Least over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
-// free.
+// Smallest over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
+// open.
 double shift_conditioning(const Matrix6d& H) {
   const Eigen::Matrix3d turn = H.topLeftCorner<3, 3>() + 1e-9 * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d shift =
@@ -205,34 +230,34 @@ double shift_conditioning(const Matrix6d& H) {
 }  // namespace
 
 std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
-                                         int first_level, int least_lines, CellChoice window) {
+                                         int first_level, int min_lines, CellChoice window) {
   for (int level = first_level; level < DistributionMap::levels; ++level) {
     auto surface =
         window == CellChoice::cell ? map.cell_surface(point_in_map, level) : map.surface(point_in_map, level);
-    if (surface && surface->lines >= least_lines &&
-        (line ? surface->linearity() >= least_linearity : surface->planarity() >= least_planarity))
+    if (surface && surface->lines >= min_lines &&
+        (line ? surface->linearity() >= min_linearity : surface->planarity() >= min_planarity))
       return surface;
   }
   return std::nullopt;
 }
 
-Target as_target(const LocalSurface& surface, bool line, double sigma_m) {
-  // Points are spread evenly about the place, more or less: one share for the mean and one for each tilt.
+Target as_target(const LocalSurface& surface, bool line, double sigma) {
+  // Points are spread roughly evenly around the place: one share for the mean and one for each tilt.
   const double leverage = (line ? 2.0 : 3.0) / std::max(surface.points, 3);
-  const double thickness_m = surface.deviations_m[line ? 1 : 0];
+  const double thickness = surface.deviations[line ? 1 : 0];
   Target target;
   target.mean = surface.mean;
   target.axis = surface.axes.col(line ? 2 : 0);
-  target.variance_m2 = std::max(thickness_m * thickness_m, 1e-6) + sigma_m * sigma_m;
+  target.variance = std::max(thickness * thickness, 1e-6) + sigma * sigma;
   target.leverage = leverage;
   target.kind = line ? Target::Kind::line : Target::Kind::plane;
   return target;
 }
 
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
-                   double sigma_m, CellChoice window) {
+                   double sigma, CellChoice window) {
   const auto surface = find_surface(map, point_in_map, line, first_level, 0, window);
-  return surface ? as_target(*surface, line, sigma_m) : Target{};
+  return surface ? as_target(*surface, line, sigma) : Target{};
 }
 
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
@@ -241,19 +266,21 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   const Eigen::Vector3d error = point_in_map - target.mean;
   const double k2 = kernel * kernel, along = target.axis.dot(error);
   const bool line = target.kind == Target::Kind::line;
-  out.squared_m2 = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
-  out.inlier = out.squared_m2 < k2 * target.variance_m2;
-  const double robust = k2 / (k2 + out.squared_m2 / target.variance_m2), weight = robust * robust / target.variance_m2;
+  out.squared_error = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
+  out.inlier = out.squared_error < k2 * target.variance;
+  const double robust = k2 / (k2 + out.squared_error / target.variance), weight = robust * robust / target.variance;
   out.weight = weight;
   if (!line) {
     Vector6d a;
-    a << lever.cross(target.axis), target.axis;
+    a << lever.cross(target.axis);
+    target.axis;
     out.H.noalias() = weight * a * a.transpose();
     out.g = weight * along * a;
     return out;
   }
   Eigen::Matrix<double, 3, 6> J;
-  J << -skew(lever), Eigen::Matrix3d::Identity();
+  J << -skew(lever);
+  Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - target.axis * target.axis.transpose();
   const Eigen::Matrix<double, 6, 3> Jw = weight * J.transpose() * across;
   out.H.noalias() = Jw * J;
@@ -268,20 +295,20 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.tried = features.size();
   FrameEquations equations(features, maps, settings);
   Sums sums;
-  for (int round = 0; round < settings.rounds; ++round) {
-    // Coarse levels and a wide kernel first: they reach farther and still know the surfaces.
-    const int coarse = std::max(0, settings.coarse_rounds - round);
-    const bool match = coarse > 0 || (round - settings.coarse_rounds) % 2 == 0 || round == 0;
+  for (int i = 0; i < settings.iterations; ++i) {
+    // Coarse levels and a wide kernel come first: they reach farther.
+    const int coarse = std::max(0, settings.coarse_iterations - i);
+    const bool match = coarse > 0 || (i - settings.coarse_iterations) % 2 == 0 || i == 0;
     sums = equations.sums(out.motion, match ? std::min(coarse, 3) : -1,
                           settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
-    out.rounds = round + 1;
+    out.iterations = i + 1;
     if (sums.matched < 12) break;
     add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);
     if (!step.allFinite()) break;
     const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()),
                  shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());
-    if (coarse == 0 && turn < settings.converged_rad && shift < settings.converged_m) {
+    if (coarse == 0 && turn < settings.converged_turn_rad && shift < settings.converged_shift) {
       out.converged = true;
       break;
     }
@@ -289,7 +316,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.matched = sums.matched;
   out.inliers = sums.inliers;
   out.overlap = out.tried ? static_cast<double>(sums.inliers) / static_cast<double>(out.tried) : 0;
-  out.rms_m = sums.inliers ? std::sqrt(sums.squared_m2 / static_cast<double>(sums.inliers)) : 0;
+  out.rms = sums.inliers ? std::sqrt(sums.squared_error / static_cast<double>(sums.inliers)) : 0;
   out.information = sums.H_data;
   out.conditioning = shift_conditioning(sums.H_data);
   if (sums.inliers > 6) {

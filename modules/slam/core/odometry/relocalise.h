@@ -1,4 +1,4 @@
-// Finding the sensor again in the map after a gap in the recording or after frames that did not fit.
+// Finds the sensor again in the map after a gap in the recording or after frames that did not fit.
 #pragma once
 
 #include "slam/core/odometry/registration.h"
@@ -13,16 +13,16 @@ struct LastSeen {
 
 struct Relocalisation {
   Registration found;  // rigid; overlap 0 when nothing was found
-  // Of the places that are other ones than `found`, the one that speaks most against it: points that agree with the map
-  // there and not at `found`, over those of which the reverse is true. Points that agree at both, most of the ground,
-  // tell nothing (McNemar 1947). Times how much likelier the walk is to have led there. About 1: it cannot be told
-  // which place is right.
+  // Of the places other than `found`, the strongest evidence against it: the number of points that agree with the map
+  // there and not at `found`, divided by the number for which the reverse is true, times how much more likely the walk
+  // is to have led there. Points that agree at both places, mostly ground, tell nothing (McNemar 1947). About 1: the
+  // right place cannot be told.
   double doubt = 0;
 };
 
-// Tries all places and headings that a walking person can have reached (map z taken as up): each is scored by how
-// likely the points are under the distributions of the map's middle level (Biber and Strasser 2003), the best apart
-// from each other are registered. Throws Error{cancelled}.
+// Tries all places and headings that a walking person can have reached (map z is taken as up). Each is scored by the
+// likelihood of the points under the distributions of the middle level of the map (Biber and Strasser 2003), and the
+// best separate ones are registered. Throws Error{cancelled}.
 Relocalisation relocalise(const FeatureSet& features, const FeatureMaps& maps, const LastSeen& last, double span_s,
                           const RegistrationSettings& settings, const Run& run);
 

@@ -7,8 +7,8 @@ namespace bole::slam {
 
 void prepare_scan(const ScanFrame& frame, const ScanGate& gate, Scan& scan) {
   const auto lines = static_cast<std::size_t>(std::max(gate.lines, 1));
-  const auto min2 = static_cast<float>(gate.range_min_m * gate.range_min_m),
-             max2 = static_cast<float>(gate.range_max_m * gate.range_max_m);
+  const auto min2 = static_cast<float>(gate.min_range * gate.min_range),
+             max2 = static_cast<float>(gate.max_range * gate.max_range);
   const auto usable = [&](std::size_t i) {
     const float r2 = frame.positions[i].squaredNorm();  // NaN fails both comparisons
     return r2 >= min2 && r2 <= max2 && frame.ring[i] < lines && std::isfinite(frame.time_offset_s[i]) &&

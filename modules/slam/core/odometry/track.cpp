@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
 #include "slam/core/loops/pose_graph.h"
@@ -16,7 +16,7 @@
 namespace bole::slam {
 namespace {
 
-constexpr std::size_t most_frame_warnings = 10;
+constexpr std::size_t max_frame_warnings = 10;
 
 double ms_per_frame(double seconds, std::size_t frames) {
   return frames ? 1000 * seconds / static_cast<double>(frames) : 0;
@@ -29,21 +29,21 @@ std::string percent_text(double share) { return number_text(std::round(share * 1
 struct FirstPass {
   std::vector<TrackedFrame> frames;
   std::vector<Keyframe> keyframes;
-  std::vector<FrameSample> samples;  // of `frames`, in step; empty when no adjustment follows
+  std::vector<FrameSample> samples;  // one per frame; empty when no adjustment follows
 };
 
-// Warns about single failed frames, up to a number.
+// Warns about single failed frames, up to a maximum number.
 class FrameWarnings {
  public:
   FrameWarnings(const FrameSource& source, Report& report) : source_(source), report_(report) {}
   ~FrameWarnings() {
-    if (count_ > most_frame_warnings)
-      report_.warn("... and " + std::to_string(count_ - most_frame_warnings) + " more frames");
+    if (count_ > max_frame_warnings)
+      report_.warn("... and " + std::to_string(count_ - max_frame_warnings) + " more frames");
   }
   FrameWarnings(const FrameWarnings&) = delete;
   FrameWarnings& operator=(const FrameWarnings&) = delete;
   void add(std::size_t frame, const std::string& what) {
-    if (++count_ <= most_frame_warnings)
+    if (++count_ <= max_frame_warnings)
       report_.warn("frame " + std::to_string(frame) + " at " + seconds_text(since_start_s(frame)) + ": " + what);
   }
   double since_start_s(std::size_t frame) const { return source_.frame_time_s(frame) - source_.frame_time_s(0); }
@@ -54,7 +54,7 @@ class FrameWarnings {
   std::size_t count_ = 0;
 };
 
-// What following the frames has cost, and how often the sensor had to be found again.
+// Time and counts of the odometry, and how often the sensor had to be found again.
 struct FollowCosts {
   double read_s = 0, features_s = 0;
   std::size_t frames = 0, features = 0, found_again = 0, unknown_lines = 0;
@@ -64,13 +64,16 @@ struct FollowCosts {
     const auto part = [&](const char* name, double seconds) {
       report.metrics[name] = {ms_per_frame(seconds, n), Unit::millisecond};
     };
-    part("read_per_frame", read_s), part("features_per_frame", features_s);
-    part("guess_per_frame", times.guess_s), part("registration_per_frame", times.register_s);
-    part("observability_per_frame", times.judge_s), part("local_map_per_frame", times.map_s);
+    part("read_per_frame", read_s);
+    part("features_per_frame", features_s);
+    part("guess_per_frame", times.guess_s);
+    part("registration_per_frame", times.register_s);
+    part("observability_per_frame", times.judge_s);
+    part("local_map_per_frame", times.map_s);
     report.counts["features_per_frame"] = static_cast<std::int64_t>(features / n);
     report.counts["frames_found_again"] = static_cast<std::int64_t>(found_again);
     if (unknown_lines > 0)
-      report.warn(std::to_string(unknown_lines) + " points left out: their ring is none of those of the sensor");
+      report.warn(std::to_string(unknown_lines) + " points were left out: their ring is not one of the sensor's");
   }
 };
 
@@ -91,7 +94,7 @@ std::string found_again_text(const Odometry& odometry) {
          " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100);
 }
 
-void tell_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
+void report_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
   const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
   report.status = Status::finished_early;
   report.warnings.push_back("the track was lost at frame " + std::to_string(first.index) + ", " +
@@ -100,9 +103,9 @@ void tell_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& 
   report.facts["lost_at_frame"] = std::to_string(first.index);
 }
 
-FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
-  const ScanGate gate{options.range_min_m, options.range_max_m, source.rings() > 0 ? source.rings() : 1024};
-  const bool by_context = options.loops == "context" || options.loops == "both";
+FirstPass follow(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
+  const ScanGate gate{options.min_range, options.max_range, source.rings() > 0 ? source.rings() : 1024};
+  const bool by_context = uses_context(options.loops);
   const std::string of_all = " of " + std::to_string(source.size());
   FeatureExtractor extractor(options);
   Odometry odometry(options);
@@ -122,20 +125,21 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
       report.warnings.push_back("finished on request at frame " + std::to_string(i) + of_all);
       break;
     }
-    watch.lap_s();
+    watch.lap();
     if (!read_frame(source, i, frame, warnings)) continue;
-    costs.read_s += watch.lap_s();
+    costs.read_s += watch.lap();
     prepare_scan(frame, gate, scan);
     costs.unknown_lines += scan.unknown_lines;
     extractor.extract(scan, features);
-    costs.features_s += watch.lap_s();
+    costs.features_s += watch.lap();
 
     const auto frames_before = odometry.frames().size(), keyframes_before = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
-    if (odometry.frames().size() == frames_before) continue;  // nothing to begin with yet
+    if (odometry.frames().size() == frames_before) continue;  // no map to start with yet
     if (by_context && odometry.keyframes().size() > keyframes_before)
       odometry.set_context(context_of(scan, odometry.frames().back().motion, context_shape(options)));
-    ++costs.frames, costs.features += features.query.size();
+    ++costs.frames;
+    costs.features += features.query.size();
     if (!odometry.frames().back().ok) {
       warnings.add(i, odometry.why_failed());
     } else if (odometry.found_again_after_s() > 0) {
@@ -143,11 +147,11 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
       warnings.add(i, found_again_text(odometry));
     }
     preview.frame(odometry, features);
-    if (options.refine_rounds > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
+    if (options.refine_iterations > 0) out.samples.push_back({scan.begin_time_s, scan.end_time_s, features.query});
     if (odometry.lost()) break;
   }
   odometry.finish();
-  if (odometry.lost()) tell_lost(odometry, warnings, report);
+  if (odometry.lost()) report_lost(odometry, warnings, report);
   odometry.drop_failed_tail();
   preview.all(odometry);
   costs.write(odometry.times(), report);
@@ -157,7 +161,8 @@ FirstPass follow(const FrameSource& source, const SlamOptions& options, Report& 
   return out;
 }
 
-// Frames move with the key frames about them: the correction is interpolated in time, so that the path stays whole.
+// Frames move with the keyframes around them: the correction is interpolated in time, so that the path stays
+// continuous.
 void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old,
                   const std::vector<Pose>& T_map_keyframe) {
   std::vector<StampedPose> corrections;
@@ -176,60 +181,88 @@ void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>
   }
 }
 
-// Of the two quaternions of a rotation the one with a positive scalar part.
+// The one of the two quaternions of a rotation that has a positive scalar part.
 Eigen::Quaterniond upright(Eigen::Quaterniond q) {
   if (q.w() < 0) q.coeffs() *= -1;
   return q;
 }
 
-// The columns x_m .. qw are the pose of the later key frame in the axes of the earlier one.
+// The columns x_m .. qw are the pose of the later keyframe in the axes of the earlier one.
 Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
-  std::vector<double> from_s, to_s, way_m, correction_m, overlap;
-  std::array<std::vector<double>, 3> shift_m;
+  std::vector<double> from_s, to_s, distance, correction, overlap;
+  std::array<std::vector<double>, 3> shift;
   std::array<std::vector<double>, 4> turn;
   std::vector<std::string> found_by;
   for (const auto& l : loops) {
     const Eigen::Quaterniond q = upright(Eigen::Quaterniond(l.T_from_to.linear()));
-    for (std::size_t i = 0; i < 3; ++i) shift_m[i].push_back(l.T_from_to.translation()[static_cast<Eigen::Index>(i)]);
+    for (std::size_t i = 0; i < 3; ++i) shift[i].push_back(l.T_from_to.translation()[static_cast<Eigen::Index>(i)]);
     for (std::size_t i = 0; i < 4; ++i) turn[i].push_back(q.coeffs()[static_cast<Eigen::Index>(i)]);
-    from_s.push_back(keyframes[l.from].time_s), to_s.push_back(keyframes[l.to].time_s);
-    way_m.push_back(keyframes[l.to].path_m - keyframes[l.from].path_m);
-    correction_m.push_back(l.correction_m), overlap.push_back(l.overlap), found_by.push_back(l.found_by);
+    from_s.push_back(keyframes[l.from].time_s);
+    to_s.push_back(keyframes[l.to].time_s);
+    distance.push_back(keyframes[l.to].travelled - keyframes[l.from].travelled);
+    correction.push_back(l.correction);
+    overlap.push_back(l.overlap);
+    found_by.emplace_back(choice_name(l.found_by));
   }
   Table t;
-  t.set("from_time_s", from_s), t.set("to_time_s", to_s), t.set("way_m", way_m);
-  t.set("correction_m", correction_m), t.set("overlap", overlap), t.set("found_by", found_by);
-  t.set("x_m", shift_m[0]), t.set("y_m", shift_m[1]), t.set("z_m", shift_m[2]);
-  t.set("qx", turn[0]), t.set("qy", turn[1]), t.set("qz", turn[2]), t.set("qw", turn[3]);
+  t.set("from_time_s", from_s);
+  t.set("to_time_s", to_s);
+  t.set("way_m", distance);
+  t.set("correction_m", correction);
+  t.set("overlap", overlap);
+  t.set("found_by", found_by);
+  t.set("x_m", shift[0]);
+  t.set("y_m", shift[1]);
+  t.set("z_m", shift[2]);
+  t.set("qx", turn[0]);
+  t.set("qy", turn[1]);
+  t.set("qz", turn[2]);
+  t.set("qw", turn[3]);
   return t;
 }
 
-// What the odometry found for each frame; standard deviations are those of the adjustment of that frame alone.
+// Results of the odometry for each frame. Standard deviations are those of the adjustment of that frame alone.
 Table table_of(const std::vector<TrackedFrame>& frames) {
   std::vector<std::int64_t> index, ok, keyframe, converged, bent;
-  std::vector<double> time_s, overlap, rms_m, observability, sigma0;
+  std::vector<double> time_s, overlap, rms, observability, sigma0;
   std::array<std::vector<double>, 6> sd;
   for (const auto& f : frames) {
-    index.push_back(static_cast<std::int64_t>(f.index)), ok.push_back(f.ok);
+    index.push_back(static_cast<std::int64_t>(f.index));
+    ok.push_back(f.ok);
     keyframe.push_back(static_cast<std::int64_t>(f.keyframe));
-    converged.push_back(f.converged), bent.push_back(f.bent);
-    time_s.push_back(f.end_s), overlap.push_back(f.overlap), rms_m.push_back(f.rms_m);
-    observability.push_back(f.observability), sigma0.push_back(f.sigma0);
+    converged.push_back(f.converged);
+    bent.push_back(f.bent);
+    time_s.push_back(f.end_s);
+    overlap.push_back(f.overlap);
+    rms.push_back(f.rms);
+    observability.push_back(f.observability);
+    sigma0.push_back(f.sigma0);
     for (std::size_t k = 0; k < 6; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      sd[k].push_back(std::sqrt(std::max(0.0, f.covariance(i, i))) * (k < 3 ? 180 / std::numbers::pi : 1));
+      sd[k].push_back(std::sqrt(std::max(0.0, f.covariance(i, i))) * (k < 3 ? deg_per_rad : 1));
     }
   }
   Table t;
-  t.set("frame", index), t.set("time_s", time_s), t.set("ok", ok), t.set("keyframe", keyframe);
-  t.set("overlap", overlap), t.set("rms_m", rms_m), t.set("observability", observability), t.set("sigma0", sigma0);
-  t.set("converged", converged), t.set("bent", bent);
-  t.set("sd_x_m", sd[3]), t.set("sd_y_m", sd[4]), t.set("sd_z_m", sd[5]);
-  t.set("sd_turn_x_deg", sd[0]), t.set("sd_turn_y_deg", sd[1]), t.set("sd_turn_z_deg", sd[2]);
+  t.set("frame", index);
+  t.set("time_s", time_s);
+  t.set("ok", ok);
+  t.set("keyframe", keyframe);
+  t.set("overlap", overlap);
+  t.set("rms_m", rms);
+  t.set("observability", observability);
+  t.set("sigma0", sigma0);
+  t.set("converged", converged);
+  t.set("bent", bent);
+  t.set("sd_x_m", sd[3]);
+  t.set("sd_y_m", sd[4]);
+  t.set("sd_z_m", sd[5]);
+  t.set("sd_turn_x_deg", sd[0]);
+  t.set("sd_turn_y_deg", sd[1]);
+  t.set("sd_turn_z_deg", sd[2]);
   return t;
 }
 
-Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+Table close_loops(FirstPass& pass, const SlamSettings& options, Report& report, const Run& run) {
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
@@ -255,12 +288,12 @@ Table close_loops(FirstPass& pass, const SlamOptions& options, Report& report, c
     preview_poses(run, pass.frames, pass.keyframes);
   }
   report.counts["loops"] = static_cast<std::int64_t>(kept.size());
-  report.counts["loops_by_context"] = std::ranges::count(kept, "context", &Loop::found_by);
-  report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap_s(), pass.frames.size()), Unit::millisecond};
+  report.counts["loops_by_context"] = std::ranges::count(kept, FoundBy::context, &Loop::found_by);
+  report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap(), pass.frames.size()), Unit::millisecond};
   return table_of(kept, pass.keyframes);
 }
 
-// Elastic frames know their begin and end. Of the others the middle is what the registration has found.
+// Elastic frames have their own begin and end. Of the others, registration determines the middle.
 Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
   if (elastic) {
     std::vector<FrameMotion> motions;
@@ -291,53 +324,58 @@ Path path_of(const std::vector<TrackedFrame>& frames, bool elastic) {
 }
 
 std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& frames) {
-  constexpr double shortest_s = 0.5;  // a shorter one is bridged well
+  constexpr double min_gap_s = 0.5;  // shorter ones are bridged well
   std::vector<std::pair<double, double>> gaps_s;
   const TrackedFrame* last = nullptr;
   for (const auto& f : frames) {
     if (!f.ok) continue;
-    if (last && f.begin_s - last->end_s > shortest_s) gaps_s.emplace_back(last->end_s, f.begin_s);
+    if (last && f.begin_s - last->end_s > min_gap_s) gaps_s.emplace_back(last->end_s, f.begin_s);
     last = &f;
   }
   return gaps_s;
 }
 
-// Takes the samples out of `pass`: of a long walk they are most of what is held.
-void adjust(Track& track, FirstPass& pass, const SlamOptions& options, Report& report, const Run& run) {
+// Takes the samples out of `pass`: on a long walk they use most of the memory.
+void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& report, const Run& run) {
   std::vector<FrameSample> samples;
   for (std::size_t k = 0; k < pass.samples.size(); ++k)
     if (pass.frames[k].ok) samples.push_back(std::move(pass.samples[k]));
   RefineSettings settings;
-  settings.rounds = options.refine_rounds;
-  settings.cell_m = options.cell_m;
-  settings.sigma_m = options.range_sigma_m;
+  settings.iterations = options.refine_iterations;
+  settings.cell_size = options.cell_size;
+  settings.sigma = options.range_sigma;
   settings.kernel_sigmas = options.kernel_sigmas;
   Stopwatch watch;
   auto refined = refine_path(track.path, samples, settings, run);
   track.path = std::move(refined.path);
   preview_path(run, track.path, pass.keyframes);
-  report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap_s(), samples.size()), Unit::millisecond};
+  report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap(), samples.size()), Unit::millisecond};
   if (!refined.stopped.empty())
-    report.warn("the adjustment of the whole path ended after " + std::to_string(refined.rms_m.size()) + " of " +
-                std::to_string(settings.rounds) + " rounds: " + refined.stopped + "; the path before it was kept");
-  if (refined.rms_m.empty()) return;
-  report.metrics["adjustment_rms_first"] = {refined.rms_m.front(), Unit::metre};
-  report.metrics["adjustment_rms_last"] = {refined.rms_m.back(), Unit::metre};
-  report.metrics["adjustment_last_step"] = {refined.step_m.back(), Unit::metre};
+    report.warn("the adjustment of the whole path ended after " + std::to_string(refined.rms.size()) + " of " +
+                std::to_string(settings.iterations) + " iterations: " + refined.stopped +
+                "; the path before it was kept");
+  if (refined.rms.empty()) return;
+  report.metrics["adjustment_rms_first"] = {refined.rms.front(), Unit::metre};
+  report.metrics["adjustment_rms_last"] = {refined.rms.back(), Unit::metre};
+  report.metrics["adjustment_last_step"] = {refined.step_size.back(), Unit::metre};
 }
 
-// Means over the good frames and the weakest of all.
-void report_frames(const FirstPass& pass, Report& report) {
-  double squared = 0, sigma0 = 0, variance_m2 = 0, overlap = 0, rounds = 0, weakest = 1,
-         least_seen = std::numeric_limits<double>::infinity();
+// Means over the good frames and minima over all.
+void report_frames(const FirstPass& pass, double min_observability, Report& report) {
+  double squared = 0, sigma0 = 0, variance = 0, overlap = 0, iterations = 0, weakest = 1,
+         min_seen = std::numeric_limits<double>::infinity();
   std::size_t good = 0;
   for (const auto& f : pass.frames) {
     weakest = std::min(weakest, f.conditioning);
-    if (f.rounds > 0) least_seen = std::min(least_seen, f.observability);
+    if (f.iterations > 0) min_seen = std::min(min_seen, f.observability);
     if (!f.ok) continue;
     ++good;
-    sigma0 += f.sigma0, variance_m2 += f.covariance.bottomRightCorner<3, 3>().trace();
-    squared += f.rms_m * f.rms_m, overlap += f.overlap, rounds += f.rounds;
+    sigma0 += f.sigma0;
+    variance += f.covariance.bottomRightCorner < 3;
+    3 > ().trace();
+    squared += f.rms * f.rms;
+    overlap += f.overlap;
+    iterations += f.iterations;
   }
   const auto n = static_cast<double>(good);
   report.counts["frames"] = static_cast<std::int64_t>(good);
@@ -347,16 +385,18 @@ void report_frames(const FirstPass& pass, Report& report) {
   report.counts["keyframes"] = static_cast<std::int64_t>(pass.keyframes.size());
   report.metrics["registration_rms"] = {std::sqrt(squared / n), Unit::metre};
   report.metrics["sigma0"] = {sigma0 / n, Unit::none};
-  report.metrics["pose_sigma"] = {1000 * std::sqrt(variance_m2 / n), Unit::millimetre};
-  report.metrics["registration_rounds"] = {rounds / n, Unit::none};
+  report.metrics["pose_sigma"] = {1000 * std::sqrt(variance / n), Unit::millimetre};
+  report.metrics["registration_iterations"] = {iterations / n, Unit::none};
   report.metrics["weakest_conditioning"] = {weakest, Unit::none};
-  report.metrics["weakest_observability"] = {std::isfinite(least_seen) ? least_seen : 0, Unit::none};
+  // Motions that are observed less are left open; reports name the limit beside the weakest one.
+  report.metrics["open_below"] = {min_observability, Unit::none};
+  report.metrics["weakest_observability"] = {std::isfinite(min_seen) ? min_seen : 0, Unit::none};
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
 }
 
 }  // namespace
 
-Track estimate_track(const FrameSource& source, const SlamOptions& options, Report& report, const Run& run) {
+Track estimate_track(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
   auto pass = follow(source, options, report, run.part(0, 0.7));
   if (pass.frames.size() < 2)
     throw bad_input(
@@ -365,17 +405,17 @@ Track estimate_track(const FrameSource& source, const SlamOptions& options, Repo
   Track track;
   track.frame_table = table_of(pass.frames);
   track.loop_table = table_of(std::vector<Loop>{}, pass.keyframes);
-  if (options.loops != "none" && !run.asked_to_finish())
+  if (options.loops != LoopSource::none && !run.asked_to_finish())
     track.loop_table = close_loops(pass, options, report, run.part(0.7, 0.8));
   track.gaps_s = gaps_of(pass.frames);
-  const bool elastic = options.deskew == "elastic";
-  track.own_motion = !elastic && options.refine_rounds <= 0;
+  const bool elastic = options.deskew == Deskew::elastic;
+  track.own_motion = !elastic && options.refine_iterations <= 0;
   track.path = path_of(pass.frames, elastic);
-  if (options.refine_rounds > 0) adjust(track, pass, options, report, run.part(0.8, 1));
+  if (options.refine_iterations > 0) adjust(track, pass, options, report, run.part(0.8, 1));
   for (const auto& f : pass.frames)
     if (f.ok) track.frames.push_back({f.index, f.motion});
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
-  report_frames(pass, report);
+  report_frames(pass, options.min_observability, report);
   return track;
 }
 

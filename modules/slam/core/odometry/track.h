@@ -1,4 +1,4 @@
-// The first pass over the frames: a path for the sensor, estimated or given.
+// The first pass over the frames: a trajectory for the sensor, estimated or given.
 #pragma once
 
 #include <functional>
@@ -12,25 +12,25 @@
 
 namespace bole::slam {
 
-// A path, and which frames may be mapped with it.
+// A path, and the frames that can be mapped with it.
 struct Track {
   struct Frame {
     std::size_t index = 0;  // in the source
-    FrameMotion motion;     // used in place of the path where `own_motion` is set
+    FrameMotion motion;     // used instead of the path where `own_motion` is set
   };
   Path path;
   std::vector<Frame> frames;
   bool own_motion = false;
-  std::vector<std::pair<double, double>> gaps_s;  // stretches without a mapped frame
+  std::vector<std::pair<double, double>> gaps_s;  // intervals without a mapped frame
   std::vector<double> keyframe_times_s;
-  Table frame_table;  // what the odometry found for each frame
-  Table loop_table;   // revisits that were accepted
+  Table frame_table;  // results of the odometry for each frame
+  Table loop_table;   // accepted loop closures
 };
 
-// Odometry, loops, pose graph and final adjustment as the options say; writes counts, metrics and warnings to `report`.
-Track estimate_track(const FrameSource& source, const SlamOptions& resolved_options, Report& report, const Run& run);
+// Runs odometry, loop closure, pose graph and final adjustment. Writes counts, metrics and warnings to `report`.
+Track estimate_track(const FrameSource& source, const SlamSettings& settings, Report& report, const Run& run);
 
-// The path through given poses with the frames that it covers.
+// The path through given poses, with the frames that it covers.
 Track given_track(const FrameSource& source, const std::vector<StampedPose>& poses, Report& report, const Run& run);
 
 }  // namespace bole::slam

@@ -11,7 +11,7 @@ namespace bole::stems {
 namespace {
 
 constexpr double lowest_m = 0.6, highest_m = 2.4, beyond_m = 0.3;
-constexpr std::size_t most_rays = 3'000'000;
+constexpr std::size_t max_rays = 3'000'000;
 
 double core_radius(const Stem& s) { return std::min(0.6 * s.radius, s.radius - 0.02); }
 
@@ -105,7 +105,7 @@ std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointClou
   std::vector<RayCount> none(stems.size());
   if (stems.empty()) return none;
   const StemSquares squares(stems);
-  const std::size_t stride = points.size() / most_rays + 1, rays = points.size() / stride;
+  const std::size_t stride = points.size() / max_rays + 1, rays = points.size() / stride;
   auto counts = tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, rays, 4096), none,
       [&](const tbb::blocked_range<std::size_t>& block, std::vector<RayCount> sum) {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/angles.h"
+
 namespace bole::stems {
 namespace {
 
@@ -180,7 +182,7 @@ bool circle_through(const Voxel& a, const Voxel& b, const Voxel& c, float& x, fl
 }
 
 constexpr std::array<float, 4> reaches{0.08F, 0.2F, 0.45F, 1.0F};
-constexpr std::uint32_t most_seeds = 6;  // per cell
+constexpr std::uint32_t max_seeds = 6;  // per cell
 constexpr double usual_radius_m = 0.12;
 
 // Tries per seed and reach. Few points cost little, and there each must do.
@@ -252,11 +254,11 @@ std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab,
                y = static_cast<float>(grid.corner.y() + (iy + 0.5) * grid.cell_m);
     near.clear();
     for (const float reach : reaches) near.emplace_back(slab, x, y, reach);
-    const auto stride = (last - first + most_seeds - 1) / most_seeds;
+    const auto stride = (last - first + max_seeds - 1) / max_seeds;
     for (auto k = first; k < last; k += stride) {
       auto circle = best_circle_at(slab, near, slab[k], options,
                                    Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
-      if (circle.score <= 0 || circle.arc_rad < options.min_arc_deg * std::numbers::pi / 180) continue;
+      if (circle.score <= 0 || circle.arc_rad < radians(options.min_arc_deg)) continue;
       circle.slab = number;
       found.push_back(circle);
     }
@@ -295,11 +297,11 @@ std::vector<SlabCircle> suppress_overlaps(std::vector<SlabCircle> circles, const
 }
 
 int slab_count(const MeasureOptions& options) {
-  return std::max(1, static_cast<int>(std::round((options.search_top_m - options.search_bottom_m) / slab_thickness_m)));
+  return std::max(1, static_cast<int>(std::round((options.search_top - options.search_bottom) / slab_thickness_m)));
 }
 
 float slab_edge(const MeasureOptions& options, int slab) {
-  return static_cast<float>(options.search_bottom_m + slab * slab_thickness_m);
+  return static_cast<float>(options.search_bottom + slab * slab_thickness_m);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
+
+#include "base/angles.h"
 
 namespace bole::stems {
 namespace {
@@ -55,8 +56,8 @@ class Linker {
   Linker(const std::vector<SlabCircle>& circles, const MeasureOptions& options)
       : circles_(circles),
         taken_(circles.size(), false),
-        most_slope_(std::tan(options.max_lean_deg * std::numbers::pi / 180)),
-        grid_(circles, (options.search_top_m - options.search_bottom_m) * most_slope_ * 0.5 + 0.5) {}
+        max_slope_(std::tan(radians(options.max_lean_deg))),
+        grid_(circles, (options.search_top - options.search_bottom) * max_slope_ * 0.5 + 0.5) {}
 
   // The best axis through circle `i` and one of its neighbours.
   Consensus best_through(std::uint32_t i) const {
@@ -69,7 +70,7 @@ class Linker {
       if (taken_[j] || b.slab == a.slab || std::abs(dz) < 0.15 || std::abs(dz) > 1.3) continue;
       if (std::abs(a.radius - b.radius) > radius_tolerance(0.5 * (a.radius + b.radius))) continue;
       const Axis axis{a.x, a.y, a.z, (b.x - a.x) / dz, (b.y - a.y) / dz, a.radius, 0};
-      if (std::hypot(axis.sx, axis.sy) > most_slope_) continue;
+      if (std::hypot(axis.sx, axis.sy) > max_slope_) continue;
       auto found = consent(axis, near);
       if (found.score > best.score) best = std::move(found);
     }
@@ -137,7 +138,7 @@ class Linker {
 
   const std::vector<SlabCircle>& circles_;
   std::vector<bool> taken_;
-  double most_slope_;
+  double max_slope_;
   CircleGrid grid_;
 };
 

@@ -7,7 +7,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::size_t most_cells = std::size_t{1} << 24;
+constexpr std::size_t max_cells = std::size_t{1} << 24;
 
 std::vector<std::uint32_t> indices_between(const PointCloud& points, float bottom, float top, const Run& run) {
   const auto& heights = points.values<float>(arrays::height_above_ground);
@@ -41,7 +41,7 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
   const Eigen::Vector2d extent = (high - low).cast<double>();
   // A stray point far away must not cost memory: cells grow until the grid is small.
   while ((std::floor(extent.x() / layer.cell_m) + 1) * (std::floor(extent.y() / layer.cell_m) + 1) >
-         static_cast<double>(most_cells))
+         static_cast<double>(max_cells))
     layer.cell_m *= 2;
   layer.nx = static_cast<int>(extent.x() / layer.cell_m) + 1,
   layer.ny = static_cast<int>(extent.y() / layer.cell_m) + 1;

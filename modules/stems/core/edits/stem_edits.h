@@ -7,10 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cloud/edit_list.h"
+
 namespace bole::stems {
 
 // `at`, `to`, `with` and `into` are plan positions at breast height in the axes of the stems, metres.
-struct StemEdit {
+struct StemEdit : EditRecord {
   enum class Action { add, remove, move, resize, set_height, split, merge, accept, reject, note };
   struct Part {
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -26,7 +28,6 @@ struct StemEdit {
   std::vector<Part> into;                        // split
   std::vector<Eigen::Vector2d> with;             // merge: the other stems
   std::string text;                              // note
-  std::string author, time, reason;              // who, when (ISO 8601), why
 };
 
 std::string_view action_name(StemEdit::Action action);  // "add", "delete", ...

@@ -9,7 +9,7 @@ namespace bole::stems {
 namespace {
 
 constexpr int impact_steps = 320, width_steps = 60;
-constexpr double impact_step = most_lit_impact2 / impact_steps, width_step = most_lit_width / width_steps;
+constexpr double impact_step = max_lit_impact2 / impact_steps, width_step = max_lit_width / width_steps;
 
 // Mean depth by the substitution x = sin(t): the cosine of incidence is cos(t), and so is the depth.
 double mean_depth(double impact, double width) {

@@ -9,7 +9,7 @@ struct LitDepth {
   double by_impact2 = 0, by_width = 0;  // derivatives
 };
 
-inline constexpr double most_lit_impact2 = 1.6, most_lit_width = 0.6;
+inline constexpr double max_lit_impact2 = 1.6, max_lit_width = 0.6;
 
 // `impact2`: squared distance of the middle of the beam from the axis; `width`: standard deviation of the light across
 // the beam; both in radii, beyond the limits above taken at the limits. The range is the mean over the part of a normal

@@ -7,14 +7,9 @@
 #include <limits>
 #include <numbers>
 
-namespace bole::stems {
+#include "base/statistics.h"
 
-double median_of(std::vector<double>& values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+namespace bole::stems {
 
 double tukey_weight(double scaled_residual) {
   const double u = scaled_residual / 4.685;
@@ -138,7 +133,7 @@ class Ring {
     errors_.clear();
     for (const double distance : distance_)
       if (const double e = std::abs(distance - circle.radius); e < reach) errors_.push_back(e);
-    return 1.4826 * median_of(errors_);
+    return 1.4826 * upper_median(errors_);
   }
 
   const std::vector<double>& distance() const { return distance_; }
@@ -150,19 +145,19 @@ class Ring {
 }  // namespace
 
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
-                                          double start_error_m, double max_sigma_m) {
+                                          double start_error_m, double max_sigma) {
   if (points.size() < 5 || !(start.radius > 0)) return std::nullopt;
   RobustCircle fit{start, 0, 0, 0};
   Ring ring(points, start);
   constexpr double smallest_sigma = 0.001;
-  double scale = std::max(start_error_m, max_sigma_m) / 2;
+  double scale = std::max(start_error_m, max_sigma) / 2;
   for (int i = 0; i < 25; ++i) {
     const Circle before = fit.circle;
     const double scale_before = scale;
     if (!ring.improve(scale, fit.circle)) return std::nullopt;
     const double found = ring.robust_scale(fit.circle, 4.685 * scale);
     if (!std::isfinite(found)) return std::nullopt;
-    scale = std::clamp(std::max(found, 0.7 * scale), smallest_sigma, std::max(max_sigma_m, 0.7 * scale));
+    scale = std::clamp(std::max(found, 0.7 * scale), smallest_sigma, std::max(max_sigma, 0.7 * scale));
     constexpr double settled_m = 1e-6;
     if ((fit.circle.centre - before.centre).norm() + std::abs(fit.circle.radius - before.radius) < settled_m &&
         std::abs(scale - scale_before) < settled_m)

@@ -25,9 +25,9 @@ struct RobustCircle {
 };
 
 // Geometric least squares by Gauss-Newton with Tukey weights from a start that is right to `start_error_m`; the scale
-// (1.4826 MAD) is capped at `max_sigma_m`. Nothing when the points do not hold a circle.
+// (1.4826 MAD) is capped at `max_sigma`. Nothing when the points do not hold a circle.
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
-                                          double start_error_m, double max_sigma_m);
+                                          double start_error_m, double max_sigma);
 
 // The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the
 // centre.
@@ -35,9 +35,6 @@ double covered_arc_rad(const std::vector<double>& angles_rad);
 
 // The longest run of such sectors, where one empty sector does not end a run.
 double unbroken_arc_rad(const std::vector<double>& angles_rad);
-
-// Median; reorders `values`. NaN when empty.
-double median_of(std::vector<double>& values);
 
 // Tukey's biweight for a residual in units of its scale (constant 4.685: 95 % efficiency for normal residuals).
 double tukey_weight(double scaled_residual);

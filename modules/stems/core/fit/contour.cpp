@@ -6,13 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
 namespace {
 
-constexpr int sectors = 36, least_sectors = 32, order = 4, terms = 1 + 2 * order;
-constexpr std::size_t least_points = 3;
+constexpr int sectors = 36, min_sectors = 32, order = 4, terms = 1 + 2 * order;
+constexpr std::size_t min_points = 3;
 using Terms = Eigen::Matrix<double, terms, 1>;
 
 Terms basis(double bearing) {
@@ -35,12 +36,12 @@ std::optional<Contour> fit_contour(const std::vector<OutlinePoint>& points, doub
   int seen = 0;
   for (int k = 0; k < sectors; ++k) {
     auto& values = by_sector[static_cast<std::size_t>(k)];
-    if (values.size() < least_points) continue;
+    if (values.size() < min_points) continue;
     ++seen;
     const Terms b = basis((k + 0.5) * 2 * std::numbers::pi / sectors);
-    normal += b * b.transpose(), rhs += median_of(values) * b;
+    normal += b * b.transpose(), rhs += upper_median(values) * b;
   }
-  if (seen < least_sectors) return std::nullopt;
+  if (seen < min_sectors) return std::nullopt;
   const Terms series = normal.ldlt().solve(rhs);
 
   constexpr int steps = 360;

@@ -7,13 +7,14 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
 namespace {
 
 constexpr double smallest_sigma = 0.001;
-constexpr double most_gate = 1.2;  // of rays that were let in at the start of a step
+constexpr double max_gate = 1.2;  // of rays that were let in at the start of a step
 
 double square(double v) { return v * v; }
 
@@ -94,7 +95,7 @@ class JointFit {
       const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
       const double shrunk =
-          std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma_m, 0.75 * scale));
+          std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
       scale = shrunk;
       if (settled && (!moved || step_norm < 5e-6)) break;
@@ -130,12 +131,12 @@ class JointFit {
   }
 
   PointResidual residual(const CylinderResiduals& of, const BarkPoint& p, bool derivatives) const {
-    return options_.along_rays ? of.along_ray(p, most_gate, derivatives) : of.surface(p, derivatives);
+    return options_.along_rays ? of.along_ray(p, max_gate, derivatives) : of.surface(p, derivatives);
   }
 
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
-    constexpr double most_per_patch = 8;
+    constexpr double max_per_patch = 8;
     std::vector<std::tuple<int, int, int>> patches;
     patches.reserve(points_.size());
     for (const auto& p : points_)
@@ -145,7 +146,7 @@ class JointFit {
     const auto repeated = std::ranges::unique(patches);
     patches.erase(repeated.begin(), repeated.end());
     return std::min(
-        1.0, most_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
+        1.0, max_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
 
   // Tukey's loss of a squared residual in units of its cut-off, as a share of its highest value.
@@ -254,7 +255,7 @@ class JointFit {
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (const auto& e = values_[i]; active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
-    return 1.4826 * median_of(errors);
+    return 1.4826 * upper_median(errors);
   }
 
   const std::vector<BarkPoint>& points_;
@@ -403,7 +404,7 @@ std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& po
   JointFit joint(numbered, options, std::move(pass_of_view));
   CylinderFit fit;
   fit.cylinder = start, fit.along_rays = options.along_rays;
-  fit.sigma_m = std::max(start_error_m / 2, options.max_sigma_m);
+  fit.sigma_m = std::max(start_error_m / 2, options.max_sigma);
   if (!joint.solve(fit.cylinder, fit.sigma_m)) return std::nullopt;
   joint.describe(fit);
   if (fit.inliers < 12) return std::nullopt;

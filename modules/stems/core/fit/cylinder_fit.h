@@ -44,9 +44,9 @@ struct RangeOffsetPrior {
 };
 
 struct CylinderFitOptions {
-  bool along_rays = false;     // residual: measured less predicted range along the ray, else distance from the surface
-  double ray_gate = 0.9;       // rays with an impact parameter beyond this share of the radius are left out
-  double max_sigma_m = 0.025;  // cap of the robust scale
+  bool along_rays = false;   // residual: measured less predicted range along the ray, else distance from the surface
+  double ray_gate = 0.9;     // rays with an impact parameter beyond this share of the radius are left out
+  double max_sigma = 0.025;  // cap of the robust scale
   DriftPrior drift;
   RangeOffsetPrior range_offset;                 // along rays
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre

@@ -14,26 +14,27 @@
 #include "stems/core/fit/contour.h"
 #include "stems/core/fit/stem_points.h"
 #include "stems/core/fit/stem_sections.h"
+#include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
 namespace {
 
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
 // an even choice. A first look tells what stems share, and needs fewer.
-constexpr std::size_t most_fit_points = 8000, most_first_points = 2500;
+constexpr std::size_t max_fit_points = 8000, max_first_points = 2500;
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {
-  const double middle = median_of(values);
+  const double middle = upper_median(values);
   for (auto& v : values) v = std::abs(v - middle);
-  return 1.4826 * median_of(values);
+  return 1.4826 * upper_median(values);
 }
 
 // Lasers and good poses measure too far by a few millimetres, the same everywhere. What goes beyond is blur of the map,
 // which differs from stem to stem: a good part of it is not known.
 double blur_sd(double range_offset_m) {
-  constexpr double most_of_a_good_map_m = 0.005, unknown_share = 0.3;
-  return unknown_share * std::max(0.0, std::abs(range_offset_m) - most_of_a_good_map_m);
+  constexpr double max_offset_of_a_good_map_m = 0.005, unknown_share = 0.3;
+  return unknown_share * std::max(0.0, std::abs(range_offset_m) - max_offset_of_a_good_map_m);
 }
 
 // Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
@@ -55,7 +56,7 @@ class ContraryArc {
     for (auto& s : sectors_) {
       const bool against = s.inside.size() >= least && s.inside.size() > 2 * s.on;
       if (s.on >= least || against) ++seen;
-      if (against) ++contrary, depth += median_of(s.inside);
+      if (against) ++contrary, depth += upper_median(s.inside);
     }
     shrink_m = seen > 0 ? depth / seen : 0, arc_rad = 2 * std::numbers::pi * contrary / count;
   }
@@ -100,11 +101,11 @@ class StemFitter {
     StemFitResult result;
     auto attempt = prepare(axis);
     if (!has_sections(attempt, result)) return result;
-    auto fit = surface_fit(attempt, used_points(attempt, most_first_points));
+    auto fit = surface_fit(attempt, used_points(attempt, max_first_points));
     if (!fit) return no_cylinder();
     attempt = prepare(line_of(attempt.axes, fit->cylinder));
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt, most_first_points);
+    const auto points = used_points(attempt, max_first_points);
     fit = surface_fit(attempt, points);
     if (!fit) return no_cylinder();
     if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
@@ -114,10 +115,10 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) const {
     StemFitResult result;
-    const double radius = before.radius - (before.along_rays ? options_.bark_relief_m : 0);
+    const double radius = before.radius - (before.along_rays ? options_.bark_relief : 0);
     const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
     if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt, most_fit_points);
+    const auto points = used_points(attempt, max_fit_points);
     auto fit =
         before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
     if (!fit) return no_cylinder();
@@ -130,8 +131,8 @@ class StemFitter {
     double z = candidate_.ground_z;
     for (int i = 0; i < 3; ++i) {
       const Eigen::Vector3d base = axis.at_z(z);
-      const double found =
-          ground_around(dem_, origin_, base.head<2>(), axis.radius, options_.breast_height_from == "uphill");
+      const double found = ground_around(dem_, origin_, base.head<2>(), axis.radius,
+                                         options_.breast_height_from == BreastHeightFrom::uphill);
       if (!std::isfinite(found)) break;
       z = found;
     }
@@ -145,13 +146,16 @@ class StemFitter {
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
-    gather.radius = radius, gather.taper = axis.taper, gather.max_range = options_.max_range_m,
-    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad, gather.beam_aperture = options_.beam_aperture_m;
-    gather.lowest = options_.search_bottom_m - breast_height_ - 0.1,
-    gather.highest = options_.search_top_m - breast_height_;
+    gather.radius = radius;
+    gather.taper = axis.taper;
+    gather.max_range = options_.max_range;
+    gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad.value_or(assumed_beam_divergence_mrad);
+    gather.beam_aperture = options_.beam_aperture.value_or(assumed_beam_aperture);
+    gather.lowest = options_.search_bottom - breast_height_ - 0.1;
+    gather.highest = options_.search_top - breast_height_;
     a.points = gather_bark(layer_, rays_, a.axes, gather, run_);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap_s, fits_along_rays(rays_, options_), run_);
-    const double step = section_step(a.points, options_.section_step_m, 2 * options_.min_section_points);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap, fits_along_rays(rays_, options_), run_);
+    const double step = section_step(a.points, options_.section_step, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
     a.line = join_sections(a.sections, options_);
@@ -181,7 +185,9 @@ class StemFitter {
 
   CylinderFitOptions fit_options() const {
     CylinderFitOptions o;
-    o.max_sigma_m = options_.max_sigma_m, o.drift = priors_.drift, o.ray_gate = options_.ray_gate,
+    o.max_sigma = options_.max_sigma;
+    o.drift = priors_.drift;
+    o.ray_gate = options_.ray_gate;
     o.cancel = run_.cancel;
     return o;
   }
@@ -224,7 +230,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
-  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief_m : 0), s.taper = fit.cylinder.taper;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   s.pass_seen = seen_from(a);
@@ -245,7 +251,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
     if (!e.usable) continue;
     density.add(e.value);
     unaligned.push_back(together.surface(p, false).value);
-    const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma_m));
+    const double reach = std::max(0.02, 3 * std::min(fit.sigma_m, options_.max_sigma));
     const double bearing = std::atan2(p.p.y() - fit.cylinder.y, p.p.x() - fit.cylinder.x);
     contrary.add(bearing, -e.value, std::abs(e.value) < reach);
     if (std::abs(e.value) < reach) {
@@ -261,13 +267,13 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   }
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias_m, blur_sd(fit.cylinder.range_offset)),
+  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias, blur_sd(fit.cylinder.range_offset)),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
-  s.sigma_m = 1.4826 * median_of(errors);
+  s.sigma_m = 1.4826 * upper_median(errors);
   s.wall_m = spread_of(unaligned);
   if (const auto contour = fit_contour(outline, s.radius)) s.girth_m = contour->girth_m, s.ovality = contour->ovality;
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;
@@ -306,7 +312,7 @@ StemFitResult checked(StemFitResult result) {
 }  // namespace
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options) {
-  return rays.has_sensor() && options.model != "surface";
+  return rays.has_sensor() && options.model != FitModel::surface;
 }
 
 StemFitResult fit_stem(const StemCandidate& candidate, const StemLayer& layer, const CloudRays& rays, const Raster& dem,

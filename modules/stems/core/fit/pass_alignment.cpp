@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -34,7 +35,7 @@ Eigen::Vector2d near_in_time(const Moments& values, double time, const Eigen::Ve
 Eigen::Vector2d middle(const Moments& values) {
   std::vector<double> x, y;
   for (const auto& [t, v] : values) x.push_back(v.x()), y.push_back(v.y());
-  return {median_of(x), median_of(y)};
+  return {upper_median(x), upper_median(y)};
 }
 
 // Puts every stem where most of its sightings agree, given the displacements.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -17,7 +18,7 @@ constexpr std::array view_sds{0.0005, 0.001, 0.0015, 0.002, 0.003, 0.0045, 0.006
 
 // Mean and spread of the offset under a normal likelihood and the prior of mean_range_offset, by quadrature: the mode
 // would leap between zero and the evidence.
-RangeOffsetPrior drawn_to_zero(double mean_m, double variance_m2, double expected_sd_m, double least_spread_m) {
+RangeOffsetPrior drawn_to_zero(double mean_m, double variance_m2, double expected_sd_m, double min_spread_m) {
   constexpr int steps = 2000;
   constexpr double freedom = 3;
   const double reach = std::abs(mean_m) + 6 * std::sqrt(variance_m2);
@@ -29,14 +30,14 @@ RangeOffsetPrior drawn_to_zero(double mean_m, double variance_m2, double expecte
     sum += w, first += w * x, second += w * x * x;
   }
   const double drawn = first / sum;
-  return {drawn, std::hypot(std::sqrt(std::max(0.0, second / sum - drawn * drawn)), least_spread_m)};
+  return {drawn, std::hypot(std::sqrt(std::max(0.0, second / sum - drawn * drawn)), min_spread_m)};
 }
 
 }  // namespace
 
 DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
   // A stem can say at most this much against a prior, so that few wild ones do not decide for all.
-  constexpr double most_against = 10;
+  constexpr double max_against = 10;
   using Likelihoods = std::array<double, pass_sds.size() * view_sds.size()>;
   std::vector<Likelihoods> of_stem(stems.size());
   tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t i) {
@@ -47,7 +48,7 @@ DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const
   Likelihoods sum{};
   for (const auto& own : of_stem) {
     const double best = *std::ranges::max_element(own);
-    for (std::size_t k = 0; k < own.size(); ++k) sum[k] += std::max(own[k] - best, -most_against);
+    for (std::size_t k = 0; k < own.size(); ++k) sum[k] += std::max(own[k] - best, -max_against);
   }
   const auto k = static_cast<std::size_t>(std::ranges::max_element(sum) - sum.begin());
   return {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]};
@@ -57,10 +58,10 @@ RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, doubl
   // What stems say of the offset is how strongly their bark seems to curve against where it lies, so an error of shape
   // that all share comes out threefold, and no number of stems averages it out: on maps with true poses the mean was
   // right to 1 mm, on SLAM maps of the same walks it was 4 to 5 mm too low.
-  constexpr double between_m = 0.003, shared_m = 0.0035, least_spread_m = 0.0005, weak_m = 0.05;
+  constexpr double between_m = 0.003, shared_m = 0.0035, min_spread_m = 0.0005, weak_m = 0.05;
   std::vector<double> values;
   for (const auto& e : stems) values.push_back(e.value_m);
-  double mean = values.empty() ? 0 : median_of(values), variance = weak_m * weak_m;
+  double mean = values.empty() ? 0 : upper_median(values), variance = weak_m * weak_m;
   for (int round = 0; round < 10; ++round) {
     double weight = 1 / (weak_m * weak_m), moment = 0;
     for (const auto& e : stems) {
@@ -70,7 +71,7 @@ RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, doubl
     }
     mean = moment / weight, variance = 1 / weight + shared_m * shared_m;
   }
-  return drawn_to_zero(mean, variance, expected_sd_m, least_spread_m);
+  return drawn_to_zero(mean, variance, expected_sd_m, min_spread_m);
 }
 
 }  // namespace bole::stems

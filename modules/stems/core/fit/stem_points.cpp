@@ -29,7 +29,7 @@ double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, con
 
 namespace {
 
-constexpr std::size_t most_points = 40000;
+constexpr std::size_t max_points = 40000;
 constexpr std::size_t plenty = 300;
 constexpr std::size_t points_between_polls = 256;  // where each may lie on a page of a file
 
@@ -87,7 +87,7 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     drop_distant(near, ray, options.max_range);
   }
   std::vector<BarkPoint> out;
-  const std::size_t stride = near.size() / most_points + 1;
+  const std::size_t stride = near.size() / max_points + 1;
   out.reserve(near.size() / stride + 1);
   for (std::size_t i = 0; i < near.size(); i += stride) {
     auto& b = out.emplace_back();
@@ -122,12 +122,12 @@ namespace {
 // Where the times begin and begin anew after a pause longer than `gap_s`, ascending. Pauses lie between bins as wide as
 // a pause: no sorting of all times.
 std::vector<double> starts_of_stretches(std::vector<double> times, double gap_s) {
-  constexpr double most_bins = 10000;
+  constexpr double max_bins = 10000;
   std::erase_if(times, [](double t) { return !std::isfinite(t); });
   std::vector<double> starts;
   if (times.empty()) return starts;
   const auto [lowest, highest] = std::ranges::minmax(times);
-  if (!(gap_s > 0) || !((highest - lowest) / gap_s < most_bins)) {
+  if (!(gap_s > 0) || !((highest - lowest) / gap_s < max_bins)) {
     std::ranges::sort(times);
     for (std::size_t i = 0; i < times.size(); ++i)
       if (i == 0 || times[i] - times[i - 1] > gap_s) starts.push_back(times[i]);

@@ -5,15 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "base/angles.h"
 
 namespace bole::stems {
 namespace {
-constexpr double to_deg = 180 / std::numbers::pi;
-constexpr int most_doubts = 4;          // a fit with as many is no stem
-constexpr double most_widening = 0.02;  // of the radius per metre: 4 cm of diameter
-constexpr double widest_gap_m = 0.45;   // between used sections, that breast height may lie in unmarked
+constexpr int max_doubts = 4;          // a fit with as many is no stem
+constexpr double max_widening = 0.02;  // of the radius per metre: 4 cm of diameter
+constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
 
 // Heights of the nearest used sections below and above.
 std::pair<double, double> sections_beside(const Stem& s, double height) {
@@ -29,7 +29,7 @@ std::pair<double, double> sections_beside(const Stem& s, double height) {
 // Many sections, seen nearly all round, that stop the rays: a stem stands here however blurred the map of it is. Leaves
 // let rays through.
 bool certainly_stands(const Stem& s) {
-  return s.sections_used >= 5 && s.arc_rad * to_deg >= 200 && s.ray_through <= 0.15;
+  return s.sections_used >= 5 && s.arc_rad * deg_per_rad >= 200 && s.ray_through <= 0.15;
 }
 }  // namespace
 
@@ -38,7 +38,7 @@ void judge(Stem& s, double breast_height_m) {
   int doubts = 0, blurs = 0;  // whether it is a stem; how well its bark is mapped
   const auto fault = [&](int weight, std::string text) { doubts += weight, s.reasons.push_back(std::move(text)); };
   const auto blur = [&](int weight, std::string text) { blurs += weight, s.reasons.push_back(std::move(text)); };
-  const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * to_deg;
+  const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * deg_per_rad;
   if (arc_deg < 150)
     fault(arc_deg < 100 ? 2 : 1, fmt::format("only {:.0f} deg of the bark seen", arc_deg));
   else if (!s.rays_known && arc_deg < 200)
@@ -54,7 +54,8 @@ void judge(Stem& s, double breast_height_m) {
   if (s.inside_share > 0.10)
     blur(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
   if (s.contrary_arc_rad > 0)
-    blur(1, fmt::format("on {:.0f} deg of the bark the points lie inside the circle", s.contrary_arc_rad * to_deg));
+    blur(1,
+         fmt::format("on {:.0f} deg of the bark the points lie inside the circle", s.contrary_arc_rad * deg_per_rad));
   if (s.contrast < 6)
     blur(s.contrast < 3 ? 2 : 1,
          fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));
@@ -64,11 +65,11 @@ void judge(Stem& s, double breast_height_m) {
   if (s.taper > 0.01) blur(1, "wider above than below");
   if (s.ray_through > 0.1)
     fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
-  if (const double lean = std::acos(std::min(1.0, s.direction.z())) * to_deg; lean > 15)
+  if (const double lean = std::acos(std::min(1.0, s.direction.z())) * deg_per_rad; lean > 15)
     s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
   s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
   // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
-  const int faults = doubts + blurs + (s.taper > most_widening ? 1 : 0);
+  const int faults = doubts + blurs + (s.taper > max_widening ? 1 : 0);
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
   s.state = faults >= 2 ? "check" : "auto";
 }
@@ -81,17 +82,17 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
     return fmt::format("{:.1f} cm thick, below min_dbh of {:.1f} cm", 200 * s.radius, options.min_dbh_cm);
   if (200 * s.radius > options.max_dbh_cm)
     return fmt::format("{:.1f} cm thick, above max_dbh of {:.1f} cm", 200 * s.radius, options.max_dbh_cm);
-  if (s.arc_rad * to_deg < options.min_arc_deg)
-    return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * to_deg,
+  if (s.arc_rad * deg_per_rad < options.min_arc_deg)
+    return fmt::format("only {:.0f} deg of a circle seen, min_arc is {:.0f} deg", s.arc_rad * deg_per_rad,
                        options.min_arc_deg);
-  if (s.unbroken_arc_rad * to_deg < options.min_arc_deg)
+  if (s.unbroken_arc_rad * deg_per_rad < options.min_arc_deg)
     return fmt::format(
         "separate clumps, not bark: no part of the circle longer than {:.0f} deg is without a gap (min_arc is {:.0f} "
         "deg)",
-        s.unbroken_arc_rad * to_deg, options.min_arc_deg);
+        s.unbroken_arc_rad * deg_per_rad, options.min_arc_deg);
   if (s.inside_share > 0.5)
     return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
-  if (s.doubts >= most_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
+  if (s.doubts >= max_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
   if (s.radius_high - s.radius_low > 1.2 * s.radius)
     return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
                        200 * s.radius_high);

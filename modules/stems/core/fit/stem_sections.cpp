@@ -3,17 +3,15 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-
-constexpr double least_contrast = 2;  // of a section with bark; leaves alone have about 1
+constexpr double min_contrast = 2;  // of a section with bark; leaves alone have about 1
 
 double contrast_of(const std::vector<Eigen::Vector2d>& ring, const Circle& circle) {
   RingDensity density(circle.radius);
@@ -26,7 +24,7 @@ void store(MeasuredSection& m, const RobustCircle& fit, const StemAxes& axes, co
   m.section.centre = axes.to_cloud(Eigen::Vector3d(m.x, m.y, m.z));
   m.section.radius = fit.circle.radius, m.section.sigma = fit.sigma, m.section.arc_rad = fit.arc_rad,
   m.section.inliers = fit.inliers;
-  m.good = fit.inliers >= options.min_section_points && fit.arc_rad >= options.min_arc_deg * degree - 1e-9;
+  m.good = fit.inliers >= options.min_section_points && fit.arc_rad >= options.min_arc_deg * rad_per_deg - 1e-9;
 }
 
 }  // namespace
@@ -45,10 +43,10 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
     MeasuredSection m;
     m.number = number, m.z = number * plan.step, m.section.height = plan.breast_height + m.z;
     const double expected = std::max(0.01, plan.radius + plan.taper * m.z);
-    if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m)) {
+    if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma)) {
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;
-      if (m.good && contrast_of(ring, fit->circle) < least_contrast) m.good = false;
+      if (m.good && contrast_of(ring, fit->circle) < min_contrast) m.good = false;
       out.push_back(std::move(m));
     }
   }
@@ -89,7 +87,7 @@ std::vector<MeasuredSection*> sections_near_breast_height(std::vector<MeasuredSe
     if (m.good) good.push_back(&m);
   std::ranges::stable_sort(good, [](const auto* a, const auto* b) { return std::abs(a->z) < std::abs(b->z); });
   std::size_t kept = 0;
-  while (kept < good.size() && (std::abs(good[kept]->z) <= options.window_m + 1e-9 || kept < enough)) ++kept;
+  while (kept < good.size() && (std::abs(good[kept]->z) <= options.window + 1e-9 || kept < enough)) ++kept;
   good.resize(kept);
   return good;
 }

@@ -5,20 +5,20 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
+#include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 
 namespace bole::stems {
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
-
 std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, "; ")); }
 
-double lean_deg(const Stem& s) { return std::acos(std::clamp(s.direction.z(), -1.0, 1.0)) * to_deg; }
+double lean_deg(const Stem& s) { return std::acos(std::clamp(s.direction.z(), -1.0, 1.0)) * deg_per_rad; }
 
 // Clockwise from north, the direction that the stem leans towards.
 double lean_azimuth_deg(const Stem& s) {
-  const double a = std::atan2(s.direction.x(), s.direction.y()) * to_deg;
+  const double a = std::atan2(s.direction.x(), s.direction.y()) * deg_per_rad;
   return a < 0 ? a + 360 : a;
 }
 
@@ -47,13 +47,20 @@ void texts(Table& table, const char* name, const std::vector<T>& items, F&& valu
   table.set(name, std::move(column));
 }
 
+// Those of the cloud, with what a cloud holds as members.
+Facts facts_of(const StemSurvey& survey) {
+  Facts facts = survey.points.facts;
+  set_fact(facts, facts::axes, axes_name(survey.points.axes));
+  if (!survey.points.crs_wkt.empty()) set_fact(facts, facts::crs, survey.points.crs_wkt);
+  set_fact(facts, facts::breast_height, survey.breast_height_m);
+  return facts;
+}
+
 }  // namespace
 
 Table stem_table(const StemSurvey& survey) {
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
-  if (!survey.points.crs_wkt.empty()) t.facts["crs"] = survey.points.crs_wkt;
-  set_breast_height_m(t, survey.breast_height_m);
+  t.facts = facts_of(survey);
   const auto& stems = survey.stems;
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", stems, [](const Stem& s) { return s.id; });
@@ -69,7 +76,7 @@ Table stem_table(const StemSurvey& survey) {
   numbers(t, "lean_deg", stems, lean_deg);
   numbers(t, "lean_azimuth_deg", stems, lean_azimuth_deg);
   numbers(t, "taper_cm_per_m", stems, [](const Stem& s) { return -200 * s.taper; });
-  numbers(t, "arc_deg", stems, [](const Stem& s) { return s.arc_rad * to_deg; });
+  numbers(t, "arc_deg", stems, [](const Stem& s) { return s.arc_rad * deg_per_rad; });
   integers(t, "passes", stems, [](const Stem& s) { return s.passes; });
   numbers(t, "pass_spread_cm", stems, [](const Stem& s) { return 100 * s.pass_spread_m; });
   numbers(t, "sigma_cm", stems, [](const Stem& s) { return 100 * s.sigma_m; });
@@ -100,7 +107,7 @@ Table section_table(const StemSurvey& survey) {
   for (const auto& s : survey.stems)
     for (const auto& m : s.sections) rows.push_back({s.id, m});
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
+  t.facts = facts_of(survey);
   const Eigen::Vector3d& o = survey.points.origin;
   integers(t, "tree_id", rows, [](const Row& r) { return r.id; });
   numbers(t, "height_m", rows, [](const Row& r) { return r.section.height; });
@@ -109,7 +116,7 @@ Table section_table(const StemSurvey& survey) {
   numbers(t, "z_m", rows, [&](const Row& r) { return o.z() + r.section.centre.z(); });
   numbers(t, "diameter_cm", rows, [](const Row& r) { return 200 * r.section.radius; });
   numbers(t, "sigma_cm", rows, [](const Row& r) { return 100 * r.section.sigma; });
-  numbers(t, "arc_deg", rows, [](const Row& r) { return r.section.arc_rad * to_deg; });
+  numbers(t, "arc_deg", rows, [](const Row& r) { return r.section.arc_rad * deg_per_rad; });
   integers(t, "inliers", rows, [](const Row& r) { return r.section.inliers; });
   integers(t, "used", rows, [](const Row& r) { return r.section.used; });
   integers(t, "curve", rows, [](const Row& r) { return r.section.curve; });
@@ -118,7 +125,7 @@ Table section_table(const StemSurvey& survey) {
 
 Table rejected_table(const StemSurvey& survey) {
   Table t;
-  t.facts["axes"] = axes_name(survey.points.axes);
+  t.facts = facts_of(survey);
   const Eigen::Vector3d& o = survey.points.origin;
   const auto& rows = survey.rejected;
   numbers(t, "x_m", rows, [&](const RejectedStem& r) { return o.x() + r.position.x(); });

@@ -12,7 +12,7 @@ namespace bole::stems {
 namespace {
 
 constexpr double lowest_point_m = 0.10;
-constexpr double most_slope_above = 0.15;  // above the measured stem a lean is followed no further than this
+constexpr double max_slope_above = 0.15;  // above the measured stem a lean is followed no further than this
 constexpr double tallest_m = 80;
 
 // The axis of a stem at any z: straight over the measured part, less inclined above.
@@ -24,7 +24,7 @@ struct TreeAxis {
         bend_z(s.breast_height.z() + 3),
         radius(s.radius) {
     above = slope;
-    if (above.norm() > most_slope_above) above *= most_slope_above / above.norm();
+    if (above.norm() > max_slope_above) above *= max_slope_above / above.norm();
   }
   Eigen::Vector2d at(double z) const {
     const double low = std::min(z, bend_z) - breast_height.z(), high = std::max(0.0, z - bend_z);
@@ -41,7 +41,7 @@ class AxisGrid {
   AxisGrid(const std::vector<TreeAxis>& axes, double reach) {
     constexpr double cell = 1.0;
     Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    const double sway = most_slope_above * tallest_m + 3;
+    const double sway = max_slope_above * tallest_m + 3;
     for (const auto& a : axes)
       low = low.cwiseMin(a.stem->breast_height.head<2>()), high = high.cwiseMax(a.stem->breast_height.head<2>());
     corner_ = low.array() - (reach + sway);
@@ -95,7 +95,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
   std::vector<TreeAxis> axes;
   double widest = 0;
   for (const auto& s : stems) axes.emplace_back(s), widest = std::max(widest, s.radius);
-  const AxisGrid grid(axes, options.crown_radius_m + widest);
+  const AxisGrid grid(axes, options.crown_radius + widest);
   const auto& positions = points.positions();
   const auto& heights = points.values<float>(arrays::height_above_ground);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points.size(), 1 << 16), [&](const auto& block) {
@@ -104,8 +104,8 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
       if (!(heights[i] >= static_cast<float>(lowest_point_m)) || !positions[i].allFinite()) continue;
       const Eigen::Vector3d p = positions[i].template cast<double>();
       // Shrubs below are not the tree's: the reach opens from near the bark at the base to the crown radius.
-      const double opened = std::clamp(static_cast<double>(heights[i]) / options.search_top_m, 0.0, 1.0);
-      const double reach = 0.3 + (std::max(0.3, options.crown_radius_m) - 0.3) * opened;
+      const double opened = std::clamp(static_cast<double>(heights[i]) / options.search_top, 0.0, 1.0);
+      const double reach = 0.3 + (std::max(0.3, options.crown_radius) - 0.3) * opened;
       double best = std::numeric_limits<double>::infinity();
       const Stem* owner = nullptr;
       for (const auto k : grid.near(p.x(), p.y())) {
@@ -114,7 +114,7 @@ PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& poin
       }
       if (!owner) continue;
       labels.tree_id[i] = owner->id;
-      if (is_bark(*owner, p, options.bark_tolerance_m)) labels.stem[i] = 1;
+      if (is_bark(*owner, p, options.bark_tolerance)) labels.stem[i] = 1;
     }
   });
   run.check_cancel();
@@ -127,7 +127,7 @@ namespace {
 class CanopyTop {
  public:
   CanopyTop(const PointCloud& points, const Run& run) {
-    constexpr double most_cells = 1 << 24;
+    constexpr double max_cells = 1 << 24;
     Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity()), high = -low;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if ((i & 0xfffffU) == 0) run.check_cancel();
@@ -136,7 +136,7 @@ class CanopyTop {
     }
     if (!(low.array() <= high.array()).all()) return;
     corner_ = low;
-    while ((std::floor((high - low).x() / cell_) + 1) * (std::floor((high - low).y() / cell_) + 1) > most_cells)
+    while ((std::floor((high - low).x() / cell_) + 1) * (std::floor((high - low).y() / cell_) + 1) > max_cells)
       cell_ *= 2;
     nx_ = static_cast<int>((high - low).x() / cell_) + 1, ny_ = static_cast<int>((high - low).y() / cell_) + 1;
     highest_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_),
@@ -182,7 +182,7 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
   // What stands over a stem is its own top where nothing within the reach of a neighbour's branches is higher.
   constexpr double free_m = 2.5, overhang_m = 0.2;
   constexpr double leader_m = 1.0;  // a top stands over its stem; branches of a taller neighbour reach in from the side
-  constexpr std::uint32_t least_points = 3;
+  constexpr std::uint32_t min_points = 3;
   std::int32_t largest = 0;
   for (const auto& s : stems) largest = std::max(largest, s.id);
   std::vector<Stem*> by_id(static_cast<std::size_t>(largest) + 1, nullptr);
@@ -210,7 +210,7 @@ void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const P
   for (auto& s : stems) {  // upwards until a gap that no tree has
     double gap = 0;
     for (const auto& bin : bins[static_cast<std::size_t>(s.id)]) {
-      if (bin.points >= least_points) {
+      if (bin.points >= min_points) {
         s.height_m = bin.highest, gap = 0;
       } else if ((gap += bin_m) > widest_gap_m && s.height_m > 0) {
         break;
@@ -271,7 +271,7 @@ SensorReach sensor_reach(const PointCloud& points, const PointLabels& labels, co
 void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
                 const SensorOf& sensor_of, const Run& run) {
   constexpr double bare_stem_m = 5, beyond_m = 1.5;
-  constexpr int least_views = 50;
+  constexpr int min_views = 50;
   if (!sensor_of) {
     for (auto& s : stems) s.height_seen = s.height_m > bare_stem_m && !s.overhung;
     return;
@@ -281,14 +281,14 @@ void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointL
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto id = static_cast<std::size_t>(labels.tree_id[i]);
-    if (id == 0 || views[id] >= least_views) continue;
+    if (id == 0 || views[id] >= min_views) continue;
     const auto& s = stems[id - 1];
     const auto sensor = sensor_of(i);
     if (!sensor) continue;
     const Eigen::Vector3d above_top(s.breast_height.x(), s.breast_height.y(), s.ground_z + s.height_m + beyond_m);
     views[id] += reach.covers(sensor->template cast<double>(), above_top) ? 1 : 0;
   }
-  for (auto& s : stems) s.height_seen = views[static_cast<std::size_t>(s.id)] >= least_views && !s.overhung;
+  for (auto& s : stems) s.height_seen = views[static_cast<std::size_t>(s.id)] >= min_views && !s.overhung;
 }
 
 }  // namespace bole::stems

@@ -27,7 +27,7 @@ using AlphaShape = CGAL::Alpha_shape_2<Triangulation>;
 
 constexpr double voxel_m = 0.10, layer_m = 0.25, lowest_m = 1.0, branch_m = 0.30, reach_m = 0.5, tallest_m = 80,
                  farthest_m = 1000;
-constexpr int bearings = 8, least_bearings = 3, metre_of_layers = 4, least_layers = 3;
+constexpr int bearings = 8, min_bearings = 3, metre_of_layers = 4, min_layers = 3;
 
 // A point in the axes of its tree, in voxels: from the stem at breast height and above the ground.
 std::uint64_t voxel_key(const Eigen::Vector3d& p) {
@@ -66,11 +66,11 @@ double crown_base(const Stem& stem, const std::vector<Eigen::Vector3d>& voxels) 
     sides[static_cast<std::size_t>(v.z() / layer_m)] |= 1U << (side % bearings);
   }
   for (std::size_t i = 0; i + metre_of_layers <= layers; ++i) {
-    if (std::popcount(sides[i]) < least_bearings) continue;
+    if (std::popcount(sides[i]) < min_bearings) continue;
     const auto full = std::count_if(sides.begin() + static_cast<std::ptrdiff_t>(i),
                                     sides.begin() + static_cast<std::ptrdiff_t>(i) + metre_of_layers,
-                                    [](unsigned s) { return std::popcount(s) >= least_bearings; });
-    if (full >= least_layers) return static_cast<double>(i) * layer_m;
+                                    [](unsigned s) { return std::popcount(s) >= min_bearings; });
+    if (full >= min_layers) return static_cast<double>(i) * layer_m;
   }
   return std::nan("");
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+#include "base/statistics.h"
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 #include "stems/core/fit/each_stem.h"
@@ -30,9 +32,8 @@ std::optional<Section> section_at(const std::vector<Eigen::Vector3d>& near, cons
   for (const auto& p : near)
     if (std::abs(p.z() - z) <= half_thickness_m)
       if (const Eigen::Vector2d q = p.head<2>() - up.at(p.z()); q.norm() < expected + margin_m) ring.push_back(q);
-  const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma_m);
-  if (!fit || fit->inliers < std::max(12, options.min_section_points) ||
-      fit->arc_rad < options.min_arc_deg * std::numbers::pi / 180)
+  const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma);
+  if (!fit || fit->inliers < std::max(12, options.min_section_points) || fit->arc_rad < radians(options.min_arc_deg))
     return std::nullopt;
   const double r = fit->circle.radius, rise = z - up.z;
   if (std::abs(r - expected) > 0.01 + 0.2 * expected || fit->circle.centre.norm() > 0.02 + sway * rise)
@@ -106,7 +107,7 @@ std::vector<CurvePoint> stem_curve(const Stem& stem, double breast_height_m) {
   }
   std::ranges::sort(raw, {}, &CurvePoint::height_m);
   if (too_wide.empty()) return raw;
-  const double offset = median_of(too_wide);
+  const double offset = upper_median(too_wide);
   auto curve = raw;
   for (std::size_t i = 0; i < raw.size(); ++i) {
     if (i > 0 && i + 1 < raw.size()) {

@@ -1,0 +1,21 @@
+// Edits that a person makes are a list in the option `edits` of a stage of the document.
+#pragma once
+
+#include <vector>
+
+#include "document/session.h"
+#include "rows/core/edits/row_edits.h"
+#include "stems/core/edits/stem_edits.h"
+
+namespace bole::desktop {
+
+// Adds edits to the list as one step of undo. Edits without author and time get those of now. Throw bole::Error when
+// the document has no stage that takes such edits, and when an edit is not valid.
+void add_edits(Session& session, const std::vector<stems::StemEdit>& edits);
+void add_edits(Session& session, const std::vector<rows::RowEdit>& edits);
+
+// Throw bole::Error when the document has no stage that takes such edits.
+void check_stems_can_be_edited(const Session& session);
+void check_rows_can_be_edited(const Session& session);
+
+}  // namespace bole::desktop

@@ -1,0 +1,15 @@
+// What the window takes for a pipeline, a cloud or a scan. Clouds and scans are those of the table of formats
+// (io/core/formats.h), as for `bole info`.
+#pragma once
+
+#include <QString>
+
+namespace bole::desktop {
+
+enum class FileKind { pipeline, cloud, scan, unknown };
+FileKind kind_of_file(const QString& path);
+
+QString pipeline_endings();  // "*.json", as a dialog takes them
+QString all_endings();       // of everything that can be opened: "*.json *.las ..."
+
+}  // namespace bole::desktop

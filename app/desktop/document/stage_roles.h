@@ -1,0 +1,30 @@
+// What a stage is for, read from its ports and options: nothing in the window knows stages by their names.
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <string_view>
+
+#include "pipeline/document.h"
+
+namespace bole::desktop {
+
+bool takes_edits(const pipeline::StageType& type);  // has the list of edits that a person makes
+
+// The first stage of the document with such a port; null when there is none.
+const pipeline::StageNode* stage_with_input(const pipeline::PipelineDocument& document, std::string_view port);
+const pipeline::StageNode* stage_with_output(const pipeline::PipelineDocument& document, std::string_view port);
+// The stage that edits this output.
+const pipeline::StageNode* editor_of(const pipeline::PipelineDocument& document, std::string_view port);
+
+// Registered stages. Throw Error{failed} when there is none.
+const pipeline::StageType& type_with_input(std::string_view port);
+const pipeline::StageType& table_reader();
+
+// The height of the slice from which diameters come, when the document has one.
+std::optional<double> breast_height_m(const pipeline::PipelineDocument& document);
+
+// The title in the language of the window; the declaration has the English one.
+QString stage_title(const pipeline::StageType& type);
+
+}  // namespace bole::desktop

@@ -1,0 +1,68 @@
+// Runs: the commands to start and end them, their progress in the status bar, and the dock of all jobs.
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QStyle>
+
+#include "features/run/jobs_panel.h"
+#include "workbench/workbench.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr int progress_steps = 1000, progress_width_px = 320;
+
+void make_progress(Workbench* b) {
+  auto* bar = new QProgressBar(b);
+  bar->setMaximumWidth(progress_width_px);
+  bar->setRange(0, progress_steps);
+  bar->hide();
+  b->statusBar()->addPermanentWidget(bar);
+  QObject::connect(&b->runner(), &Runner::progressed, bar,
+                   [b, bar](const QString& stage, double fraction, const QString& what) {
+                     bar->setValue(static_cast<int>(progress_steps * fraction));
+                     b->hint(stage + ": " + what);
+                   });
+  QObject::connect(&b->runner(), &Runner::jobs_changed, bar, [b, bar] { bar->setVisible(b->runner().running()); });
+}
+
+void make_commands(Workbench* b) {
+  auto& commands = b->commands();
+  const auto icon = [b](QStyle::StandardPixmap which) { return b->style()->standardIcon(which); };
+  commands.add({.id = "run.all",
+                .text = Workbench::tr("Run"),
+                .key = Qt::Key_F5,
+                .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
+                .act = [b] { b->run(); },
+                .enabled_when = b->with_document(),
+                .icon = icon(QStyle::SP_MediaPlay)});
+  commands.add({.id = "run.without_files",
+                .text = Workbench::tr("Run without writing files"),
+                .key = QKeySequence("Shift+F5"),
+                .places = {in_menu(Menu::run)},
+                .act = [b] { b->refresh(); },
+                .enabled_when = b->with_document()});
+  commands.add({.id = "run.finish",
+                .text = Workbench::tr("Keep result"),
+                .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
+                .act = [b] { b->runner().finish(); },
+                .enabled_when = b->with_run(),
+                .icon = icon(QStyle::SP_MediaSkipForward)});
+  commands.add({.id = "run.cancel",
+                .text = Workbench::tr("Cancel"),
+                .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
+                .act = [b] { b->runner().cancel(); },
+                .enabled_when = b->with_run(),
+                .icon = icon(QStyle::SP_MediaStop)});
+}
+
+}  // namespace
+
+void install_run(Workbench& bench) {
+  make_commands(&bench);
+  make_progress(&bench);
+  bench.docks().add("jobs", Workbench::tr("Jobs"), new JobsPanel(bench.runner(), &bench), Qt::BottomDockWidgetArea,
+                    "stems");
+  bench.docks().raise("stems");
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,238 @@
+#include "features/view_tools/view_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "features/view_tools/range_slider.h"
+#include "views/scene_view.h"
+
+namespace bole::desktop {
+namespace {
+
+QDoubleSpinBox* number(const char* id, const QString& tip, double step, int decimals, const QString& unit) {
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(id);
+  box->setToolTip(tip);
+  box->setRange(-1e8, 1e8);
+  box->setSingleStep(step);
+  box->setDecimals(decimals);
+  box->setSuffix(unit);
+  box->setKeyboardTracking(false);
+  box->setMinimumWidth(box->fontMetrics().horizontalAdvance("000000.00 m"));  // not that of the widest number
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  return box;
+}
+
+QCheckBox* check(const char* id, const QString& text, const QString& tip) {
+  auto* box = new QCheckBox(text);
+  box->setObjectName(id);
+  box->setToolTip(tip);
+  return box;
+}
+
+QWidget* row_of(std::initializer_list<QWidget*> widgets) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (auto* widget : widgets) layout->addWidget(widget);
+  return row;
+}
+
+QPushButton* button(const char* id, const QString& text, const QString& tip) {
+  auto* made = new QPushButton(text);
+  made->setObjectName(id);
+  made->setToolTip(tip);
+  return made;
+}
+
+const auto changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
+
+}  // namespace
+
+template <class Change>
+void ViewPanel::change(Change change) {
+  if (following_) return;
+  auto settings = scene_.settings();
+  change(settings);
+  scene_.set_settings(settings);
+  Q_EMIT scene_.settings_changed();  // this panel and the menu show it
+}
+
+ViewPanel::ViewPanel(SceneView& scene, QWidget* parent) : QWidget(parent), scene_(scene) {
+  auto* page = new QWidget;
+  auto* form = new QFormLayout(page);
+  make_color_rows(form);
+  make_height_rows(form);
+  make_clip_rows(form);
+  make_switches(form);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(page);
+  scroll->setMinimumWidth(page->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  connect(&scene_, &SceneView::settings_changed, this, &ViewPanel::show_state);
+  connect(&scene_, &SceneView::index_built, this, &ViewPanel::show_state);
+  show_state();
+}
+
+void ViewPanel::make_color_rows(QFormLayout* form) {
+  color_ = new QComboBox;
+  color_->setObjectName("view_color");
+  color_->setToolTip(tr("The array of the cloud that gives points their colour"));
+  color_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(color_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { scene_.color_by(color_->currentData().toString().toStdString()); });
+  form->addRow(tr("Colour"), color_);
+  range_lo_ = number("view_range_lo", tr("Takes the first colour of the map"), 0.5, 2, {});
+  range_hi_ = number("view_range_hi", tr("Takes the last colour of the map"), 0.5, 2, {});
+  auto* automatic = button("view_range_auto", tr("Auto"), tr("The range of the middle 96 % of the values"));
+  for (auto* box : {range_lo_, range_hi_}) connect(box, changed, this, &ViewPanel::take_range);
+  connect(automatic, &QPushButton::clicked, this, [this] { change([](auto& s) { s.color_range.reset(); }); });
+  form->addRow(tr("Range"), row_of({range_lo_, range_hi_, automatic}));
+  point_size_ = number("view_point_size", tr("Size of a point on the screen"), 1, 0, tr(" px"));
+  point_size_->setRange(1, 12);
+  connect(point_size_, changed, this, [this](double px) { change([px](auto& s) { s.point_size_px = px; }); });
+  form->addRow(tr("Point size"), point_size_);
+}
+
+void ViewPanel::make_height_rows(QFormLayout* form) {
+  heights_ = new RangeSlider;
+  heights_->setObjectName("view_heights");
+  heights_->setToolTip(tr("Heights above ground that are drawn; drag the middle to move the layer"));
+  height_lo_ = number("view_height_lo", tr("Minimum height above ground that is drawn"), 0.1, 2, tr(" m"));
+  height_hi_ = number("view_height_hi", tr("Maximum height above ground that is drawn"), 0.1, 2, tr(" m"));
+  auto* all = button("view_heights_all", tr("All"), tr("Draws all heights"));
+  connect(heights_, &RangeSlider::dragged, this,
+          [this](const render::Interval& range) { take_heights(range.lo, range.hi); });
+  for (auto* box : {height_lo_, height_hi_})
+    connect(box, changed, this, [this] { take_heights(height_lo_->value(), height_hi_->value()); });
+  connect(all, &QPushButton::clicked, this, &ViewPanel::reset_heights);
+  form->addRow(tr("Heights"), heights_);
+  form->addRow(QString(), row_of({height_lo_, height_hi_, all}));
+}
+
+void ViewPanel::make_clip_rows(QFormLayout* form) {
+  clip_ = check("view_clip", tr("Clip box"), tr("Draws only what lies within a box"));
+  handles_ = check("view_clip_handles", tr("Handles"), tr("Drag the faces of the box in the view"));
+  auto* reset = button("view_clip_reset", tr("Reset"), tr("The box around the whole cloud"));
+  connect(clip_, &QCheckBox::toggled, this, [this](bool on) {
+    if (!following_) set_clip(on);
+  });
+  connect(handles_, &QCheckBox::toggled, this, [this](bool on) {
+    if (!following_) scene_.show_clip_handles(on);
+  });
+  connect(reset, &QPushButton::clicked, this, &ViewPanel::reset_clip);
+  form->addRow(row_of({clip_, handles_, reset}));
+  const char* const ids[] = {"view_west", "view_east", "view_south", "view_north", "view_foot", "view_top"};
+  const QString tips[] = {tr("Minimum x"), tr("Maximum x"), tr("Minimum y"),
+                          tr("Maximum y"), tr("Minimum z"), tr("Maximum z")};
+  for (std::size_t k = 0; k < box_.size(); ++k) {
+    box_[k] = number(ids[k], tips[k], 0.5, 2, tr(" m"));
+    connect(box_[k], changed, this, &ViewPanel::take_clip);
+  }
+  form->addRow(tr("x"), row_of({box_[0], box_[1]}));
+  form->addRow(tr("y"), row_of({box_[2], box_[3]}));
+  form->addRow(tr("z"), row_of({box_[4], box_[5]}));
+}
+
+void ViewPanel::make_switches(QFormLayout* form) {
+  bool ViewSettings::*const members[] = {&ViewSettings::eye_dome, &ViewSettings::grid, &ViewSettings::legend,
+                                         &ViewSettings::scale_bar, &ViewSettings::north};
+  switches_ = {
+      check("view_eye_dome", tr("Eye-dome shading"), tr("Darkens hollows when the view rests: shapes stand out")),
+      check("view_grid", tr("Grid"), tr("A grid in metres at the foot of the cloud")),
+      check("view_legend", tr("Legend"), tr("What the colours mean")),
+      check("view_scale", tr("Scale bar"), tr("In metres; holds everywhere in parallel projection")),
+      check("view_north_arrow", tr("North arrow"), tr("Where the axes of the plot are known"))};
+  for (std::size_t k = 0; k < switches_.size(); ++k) {
+    connect(switches_[k], &QCheckBox::toggled, this,
+            [this, member = members[k]](bool on) { change([=](auto& s) { s.*member = on; }); });
+    form->addRow(switches_[k]);
+  }
+}
+
+void ViewPanel::take_range() {
+  const render::Interval range{range_lo_->value(), std::max(range_hi_->value(), range_lo_->value() + 1e-3)};
+  change([&](auto& s) { s.color_range = range; });
+}
+
+void ViewPanel::take_heights(double lo, double hi) {
+  change([&](auto& s) { s.filter.height = {std::min(lo, hi), std::max(lo, hi)}; });
+}
+
+void ViewPanel::reset_heights() {
+  change([](auto& s) { s.filter = {}; });
+}
+
+void ViewPanel::set_clip(bool on) {
+  change([&](auto& s) { s.clip = on ? std::optional(scene_.whole()) : std::nullopt; });
+  scene_.show_clip_handles(on);
+  show_state();
+}
+
+void ViewPanel::reset_clip() {
+  change([&](auto& s) { s.clip = scene_.whole(); });
+  scene_.show_clip_handles(true);
+  show_state();
+}
+
+void ViewPanel::take_clip() {
+  render::ClipBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(2 * axis);
+    box.lo[axis] = std::min(box_[k]->value(), box_[k + 1]->value());
+    box.hi[axis] = std::max(box_[k]->value(), box_[k + 1]->value());
+  }
+  change([&](auto& s) { s.clip = box; });
+}
+
+void ViewPanel::show_state() {
+  const auto& s = scene_.settings();
+  following_ = true;
+  color_->clear();
+  for (const auto& array : scene_.colorable()) {
+    const auto name = QString::fromStdString(array);
+    color_->addItem(QString(name).replace('_', ' '), name);
+  }
+  color_->setCurrentIndex(color_->findData(QString::fromStdString(scene_.paint().array)));
+  const bool numbers = scene_.paint().kind == render::PointPaint::Kind::map;
+  for (auto* box : {range_lo_, range_hi_}) box->setEnabled(numbers);
+  range_lo_->setValue(scene_.paint().range.lo);
+  range_hi_->setValue(scene_.paint().range.hi);
+  point_size_->setValue(s.point_size_px);
+  const auto limits = scene_.heights();
+  heights_->set_limits(limits);
+  heights_->set_range(s.filter.height);
+  height_lo_->setValue(std::max(s.filter.height.lo, limits.lo));
+  height_hi_->setValue(std::min(s.filter.height.hi, limits.hi));
+  clip_->setChecked(s.clip.has_value());
+  handles_->setEnabled(s.clip.has_value());
+  handles_->setChecked(scene_.clip_handles_shown());
+  const auto box = s.clip ? *s.clip : scene_.whole();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto k = static_cast<std::size_t>(2 * axis);
+    box_[k]->setValue(box.lo[axis]);
+    box_[k + 1]->setValue(box.hi[axis]);
+    box_[k]->setEnabled(s.clip.has_value());
+    box_[k + 1]->setEnabled(s.clip.has_value());
+  }
+  const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north};
+  for (std::size_t k = 0; k < switches_.size(); ++k) switches_[k]->setChecked(on[k]);
+  following_ = false;
+}
+
+}  // namespace bole::desktop

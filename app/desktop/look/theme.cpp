@@ -1,0 +1,77 @@
+#include "look/theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QSettings>
+#include <QStyle>
+#include <QStyleFactory>
+#include <algorithm>
+
+namespace bole::desktop {
+namespace {
+
+QPalette dark_palette() {
+  QPalette palette(QColor(45, 45, 48), QColor(45, 45, 48));
+  const QColor text(224, 224, 224), quiet(130, 130, 130), base(30, 30, 32);
+  for (const auto role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::BrightText}) {
+    palette.setColor(role, text);
+    palette.setColor(QPalette::Disabled, role, quiet);
+  }
+  palette.setColor(QPalette::PlaceholderText, quiet);
+  palette.setColor(QPalette::Base, base);
+  palette.setColor(QPalette::AlternateBase, QColor(38, 38, 41));
+  palette.setColor(QPalette::ToolTipBase, QColor(60, 60, 64));
+  palette.setColor(QPalette::Highlight, QColor(38, 110, 190));
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor(80, 80, 80));
+  palette.setColor(QPalette::Link, QColor(90, 170, 250));
+  return palette;
+}
+
+const QPalette& palette_of_the_system() {
+  static const QPalette palette = QApplication::palette();  // asked for before any other is set
+  return palette;
+}
+
+}  // namespace
+
+bool is_dark(const QPalette& palette) { return palette.color(QPalette::Window).lightness() < 128; }
+
+void apply_theme(Theme theme) {
+  const QPalette system = palette_of_the_system();
+  if (theme == Theme::system && !is_dark(system)) {
+    QApplication::setPalette(system);
+    return;
+  }
+  QApplication::setStyle(QStyleFactory::create("Fusion"));  // the one that takes any palette
+  const bool dark = theme == Theme::dark || theme == Theme::system;
+  QApplication::setPalette(dark ? dark_palette() : QApplication::style()->standardPalette());
+}
+
+Theme saved_theme() { return static_cast<Theme>(std::clamp(QSettings().value("theme", 0).toInt(), 0, 2)); }
+
+void save_theme(Theme theme) { QSettings().setValue("theme", static_cast<int>(theme)); }
+
+void apply_saved_theme() { apply_theme(saved_theme()); }
+
+QImage on_paper(QImage chart, const QPalette& palette) {
+  if (!is_dark(palette)) return chart;
+  chart = chart.convertToFormat(QImage::Format_RGBA8888);
+  const QColor paper = palette.color(QPalette::Base);
+  const int base[3] = {paper.red(), paper.green(), paper.blue()};
+  for (int y = 0; y < chart.height(); ++y) {
+    auto* pixel = chart.scanLine(y);
+    for (int x = 0; x < chart.width(); ++x, pixel += 4) {
+      const auto [lo, hi] = std::minmax({pixel[0], pixel[1], pixel[2]});
+      const int turn = 255 - lo - hi;  // L becomes 1 - L, hue and chroma stay
+      for (int k = 0; k < 3; ++k) {
+        const int value = std::clamp(pixel[k] + turn, 0, 255);
+        pixel[k] = static_cast<uchar>(base[k] + value * (255 - base[k]) / 255);
+      }
+    }
+  }
+  return chart;
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,159 @@
+#include "shell/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QScreen>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "document/file_kinds.h"
+#include "document/new_document.h"
+#include "features/features.h"
+#include "panels/pipeline_panel.h"
+#include "panels/properties_panel.h"
+#include "panels/table_panel.h"
+#include "shell/layouts.h"
+#include "shell/recent_files.h"
+#include "shell/shell_commands.h"
+#include "shell/welcome.h"
+#include "views/chart_view.h"
+#include "views/profile_view.h"
+#include "views/scene_view.h"
+#include "views/slice_view.h"
+
+namespace bole::desktop {
+
+MainWindow::MainWindow() {
+  setWindowTitle(tr("Bole"));
+  resize(QSize(1600, 1000).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
+  setAcceptDrops(true);
+  setCentralWidget(&scene());
+  make_docks();
+  install_shell_commands(*this);
+  install_features(*this);
+  make_menus();
+  show_welcome(*this);
+  commands().update();
+}
+
+void MainWindow::make_menus() {
+  const QString titles[] = {tr("&File"), tr("&Edit"), tr("&Run"), tr("&Stem"), tr("&View"), tr("&Tools"), tr("&Help")};
+  for (const auto which : all_menus) {
+    const auto i = static_cast<std::size_t>(which);
+    menus_[i] = menuBar()->addMenu(titles[i]);
+    menus_[i]->setObjectName(menu_name(which));
+    commands().fill(*menus_[i], in_menu(which));
+    menus_[i]->menuAction()->setVisible(!menus_[i]->isEmpty());
+  }
+  auto* bar = addToolBar(tr("Run"));
+  bar->setObjectName("run_bar");
+  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (const auto& item : commands().items(in_tool_bar("run_bar"))) bar->addAction(item.entry->action);
+}
+
+void MainWindow::make_docks() {
+  auto* table = new QWidget(this);
+  auto* filter = new QLineEdit(table);
+  filter->setPlaceholderText(tr("Filter: words, or conditions such as dbh_cm > 20 quality = poor"));
+  filter->setClearButtonEnabled(true);
+  connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
+    if (const QString problem = stems().filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
+  });
+  auto* layout = new QVBoxLayout(table);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(filter);
+  layout->addWidget(&stems());
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
+  docks().add("pipeline", tr("Pipeline"), &pipeline(), Qt::LeftDockWidgetArea);
+  docks().add("options", tr("Options"), &properties(), Qt::LeftDockWidgetArea);
+  docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea);
+  auto* below = docks().add("chart", tr("Chart"), &chart(), Qt::BottomDockWidgetArea);
+  docks().add("log", tr("Log"), &log(), Qt::LeftDockWidgetArea);
+  docks().add("slice", tr("Slice"), &slice(), Qt::RightDockWidgetArea);
+  docks().add("profile", tr("Profile"), &profile(), Qt::RightDockWidgetArea);
+  resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
+  resizeDocks({docks().find("pipeline"), docks().find("options")}, {320, 460}, Qt::Vertical);
+}
+
+void MainWindow::open(const QString& path) {
+  if (!may_lose_changes()) return;
+  if (kind_of_file(path) == FileKind::pipeline)
+    take_up(path, {});
+  else
+    take_up(pipeline_path_for_file(path), [&] { return document_for_file(path); });
+  document_is_open();
+  if (QFileInfo::exists(session().path())) note_recent_file(session().path());
+}
+
+void MainWindow::open_made(const pipeline::PipelineDocument& document, const QString& path) {
+  if (!may_lose_changes()) return;
+  take_up(path, [&] { return document; });
+  document_is_open();
+  refresh();
+}
+
+void MainWindow::save(const QString& path) {
+  session().save(path);
+  note_recent_file(path);
+  Q_EMIT document_saved();
+}
+
+void MainWindow::take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make) {
+  const bool lost = QFileInfo::exists(Session::recovery_path(path));
+  if (lost &&
+      QMessageBox::question(
+          this, tr("Changes were not saved"),
+          tr("The program ended before changes to %1 were saved. Restore them?").arg(QFileInfo(path).fileName())) ==
+          QMessageBox::Yes)
+    session().recover(path);
+  else if (make && !QFileInfo::exists(path))
+    session().start(make(), path);
+  else
+    session().open(path);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (runner().running() &&
+      QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
+    return event->ignore();
+  if (!may_lose_changes()) return event->ignore();
+  runner().cancel_all();
+  keep_layout(*this);
+  event->accept();
+}
+
+bool MainWindow::may_lose_changes() {
+  if (!session().has_document() || session().undo_stack().isClean()) return true;
+  const bool made_here =
+      !QFileInfo::exists(session().path()) && session().undo_stack().count() == 0 && !session().recovered();
+  if (made_here) return true;  // a pipeline that the program made and nobody changed
+  const auto answer =
+      QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  if (answer == QMessageBox::Save) guarded([&] { save(session().path()); });
+  if (answer == QMessageBox::Discard) session().discard_recovery();
+  return answer == QMessageBox::Discard || session().undo_stack().isClean();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (urls.isEmpty()) return;
+  guarded([&] { open(urls.front().toLocalFile()); });
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,64 @@
+#include "shell/shell_commands.h"
+
+#include "look/language.h"
+#include "look/theme.h"
+#include "shell/main_window.h"
+#include "shell/restart.h"
+
+namespace bole::desktop {
+namespace {
+
+void add_edit_commands(MainWindow& window) {
+  auto& stack = window.session().undo_stack();
+  const auto add = [&](const char* id, const QKeySequence& key, QAction* made) {
+    window.commands().add({.id = id, .key = key, .places = {in_menu(Menu::edit)}, .made = made});
+  };
+  add("edit.undo", QKeySequence::Undo, stack.createUndoAction(&window, MainWindow::tr("Undo")));
+  add("edit.redo", QKeySequence::Redo, stack.createRedoAction(&window, MainWindow::tr("Redo")));
+}
+
+}  // namespace
+
+void add_theme_commands(MainWindow& window) {
+  window.commands().add_submenu(
+      {.id = "theme.menu", .title = MainWindow::tr("Theme"), .place = in_menu(Menu::view, window_section)});
+  const auto add = [&](const char* id, const QString& text, Theme theme) {
+    window.commands().add({.id = id,
+                           .text = text,
+                           .places = {in_submenu("theme.menu")},
+                           .turn =
+                               [theme](bool) {
+                                 apply_theme(theme);
+                                 save_theme(theme);
+                               },
+                           .checked_when = [theme] { return saved_theme() == theme; },
+                           .group = "theme"});
+  };
+  add("theme.system", MainWindow::tr("As the system"), Theme::system);
+  add("theme.light", MainWindow::tr("Light"), Theme::light);
+  add("theme.dark", MainWindow::tr("Dark"), Theme::dark);
+}
+
+void add_language_commands(MainWindow& window) {
+  window.commands().add_submenu(
+      {.id = "language.menu", .title = MainWindow::tr("Language"), .place = in_menu(Menu::view, window_section)});
+  for (const auto& language : languages())
+    window.commands().add({.id = "language." + language.code,
+                           .text = language.name,
+                           .places = {in_submenu("language.menu")},
+                           .turn = [w = &window, code = language.code](bool) { restart_in_language(*w, code); },
+                           .checked_when = [code = language.code] { return current_language() == code; },
+                           .group = "language"});
+}
+
+void install_shell_commands(MainWindow& window) {
+  add_file_commands(window);
+  add_edit_commands(window);
+  add_mode_commands(window);
+  add_layout_menus(window);
+  add_theme_commands(window);
+  add_language_commands(window);
+  add_help_commands(window);
+}
+
+}  // namespace bole::desktop

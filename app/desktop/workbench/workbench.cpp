@@ -1,0 +1,203 @@
+#include "workbench/workbench.h"
+
+#include <QFileInfo>
+#include <QStatusBar>
+#include <utility>
+
+#include "document/stage_roles.h"
+#include "panels/pipeline_panel.h"
+#include "panels/properties_panel.h"
+#include "panels/table_panel.h"
+#include "views/chart_view.h"
+#include "views/profile_view.h"
+#include "views/scene_view.h"
+#include "views/slice_view.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr int message_ms = 10000;
+
+StageMark mark_of(const vtkbridge::StageOutcome& stage) {
+  switch (stage.state) {
+    case vtkbridge::StageState::done:
+    case vtkbridge::StageState::from_cache:
+      return stage.record.report.warnings.empty() ? StageMark::done : StageMark::warning;
+    case vtkbridge::StageState::failed:
+      return StageMark::failed;
+    default:
+      return StageMark::idle;
+  }
+}
+
+}  // namespace
+
+Workbench::Workbench()
+    : docks_(*this),
+      commands_(new Commands(*this, [this](const auto& act) { guarded(act); })),
+      run_(new Runner(session_, this)),
+      pipeline_(new PipelinePanel(session_, visibility_, *commands_, this)),
+      properties_(new PropertiesPanel(session_, this)),
+      scene_(new SceneView(selection_, this)),
+      slice_(new SliceView(selection_, this)),
+      profile_(new ProfileView(selection_, this)),
+      chart_(new ChartView(selection_, this)),
+      stems_(new TablePanel(selection_, this)),
+      log_(new LogPanel(*commands_, this)) {
+  connect_document();
+  connect_views();
+  keep_commands_up_to_date();
+}
+
+void Workbench::connect_document() {
+  connect(pipeline_, &PipelinePanel::stage_selected, properties_, &PropertiesPanel::show_stage);
+  connect(properties_, &PropertiesPanel::refused, this, &Workbench::complain);
+  connect(pipeline_, &PipelinePanel::refused, this, &Workbench::complain);
+  connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
+  connect(run_, &Runner::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
+    const int now = run_->current() ? run_->current()->id : 0;
+    if (job == now && last != stage) pipeline_->set_state(last, StageMark::done);
+    job = now;
+    last = stage;
+    pipeline_->set_state(stage, StageMark::running);
+  });
+  connect(run_, &Runner::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
+  connect(run_, &Runner::finished, this, &Workbench::show_outcome);
+  connect(run_, &Runner::job_ended, this, [this] {
+    if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
+  });
+  connect(&session_, &Session::unprotected, this,
+          [this](const QString& why) { complain(tr("Changes are not kept until they are saved: %1").arg(why)); });
+  connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
+    // An edit of a result, made, undone or redone, is shown at once. Other options wait for Run.
+    if (takes_edits(*session_.document().at(stage.toStdString()).type) && scene_->has_survey())
+      guarded([&] { refresh(); });
+  });
+}
+
+void Workbench::connect_views() {
+  connect(slice_, &SliceView::said, this, &Workbench::say);
+  connect(slice_, &SliceView::height_changed, profile_, &ProfileView::set_height);
+  connect(profile_, &ProfileView::height_dragged, slice_, &SliceView::set_height);
+  connect(scene_, &SceneView::point_picked, this, [this](const QStringList& facts) {
+    if (!facts.isEmpty()) hint(facts.join("   "));
+  });
+}
+
+void Workbench::keep_commands_up_to_date() {
+  connect(&session_, &Session::document_replaced, commands_, &Commands::update);
+  connect(&selection_, &Selection::changed, commands_, &Commands::update);
+  connect(&selection_, &Selection::row_changed, commands_, &Commands::update);
+  connect(run_, &Runner::jobs_changed, commands_, &Commands::update);
+  connect(scene_, &SceneView::settings_changed, commands_, &Commands::update);
+  connect(slice_, &SliceView::adding_changed, commands_, &Commands::update);
+  connect(this, &Workbench::survey_shown, commands_, &Commands::update);
+}
+
+When Workbench::with_document() const {
+  return {[this] { return session_.has_document(); }, tr("Open a scan, a point cloud or a pipeline first.")};
+}
+
+When Workbench::with_survey() const {
+  return {[this] { return !run_->survey().empty(); }, tr("Run the pipeline first.")};
+}
+
+When Workbench::with_tree() const {
+  return {[this] { return selection_.tree().has_value(); }, tr("Select a stem first.")};
+}
+
+When Workbench::with_row() const {
+  return {[this] { return selection_.row().has_value(); }, tr("Select a row first.")};
+}
+
+When Workbench::with_run() const {
+  return {[this] { return run_->running(); }, tr("No run is under way.")};
+}
+
+void Workbench::guarded(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& e) {
+    complain(QString::fromUtf8(e.what()));
+  }
+}
+
+void Workbench::say(const QString& text) { tell(text, LogLevel::info); }
+
+void Workbench::complain(const QString& text) { tell(text, LogLevel::error); }
+
+void Workbench::tell(const QString& text, LogLevel level) {
+  log_->add(text, level);
+  statusBar()->showMessage(text, message_ms);
+}
+
+void Workbench::hint(const QString& text) { statusBar()->showMessage(text); }
+
+void Workbench::document_is_open() {
+  refresh_again_ = false;
+  pipeline_->forget_states();
+  run_->forget_survey();
+  selection_.select({});
+  visibility_.show_all();
+  show_survey({});
+  if (const auto height = breast_height_m(session_.document())) {
+    slice_->set_breast_height(*height);
+    profile_->set_breast_height(*height);
+  }
+  setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
+  last_export_ = results_folder();
+  Q_EMIT document_opened();
+}
+
+void Workbench::run() {
+  if (!session_.has_document())
+    throw bad_input("no pipeline is open", "one to run", "Open a scan, a point cloud or a pipeline");
+  start(true, results_folder());
+}
+
+void Workbench::export_to(const QString& folder) { start(true, folder); }
+
+void Workbench::refresh() {
+  refresh_again_ = run_->running();
+  if (!refresh_again_) start(false, results_folder());
+}
+
+void Workbench::start(bool sinks, const QString& folder) {
+  if (!session_.has_document()) return;
+  for (const auto& problem : pipeline::validate(session_.document()))
+    throw bad_input(problem.stage + ": " + problem.message);
+  if (sinks) last_export_ = folder;
+  run_->start(folder, sinks);
+  Q_EMIT run_started();
+}
+
+QString Workbench::results_folder() const {
+  const QFileInfo file(session_.path());
+  return file.absolutePath() + "/" + file.completeBaseName() + "_results";
+}
+
+void Workbench::show_survey(const Survey& survey) {
+  const Survey cuts = visibility_.survey_for(ViewKind::cuts, survey);
+  scene_->show_survey(visibility_.survey_for(ViewKind::scene, survey));
+  slice_->show_survey(cuts);
+  profile_->show_survey(cuts);
+  chart_->show_survey(survey);
+  stems_->show_table(survey.stems);
+  Q_EMIT survey_shown(survey);
+}
+
+void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
+  for (const auto& stage : outcome.stages) {
+    const bool failed = !stage.error.empty();
+    const auto& message = failed ? stage.error : stage.record.report.message;
+    pipeline_->set_state(QString::fromStdString(stage.record.id), mark_of(stage), QString::fromStdString(message));
+    tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
+    for (const auto& warning : stage.record.report.warnings)
+      tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
+  }
+  visibility_.take(run_->outcome(), run_->results());
+  hint(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
+  show_survey(run_->survey());
+}
+
+}  // namespace bole::desktop

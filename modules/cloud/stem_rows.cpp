@@ -1,0 +1,27 @@
+#include "cloud/stem_rows.h"
+
+#include <cmath>
+#include <string>
+
+namespace bole {
+inline namespace cloud {
+
+std::vector<std::size_t> kept_rows(const Table& stems) {
+  const auto* values = stems.find("state");
+  const auto* state = values != nullptr ? std::get_if<std::vector<std::string>>(values) : nullptr;
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < stems.rows(); ++i)
+    if (state == nullptr || (*state)[i] != "rejected") kept.push_back(i);
+  return kept;
+}
+
+std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& rule) {
+  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm");
+  std::vector<std::size_t> counted;
+  for (const auto i : kept_rows(stems))
+    if (std::isfinite(dbh[i]) && rule.counts({x[i], y[i]}, dbh[i])) counted.push_back(i);
+  return counted;
+}
+
+}  // namespace cloud
+}  // namespace bole

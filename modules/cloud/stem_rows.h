@@ -1,0 +1,20 @@
+// Which rows of a stem table take part: those that a person did not reject, and of these the ones that a plot counts.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cloud/plot_area.h"
+#include "cloud/table.h"
+
+namespace bole {
+inline namespace cloud {
+
+// Rows whose state is not "rejected"; all rows where the table has no states.
+std::vector<std::size_t> kept_rows(const Table& stems);
+
+// Kept rows with a finite dbh_cm that count by the rule. Needs x_m, y_m and dbh_cm.
+std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& rule);
+
+}  // namespace cloud
+}  // namespace bole

@@ -1,5 +1,0 @@
-#include "vtkBoleEvaluatePlot.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleEvaluatePlot)

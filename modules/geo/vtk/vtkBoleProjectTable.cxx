@@ -1,5 +1,0 @@
-#include "vtkBoleProjectTable.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleProjectTable)

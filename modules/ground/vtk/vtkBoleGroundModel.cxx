@@ -1,5 +1,0 @@
-#include "vtkBoleGroundModel.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleGroundModel)

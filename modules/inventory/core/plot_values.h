@@ -1,0 +1,57 @@
+// The numbers that a forester reads first: density, basal area, mean diameters, heights and volume of a plot.
+#pragma once
+
+#include <vector>
+
+#include "cloud/plot_area.h"
+#include "cloud/table.h"
+#include "inventory/core/inventory_options.h"
+#include "inventory/core/stand_values.h"
+
+namespace bole::inventory {
+
+struct DiameterClass {
+  double lo_cm = 0, hi_cm = 0;  // lo <= dbh < hi
+  std::size_t stems = 0;
+  double stems_per_ha = 0;  // NaN without a plot area
+  double basal_area_m2 = 0;
+  double basal_area_m2_per_ha = 0;
+  double mean_height_m = 0;  // of the tops that were seen; NaN where none was seen
+};
+
+// NaN where a number cannot be given: per-hectare values without a plot area, heights where too few tops were seen.
+struct PlotValues {
+  double area_m2 = 0;             // horizontal
+  double min_counted_dbh_cm = 0;  // thinner stems are not counted
+  std::size_t stems = 0;          // centre at breast height inside the plot, thick enough, not rejected
+  std::size_t outside = 0;        // measured stems that lie outside
+  std::size_t too_thin = 0;       // inside, below the minimum diameter
+  double stems_per_ha = 0;
+  double basal_area_m2 = 0;  // sum of pi/4 dbh^2
+  double basal_area_m2_per_ha = 0;
+  double mean_dbh_cm = 0;
+  double sd_dbh_cm = 0;              // with n - 1
+  double quadratic_mean_dbh_cm = 0;  // sqrt of the mean of dbh^2
+  double min_dbh_cm = 0, max_dbh_cm = 0;
+  std::size_t tops_seen = 0;   // stems whose top was seen; the height of the others is a lower bound and is not used
+  bool heights_known = false;  // enough tops for the heights below, see enough_tops()
+  double mean_height_m = 0;
+  double lorey_height_m = 0;       // mean height weighted by basal area
+  double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area, or where less
+                                   // than half of their tops were seen
+  std::size_t dominant_stems = 0;  // how many stems that is on this plot
+  std::size_t dominant_tops = 0;   // how many of their tops were seen
+  StandAssumptions assumed;        // what `stand` rests on
+  StandValues stand;               // heights of all stems, volume, intervals; without meaning where stems is 0
+  std::vector<DiameterClass> classes;
+};
+
+// Whether heights of a plot may be given from so many tops: all of them, or at least 5 and at least a fifth of the
+// stems. Below a canopy the few tops that are seen belong to the low trees.
+bool enough_tops(std::size_t seen, std::size_t stems);
+
+// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen and state where known. Breast height is that of the
+// table (fact breast_height_m).
+PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotValueOptions& options = {});
+
+}  // namespace bole::inventory

@@ -1,5 +1,0 @@
-#include "vtkBoleReadCloud.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleReadCloud)

@@ -1,5 +1,0 @@
-#include "vtkBoleReadScan.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleReadScan)

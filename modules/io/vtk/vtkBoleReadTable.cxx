@@ -1,5 +1,0 @@
-#include "vtkBoleReadTable.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleReadTable)

@@ -1,5 +1,0 @@
-#include "vtkBoleReadTrack.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleReadTrack)

@@ -1,5 +1,0 @@
-#include "vtkBoleReadTrajectory.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleReadTrajectory)

@@ -1,0 +1,73 @@
+#include "report/report_writer.h"
+
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+
+namespace bole::report {
+namespace {
+
+constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a screen, small enough to mail
+
+}  // namespace
+
+ReportWriter::ReportWriter(const Run& run) : run_(run) {
+  if (run.output_dir.empty())
+    throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
+}
+
+void ReportWriter::attempt(const std::string& what, const std::function<void()>& part) {
+  run_.check_cancel();
+  try {
+    part();
+  } catch (const Error& e) {
+    if (e.kind() == ErrorKind::cancelled) throw;
+    report().warn(what + ": " + e.what());
+  } catch (const std::exception& e) {
+    report().warn(what + ": " + e.what());
+  }
+}
+
+void ReportWriter::write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write) {
+  attempt(file, [&] {
+    write(run_.output_dir / file);
+    files_.push_back(file);
+  });
+}
+
+void ReportWriter::put(const std::string& file, const std::string& bytes) {
+  write_text_file(run_.output_dir / file, bytes);
+  files_.push_back(file);
+}
+
+void ReportWriter::save(const render::Figure& figure, const FigureOutput& output) {
+  run_.check_cancel();
+  const std::string file = "figures/" + figure.name;
+  const bool vector_on_page = figure.vector && output.on_page && !output.as_pixels;
+  const std::string png = render::figure_png(figure, output.dpi);
+  put(file + ".png", png);
+  std::string svg;
+  if (vector_on_page || (figure.vector && output.vectors)) svg = render::figure_svg(figure);
+  if (figure.vector && output.vectors) {
+    put(file + ".svg", svg);
+    put(file + ".pdf", render::figure_pdf(figure));
+  }
+  if (!output.on_page) return;
+  ReportPicture picture{figure.title, figure.caption, "image/svg+xml", {}, output.wide};
+  if (vector_on_page) {
+    picture.bytes = std::move(svg);
+  } else {
+    picture.media_type = "image/png";
+    picture.bytes = output.dpi <= page_dpi ? png : render::figure_png(figure, page_dpi);
+  }
+  pictures_.push_back(std::move(picture));
+}
+
+pipeline::StageResult ReportWriter::finish() {
+  report().counts["files"] = static_cast<std::int64_t>(files_.size());
+  report().message = fmt::format("{} files in {}", files_.size(), run_.output_dir.string());
+  return std::move(result_);
+}
+
+}  // namespace bole::report

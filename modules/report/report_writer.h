@@ -1,0 +1,53 @@
+// Writes the files of a report into the output folder of a run. What cannot be written becomes a warning and does not
+// end the run.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/run.h"
+#include "pipeline/stage.h"
+#include "render/draw/figure.h"
+#include "report/core/picture.h"
+
+namespace bole::report {
+
+struct FigureOutput {
+  double dpi = 300;        // of the PNG
+  bool vectors = true;     // SVG and PDF files too, where the figure can be vector
+  bool on_page = true;     // kept for the page
+  bool as_pixels = false;  // on the page even where the figure could be vector
+  bool wide = true;        // on the page: over its whole width
+};
+
+class ReportWriter {
+ public:
+  // Throws Error{bad_input} where the run has no output folder.
+  explicit ReportWriter(const Run& run);
+
+  // Runs one part of the work. An error in it becomes a warning that begins with `what`; Error{cancelled} is thrown on.
+  void attempt(const std::string& what, const std::function<void()>& part);
+  // attempt() with the path of a file in the output folder; the file is listed where `write` succeeds.
+  void write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write);
+  // Writes a figure as PNG, SVG and PDF into figures/.
+  void save(const render::Figure& figure, const FigureOutput& output);
+
+  Report& report() { return result_.report; }
+  const std::vector<std::string>& files() const { return files_; }
+  const std::vector<ReportPicture>& pictures() const { return pictures_; }
+
+  // The count of files and the message of the report.
+  pipeline::StageResult finish();
+
+ private:
+  void put(const std::string& file, const std::string& bytes);
+
+  const Run& run_;
+  pipeline::StageResult result_;
+  std::vector<std::string> files_;
+  std::vector<ReportPicture> pictures_;
+};
+
+}  // namespace bole::report

@@ -1,5 +1,0 @@
-#include "vtkBoleEditRows.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleEditRows)

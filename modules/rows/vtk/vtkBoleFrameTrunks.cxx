@@ -1,5 +1,0 @@
-#include "vtkBoleFrameTrunks.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleFrameTrunks)

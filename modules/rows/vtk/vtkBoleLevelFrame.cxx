@@ -1,5 +1,0 @@
-#include "vtkBoleLevelFrame.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleLevelFrame)

@@ -1,5 +1,0 @@
-#include "vtkBoleRowsFromStems.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleRowsFromStems)

@@ -1,5 +1,0 @@
-#include "vtkBoleSlam.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleSlam)

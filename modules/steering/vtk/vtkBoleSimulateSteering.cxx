@@ -1,5 +1,0 @@
-#include "vtkBoleSimulateSteering.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleSimulateSteering)

@@ -1,5 +1,0 @@
-#include "vtkBoleSteeringErrors.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleSteeringErrors)

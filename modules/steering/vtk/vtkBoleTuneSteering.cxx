@@ -1,5 +1,0 @@
-#include "vtkBoleTuneSteering.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleTuneSteering)

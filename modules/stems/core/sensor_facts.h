@@ -1,0 +1,21 @@
+// What the cloud says of the sensor that it was measured with, in place of options that are left open.
+#pragma once
+
+#include "base/report.h"
+#include "cloud/known_facts.h"
+#include "stems/core/stem_options.h"
+
+namespace bole::stems {
+
+// Assumed where neither the options nor the cloud say it: those of the VLP-32C.
+inline constexpr double assumed_beam_divergence_mrad = 3.0;
+inline constexpr double assumed_beam_aperture = 0.0095;
+inline constexpr double assumed_range_noise = 0.012;
+
+// The options with the beam and the range noise filled in: from the options, else from the facts of the cloud, else
+// assumed. The cap of the residuals' scale is raised for sensors that are noisier than it. The report names every value
+// and its source (facts beam_divergence, beam_aperture, range_noise), and warns of an assumed beam where `along_rays`:
+// the surface model does not use it.
+MeasureOptions with_sensor(MeasureOptions options, const Facts& facts, bool along_rays, Report& report);
+
+}  // namespace bole::stems

@@ -1,5 +1,0 @@
-#include "vtkBoleBreastHeightSlice.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleBreastHeightSlice)

@@ -1,5 +1,0 @@
-#include "vtkBoleEditStems.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleEditStems)

@@ -1,5 +1,0 @@
-#include "vtkBoleMeasureStems.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleMeasureStems)

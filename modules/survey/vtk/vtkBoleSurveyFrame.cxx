@@ -1,5 +1,0 @@
-#include "vtkBoleSurveyFrame.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleSurveyFrame)

@@ -1,5 +1,0 @@
-#include "vtkBoleSurveyPlot.h"
-
-#include "vtkObjectFactory.h"
-
-vtkStandardNewMacro(vtkBoleSurveyPlot)

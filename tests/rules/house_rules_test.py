@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Rules that keep the house in order: namespaces, sizes of folders, names of bounds, a README for every module."""
+
+import pathlib
+import re
+import sys
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+MODULES = ROOT / "modules"
+SOURCES = {".h", ".cpp", ".cxx"}
+# The vocabulary of all others: their namespaces are inline, so that bole::PointCloud is bole::cloud::PointCloud.
+INLINE = {"base", "cloud"}
+MOST_SOURCES_IN_A_FOLDER = 40
+
+NAMESPACE = re.compile(r"^(inline )?namespace ([\w:]+) \{", re.M)
+NO_CODE = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+OLD_BOUND = re.compile(r"\b(?:least|most)_[a-z]\w*|\b[a-z]\w*_(?:min|max)\b")
+
+
+def modules():
+    return sorted(p for p in MODULES.iterdir() if p.is_dir())
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in SOURCES)
+
+
+def code_of(text):
+    """The text without comments and strings."""
+    return NO_CODE.sub("", text)
+
+
+def foreign_namespaces(module, text):
+    """Namespaces that a file of a module opens at the top level and that are not its own."""
+    own = f"bole::{module}"
+    found = []
+    for line in NAMESPACE.finditer(code_of(text)):
+        inline, name = line.groups()
+        if name == "bole" or inline or "=" in line.group(0):
+            continue  # `namespace bole {` holds the inline namespaces of base and cloud, and forward declarations
+        if name.startswith("bole") and name != own and not name.startswith(own + "::"):
+            found.append(name)
+    return found
+
+
+def forward_declarations_only(name, text):
+    """Whether a block of another module's namespace only announces types."""
+    block = re.search(rf"namespace {re.escape(name)} \{{\n(.*?)\n\}}", text, re.S)
+    return block is not None and all(re.fullmatch(r"\s*((class|struct) \w+;.*)?", line) for line in block.group(1).splitlines())
+
+
+class House(unittest.TestCase):
+    def test_every_module_lives_in_its_namespace(self):
+        found = []
+        for module in modules():
+            for p in sources(module):
+                text = p.read_text(encoding="utf-8", errors="replace")
+                for name in foreign_namespaces(module.name, text):
+                    if not forward_declarations_only(name, text):
+                        found.append(f"{p.relative_to(ROOT)} opens namespace {name}")
+                if module.name not in INLINE and re.search(r"^namespace bole \{\n(?!inline namespace)", text, re.M):
+                    found.append(f"{p.relative_to(ROOT)} declares in bole itself")
+        self.assertEqual(found, [], "\n".join(found))
+
+    def test_folders_stay_small(self):
+        found = []
+        for top in ("app", "modules", "tests"):
+            folders = {p.parent for p in sources(ROOT / top)}
+            for folder in sorted(folders):
+                count = sum(1 for p in folder.iterdir() if p.suffix in SOURCES)
+                if count > MOST_SOURCES_IN_A_FOLDER:
+                    found.append(f"{folder.relative_to(ROOT)}: {count} sources")
+        self.assertEqual(found, [], "give each purpose a folder")
+
+    def test_bounds_are_named_min_and_max(self):
+        found = {}
+        for top in ("app", "modules"):
+            for p in sources(ROOT / top):
+                names = set(OLD_BOUND.findall(code_of(p.read_text(encoding="utf-8", errors="replace"))))
+                if names:
+                    found[str(p.relative_to(ROOT))] = sorted(names)
+        self.assertEqual(found, {}, "a lower bound is min_x, an upper bound max_x")
+
+    def test_every_module_has_a_readme_that_names_its_folders(self):
+        found = []
+        for module in modules():
+            readme = module / "README.md"
+            if not readme.exists():
+                found.append(f"{module.name} has no README.md")
+                continue
+            text = readme.read_text(encoding="utf-8")
+            core = module / "core"
+            for folder in sorted(p for p in core.iterdir() if p.is_dir()) if core.is_dir() else []:
+                if not re.search(rf"core/{folder.name}\b|\b{folder.name}/", text):
+                    found.append(f"modules/{module.name}/README.md does not name core/{folder.name}/")
+        self.assertEqual(found, [], "\n".join(found))
+
+    def test_the_rules_can_fail(self):
+        self.assertEqual(foreign_namespaces("io", "namespace bole::slam {\n"), ["bole::slam"])
+        self.assertEqual(foreign_namespaces("io", "namespace bole::io::las {\nnamespace bole::io {\n"), [])
+        self.assertEqual(OLD_BOUND.findall("least_points + range_min + max_range + min_x"), ["least_points", "range_min"])
+        self.assertTrue(forward_declarations_only("bole::x", "namespace bole::x {\nstruct A;\n}\n"))
+        self.assertFalse(forward_declarations_only("bole::x", "namespace bole::x {\nint f();\n}\n"))
+
+
+if __name__ == "__main__":
+    sys.exit(unittest.main())
