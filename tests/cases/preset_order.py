@@ -82,7 +82,7 @@ def main():
     complaints = []
     for seed in args.seeds:
         scan = args.work / f"scan-{seed}"
-        run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--most-time", args.seconds, "--out", scan])
+        run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--max-time", args.seconds, "--out", scan])
         figures = {}
         for name in PRESETS:
             figures[name] = measured(args.bole, scan, args.work / "out", {"slam.preset": name})
