@@ -18,11 +18,12 @@ import sys
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = ["loam", "forest", "best"]
 
-# How many times as large a figure of one preset is at least as that of the next: about half of what the worst of four seeds shows.
+# How many times as large a figure of one preset must be as that of the next. Seen on seeds 1 and 2: path 3.0 to 3.7 and 4.0 to 4.4 times,
+# wall 1.39 and 1.17 to 1.18, DBH 2.4 to 4.3 and 2.0; the margins leave a third, or half of what a wall is thicker.
 FACTORS = {
-    "ate_cm": {"loam": 2.0, "forest": 1.5},
-    "wall_mm": {"loam": 1.2, "forest": 1.02},
-    "dbh_rmse_cm": {"loam": 1.5, "forest": 1.1},
+    "ate_cm": {"loam": 2.0, "forest": 2.6},
+    "wall_mm": {"loam": 1.2, "forest": 1.08},
+    "dbh_rmse_cm": {"loam": 1.6, "forest": 1.3},
 }
 
 
@@ -82,7 +83,7 @@ def main():
     complaints = []
     for seed in args.seeds:
         scan = args.work / f"scan-{seed}"
-        run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--most-time", args.seconds, "--out", scan])
+        run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--max-time", args.seconds, "--out", scan])
         figures = {}
         for name in PRESETS:
             figures[name] = measured(args.bole, scan, args.work / "out", {"slam.preset": name})

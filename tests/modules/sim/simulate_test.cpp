@@ -217,7 +217,7 @@ TEST_F(Simulation, ring_sensors_give_frames_with_times_and_rings) {
 // A sensor of the user's own: the reader finds its description beside the frames.
 TEST_F(Simulation, the_description_of_an_own_sensor_lies_beside_its_frames) {
   options_.sensor = std::string(BOLE_SOURCE_DIR) + "/tests/bench/stems/dome_64.json";
-  options_.most_time = 0.5;
+  options_.max_time = 0.5;
   run("out");
   std::ifstream own(options_.sensor);
   EXPECT_EQ(bytes("out/frames/sensor.json"), std::string(std::istreambuf_iterator<char>(own), {}));
