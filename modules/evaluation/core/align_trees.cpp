@@ -9,11 +9,11 @@ namespace bole::evaluation {
 namespace {
 
 constexpr double cell_m = 0.5;
-constexpr std::size_t most_trees = 200;
+constexpr std::size_t max_trees = 200;
 
 void keep_thickest(std::vector<MapTree>& trees) {
   std::ranges::stable_sort(trees, [](const MapTree& a, const MapTree& b) { return a.dbh_cm > b.dbh_cm; });
-  if (trees.size() > most_trees) trees.resize(most_trees);
+  if (trees.size() > max_trees) trees.resize(max_trees);
 }
 
 struct Vote {

@@ -25,7 +25,7 @@ struct StemEvaluation {
 // Ids that are no whole numbers ("A12", blank) are numbered above the others. Throws Error{bad_input} when a column is
 // absent or no row has a position.
 //
-// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
+// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), max_sigma = square
 // root of the largest eigenvalue of Sigma, RMSE per axis. Where stems were moved onto the reference, the motion is told
 // (align_turn, align_shift_x, align_shift_y): reference = turn (counter-clockwise) of the stem, then shift. DBH errors:
 // BIAS and RMSE in cm; relBIAS and relRMSE are the mean and the root mean square of error / reference in %.

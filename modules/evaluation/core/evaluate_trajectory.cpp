@@ -20,7 +20,7 @@ struct PosePair {
   Pose estimate, reference;
 };
 
-std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& reference, double most_gap) {
+std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& reference, double max_gap) {
   std::vector<PosePair> pairs;
   for (const auto& e : estimate.poses) {
     const auto after = std::ranges::lower_bound(reference.poses, e.time_s, {}, &StampedPose::time_s);
@@ -31,7 +31,7 @@ std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& re
     }
     if (after == reference.poses.begin()) continue;
     const auto& a = *(after - 1);
-    if (after->time_s - a.time_s > most_gap) continue;
+    if (after->time_s - a.time_s > max_gap) continue;
     pairs.push_back(
         {e.time_s, e.T_target_sensor,
          interpolate(a.T_target_sensor, after->T_target_sensor, (e.time_s - a.time_s) / (after->time_s - a.time_s))});

@@ -58,7 +58,7 @@ void draw_errors(Canvas& canvas, const std::vector<Eigen::Vector2d>& errors_m) {
       "n = " + std::to_string(cm.size()),
       "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
       "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm",
-      "σ max = " + fixed(spread.sigma_max, 1) + " cm"};
+      "σ max = " + fixed(spread.max_sigma, 1) + " cm"};
   double y = frame.box.y0 + 2.2;
   for (const auto& line : lines) {
     TextStyle style{7.5};
@@ -87,7 +87,7 @@ void take_errors(const Trajectory& trajectory, const Trajectory& reference, Walk
   }
 }
 
-constexpr double most_segments = 1500;  // each has its own colour, hence its own line in the vector files
+constexpr double max_segments = 1500;  // each has its own colour, hence its own line in the vector files
 
 // Keeps points at least a step apart, and the last.
 void thin(Walk& walk, double step_m) {
@@ -108,7 +108,7 @@ Walk walk_of(const Trajectory& trajectory, const Trajectory* reference) {
     walk.value.push_back(pose.time_s - trajectory.poses.front().time_s);
   }
   if (reference != nullptr && reference->poses.size() >= 2) take_errors(trajectory, *reference, walk);
-  thin(walk, std::max(0.02, trajectory.length_m() / most_segments));
+  thin(walk, std::max(0.02, trajectory.length_m() / max_segments));
   double most = 0;
   for (const double v : walk.value)
     if (std::isfinite(v)) most = std::max(most, v);
@@ -168,7 +168,7 @@ ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors) {
   const double n = static_cast<double>(errors.size());
   for (const auto& e : errors) spread.mean += e / n;
   for (const auto& e : errors) spread.covariance += (e - spread.mean) * (e - spread.mean).transpose() / n;
-  spread.sigma_max =
+  spread.max_sigma =
       std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread.covariance, Eigen::EigenvaluesOnly)
                                   .eigenvalues()
                                   .maxCoeff()));

@@ -15,7 +15,7 @@ Figure position_errors(const Table& matches, double width_mm);
 struct ErrorSpread {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  double sigma_max = 0;
+  double max_sigma = 0;
 };
 ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors);
 

@@ -62,7 +62,7 @@ class StemGrid {
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
-std::vector<Panel> panels_of(const Table& stems, const PointCloud& slice, int most_points) {
+std::vector<Panel> panels_of(const Table& stems, const PointCloud& slice, int max_points) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = numbers_or_nan(stems, "dbh_cm"),
              lo = numbers_or_nan(stems, "dbh_lo_cm"), hi = numbers_or_nan(stems, "dbh_hi_cm");
   const auto quality = texts_or_empty(stems, "quality"), reasons = texts_or_empty(stems, "reasons");
@@ -91,7 +91,7 @@ std::vector<Panel> panels_of(const Table& stems, const PointCloud& slice, int mo
   }
   for (auto& panel : panels) {
     panel.found = panel.points.size();
-    const auto most = static_cast<std::size_t>(most_points);
+    const auto most = static_cast<std::size_t>(max_points);
     if (panel.found <= most) continue;
     for (std::size_t k = 0; k < most; ++k) panel.points[k] = panel.points[k * panel.found / most];
     panel.points.resize(most);
@@ -155,7 +155,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Box& box) {
 
 std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, double width_mm,
                                  const SliceSheetOptions& options) {
-  const auto panels = std::make_shared<const std::vector<Panel>>(panels_of(stems, slice, options.most_points));
+  const auto panels = std::make_shared<const std::vector<Panel>>(panels_of(stems, slice, options.max_points));
   const auto order = worst_first(stems);
   const double side = (width_mm - gap_mm * (options.columns - 1) - 0.4) / options.columns,
                height = side + header_mm + footer_mm - 1;

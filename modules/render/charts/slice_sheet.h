@@ -10,7 +10,7 @@ namespace bole::render {
 struct SliceSheetOptions {
   int columns = 5;
   int rows_per_page = 6;
-  int most_points = 1200;  // drawn per tree
+  int max_points = 1200;  // drawn per tree
 };
 
 // One figure per page ("slices_01", ...), the trees with the least trustworthy diameter first. `slice`: points around

@@ -33,7 +33,7 @@ struct Content {
 
 constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11,
                  furniture_mm = 12;
-constexpr double least_radius_mm = 0.45;  // a stem stays visible on a small map
+constexpr double min_radius_mm = 0.45;  // a stem stays visible on a small map
 
 void take_stems(const Table& table, Content& content) {
   const auto x = table.numbers("x_m"), y = table.numbers("y_m"), dbh = numbers_or_nan(table, "dbh_cm");
@@ -103,10 +103,10 @@ Frame frame_of(const Content& content, double width_mm) {
   lo.array() -= pad;
   hi.array() += pad;
   // A long strip is widened, so that the sheet keeps a readable shape.
-  const double least_height = 0.3 * (hi.x() - lo.x()), most_height = 1.35 * (hi.x() - lo.x());
+  const double min_height = 0.3 * (hi.x() - lo.x()), max_height = 1.35 * (hi.x() - lo.x());
   const double middle = (lo.y() + hi.y()) / 2;
-  if (hi.y() - lo.y() < least_height) lo.y() = middle - least_height / 2, hi.y() = middle + least_height / 2;
-  if (hi.y() - lo.y() > most_height) {
+  if (hi.y() - lo.y() < min_height) lo.y() = middle - min_height / 2, hi.y() = middle + min_height / 2;
+  if (hi.y() - lo.y() > max_height) {
     const double half = (hi.y() - lo.y()) / 1.35 / 2, x = (lo.x() + hi.x()) / 2;
     lo.x() = x - half;
     hi.x() = x + half;
@@ -118,7 +118,7 @@ Frame frame_of(const Content& content, double width_mm) {
 
 void draw_stem(Canvas& canvas, const Frame& frame, const Stem& stem) {
   const auto p = frame.map(stem.at.x(), stem.at.y());
-  const double r = std::max(least_radius_mm, stem.dbh_m / 2 * frame.mm_per_unit_x());
+  const double r = std::max(min_radius_mm, stem.dbh_m / 2 * frame.mm_per_unit_x());
   canvas.circle(p, r, stem.color.with_alpha(0.85), Stroke{mix(stem.color, ink::text, 0.5), 0.15});
   if (stem.is_false) canvas.cross(p, r + 0.9, Stroke{ink::accent, 0.35});
 }
@@ -139,7 +139,7 @@ void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
   for (const auto& t : content.targets) request(frame.map(t.at.x(), t.at.y()), 1.4, t.name, ink::primary);
   for (const auto& m : content.missed) request(frame.map(m.at.x(), m.at.y()), 1.1, m.name, ink::accent);
   for (const auto& s : content.stems)
-    request(frame.map(s.at.x(), s.at.y()), std::max(least_radius_mm, s.dbh_m / 2 * frame.mm_per_unit_x()), s.id,
+    request(frame.map(s.at.x(), s.at.y()), std::max(min_radius_mm, s.dbh_m / 2 * frame.mm_per_unit_x()), s.id,
             ink::text);
   const auto places = place_labels(requests, {}, frame.box.grown(-0.4));
   for (std::size_t i = 0; i < places.size(); ++i) {

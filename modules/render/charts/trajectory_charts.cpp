@@ -12,7 +12,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double most_points = 3000;  // of a line: more than a printer shows
+constexpr double max_points = 3000;  // of a line: more than a printer shows
 constexpr Color reference_color = ink::muted, estimate_color = ink::primary;
 
 struct Revisit {
@@ -29,11 +29,11 @@ struct Overlay {
 
 struct ErrorCurve {
   std::vector<double> way_m, all_cm, flat_cm, up_cm;
-  double rmse_cm = 0, most_cm = 0;
+  double rmse_cm = 0, max_cm = 0;
 };
 
 std::vector<Eigen::Vector2d> plan_of(const Trajectory& trajectory) {
-  const double step_m = std::max(0.01, trajectory.length_m() / most_points);
+  const double step_m = std::max(0.01, trajectory.length_m() / max_points);
   std::vector<Eigen::Vector2d> points;
   for (const auto& pose : trajectory.poses) {
     const Eigen::Vector2d p = pose.T_target_sensor.translation().head<2>();
@@ -77,7 +77,7 @@ Overlay overlay_of(const TrajectoryComparison& c) {
 
 ErrorCurve errors_of(const TrajectoryComparison& c) {
   ErrorCurve e;
-  const double step_m = c.estimate->length_m() / most_points;
+  const double step_m = c.estimate->length_m() / max_points;
   double way_m = 0, squares = 0;
   std::size_t n = 0;
   for (std::size_t i = 0; i < c.estimate->poses.size(); ++i) {
@@ -88,7 +88,7 @@ ErrorCurve errors_of(const TrajectoryComparison& c) {
     const Eigen::Vector3d d = 100 * (p - c.reference->at(pose.time_s).translation());
     squares += d.squaredNorm();
     ++n;
-    e.most_cm = std::max(e.most_cm, d.norm());
+    e.max_cm = std::max(e.max_cm, d.norm());
     if (!e.way_m.empty() && way_m - e.way_m.back() < step_m && i + 1 < c.estimate->poses.size()) continue;
     e.way_m.push_back(way_m);
     e.all_cm.push_back(d.norm());
@@ -155,7 +155,7 @@ constexpr double error_height_mm = 62;
 
 void draw_errors(Canvas& canvas, const ErrorCurve& e, double top_mm) {
   const Interval x = {0, e.way_m.empty() ? 1 : std::max(e.way_m.back(), 0.1)},
-                 y = nice_interval({0, std::max(0.1, 1.05 * e.most_cm)}, 5);
+                 y = nice_interval({0, std::max(0.1, 1.05 * e.max_cm)}, 5);
   const Frame frame{
       {axis_space_left_mm, top_mm + 2, canvas.width_mm() - 3, top_mm + error_height_mm - axis_space_below_mm - 6},
       x,
@@ -208,14 +208,14 @@ Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_m
 
 double greatest_error_cm(const TrajectoryComparison& comparison) {
   check(comparison);
-  return errors_of(comparison).most_cm;
+  return errors_of(comparison).max_cm;
 }
 
-Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double least_top_cm) {
+Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double min_top_cm) {
   check(comparison);
   Figure figure{"trajectory_error", "Error along the way", error_caption, width_mm, error_height_mm, true, {}};
   auto errors = errors_of(comparison);
-  errors.most_cm = std::max(errors.most_cm, least_top_cm);
+  errors.max_cm = std::max(errors.max_cm, min_top_cm);
   figure.draw = [errors = std::move(errors)](Canvas& canvas) { draw_errors(canvas, errors, 0); };
   return figure;
 }

@@ -19,8 +19,8 @@ struct TrajectoryComparison {
 Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm);
 
 // Distance between the two at equal times, and its horizontal and vertical part, over the way.
-// The axis of the error reaches at least to `least_top_cm`: charts that are to be compared have it in common.
-Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double least_top_cm = 0);
+// The axis of the error reaches at least to `min_top_cm`: charts that are to be compared have it in common.
+Figure trajectory_error_chart(const TrajectoryComparison& comparison, double width_mm, double min_top_cm = 0);
 double greatest_error_cm(const TrajectoryComparison& comparison);
 
 // Both on one sheet.

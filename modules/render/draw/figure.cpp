@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pt_per_mm = 72 / 25.4;
 constexpr double mm_per_inch = 25.4;
-constexpr int most_pixels = 30000;  // a side; Cairo itself stops at 32767
+constexpr int max_pixels = 30000;  // a side; Cairo itself stops at 32767
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
@@ -54,10 +54,10 @@ void draw_on(cairo_surface_t* surface, const Figure& figure, double scale, bool 
 Surface raster(const Figure& figure, double dpi, bool paper = true, const ScreenLook* look = nullptr) {
   const double w = std::round(figure.width_mm / mm_per_inch * dpi),
                h = std::round(figure.height_mm / mm_per_inch * dpi);
-  if (!(w >= 1 && h >= 1 && w <= most_pixels && h <= most_pixels))
+  if (!(w >= 1 && h >= 1 && w <= max_pixels && h <= max_pixels))
     throw bad_input("figure '" + figure.name + "' would have " + std::to_string(static_cast<long>(w)) + " x " +
                         std::to_string(static_cast<long>(h)) + " pixels",
-                    "at most " + std::to_string(most_pixels) + " a side", "Lower its resolution or width");
+                    "at most " + std::to_string(max_pixels) + " a side", "Lower its resolution or width");
   const auto format = paper ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32;
   Surface surface(cairo_image_surface_create(format, static_cast<int>(w), static_cast<int>(h)), cairo_surface_destroy);
   check(cairo_surface_status(surface.get()), figure);

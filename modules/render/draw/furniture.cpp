@@ -40,16 +40,16 @@ void draw_north_arrow(Canvas& canvas, const Eigen::Vector2d& foot, double height
   canvas.text(at(0, 0.76 * h + 0.13 * h), "N", letter.aligned(HAlign::centre, VAlign::middle));
 }
 
-double scale_bar_length_m(double mm_per_metre, double most_mm) {
-  const double most_m = most_mm / mm_per_metre;
-  const double power = std::pow(10, std::floor(std::log10(most_m)));
+double scale_bar_length_m(double mm_per_metre, double max_mm) {
+  const double max_m = max_mm / mm_per_metre;
+  const double power = std::pow(10, std::floor(std::log10(max_m)));
   for (const double factor : {5.0, 2.0, 1.0})
-    if (factor * power <= most_m * 1.0000001) return factor * power;
+    if (factor * power <= max_m * 1.0000001) return factor * power;
   return power;
 }
 
-double draw_scale_bar(Canvas& canvas, const Eigen::Vector2d& at, double mm_per_metre, double most_mm, double halo_mm) {
-  const double metres = scale_bar_length_m(mm_per_metre, most_mm), length = metres * mm_per_metre, thickness = 0.9;
+double draw_scale_bar(Canvas& canvas, const Eigen::Vector2d& at, double mm_per_metre, double max_mm, double halo_mm) {
+  const double metres = scale_bar_length_m(mm_per_metre, max_mm), length = metres * mm_per_metre, thickness = 0.9;
   const Box bar{at.x(), at.y() - thickness, at.x() + length, at.y()};
   if (halo_mm > 0) canvas.rectangle(bar.grown(halo_mm), ink::paper.with_alpha(0.85), {}, halo_mm);
   canvas.rectangle(bar, ink::paper, Stroke{ink::text, 0.18});

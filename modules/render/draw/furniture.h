@@ -13,11 +13,11 @@ namespace bole::render {
 void draw_north_arrow(Canvas& canvas, const Eigen::Vector2d& foot, double height_mm, double angle_rad = 0,
                       double halo_mm = 0);
 
-// A bar of a nice length not longer than `most_mm`, with its length in metres; `at` is the left end of the bar's foot.
+// A bar of a nice length not longer than `max_mm`, with its length in metres; `at` is the left end of the bar's foot.
 // Returns the length in millimetres.
-double draw_scale_bar(Canvas& canvas, const Eigen::Vector2d& at, double mm_per_metre, double most_mm,
+double draw_scale_bar(Canvas& canvas, const Eigen::Vector2d& at, double mm_per_metre, double max_mm,
                       double halo_mm = 0);
-double scale_bar_length_m(double mm_per_metre, double most_mm);
+double scale_bar_length_m(double mm_per_metre, double max_mm);
 
 enum class Symbol { disc, ring, cross, line, dashed_line, square, triangle, star };
 

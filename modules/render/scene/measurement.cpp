@@ -19,7 +19,7 @@ using Kind = Measurement::Kind;
 constexpr std::array kinds{Kind::point, Kind::distance, Kind::angle, Kind::ring};
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr int ring_sides = 64;
-constexpr std::size_t most_measurements = 100'000;
+constexpr std::size_t max_measurements = 100'000;
 
 double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * degrees;
@@ -193,8 +193,8 @@ std::vector<Measurement> parse_measurements(std::string_view json) {
   if (root.is_discarded() || !root.is_object() || !root.contains("measurements") || !root["measurements"].is_array())
     throw bad_input("the measurements are no JSON object with a list", R"({"measurements": [...]})");
   const auto& list = root["measurements"];
-  if (list.size() > most_measurements)
-    throw bad_input(fmt::format("{} measurements", list.size()), fmt::format("at most {}", most_measurements));
+  if (list.size() > max_measurements)
+    throw bad_input(fmt::format("{} measurements", list.size()), fmt::format("at most {}", max_measurements));
   std::vector<Measurement> measurements;
   for (std::size_t i = 0; i < list.size(); ++i)
     measurements.push_back(measurement_from(list[i], fmt::format("measurement {}", i + 1)));

@@ -32,14 +32,14 @@ std::optional<OnScreen> on_screen(const PickView& view, const Eigen::Vector3d& w
 std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(const PickView& view,
                                                                              const Eigen::Vector3d& a,
                                                                              const Eigen::Vector3d& b) {
-  constexpr double least_w = 1e-3;  // a parallel view has 1 everywhere
+  constexpr double min_w = 1e-3;  // a parallel view has 1 everywhere
   Eigen::Vector4d ends[2] = {view.world_to_clip * (a - view.origin).homogeneous(),
                              view.world_to_clip * (b - view.origin).homogeneous()};
-  if (ends[0].w() < least_w && ends[1].w() < least_w) return {};
+  if (ends[0].w() < min_w && ends[1].w() < min_w) return {};
   for (auto& end : ends)
-    if (end.w() < least_w) {
+    if (end.w() < min_w) {
       const Eigen::Vector4d& other = &end == &ends[0] ? ends[1] : ends[0];
-      end = other + (other.w() - least_w) / (other.w() - end.w()) * (end - other);
+      end = other + (other.w() - min_w) / (other.w() - end.w()) * (end - other);
     }
   const auto px = [&](const Eigen::Vector4d& clip) {
     return Eigen::Vector2d((clip.x() / clip.w() + 1) / 2 * view.width_px,

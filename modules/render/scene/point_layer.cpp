@@ -20,7 +20,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double least_px = 0.7;                 // finer detail than this between points is not seen
+constexpr double min_px = 0.7;                 // finer detail than this between points is not seen
 constexpr std::size_t kept_points = 12'000'000;  // that stay prepared, drawn or not
 
 // Eye coordinates of the layer are relative to `origin`; the octree's are relative to the cloud's.
@@ -151,7 +151,7 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
   ++frame_;
   auto view = view_of(renderer, cloud_->origin - origin_);
   if (clip_) view.lo = (clip_->lo - cloud_->origin).cast<float>(), view.hi = (clip_->hi - cloud_->origin).cast<float>();
-  const auto chosen = octree_->visible(view, budget, least_px);
+  const auto chosen = octree_->visible(view, budget, min_px);
   drawn_ = fresh_ = 0;
   bool complete = true;
   for (const auto i : chosen) {

@@ -269,7 +269,7 @@ PointOctree PointOctree::sample(const PointCloud& cloud, std::size_t points) {
   return tree;
 }
 
-std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::size_t budget, double least_px) const {
+std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::size_t budget, double min_px) const {
   std::vector<std::uint32_t> chosen;
   if (nodes_.empty()) return chosen;
   std::priority_queue<std::pair<double, std::uint32_t>> waiting;
@@ -284,7 +284,7 @@ std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::siz
     if (points + node.size() > budget && (i > 0 || budget == 0)) break;  // something is drawn in any case
     points += node.size();
     if (node.size() > 0) chosen.push_back(i);
-    if (px / cells_per_side > least_px)
+    if (px / cells_per_side > min_px)
       for (std::uint32_t child = 0; child < node.children; ++child) consider(node.first_child + child);
   }
   return chosen;

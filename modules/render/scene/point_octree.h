@@ -52,8 +52,8 @@ class PointOctree {
   }
 
   // Nodes to draw, the most important first, with at most `budget` points together: always the largest on the screen
-  // next; those outside of the view and those finer than `least_px` between points are left out.
-  std::vector<std::uint32_t> visible(const OctreeView& view, std::size_t budget, double least_px) const;
+  // next; those outside of the view and those finer than `min_px` between points are left out.
+  std::vector<std::uint32_t> visible(const OctreeView& view, std::size_t budget, double min_px) const;
 
   // Points within a box in coordinates relative to the cloud's origin, as indices of the cloud in no special order.
   std::vector<std::uint32_t> in_box(const Eigen::Vector3f& lo, const Eigen::Vector3f& hi) const;

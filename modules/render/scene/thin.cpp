@@ -6,7 +6,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double least_voxel_m = 0.01;
+constexpr double min_voxel_m = 0.01;
 constexpr std::size_t poll_every = 0x40000;  // points between two looks at the cancel flag
 constexpr unsigned table_bits = 28;  // 32 MiB: among 3 M kept points about one in a hundred is lost to a collision
 
@@ -67,7 +67,7 @@ std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Windo
       kept.push_back(static_cast<std::uint32_t>(i));
   }
   // Points lie on surfaces: their number goes with the square of the voxel size.
-  for (double voxel_m = least_voxel_m; kept.size() > budget && voxel_m < 100;) {
+  for (double voxel_m = min_voxel_m; kept.size() > budget && voxel_m < 100;) {
     kept = one_per_voxel(cloud, kept, voxel_m, run);
     voxel_m *= std::max(
         1.15, std::sqrt(static_cast<double>(kept.size()) / static_cast<double>(std::max<std::size_t>(budget, 1))));

@@ -136,7 +136,7 @@ TEST(Statistics, SpreadOfPositions) {
   const auto s = error_spread({{1, 0}, {-1, 0}, {0, 0.5}, {0, -0.5}});
   EXPECT_DOUBLE_EQ(s.mean.norm(), 0);
   EXPECT_DOUBLE_EQ(s.covariance(0, 0), 0.5);
-  EXPECT_NEAR(s.sigma_max, std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(s.max_sigma, std::sqrt(0.5), 1e-12);
 }
 
 TEST(Charts, AllComeOutInEveryFormat) {

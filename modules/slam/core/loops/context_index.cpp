@@ -110,10 +110,10 @@ std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& 
       offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range / shape_.columns * match.shift);
     }
   }
-  return most_similar(keyframes, std::move(found), max_places, min_spacing);
+  return closest(keyframes, std::move(found), max_places, min_spacing);
 }
 
-std::vector<ContextCandidate> most_similar(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+std::vector<ContextCandidate> closest(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
                                            std::size_t max_count, double min_spacing) {
   std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
   std::vector<ContextCandidate> apart;

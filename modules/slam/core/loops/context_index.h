@@ -34,7 +34,7 @@ ScanContext context_of(const Scan& scan, const FrameMotion& motion, const ScanCo
 Pose levelled(const Pose& T_map_sensor);
 
 // The best of `found`, the most similar first, with at least `min_spacing` travelled between any two of them.
-std::vector<ContextCandidate> most_similar(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
+std::vector<ContextCandidate> closest(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
                                            std::size_t max_count, double min_spacing);
 
 class ContextIndex {
@@ -48,7 +48,7 @@ class ContextIndex {
   void add(const std::vector<Keyframe>& keyframes, std::size_t k);
   std::optional<ContextCandidate> best(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search) const;
-  // See most_similar().
+  // See closest().
   std::vector<ContextCandidate> ranked(const std::vector<Keyframe>& keyframes, std::size_t k,
                                        const ContextSearch& search, std::size_t max_count, double min_spacing) const;
 

@@ -152,7 +152,7 @@ std::vector<ContextCandidate> ranked_by_sequence(const std::vector<Keyframe>& ke
   std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
   found.resize(std::min(found.size(), max_sequences));
   for (auto& c : found) c.distance = search.distance(c);
-  return most_similar(keyframes, std::move(found), context_places, context_spacing);
+  return closest(keyframes, std::move(found), context_places, context_spacing);
 }
 
 std::optional<LoopCandidate> by_context(const std::vector<Keyframe>& keyframes, const ContextIndex& index,
