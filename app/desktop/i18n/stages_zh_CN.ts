@@ -135,7 +135,7 @@
     <context>
         <name>stage help</name>
         <message>
-            <source>Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and diameter gates, completeness and correctness, mean and covariance of the position error, bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; rejected stems take no part; absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
+            <source>Compares stems and trajectory with a reference: one-to-one matching by the Hungarian method within distance and diameter gates, completeness and correctness, mean and covariance of the position error, bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; rejected stems take no part; absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
             <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。</translation>
         </message>
         <message>
@@ -143,7 +143,7 @@
             <translation>将表中的纬度和经度换算为平面坐标(米),或反向换算:支持 3 度和 6 度高斯-克吕格带、UTM 以及任意横轴墨卡托平面,采用严密投影。平面的定义随表保存,因此导出的文件也包含它。</translation>
         </message>
         <message>
-            <source>Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any ground point the model has no value and points there have no height (NaN).</source>
+            <source>Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any ground point the model has no value and points there have no height (NaN).</source>
             <translation>区分地面与植被,建立地形模型(DEM),并给出每个点的离地高度。先从小格网中最低的点组逐步加密三角网;再在每个格网周围的地面点带上稳健拟合平面,使模型位于点带中间,而不是其下缘或草丛顶部。没有地面点的格网由插值得到,并在 dem_filled 中标出;与任何地面点的距离超过 fill_distance 处,模型没有值,该处的点也没有高度(NaN)。</translation>
         </message>
         <message>
