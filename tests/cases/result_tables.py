@@ -43,13 +43,16 @@ def read_tum(path):
 
 
 # summary.json: what changes from run to run, and text that may be reworded, is left out.
-VARYING = {"seconds", "peak_mib", "finished_at", "bole", "versions", "files", "document", "options", "from_cache"}
+VARYING = {"seconds", "peak_mib", "finished_at", "bole", "versions", "files", "document", "options", "defaults", "from_cache",
+           "stages_seconds"}
 STATES = {"state", "status", "exit_code", "unit", "axes"}  # words that are results
 
 
 def flattened(value, name=""):
     """The numbers of a document by their path. A list of objects with an id is addressed by it, so that order is free."""
     if isinstance(value, dict):
+        if value.get("unit") == "ms":
+            return  # how long the program took for a frame
         for key, inner in value.items():
             if key not in VARYING:
                 yield from flattened(inner, f"{name}.{key}" if name else key)

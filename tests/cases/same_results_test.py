@@ -163,6 +163,13 @@ class Comparing(unittest.TestCase):
         (self.after / "summary.json").write_text(summary(seconds=9, peak_mib=1, message="Two stems.", facts={"beam_mrad": "3.0", "beam_of": "cloud"}))
         self.expect(0)
 
+    def test_the_time_of_a_frame_may_change_and_a_number_beside_it_may_not(self):
+        for folder, ms in ((self.before, 30.5), (self.after, 31.5)):
+            (folder / "summary.json").write_text(summary(metrics={"per_frame": {"value": ms, "unit": "ms"}, "ate": {"value": 1, "unit": "m"}}))
+        self.expect(0)
+        (self.after / "summary.json").write_text(summary(metrics={"per_frame": {"value": 30.5, "unit": "ms"}, "ate": {"value": 2, "unit": "m"}}))
+        self.expect(1, "stages.stems.metrics.ate.value")
+
     def test_a_vertex(self):
         (self.after / "ab_lines.geojson").write_text(geojson(7.25))
         self.expect(1, "ab_lines.geojson, vertices: x: 1 of 2 rows differ, by 0.25 at most")
