@@ -51,7 +51,7 @@ def flattened(value, name=""):
     """The numbers of a document by their path. A list of objects with an id is addressed by it, so that order is free."""
     if isinstance(value, dict):
         for key, inner in value.items():
-            if key not in VARYING:
+            if key not in VARYING and not key.endswith("_per_frame"):  # milliseconds
                 yield from flattened(inner, f"{name}.{key}" if name else key)
     elif isinstance(value, list):
         for i, inner in enumerate(value):

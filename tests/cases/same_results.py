@@ -55,9 +55,9 @@ PIPELINES = {
     "rows_of_sparse_boles": ("rows_from_cloud", None, {"scan.file": "{data}/tls_simulated_boles/model_boles.laz"}),
     "rows_of_one_frame": ("plant_rows_imu", "field", {"scan.file": "{recording}/frame_000.ply", "imu.file": "{recording}/attitude.csv"}),
     "rows_of_hedges": ("hedge_rows", None, {
-        "scan.file": "{data}/orchard_apple_mtls/frame_0000.csv", "scan.up": "y", "region.x_min": "-9", "region.x_max": "9",
-        "region.y_min": "-3", "region.y_max": "3", "region.z_min": "-0.8", "region.z_max": "2", "voxel.size": "0.05",
-        "hedges.step": "0.2", "hedges.direction": "given", "hedges.direction_deg": "90"}),
+        "scan.file": "{data}/orchard_apple_mtls/frame_0000.csv", "scan.up": "y", "region.min_x": "-9", "region.max_x": "9",
+        "region.min_y": "-3", "region.max_y": "3", "region.min_z": "-0.8", "region.max_z": "2", "voxel.size": "0.05",
+        "hedges.step": "0.2", "hedges.direction": "90"}),
     "steering_test": ("steering_test", None, {"drive.repeats": "3"}),
     "steering_track": ("steering_track", None, {"track.file": "{data}/orchard_apple_mtls/gnss_track_first_pass.txt", "errors.run_in": "5"}),
 }
