@@ -17,7 +17,7 @@ install_packages() {
 usage="usage: ./do build | demo | test | bench | format | lint | docs"
 case "${1:-help}" in
   build) install_packages; cmake --workflow --preset build ;;
-  demo) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target demo ;;
+  demo) install_packages; cmake --preset headless; cmake --build --preset headless --target demo ;;
   test) install_packages; cmake --workflow --preset ci; cmake --workflow --preset fuzz; cmake --build --preset summary ;;
   bench) install_packages; cmake --workflow --preset build; cmake --build --preset headless --target bench ;;
   format | lint | docs) install_packages; cmake --preset ci; cmake --build --preset ci --target "$1" ;;

@@ -54,7 +54,7 @@ def flattened(value, name=""):
         if value.get("unit") == "ms":
             return  # how long the program took for a frame
         for key, inner in value.items():
-            if key not in VARYING:
+            if key not in VARYING and not key.endswith("_per_frame"):  # milliseconds
                 yield from flattened(inner, f"{name}.{key}" if name else key)
     elif isinstance(value, list):
         for i, inner in enumerate(value):

@@ -72,7 +72,7 @@ TEST(Recipe, errors_name_the_field_the_value_and_the_need) {
               testing::AllOf(HasSubstr("terrain.slop_deg"), HasSubstr("Did you mean 'slope_deg'")));
   EXPECT_THAT(error_of({{"layout", {{"kind", "spiral"}}}}), HasSubstr("one of natural, rows, vineyard"));
   EXPECT_THAT(error_of({{"trees", {{"dbh_sd_cm", 40}}}}), HasSubstr("dbh_sd_cm"));
-  EXPECT_THAT(error_of(json::array()), HasSubstr("an object"));
+  EXPECT_THAT(error_of(json::array()), HasSubstr("a JSON object"));
   EXPECT_THAT(error_of({{"trees", 5}}), HasSubstr("'trees'"));
 }
 

@@ -282,7 +282,7 @@ TEST(Slam, PointsOfRingsThatTheSensorHasNotAreToldOnce) {
   options.dense_map = false;
   const auto result = run_slam(source, options, {});
   EXPECT_THAT(result.report.warnings,
-              testing::ElementsAre("70 points left out: their ring is none of those of the sensor"));
+              testing::ElementsAre("70 points were left out: their ring is not one of the sensor's"));
 }
 
 TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {

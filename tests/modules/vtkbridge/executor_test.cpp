@@ -450,7 +450,15 @@ TEST(ParaviewXml, HasPortsAndOptionsOfEveryStage) {
   EXPECT_THAT(xml, HasSubstr(R"(min="-100" max="100")"));
   EXPECT_THAT(xml, HasSubstr("<Optional/>"));
   EXPECT_THAT(xml, HasSubstr("<TimeStepsInformationHelper/>"));
-  EXPECT_THAT(xml, HasSubstr(R"(class="vtkBoleSlam")"));
+
+  // A stage with a class of its own needs no property that names its type.
+  pipeline::StageRegistry registry;
+  auto named = pipeline::StageRegistry::global().at("toy.lift");
+  named.vtk_class = "vtkBoleLift";
+  registry.add(std::move(named));
+  const auto named_xml = pipeline::paraview_xml(registry);
+  EXPECT_THAT(named_xml, HasSubstr(R"(class="vtkBoleLift" label="toy.lift")"));
+  EXPECT_THAT(named_xml, testing::Not(HasSubstr("SetStageType")));
 }
 
 }  // namespace
