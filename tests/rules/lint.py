@@ -67,14 +67,14 @@ class Includes:
 
 
 def commands(build):
-    """Compile commands by source, and the same in BUILD/lint for clang-tidy: without GCC's precompiled headers, which clang cannot
+    """Compile commands by source, and the same in BUILD/lint for clang-tidy: without the launcher and GCC's precompiled headers, which clang cannot
     read. So a source that does not include what it uses is found, too."""
     database = build / "compile_commands.json"
     if not database.exists():
         sys.exit(f"{database} is absent: configure first (cmake --preset ci)")
     entries = json.loads(database.read_text())
     for entry in entries:
-        entry["command"] = re.sub(r" -Winvalid-pch| -include \S*cmake_pch\.hxx", "", entry["command"])
+        entry["command"] = re.sub(r"^env \S+ ccache | -Winvalid-pch| -include \S*cmake_pch\.hxx", "", entry["command"])
     (build / "lint").mkdir(exist_ok=True)
     (build / "lint/compile_commands.json").write_text(json.dumps(entries, indent=1))
     return {pathlib.Path(e["file"]).resolve(): e["command"] for e in entries}
