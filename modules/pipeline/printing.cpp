@@ -86,8 +86,9 @@ std::string presets_markdown(const StageType& type) {
     for (const auto& o : type.options->specs)
       if (o.unset == preset.name) decided.push_back(&o);
     if (decided.empty() || preset.text_kind != TextKind::choice) continue;
-    text += fmt::format("## Values by {}\n\n| option | `{}` |\n|---|{}\n", preset.name,
-                        fmt::join(preset.choices, "` | `"), fmt::join(std::vector(preset.choices.size(), "---|"), ""));
+    text +=
+        fmt::format("## Values by {}\n\n| option | `{}` |\n|---|{}\n", preset.name, fmt::join(preset.choices, "` | `"),
+                    fmt::join(std::vector<std::string>(preset.choices.size(), "---|"), ""));
     std::vector<OptionSet> values;
     for (const auto& choice : preset.choices) {
       OptionSet options(*type.options);
