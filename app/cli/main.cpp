@@ -22,6 +22,10 @@ int run_program(int argc, char** argv) {
   bole::cli::add_simulate_field(program);
   bole::cli::add_evaluate(program);
   bole::cli::add_version(program);
+  if (argc == 1) {
+    fmt::print(stderr, "{}", program.app.help());
+    return 2;
+  }
   try {
     program.app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

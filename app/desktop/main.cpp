@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Bole");
   QApplication::setApplicationVersion(QString::fromStdString(std::string(bole::version())));
   bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
-  bole::report::register_report_stages(bole::pipeline::StageRegistry::global());
+  bole::report::register_stages(bole::pipeline::StageRegistry::global());
   bole::desktop::apply_saved_theme();
   QString file = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString();
   const bool timed = file == "--time-startup";

@@ -87,7 +87,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   t.vtk_class = "vtkBoleEvaluatePlot";
   t.title = "Evaluate a plot";
   t.help =
-      "Holds stems and trajectory against a reference: one-to-one matching by the Hungarian method within distance and "
+      "Compares stems and trajectory with a reference: one-to-one matching by the Hungarian method within distance and "
       "diameter gates, completeness and correctness, mean and covariance of the position error, bias and "
       "RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; "
       "rejected stems take no part; absolute and relative "

@@ -30,7 +30,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.vtk_class = "vtkBoleGroundModel";
   type.title = "Model the ground";
   type.help =
-      "Tells ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "
+      "Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "
       "groups of points of small cells are taken into a triangulation step by step; "
       "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
       "middle of the band and not along its lower edge or the top of the grass. "

@@ -71,8 +71,8 @@ pipeline::StageType read_scan() {
   auto type = new_type("io.read_scan", "vtkBoleReadScan", "Read a scan");
   type.help =
       "Opens the recording of a spinning LiDAR and gives it frame by frame. Frames are decoded when they are needed, "
-      "so "
-      "that long recordings take little memory. Every return keeps its ring and its own time. Packets that are lost, "
+      "so that long recordings take little memory. Every return keeps its ring and its own time. Packets that are "
+      "lost, "
       "damaged or out of order are counted. A recording that is cut off is read as far as it goes.";
   type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
   type.outputs = {{"frames",
@@ -96,12 +96,11 @@ pipeline::StageType read_cloud_stage() {
   auto type = new_type("io.read_cloud", "vtkBoleReadCloud", "Read a point cloud");
   type.help =
       "Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are "
-      "given "
-      "in metres with z up; large ones are kept exactly, as offsets from an origin. Fields of the file become arrays "
+      "given in metres with z up; large ones are kept exactly, as offsets from an origin. Fields of the file become "
+      "arrays "
       "with Bole's names (intensity, time, ring, return_number, classification, red, ...); other fields keep their "
       "names. Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives the "
-      "points "
-      "it holds.";
+      "points it holds.";
   type.source = "Bole";
   type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
   type.options = &table;

@@ -129,7 +129,7 @@ class SteeringReport {
         true_way_known
             ? "In centimetres. Line: true distance of the control point from its line, positive to the left. Adjacent: "
               "distance of neighbouring passes minus the row width. SD: about the mean. Controller: what the steering "
-              "left of the distance that it was told; receiver: told minus true, which no steering can mend."
+              "left of the distance that it received; receiver: received minus true, which steering cannot correct."
             : "In centimetres. Line: distance of the control point from its line as the receiver saw it, positive to "
               "the "
               "left; the true way is not known, and what the receiver erred is not in these figures. Adjacent: "

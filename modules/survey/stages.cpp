@@ -74,7 +74,7 @@ void register_plot(pipeline::StageRegistry& registry) {
       "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre "
       "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
       "horizontal.";
-  type.source = "SPEC A13";
+  type.source = "Improved LOAM forest plot survey (SPEC A13)";
   type.inputs = {{"points", DataKind::cloud, "The map; its axes decide shape auto.", true, {}},
                  {"stems", DataKind::table, "Stems; their axes decide where no map is connected.", true, {}},
                  {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};

@@ -5,7 +5,7 @@ option(BOLE_PRECOMPILED_HEADERS "Precompile the headers of Eigen and the standar
 set(bole_precompiled <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers> <numeric> <optional>
                      <span> <stop_token> <string> <string_view> <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h>
                      <nlohmann/json.hpp>)
-file(WRITE ${CMAKE_BINARY_DIR}/generated/precompiled.cpp "// Carries the precompiled headers of bole_precompiled_*.\n")
+file(WRITE ${CMAKE_BINARY_DIR}/generated/precompiled.cpp "// Carries the precompiled headers of bole_precompiled_*.\nint main() { return 0; }\n")
 
 # bole_precompile(TARGET [TEST] [OWN] [HEADERS header...]): takes the precompiled headers that fit a library, a program, or a TEST (with
 # GoogleMock's). Targets with options of their own that change code (-fno-math-errno) give OWN, those with further headers give

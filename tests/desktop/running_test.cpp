@@ -71,7 +71,7 @@ class RunningTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
-    report::register_report_stages(pipeline::StageRegistry::global());
+    report::register_stages(pipeline::StageRegistry::global());
     write_capture(folder_.filePath("walk").toStdString(), frames);
     write_true_path(folder_.filePath("truth.tum").toStdString(), frames);
     write_walk_pipeline(folder_.filePath("survey.json").toStdString());

@@ -86,7 +86,7 @@ class SceneTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
-    report::register_report_stages(pipeline::StageRegistry::global());
+    report::register_stages(pipeline::StageRegistry::global());
     qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
     write_cloud(path("cloud.xyz").toStdString());

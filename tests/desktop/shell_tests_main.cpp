@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Bole");
   QApplication::setOrganizationName("Bole");
   bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
-  bole::report::register_report_stages(bole::pipeline::StageRegistry::global());
+  bole::report::register_stages(bole::pipeline::StageRegistry::global());
   qRegisterMetaType<bole::vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
   qRegisterMetaType<bole::desktop::Results>("Results");
   qRegisterMetaType<bole::desktop::Survey>("Survey");

@@ -50,7 +50,7 @@ class ViewsTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
-    report::register_report_stages(pipeline::StageRegistry::global());
+    report::register_stages(pipeline::StageRegistry::global());
     qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
     write_cloud(folder_.filePath("cloud.xyz").toStdString());

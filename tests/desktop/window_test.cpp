@@ -38,7 +38,7 @@ class WindowTest : public QObject {
  private Q_SLOTS:
   void initTestCase() {
     pipeline::register_all_stages(pipeline::StageRegistry::global());
-    report::register_report_stages(pipeline::StageRegistry::global());
+    report::register_stages(pipeline::StageRegistry::global());
     qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
     qRegisterMetaType<Results>("Results");
     QVERIFY(folder_.isValid());

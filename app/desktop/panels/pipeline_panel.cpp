@@ -1,6 +1,7 @@
 #include "panels/pipeline_panel.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QMenu>

@@ -83,7 +83,7 @@ TransverseMercatorPlane plane_of(const ProjectOptions& o, double longitude_deg, 
     return {ellipsoid,         o.central_meridian_deg, o.scale,
             o.false_easting_m, o.false_northing_m,     o.latitude_of_origin_deg};
   if (!o.zone && !std::isfinite(longitude_deg))
-    throw bad_input("no zone is given and no longitude tells it", "the option zone");
+    throw bad_input("no zone is given, and the table has no longitude to derive it from", "the option zone");
   if (o.plane == PlaneKind::utm) {
     const bool from_points = std::isfinite(latitude_deg);
     const int zone = o.zone ? *o.zone : to_utm({latitude_deg, longitude_deg, 0}).zone;

@@ -24,7 +24,8 @@ void check(const SlamOptions& o) {
   if (o.dense_map && o.map_min_range >= o.map_max_range)
     throw bad_input("map_min_range is " + number_text(o.map_min_range) + " m",
                     "less than map_max_range, " + number_text(o.map_max_range) + " m");
-  if (o.deskew == Deskew::elastic && o.solve == Solve::two_step)
+  const SlamSettings in_force = resolved(o);
+  if (o.trajectory.empty() && in_force.deskew == Deskew::elastic && in_force.solve == Solve::two_step)
     throw bad_input("solve is two_step with deskew elastic", "solve joint with elastic frames",
                     "Set solve to joint, or deskew to once");
 }

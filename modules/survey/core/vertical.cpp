@@ -73,7 +73,7 @@ bool level_by_ground(const PointCloud& cloud, const FrameOptions& options, const
   vertical.up = plane.normal, vertical.method = Level::ground;
   vertical.standard_error_rad = std::numeric_limits<double>::quiet_NaN();
   vertical.warnings.push_back(
-      "levelled by the plane of the ground: the slope of the plot cannot be told from the tilt of the map and was "
+      "levelled by the plane of the ground: the slope of the plot cannot be separated from the tilt of the map and was "
       "removed with it");
   return true;
 }

@@ -304,9 +304,24 @@ TEST(Slam, EveryPresetReportsEachFrameAndItsLoops) {
 }
 
 TEST(SlamOptions, TwoStepsAndElasticFramesExcludeEachOther) {
-  SlamOptions o;
-  o.solve = Solve::two_step;
-  EXPECT_THROW(run_slam(small_walk(3), o, {}), Error);
+  const auto trouble = [](const SlamOptions& o) -> std::string {
+    try {
+      option_table(&o).check_all(&o);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  // One of the two is given, the other one follows from the preset.
+  auto elastic_by_preset = with_preset(Preset::best);
+  elastic_by_preset.solve = Solve::two_step;
+  EXPECT_THAT(trouble(elastic_by_preset), testing::HasSubstr("two_step"));
+  auto two_steps_by_preset = with_preset(Preset::lego_loam);
+  two_steps_by_preset.deskew = Deskew::elastic;
+  EXPECT_THAT(trouble(two_steps_by_preset), testing::HasSubstr("two_step"));
+  EXPECT_EQ(trouble(with_preset(Preset::best)), "");
+  elastic_by_preset.deskew = Deskew::once;
+  EXPECT_EQ(trouble(elastic_by_preset), "");
 }
 
 TEST(Slam, AScanWithoutFramesOrReturnsIsRefused) {
