@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -81,7 +82,13 @@ class FieldCheckTest : public QObject {
       return Errors{n, sum / std::max(n, 1), std::sqrt(squares / std::max(n, 1))};
     };
     const auto set = [&](const char* option, double value) {
-      window.properties().findChild<QDoubleSpinBox*>(option)->setValue(value);
+      if (auto* box = window.properties().findChild<QDoubleSpinBox*>(option)) {
+        box->setValue(value);
+      } else {  // one that may be left open
+        auto* line = window.properties().findChild<QLineEdit*>(option);
+        line->setText(QString::number(value));
+        Q_EMIT line->editingFinished();
+      }
       QCoreApplication::processEvents();
     };
     const auto run = [&] {
@@ -109,7 +116,7 @@ class FieldCheckTest : public QObject {
     QCoreApplication::processEvents();
     window.properties().findChild<QComboBox*>("model")->setCurrentText("surface");
     QCoreApplication::processEvents();
-    auto* beam = window.properties().findChild<QDoubleSpinBox*>("beam_divergence");
+    auto* beam = window.properties().findChild<QLineEdit*>("beam_divergence");
     QVERIFY(!beam->isEnabled() && beam->toolTip().startsWith("Counts only when 'Model' is auto or ray."));
     run();
     const auto surface = errors();

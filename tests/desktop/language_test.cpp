@@ -8,8 +8,10 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "document/stage_words.h"
 #include "features/stem_review/stem_review.h"
 #include "look/language.h"
 #include "render/charts/linked_charts.h"
@@ -22,6 +24,39 @@
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
+namespace {
+
+// The texts of one .ts file in Chinese; what it lacks is listed.
+class ChineseFile {
+ public:
+  explicit ChineseFile(const QString& name) : name_(name), loaded_(texts_.load(name + "_zh_CN", ":/i18n")) {}
+
+  bool loaded() const { return loaded_; }
+  QString needed(const char* context, const QByteArray& text, const std::string& comment = {}) {
+    const QString chinese = texts_.translate(context, text.constData(), comment.c_str());
+    if (chinese.isEmpty()) missing_ << QString(context) + ": " + QString::fromUtf8(text);
+    return chinese;
+  }
+  QString report() const { return "translate in app/desktop/i18n/" + name_ + "_zh_CN.ts:\n" + missing_.join('\n'); }
+  bool complete() const { return missing_.isEmpty(); }
+
+ private:
+  QString name_;
+  QTranslator texts_;
+  bool loaded_;
+  QStringList missing_;
+};
+
+// Numbers and names of options or columns that the translation lacks.
+QStringList lost(const QString& english, const QString& chinese) {
+  static const QRegularExpression kept("[0-9]+(\\.[0-9]+)?(?!-D)|[a-z0-9]+(_[a-z0-9]+)+");
+  QStringList words;
+  for (auto found = kept.globalMatch(english); found.hasNext();)
+    if (const QString word = found.next().captured(); !chinese.contains(word)) words << word + " in: " + chinese;
+  return words;
+}
+
+}  // namespace
 
 class LanguageTest : public QObject {
   Q_OBJECT
@@ -79,11 +114,58 @@ class LanguageTest : public QObject {
     }
   }
 
-  void every_stage_has_a_title() {
-    install_language(*QCoreApplication::instance(), "zh_CN");
+  void every_stage_is_translated() {
+    install_language(*QCoreApplication::instance(), "en");  // it takes in the files
+    ChineseFile stages("stages");
+    QVERIFY(stages.loaded());
+    QStringList words;
+    for (const auto* type : pipeline::StageRegistry::global().all()) {
+      stages.needed("stages", type->title.c_str());
+      words << lost(QString::fromStdString(type->help), stages.needed("stage help", type->help.c_str()));
+    }
+    QVERIFY2(stages.complete(), qPrintable(stages.report()));
+    QVERIFY2(words.isEmpty(), qPrintable(words.join('\n')));
+  }
+
+  void every_option_is_translated() {
+    install_language(*QCoreApplication::instance(), "en");  // its labels are the keys of the others
+    ChineseFile options("options");
+    QVERIFY(options.loaded());
+    QStringList words;
+    int count = 0;
     for (const auto* type : pipeline::StageRegistry::global().all())
-      QVERIFY2(stage_title(*type) != QString::fromStdString(type->title),
-               qPrintable("translate in app/desktop/i18n/stages_zh_CN.ts: " + QString::fromStdString(type->title)));
+      for (const auto& spec : type->options->specs) {
+        ++count;
+        options.needed("option labels", option_label(*type, spec).toUtf8(), type->name);
+        words << lost(QString::fromStdString(spec.help), options.needed("option help", spec.help.c_str()));
+        for (const auto& choice : spec.choices) options.needed("choices", choice.c_str(), spec.name);
+        if (!spec.unset.empty()) options.needed("choices", spec.unset.c_str(), spec.name);
+      }
+    QVERIFY(count > 100);
+    QVERIFY2(options.complete(), qPrintable(options.report()));
+    QVERIFY2(words.isEmpty(), qPrintable(words.join('\n')));
+  }
+
+  // A form in Chinese writes the English words of the choices into the document.
+  void options_speak_chinese() {
+    install_language(*QCoreApplication::instance(), "zh_CN");
+    const auto& type = pipeline::StageRegistry::global().at("stems.measure");
+    const auto& model = type.options->at("model");
+    const auto& beam = type.options->at("beam_divergence");
+    QCOMPARE(option_label(type, model), QStringLiteral("拟合模型"));
+    QVERIFY(option_help(model).startsWith(QStringLiteral("联合拟合的残差")));
+    QCOMPARE(value_words(model, std::string("auto")), QStringLiteral("自动"));
+    QVERIFY(needed_words(model).endsWith(QStringLiteral("自动, 射线, 表面")));
+    QCOMPARE(value_words(beam, beam.default_value), QStringLiteral("按点云"));
+    QCOMPARE(typed_value(beam, QStringLiteral("按点云")), std::string("cloud"));
+    QCOMPARE(typed_value(beam, "3"), std::string("3"));
+    // The same word and the same option mean something else elsewhere.
+    const auto& frame = pipeline::StageRegistry::global().at("survey.frame");
+    const auto& plot = pipeline::StageRegistry::global().at("survey.plot");
+    QVERIFY(choice_word(frame.options->at("level"), "none") != choice_word(plot.options->at("shape"), "none"));
+    const auto& ground = pipeline::StageRegistry::global().at("ground.model");
+    const auto& drive = pipeline::StageRegistry::global().at("steering.simulate");
+    QVERIFY(option_label(ground, ground.options->at("seed")) != option_label(drive, drive.options->at("seed")));
   }
 
   // What the charts and the 3-D view write has its Chinese words; numbers stay.

@@ -1,6 +1,5 @@
 #include "document/stage_roles.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 namespace bole::desktop {
@@ -60,10 +59,6 @@ std::optional<double> breast_height_m(const pipeline::PipelineDocument& document
   });
   if (slice == nullptr) return {};
   return std::get<double>(slice->options.get(height_option));
-}
-
-QString stage_title(const pipeline::StageType& type) {
-  return QCoreApplication::translate("stages", type.title.c_str());
 }
 
 }  // namespace bole::desktop

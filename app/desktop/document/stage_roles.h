@@ -1,7 +1,6 @@
 // What a stage is for, read from its ports and options: nothing in the window knows stages by their names.
 #pragma once
 
-#include <QString>
 #include <optional>
 #include <string_view>
 
@@ -23,8 +22,5 @@ const pipeline::StageType& table_reader();
 
 // The height of the slice from which diameters come, when the document has one.
 std::optional<double> breast_height_m(const pipeline::PipelineDocument& document);
-
-// The title in the language of the window; the declaration has the English one.
-QString stage_title(const pipeline::StageType& type);
 
 }  // namespace bole::desktop

@@ -59,6 +59,38 @@
             <source>%1:%2:%3 h</source>
             <translation>%1:%2:%3 时</translation>
         </message>
+        <message>
+            <source>on</source>
+            <translation>开</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>关</translation>
+        </message>
+        <message>
+            <source>on or off</source>
+            <translation>开或关</translation>
+        </message>
+        <message>
+            <source>text</source>
+            <translation>文本</translation>
+        </message>
+        <message>
+            <source>one of %1</source>
+            <translation>可选 %1</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2</source>
+            <translation>%1 至 %2 的整数</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2</source>
+            <translation>%1 至 %2 的数值</translation>
+        </message>
+        <message>
+            <source>%1, or %2</source>
+            <translation>%1,或 %2</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
@@ -1012,14 +1044,6 @@
         <message>
             <source>Open file</source>
             <translation>打开文件</translation>
-        </message>
-        <message>
-            <source>on</source>
-            <translation>开</translation>
-        </message>
-        <message>
-            <source>off</source>
-            <translation>关</translation>
         </message>
         <message>
             <source> or </source>

@@ -117,7 +117,7 @@
         </message>
         <message>
             <source>Breast-height slice</source>
-            <translation>胸高切片</translation>
+            <translation>胸高横切面</translation>
         </message>
         <message>
             <source>Find the plot frame</source>
@@ -125,7 +125,142 @@
         </message>
         <message>
             <source>Plot boundary and minimum diameter</source>
-            <translation>界定计入的树木</translation>
+            <translation>样地边界与起测胸径</translation>
+        </message>
+        <message>
+            <source>Compute plot values</source>
+            <translation>计算样地指标</translation>
+        </message>
+    </context>
+    <context>
+        <name>stage help</name>
+        <message>
+            <source>Compares stems and trajectory with a reference: one-to-one matching by the Hungarian method within distance and diameter gates, completeness and correctness, mean and covariance of the position error, bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; rejected stems take no part; absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
+            <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。</translation>
+        </message>
+        <message>
+            <source>Converts latitude and longitude of a table to metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, UTM, or any transverse Mercator plane, with the exact projection. The definition of the plane stays with the table, so exports contain it.</source>
+            <translation>将表中的纬度和经度换算为平面坐标(米),或反向换算:支持 3 度和 6 度高斯-克吕格带、UTM 以及任意横轴墨卡托平面,采用严密投影。平面的定义随表保存,因此导出的文件也包含它。</translation>
+        </message>
+        <message>
+            <source>Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any ground point the model has no value and points there have no height (NaN).</source>
+            <translation>区分地面与植被,建立地形模型(DEM),并给出每个点的离地高度。先从小格网中最低的点组逐步加密三角网;再在每个格网周围的地面点带上稳健拟合平面,使模型位于点带中间,而不是其下缘或草丛顶部。没有地面点的格网由插值得到,并在 dem_filled 中标出;与任何地面点的距离超过 fill_distance 处,模型没有值,该处的点也没有高度(NaN)。</translation>
+        </message>
+        <message>
+            <source>Computes stem density, basal area, mean diameters, heights and stem volume of a plot, with 95 % intervals, by diameter class too. Heights of stems whose top was not seen come from a height curve (Näslund); volumes come from the stem curves, else from diameter and height. Where too few tops were seen, heights and volumes are left out. Without a plot there are no values per hectare.</source>
+            <translation>计算样地的株数密度、断面积、平均直径、树高和树干材积及其 95 % 区间,并按径阶给出。树梢未被扫描到的单木,其树高取自树高曲线(Näslund);材积取自干曲线,没有干曲线时由直径和树高计算。扫描到的树梢太少时,不给出树高和材积。没有样地时,不给出每公顷的数值。</translation>
+        </message>
+        <message>
+            <source>Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are given in metres with z up; large ones are kept exactly, as offsets from an origin. Fields of the file become arrays with Bole&apos;s names (intensity, time, ring, return_number, classification, red, ...); other fields keep their names. Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives the points it holds.</source>
+            <translation>读取点云。文件格式按内容识别,而不是按文件名。坐标以米为单位,z 向上;大坐标以相对原点的偏移精确保存。文件的字段变为 Bole 命名的数组(intensity、time、ring、return_number、classification、red 等);其他字段保留原名。坐标不是数字的点被剔除并计数。文件不完整时,读取其中已有的点。</translation>
+        </message>
+        <message>
+            <source>Opens the recording of a spinning LiDAR and gives it frame by frame. Frames are decoded when they are needed, so that long recordings take little memory. Every return keeps its ring and its own time. Packets that are lost, damaged or out of order are counted. A recording that is cut off is read as far as it goes.</source>
+            <translation>打开旋转式激光雷达的记录,并逐帧提供数据。各帧在需要时才解码,因此很长的记录也只占用很少内存。每个回波保留其线号和各自的时间。丢失、损坏或乱序的数据包会被计数。记录中断时,读到中断处为止。</translation>
+        </message>
+        <message>
+            <source>Reads a table, for instance reference trees measured in the field. Columns of numbers become numbers, and empty cells are missing values. A line that does not fit the header is an error that names the line.</source>
+            <translation>读取表格,例如样地实测的参考树木。数字列变为数值,空单元格为缺失值。与表头不符的行视为错误,错误信息指出该行。</translation>
+        </message>
+        <message>
+            <source>Reads the positions of a GNSS receiver: NMEA 0183 sentences (GGA, RMC, VTG, GST, HDT), also between binary messages; CSV with time_s and latitude_deg, longitude_deg or x_m, y_m; or columns of numbers such as UTM coordinates. Sentences with a wrong or missing checksum or unreadable fields, positions without a fix, gaps and steps back in time are counted and skipped.</source>
+            <translation>读取 GNSS 接收机的位置:NMEA 0183 语句(GGA、RMC、VTG、GST、HDT),也可夹在二进制消息之间;含 time_s 以及 latitude_deg、longitude_deg 或 x_m、y_m 的 CSV;或数字列,例如 UTM 坐标。校验和错误或缺失、字段无法读取的语句,未定位的位置,以及时间间断和时间倒退,都会被计数并跳过。</translation>
+        </message>
+        <message>
+            <source>Reads the trajectory of a sensor, for instance the true one of a simulation. Quaternions are normalised. KITTI poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.</source>
+            <translation>读取传感器的轨迹,例如模拟的真实轨迹。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
+        </message>
+        <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), figures as PNG, SVG and PDF, and report.html, one page that holds everything: values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、PNG、SVG 和 PDF 图件,以及 report.html:一个包含全部内容的页面,有样地指标、待检查的树木、图件、与参考数据的比较、单木表,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
+            <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, and report.html with the tables and the map.</source>
+            <translation>将种植行写入输出文件夹:rows.csv,含缺株的 plants.csv,strays.csv,含引导线、A-B 线、植株和离群植株的 rows.gpkg,rows.geojson 和 ab_lines.geojson,种植行图(PNG、SVG 和 PDF),有人工更改时还有 edits.csv,以及含表格和图的 report.html。</translation>
+        </message>
+        <message>
+            <source>Writes the errors of a steering test by speed, pass and fix, the log, the tuning, and the error curves as PNG, SVG and PDF into the output folder, and report.html, one page with the tables and curves. Inputs that are not connected are left out.</source>
+            <translation>将导航试验的误差(按速度、行程和定位点)、日志、参数整定结果和误差曲线(PNG、SVG 和 PDF)写入输出文件夹,并写出 report.html:一个含表格和曲线的页面。未连接的输入将被省略。</translation>
+        </message>
+        <message>
+            <source>Applies the edits of a person: move (the ends), add, delete, split, merge, renumber and note, each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied after every run, by place. Rows whose plants changed are measured again. An edit that no longer fits is a conflict: it changes nothing and is listed.</source>
+            <translation>应用人工编辑:move(移动两端)、add、delete、split、merge、renumber 和 note,每条编辑都带有作者、时间和原因。输入不会改变。编辑保存在流程中,每次运行后按位置重新应用。植株有变化的行会重新测定。不再适用的编辑为冲突:它不作任何更改,并会列出。</translation>
+        </message>
+        <message>
+            <source>Finds plant rows in a table of stems: any number of rows, straight or curved, with gaps, in several blocks of different direction. Stems that fit no row are strays. Plants are numbered along their row and missing plants are listed. Rows are numbered block by block, from left to right looking along the rows. A column row_id fixes the assignment. The direction of a row is the angle of its least-squares line with due east.</source>
+            <translation>在单木表中查找种植行:行数不限,可直可弯,可有缺口,可分为方向不同的多个地块。不属于任何行的单木为离群植株。植株沿行编号,缺株会列出。种植行逐块编号,沿行的方向看从左到右。row_id 列可固定归属。行的方向是其最小二乘直线与正东方向的夹角。</translation>
+        </message>
+        <message>
+            <source>Finds rows whose canopy hides the trunks (vines, fruit walls, hedges) as peaks of the point profile across the rows. The direction is given, or the one with the sharpest profile is taken. Along each row every piece gives a point in the middle of the canopy, and the window follows the row, so the row may bend. rows.from_stems makes rows and guidance lines of the points. The points must be canopy only: remove the ground with rows.region or rows.remove_ground.</source>
+            <translation>查找冠层遮住树干的行(葡萄、篱壁式果树、树篱):取横跨各行的点云剖面的峰值。方向由参数给定,或取剖面最清晰的方向。沿每一行,每一段给出冠层中央的一个点,窗口随行移动,因此行可以弯曲。rows.from_stems 由这些点生成种植行和引导线。输入点必须只含冠层:请先用 rows.region 或 rows.remove_ground 去除地面。</translation>
+        </message>
+        <message>
+            <source>Turns a frame by the attitude of the sensor: Rz(yaw) Ry(pitch) Rx(roll). With a table of attitudes every point is turned by the attitude at its own time, otherwise the frame has one attitude.</source>
+            <translation>按传感器的姿态旋转一帧:Rz(yaw) Ry(pitch) Rx(roll)。给出姿态表时,每个点按其自身时刻的姿态旋转;否则整帧使用同一姿态。</translation>
+        </message>
+        <message>
+            <source>Mean shift in plan. Points that converge to the same place are one plant. The column plant numbers the plants; 0 is no plant.</source>
+            <translation>平面上的均值漂移。收敛到同一处的点属于同一植株。plant 列为植株编号;0 表示不属于任何植株。</translation>
+        </message>
+        <message>
+            <source>Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position and yaw of the sensor.</source>
+            <translation>用传感器的位置和航向角,将植株中心从帧坐标系变换到导航坐标系(x 向东,y 向北)。</translation>
+        </message>
+        <message>
+            <source>Removes points that have too few neighbours within a radius.</source>
+            <translation>去除在给定半径内邻点过少的点。</translation>
+        </message>
+        <message>
+            <source>Keeps the points inside a box (pass-through filter).</source>
+            <translation>保留长方体内的点(直通滤波)。</translation>
+        </message>
+        <message>
+            <source>Removes the ground with a ray ground filter. In narrow sectors around the sensor, in order of range, a point is ground when it rises less than the local slope above the last ground point and stays within the general slope.</source>
+            <translation>用射线地面滤波去除地面。在传感器周围的窄扇区内,按距离由近到远:若一点比上一个地面点的升高不超过局部坡度,且不超出总体坡度,则为地面点。</translation>
+        </message>
+        <message>
+            <source>Cuts every plant into horizontal layers and keeps those that are no wider than a trunk, so that leaves and branches do not move the centre. The mean of the trunk points in plan is the centre of the plant. The sensor sees one side only, so this centre lies too near by most of a radius; centre=face corrects that.</source>
+            <translation>将每株植株切成水平层,只保留宽度不超过树干的层,使枝叶不会移动中心。树干点的平面均值即为植株中心。传感器只看到一侧,因此该中心偏近,偏差约为半径的大部分;centre=face 可对此进行改正。</translation>
+        </message>
+        <message>
+            <source>Replaces the points of each voxel by their centroid.</source>
+            <translation>用每个体素内各点的重心代替这些点。</translation>
+        </message>
+        <message>
+            <source>Estimates the trajectory of the sensor from the frames alone and maps all returns with it. Each frame is de-skewed and registered against a local map of keyframes. Loop closures correct the drift in a pose graph, and a final adjustment fits the whole trajectory to the whole map. A preset sets the options that differ between published systems. With a given trajectory only the map is made.</source>
+            <translation>仅由各帧估计传感器的轨迹,并用它将所有回波建成地图。每一帧先校正运动畸变,再与由关键帧组成的局部地图配准。回环在位姿图中改正漂移,最终平差使整条轨迹与整个地图相符。预设决定各公开系统之间不同的参数。给定轨迹时只建图。</translation>
+        </message>
+        <message>
+            <source>Finds the passes of a log along a line and its neighbours. Measures straight-line and adjacent-row errors by pass and by speed. Where the true positions are known, from a reference receiver or a simulation, the error of the receiver is separated from that of the controller.</source>
+            <translation>在日志中找出沿一条线及其相邻线的各次行程,按行程和速度测定直线误差和邻行误差。真实位置已知时(来自参考接收机或模拟),将接收机的误差与控制器的误差分开。</translation>
+        </message>
+        <message>
+            <source>Drives a simulated tractor along a line, turns, and drives the neighbouring line back, at several speeds. Simulated are a receiver with noise, drift, jumps and outages, the position-velocity Kalman filter, the preview PID with the published gains, and a bicycle model with lag, limits and slip. The log holds the navigated and the true positions.</source>
+            <translation>模拟拖拉机沿一条线行驶、掉头,再沿相邻线驶回,并以多个速度进行。模拟内容包括:带有噪声、漂移、跳变和失锁的接收机,位置-速度卡尔曼滤波,采用已发表增益的预瞄 PID,以及带有滞后、限幅和侧滑的自行车模型。日志包含导航位置和真实位置。</translation>
+        </message>
+        <message>
+            <source>The tuning procedure of the paper by trial: reduce the preview distance to a slight oscillation and add one metre, raise P to a slight oscillation, raise D until it stops, raise I while nothing oscillates.</source>
+            <translation>论文中的试验整定方法:减小预瞄距离直至轻微振荡,再加一米;增大 P 直至轻微振荡;增大 D 直至振荡消失;在不振荡的前提下增大 I。</translation>
+        </message>
+        <message>
+            <source>Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, each with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied anew after every run, by place. What no longer fits is a conflict: it changes nothing and is listed.</source>
+            <translation>应用人工决定:add、delete、move、resize、set_height、split、merge、accept、reject 和 note,每条都带有作者、时间和原因。输入不会改变;编辑保存在流程中,每次运行后按位置重新应用。不再适用的编辑为冲突:它不作任何更改,并会列出。</translation>
+        </message>
+        <message>
+            <source>Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the surface (model); candidates that rays pass through are rejected. Passes of the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id of its tree.</source>
+            <translation>在地面与树冠之间查找单木,并测定其胸径及 95 % 区间。在多个高度上用随机搜索查找圆,并连接成树干轴线;再对胸高附近的各断面联合拟合一个带削度的圆柱,采用尺度有上限的 Tukey 权,并为每趟、每个视角设偏移,其离散程度由全部单木估计。传感器位置已知时,拟合沿射线的误差,顾及光束宽度和所有单木共有的测距偏移;否则拟合到树干表面的距离(model);被射线穿过的候选会被拒绝。行走各趟之间相差一厘米或更多时,先借助单木将其对齐。每个点都得到所属树木的编号。</translation>
+        </message>
+        <message>
+            <source>Cuts the layer of points around breast height, by height above ground, for the stem measurement and for pictures of the sections.</source>
+            <translation>按离地高度截取胸高附近的点层,用于单木测定和断面图。</translation>
+        </message>
+        <message>
+            <source>Moves a map into the axes of the plot: x east, y north, z up, origin on the ground below the centre target. The vertical comes from the stems (or the ground), origin and heading from two retro-reflective targets that are found by their strong returns: small, dense, seen from positions far apart. The target nearest to the start of the walk is the centre. Without targets the map is levelled and otherwise left as it is.</source>
+            <translation>将地图变换到样地坐标系:x 向东,y 向北,z 向上,原点位于中心标靶下方的地面。铅垂方向由单木(或地面)确定,原点和方位由两个反光标靶确定;标靶按强回波查找:小而密,并从相距较远的位置都能看到。离行走起点最近的标靶为中心。没有标靶时,只将地图调平,其余不变。</translation>
+        </message>
+        <message>
+            <source>Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are horizontal.</source>
+            <translation>为所有统计树木的步骤设定样地边界和起测胸径。树木在胸高处的中心位于边界内(边界上也算在内),且胸径达到 min_dbh 时,才计入。面积为水平面积。</translation>
         </message>
     </context>
 </TS>

@@ -43,6 +43,7 @@ void install_language(QCoreApplication& application, const QString& code) {
   // English too: its file holds the plural forms.
   install("bole_" + language, ":/i18n");
   install("stages_" + language, ":/i18n");
+  install("options_" + language, ":/i18n");
   install("figures_" + language, ":/i18n");
   if (language != "en") install("qtbase_" + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 }

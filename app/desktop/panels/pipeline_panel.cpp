@@ -10,7 +10,7 @@
 
 #include "commands/commands.h"
 #include "document/stage_operations.h"
-#include "document/stage_roles.h"
+#include "document/stage_words.h"
 
 namespace bole::desktop {
 namespace {
@@ -68,7 +68,8 @@ void PipelinePanel::fill() {
     const auto title = stage_title(*node.type), id = QString::fromStdString(node.id);
     item->setText(stage_column, twin ? QString("%1 (%2)").arg(title, id) : title);
     item->setData(0, Qt::UserRole, id);
-    item->setToolTip(stage_column, QString::fromStdString(node.id + " (" + node.type->name + ")\n" + node.type->help));
+    item->setToolTip(stage_column,
+                     id + " (" + QString::fromStdString(node.type->name) + ")\n" + stage_help(*node.type));
     show_eyes(item);
   }
   show_problems();
@@ -184,7 +185,7 @@ void PipelinePanel::fill_add_menu(QMenu& menu) {
     if (!group) group = menu.addMenu(name.section('.', 0, 0));
     group->setToolTipsVisible(true);
     auto* action = group->addAction(stage_title(*type));
-    action->setToolTip(QString::fromStdString(type->help));
+    action->setToolTip(stage_help(*type));
     connect(action, &QAction::triggered, this, [this, name] { guarded([&] { add_stage(name); }); });
   }
 }

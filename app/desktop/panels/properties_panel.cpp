@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -15,16 +16,10 @@
 #include <cmath>
 #include <utility>
 
-#include "document/stage_roles.h"
+#include "document/stage_words.h"
 
 namespace bole::desktop {
 namespace {
-
-QString label_text(const OptionSpec& spec) {
-  QString text = QString::fromStdString(spec.name);
-  text.replace('_', ' ');
-  return text.left(1).toUpper() + text.mid(1);
-}
 
 QString suffix(const OptionSpec& spec) {
   const auto unit = unit_symbol(spec.unit);
@@ -39,24 +34,20 @@ int decimals_for(const OptionSpec& spec) {
 }
 
 QString first_sentence(const QString& text) {
-  const auto end = text.indexOf(". ");
-  return end < 0 ? text : text.left(end + 1);
-}
-
-QString value_text(const std::string& value) {
-  if (value == "true") return PropertiesPanel::tr("on");
-  if (value == "false") return PropertiesPanel::tr("off");
-  return QString::fromStdString(value);
+  static const QRegularExpression end(QStringLiteral("\\. |。"));
+  const auto found = end.match(text);
+  return found.hasMatch() ? text.left(found.capturedStart() + 1) : text;
 }
 
 // Why an option means nothing now.
-QString reason_text(const Condition& condition, const OptionSpec& other) {
-  const QString name = label_text(other);
+QString reason_text(const pipeline::StageType& type, const Condition& condition) {
+  const auto& other = type.options->at(condition.option);
+  const QString name = option_label(type, other);
   if (condition.values == std::vector<std::string>{""})
     return condition.holds_with ? PropertiesPanel::tr("Counts only while '%1' is empty.").arg(name)
                                 : PropertiesPanel::tr("Counts only when '%1' is given.").arg(name);
   QStringList values;
-  for (const auto& v : condition.values) values << value_text(v);
+  for (const auto& v : condition.values) values << value_words(other, other.parsed(v));
   const QString list = values.join(PropertiesPanel::tr(" or "));
   return condition.holds_with ? PropertiesPanel::tr("Counts only when '%1' is %2.").arg(name, list)
                               : PropertiesPanel::tr("Counts only when '%1' is not %2.").arg(name, list);
@@ -147,11 +138,11 @@ const pipeline::StageNode* PropertiesPanel::node() const {
   return it == stages.end() ? nullptr : &*it;
 }
 
-bool PropertiesPanel::is_listed(const OptionSpec& spec) const {
+bool PropertiesPanel::is_listed(const pipeline::StageType& type, const OptionSpec& spec) const {
   const QString wanted = search_->text();
   if (wanted.isEmpty()) return static_cast<int>(spec.tier) <= tier_->currentIndex();
-  return label_text(spec).contains(wanted, Qt::CaseInsensitive) ||
-         QString::fromStdString(spec.help).contains(wanted, Qt::CaseInsensitive);
+  const QStringList texts{option_label(type, spec), option_help(spec), QString::fromStdString(spec.name)};
+  return std::ranges::any_of(texts, [&](const QString& text) { return text.contains(wanted, Qt::CaseInsensitive); });
 }
 
 void PropertiesPanel::rebuild() {
@@ -160,7 +151,7 @@ void PropertiesPanel::rebuild() {
   rows_.clear();
   const auto* stage = node();
   if (!stage) return show_pending();
-  const auto about = QString::fromStdString(stage->type->help);
+  const auto about = stage_help(*stage->type);
   title_->setText("<b>" + stage_title(*stage->type) + "</b><br>" + first_sentence(about).toHtmlEscaped());
   title_->setToolTip("<p>" + about.toHtmlEscaped() + "</p>");
   show_notice(*stage);
@@ -171,16 +162,15 @@ void PropertiesPanel::rebuild() {
   auto* page = new QWidget;
   auto* form = new QFormLayout(page);
   for (const auto& spec : stage->type->options->specs) {
-    if (!is_listed(spec)) continue;
+    if (!is_listed(*stage->type, spec)) continue;
     const auto help =
-        QString::fromStdString(spec.help) + "\n" +
-        tr("%1; default %2")
-            .arg(QString::fromStdString(spec.needed()), QString::fromStdString(option_text(spec.default_value)));
+        option_help(spec) + "\n" + tr("%1; default %2").arg(needed_words(spec), value_words(spec, spec.default_value));
     auto* editor = editor_for(value_of(*stage, spec), spec);
     editor->setMinimumWidth(80);  // not that of the widest number there is
     editor->setObjectName(QString::fromStdString(spec.name));
     const bool changed = value_of(*stage, spec) != spec.default_value;
-    auto* name = new QLabel(changed ? "<b>" + label_text(spec) + "</b>" : label_text(spec));
+    const QString label = option_label(*stage->type, spec);
+    auto* name = new QLabel(changed ? "<b>" + label + "</b>" : label);
     form->addRow(name, editor);
     rows_.push_back({&spec, name, editor, help});
   }
@@ -213,7 +203,7 @@ void PropertiesPanel::show_conditions() {
     const auto* unmet = table.unmet(*row.spec, [&](const OptionSpec& spec) { return value_of(*stage, spec); });
     row.name->setEnabled(unmet == nullptr);
     row.editor->setEnabled(unmet == nullptr);
-    const QString text = unmet ? reason_text(*unmet, table.at(unmet->option)) + "\n\n" + row.help : row.help;
+    const QString text = unmet ? reason_text(*stage->type, *unmet) + "\n\n" + row.help : row.help;
     row.name->setToolTip(text);
     row.editor->setToolTip(text);
   }
@@ -307,15 +297,15 @@ QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec&
   const auto text = QString::fromStdString(option_text(value));
   if (spec.text_kind == TextKind::choice) {
     auto* box = new QComboBox;
-    for (const auto& c : spec.choices) box->addItem(QString::fromStdString(c));
-    box->setCurrentText(text);
-    connect(box, &QComboBox::currentTextChanged, this,
-            [this, name = spec.name](const QString& v) { commit(name, v.toStdString()); });
+    for (const auto& c : spec.choices) box->addItem(choice_word(spec, c), QString::fromStdString(c));
+    box->setCurrentIndex(box->findData(text));
+    connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this, box, name = spec.name](int) { commit(name, box->currentData().toString().toStdString()); });
     return box;
   }
-  auto* line = new QLineEdit(text);
+  auto* line = new QLineEdit(value_words(spec, value));
   connect(line, &QLineEdit::editingFinished, this,
-          [this, line, name = spec.name] { commit(name, line->text().toStdString()); });
+          [this, line, spec = &spec] { commit(spec->name, typed_value(*spec, line->text())); });
   if (spec.text_kind != TextKind::input_path) return line;
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);

@@ -42,7 +42,7 @@ class PropertiesPanel : public QWidget {
   void show_pending();
   void show_conditions();
   const pipeline::StageNode* node() const;  // null when there is none
-  bool is_listed(const OptionSpec& spec) const;
+  bool is_listed(const pipeline::StageType& type, const OptionSpec& spec) const;
   OptionValue value_of(const pipeline::StageNode& stage, const OptionSpec& spec) const;  // with what waits
   QWidget* editor_for(const OptionValue& value, const OptionSpec& spec);
   void commit(const std::string& option, const OptionValue& value);

@@ -61,12 +61,12 @@ TEST(Option, AnErrorNamesOptionValueAndWhatWasNeeded) {
 
 TEST(Option, LimitsOfWholeNumbersAreWrittenInFull) {
   OptionSpec spec;
-  spec.default_value = std::int64_t{5};
+  spec.kind = ValueKind::integer;
   EXPECT_EQ(limit_text(spec, 1000000), "1000000");
   EXPECT_EQ(limit_text(spec, 0.5), "0.5");
   spec.name = "seed", spec.min = 0, spec.max = 1e6;
   EXPECT_EQ(spec.needed(), "a whole number from 0 to 1000000");
-  spec.default_value = 5.0;
+  spec.kind = ValueKind::number;
   EXPECT_EQ(limit_text(spec, 1000000), "1e+06");
 }
 

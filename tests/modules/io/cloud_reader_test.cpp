@@ -72,7 +72,7 @@ TEST(ReadPly, HostileCountsAllocateNothing) {
   const auto r = read(binary_ply(false, 1, 4'000'000'000'000ULL), "a.ply");
   EXPECT_EQ(r.cloud.size(), 3U);
   ASSERT_EQ(r.report.warnings.size(), 1U);
-  EXPECT_THAT(r.report.warnings[0], HasSubstr("4000000000000 points, 3 are there"));
+  EXPECT_THAT(r.report.warnings[0], HasSubstr("4000000000000 points, 3 are present"));
 }
 
 TEST(ReadPly, ErrorsNameTheLine) {
@@ -160,7 +160,7 @@ TEST(ReadPcd, BinaryThatIsCutOffGivesWhatIsThere) {
   file += "xyz";
   const auto r = read(file, "a.pcd");
   EXPECT_EQ(r.cloud.size(), 5U);
-  EXPECT_THAT(r.report.warnings.at(0), HasSubstr("5 are there"));
+  EXPECT_THAT(r.report.warnings.at(0), HasSubstr("5 are present"));
   EXPECT_FALSE(r.cloud.has("_"));
 }
 

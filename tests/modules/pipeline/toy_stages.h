@@ -2,9 +2,14 @@
 // maker.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "pipeline/stage.h"
 
 namespace bole::testing {
+
+using namespace pipeline;
 
 struct ReadOptions {
   std::string file;
@@ -39,76 +44,38 @@ inline const OptionTable& slice_options() {
   return t;
 }
 
-// `scan` makes points with no known arrays when `closed`, so that array needs can be checked before running.
+inline StageType toy_stage(std::string name, std::string title, std::string help, std::vector<Port> inputs,
+                           std::vector<Port> outputs, const OptionTable& options) {
+  StageType type;
+  type.name = std::move(name);
+  type.title = std::move(title);
+  type.help = std::move(help);
+  type.inputs = std::move(inputs);
+  type.outputs = std::move(outputs);
+  type.options = &options;
+  type.run = [](const DataSet&, const OptionSet&, const Run&) { return StageResult{}; };
+  return type;
+}
+
 inline StageRegistry toy_registry() {
   StageRegistry registry;
-  const auto nothing = [](const DataSet&, const OptionSet&, const Run&) { return StageResult{}; };
-  registry.add({"toy.read",
-                "Read",
-                "Reads.",
-                "",
-                1,
-                {},
-                {{"points", DataKind::cloud, "Points.", false, {}}},
-                &read_options(),
-                false,
-                {},
-                nothing});
-  registry.add({"toy.scan",
-                "Scan",
-                "Scans.",
-                "",
-                1,
-                {{"frames", DataKind::frames, "Frames.", true, {}}},
-                {{"points", DataKind::cloud, "Points.", false, {}}},
-                &height_options(),
-                false,
-                {},
-                nothing});
-  registry.add({"toy.height",
-                "Height",
-                "Heights.",
-                "",
-                1,
-                {{"points", DataKind::cloud, "Points.", false, {}}},
-                {{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}}},
-                &height_options(),
-                false,
-                {},
-                nothing});
-  registry.add({"toy.slice",
-                "Slice",
-                "Slices.",
-                "",
-                1,
-                {{"points", DataKind::cloud, "Points with heights.", false, {arrays::height_above_ground}}},
-                {{"slice", DataKind::cloud, "Slice.", false, {}}},
-                &slice_options(),
-                false,
-                {},
-                nothing});
-  registry.add({"toy.compare",
-                "Compare",
-                "Compares.",
-                "",
-                1,
-                {{"reference", DataKind::cloud, "Reference.", true, {}}},
-                {{"table", DataKind::table, "Result.", false, {}}},
-                &height_options(),
-                false,
-                {},
-                nothing});
-  registry.add({"toy.merge",
-                "Merge",
-                "Merges.",
-                "",
-                1,
+  registry.add(
+      toy_stage("toy.read", "Read", "Reads.", {}, {{"points", DataKind::cloud, "Points.", false, {}}}, read_options()));
+  registry.add(toy_stage("toy.scan", "Scan", "Scans.", {{"frames", DataKind::frames, "Frames.", true, {}}},
+                         {{"points", DataKind::cloud, "Points.", false, {}}}, height_options()));
+  registry.add(toy_stage("toy.height", "Height", "Heights.", {{"points", DataKind::cloud, "Points.", false, {}}},
+                         {{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}}},
+                         height_options()));
+  registry.add(toy_stage("toy.slice", "Slice", "Slices.",
+                         {{"points", DataKind::cloud, "Points with heights.", false, {arrays::height_above_ground}}},
+                         {{"slice", DataKind::cloud, "Slice.", false, {}}}, slice_options()));
+  registry.add(toy_stage("toy.compare", "Compare", "Compares.",
+                         {{"reference", DataKind::cloud, "Reference.", true, {}}},
+                         {{"table", DataKind::table, "Result.", false, {}}}, height_options()));
+  registry.add(
+      toy_stage("toy.merge", "Merge", "Merges.",
                 {{"points", DataKind::cloud, "Points.", false, {}}, {"slice", DataKind::cloud, "Slice.", false, {}}},
-                {{"points", DataKind::cloud, "Points.", false, {}}},
-                &height_options(),
-                false,
-                {},
-                nothing});
+                {{"points", DataKind::cloud, "Points.", false, {}}}, height_options()));
   return registry;
 }
 

@@ -236,8 +236,8 @@ TEST(EditRows, JsonThereAndBack) {
   const std::string json = R"([{"action": "move", "at": [5, 4], "from": [0, 4], "to": [18, 4.5], "was_angle_deg": 1.5,
     "author": "A. Smith", "time": "2026-05-02T10:15:00Z", "reason": "post"}, {"action": "add", "from": [0, 1], "to": [2, 3], "row_id": "7"},
     {"action": "merge", "at": [1, 2], "with": [[3, 4], [5, 6]]}, {"action": "note", "at": [1, 1], "text": "replant"}])";
-  const auto once = stems::to_json(parse_row_edits(json));
-  EXPECT_EQ(stems::to_json(parse_row_edits(once)), once);
+  const auto once = to_json(parse_row_edits(json));
+  EXPECT_EQ(to_json(parse_row_edits(once)), once);
   EXPECT_THAT(once, HasSubstr("replant"));
   const auto error = [](const std::string& text) {
     try {

@@ -117,7 +117,7 @@ TEST_F(DisturbanceTest, the_companion_stands_where_it_is_said) {
 }
 
 TEST_F(DisturbanceTest, a_turn_on_the_spot_turns_before_the_walk) {
-  const Walk turning(route(), terrain_, {.gait = 0, .stand_still_s = 1, .turn_rad = std::numbers::pi}, 1);
+  const Walk turning(route(), terrain_, {.gait = 0, .stand_still_s = 1, .max_s = {}, .turn_rad = std::numbers::pi}, 1);
   const auto yaw = [&](double t) {
     const Eigen::Matrix3d R = turning.pose(t).linear();
     return std::atan2(R(1, 0), R(0, 0));

@@ -24,7 +24,7 @@ RayHit cast(const RayScene& scene, const Eigen::Vector3d& from, const Eigen::Vec
 }
 
 // Distance of a point from the stem's analytic surface, in its section.
-double outside(const render::StemShape& stem, const Eigen::Vector3d& p) {
+double outside(const StemShape& stem, const Eigen::Vector3d& p) {
   double h = p.z() - stem.foot.z();
   for (int i = 0; i < 20; ++i) h += (p - stem.axis(h)).dot(stem.tangent(h)) * stem.tangent(h).z();
   const Eigen::Vector2d in_section = stem.section_axes(h).transpose() * (p - stem.axis(h));

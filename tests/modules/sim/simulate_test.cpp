@@ -101,7 +101,7 @@ TEST_F(Simulation, packets_and_true_poses_give_back_the_ground) {
   options_.max_time = 3;
   options_.rotation_hz = 20;
   run("out");
-  const auto points = points_of(bytes("out/walk.pcap"), io::read_tum(bytes("out/trajectory.tum")));
+  const auto points = points_of(bytes("out/walk.pcap"), read_tum(bytes("out/trajectory.tum")));
   const sim::Forest forest = sim::make_forest(recipe_, 1);
   const sim::Terrain& terrain = forest.terrain;
   const auto beside_something = [&](const Eigen::Vector3d& p) {
@@ -164,7 +164,7 @@ TEST_F(Simulation, reports_and_writes_its_truth) {
 TEST_F(Simulation, targets_shine_where_they_stand) {
   options_.max_time = 1;
   run("out");
-  const Trajectory trajectory = io::read_tum(bytes("out/trajectory.tum"));
+  const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
   const std::string pcap = bytes("out/walk.pcap");
   const sensor::VelodyneDecoder decoder(sensor::load_sensor_model("vlp32c"));
   int bright = 0, elsewhere = 0;
@@ -289,7 +289,7 @@ TEST_F(Simulation, follows_a_walk_from_a_file) {
   options_.speed = 3;
   options_.rotation_hz = 5;
   run("out");
-  const Trajectory trajectory = io::read_tum(bytes("out/trajectory.tum"));
+  const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
   EXPECT_LT((trajectory.poses.front().T_target_sensor.translation().head<2>() - Eigen::Vector2d(-3, -4)).norm(), 0.5);
   EXPECT_LT((trajectory.poses.back().T_target_sensor.translation().head<2>() - Eigen::Vector2d(3, -4)).norm(), 0.5);
 }

@@ -17,8 +17,8 @@ Terrain level_ground() {
   return Terrain(recipe, 1);
 }
 
-render::StemShape plain_stem(double diameter_m) {
-  render::StemShape stem;
+StemShape plain_stem(double diameter_m) {
+  StemShape stem;
   stem.radius_m = 0.5 * diameter_m;
   stem.flare = stem.lobe_amplitude = 0;
   return stem;
@@ -29,7 +29,7 @@ TEST(Tape, reads_the_diameter_of_a_round_stem) {
 }
 
 TEST(Tape, is_laid_across_the_axis_of_a_leaning_stem) {
-  render::StemShape stem = plain_stem(0.3);
+  StemShape stem = plain_stem(0.3);
   stem.taper_exponent = 0;
   stem.lean = {std::tan(20 * pi / 180), 0};
   const TapedStem taped = tape(stem, level_ground());
@@ -40,7 +40,7 @@ TEST(Tape, is_laid_across_the_axis_of_a_leaning_stem) {
 }
 
 TEST(Tape, spans_hollows) {
-  render::StemShape stem = plain_stem(0.4);
+  StemShape stem = plain_stem(0.4);
   stem.amplitude = {0, 0.2, 0, 0};  // three ridges with hollows between
   const double taped = tape(stem, level_ground()).diameter_m;
   double contour = 0;
@@ -69,7 +69,7 @@ TEST(Tape, counts_breast_height_from_the_uphill_ground) {
   recipe.undulation_m = recipe.micro_relief_m = 0;
   const Terrain slope(recipe, 1);
   EXPECT_GT(slope.height(1, 0), slope.height(-1, 0));
-  render::StemShape stem = plain_stem(0.3);
+  StemShape stem = plain_stem(0.3);
   stem.taper_exponent = 0;  // a cylinder
   const TapedStem taped = tape(stem, slope);
   EXPECT_NEAR(taped.ground_z_m, 0.20 * std::tan(20 * pi / 180), 1e-6);  // radius and a hand's breadth
@@ -77,7 +77,7 @@ TEST(Tape, counts_breast_height_from_the_uphill_ground) {
 }
 
 TEST(StemShape, a_section_is_perpendicular_to_the_axis) {
-  render::StemShape stem = plain_stem(0.3);
+  StemShape stem = plain_stem(0.3);
   stem.lean = {0.1, -0.05};
   stem.bow = {0.2, 0.1};
   for (const double h : {0.3, 1.3, 4.0})
@@ -86,7 +86,7 @@ TEST(StemShape, a_section_is_perpendicular_to_the_axis) {
 }
 
 TEST(StemShape, flare_widens_the_foot_alone) {
-  render::StemShape stem = plain_stem(0.3);
+  StemShape stem = plain_stem(0.3);
   stem.flare = 0.3;
   EXPECT_GT(stem.mean_radius(0), 1.3 * 0.15);
   EXPECT_NEAR(stem.mean_radius(1.3), 0.15, 0.001);

@@ -197,7 +197,7 @@ TEST(LoopCandidates, AlongTheWayAPlaceIsFoundAmongPlacesThatLookTheSame) {
 TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {
   const auto world = posts(5);
   std::vector<Keyframe> keyframes;
-  LocalMap nearest(0.1, 4), last(0.1, 4, true);
+  LocalMap nearest(0.1, 4), last(0.1, 4, LocalMapKind::last);
   const auto knows = [&](const LocalMap& map) { return map.maps().edges.surface(world.front(), 1, 1).has_value(); };
   for (int i = 0; i < 12; ++i) {
     // Only the first four keyframes see anything; the path comes back to them at the end.

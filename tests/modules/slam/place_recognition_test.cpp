@@ -26,7 +26,7 @@ struct Place {
 };
 
 // The range of the paper on roads.
-const ScanContextShape shape{.rings = 20, .sectors = 60, .range_m = 80};
+const ScanContextShape shape{.rings = 20, .sectors = 60, .range = 80};
 constexpr double tau = 0.5;
 
 std::string bytes_of(const fs::path& file) {

@@ -1,0 +1,78 @@
+#include "document/stage_words.h"
+
+#include <QCoreApplication>
+#include <QObject>
+#include <QStringList>
+
+namespace bole::desktop {
+namespace {
+
+QString english_label(const OptionSpec& spec) {
+  QString text = QString::fromStdString(spec.name);
+  text.replace('_', ' ');
+  return text.left(1).toUpper() + text.mid(1);
+}
+
+QString limit_words(const OptionSpec& spec, double limit) {
+  return spec.kind == ValueKind::integer ? QString::number(static_cast<qlonglong>(limit))
+                                         : QString::fromStdString(number_text(limit));
+}
+
+QString range_words(const OptionSpec& spec) {
+  const auto unit = unit_symbol(spec.unit);
+  QString max = limit_words(spec, spec.max);
+  if (!unit.empty()) max += " " + QString::fromUtf8(unit.data(), static_cast<int>(unit.size()));
+  const QString text = spec.kind == ValueKind::integer ? QObject::tr("a whole number from %1 to %2")
+                                                       : QObject::tr("a number from %1 to %2");
+  return text.arg(limit_words(spec, spec.min), max);
+}
+
+QString choice_list(const OptionSpec& spec) {
+  QStringList words;
+  for (const auto& choice : spec.choices) words << choice_word(spec, choice);
+  return words.join(", ");
+}
+
+}  // namespace
+
+QString stage_title(const pipeline::StageType& type) {
+  return QCoreApplication::translate("stages", type.title.c_str());
+}
+
+QString stage_help(const pipeline::StageType& type) {
+  return QCoreApplication::translate("stage help", type.help.c_str());
+}
+
+// An option means something else in another stage ("seed"), a word in another option ("none"): such translations have
+// the stage or the option as their comment.
+QString option_label(const pipeline::StageType& type, const OptionSpec& spec) {
+  return QCoreApplication::translate("option labels", english_label(spec).toUtf8().constData(), type.name.c_str());
+}
+
+QString option_help(const OptionSpec& spec) { return QCoreApplication::translate("option help", spec.help.c_str()); }
+
+QString choice_word(const OptionSpec& spec, const std::string& choice) {
+  return QCoreApplication::translate("choices", choice.c_str(), spec.name.c_str());
+}
+
+QString value_words(const OptionSpec& spec, const OptionValue& value) {
+  if (const auto* on = std::get_if<bool>(&value)) return *on ? QObject::tr("on") : QObject::tr("off");
+  const auto text = option_text(value);
+  const bool is_word = spec.text_kind == TextKind::choice || spec.is_unset(value);
+  return is_word ? choice_word(spec, text) : QString::fromStdString(text);
+}
+
+std::string typed_value(const OptionSpec& spec, const QString& text) {
+  const bool left_open = !spec.unset.empty() && text.trimmed() == choice_word(spec, spec.unset);
+  return left_open ? spec.unset : text.toStdString();
+}
+
+QString needed_words(const OptionSpec& spec) {
+  if (spec.text_kind == TextKind::choice) return QObject::tr("one of %1").arg(choice_list(spec));
+  const QString text = spec.kind == ValueKind::text      ? QObject::tr("text")
+                       : spec.kind == ValueKind::boolean ? QObject::tr("on or off")
+                                                         : range_words(spec);
+  return spec.unset.empty() ? text : QObject::tr("%1, or %2").arg(text, choice_word(spec, spec.unset));
+}
+
+}  // namespace bole::desktop

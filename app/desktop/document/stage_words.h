@@ -1,0 +1,22 @@
+// Stages and their options in the language of the window. The declarations hold the English words, by which the
+// translations in i18n/stages_*.ts and i18n/options_*.ts are found; a word without a translation stays English.
+#pragma once
+
+#include <QString>
+#include <string>
+
+#include "pipeline/stage.h"
+
+namespace bole::desktop {
+
+QString stage_title(const pipeline::StageType& type);
+QString stage_help(const pipeline::StageType& type);
+
+QString option_label(const pipeline::StageType& type, const OptionSpec& spec);  // "Min dbh"
+QString option_help(const OptionSpec& spec);
+QString choice_word(const OptionSpec& spec, const std::string& choice);  // or the word for "left open"
+QString value_words(const OptionSpec& spec, const OptionValue& value);   // "on", "auto", "0.3"
+std::string typed_value(const OptionSpec& spec, const QString& text);    // what value_words shows, read back
+QString needed_words(const OptionSpec& spec);                            // "a number from 0.1 to 5 m"
+
+}  // namespace bole::desktop

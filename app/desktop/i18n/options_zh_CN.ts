@@ -1,0 +1,2740 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+    <context>
+        <name>option labels</name>
+        <message>
+            <source>Match distance</source>
+            <translation>匹配距离</translation>
+        </message>
+        <message>
+            <source>Dbh gate</source>
+            <translation>胸径差上限</translation>
+        </message>
+        <message>
+            <source>Class width</source>
+            <translation>径阶宽度</translation>
+        </message>
+        <message>
+            <source>Distance step</source>
+            <translation>距离环宽度</translation>
+        </message>
+        <message>
+            <source>Align stems</source>
+            <translation>单木对齐方式</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <translation>列</translation>
+        </message>
+        <message>
+            <source>Rows</source>
+            <translation>参与的行</translation>
+        </message>
+        <message>
+            <source>Rows</source>
+            <comment>steering.simulate</comment>
+            <translation>线数</translation>
+        </message>
+        <message>
+            <source>Reference columns</source>
+            <translation>参考数据的列</translation>
+        </message>
+        <message>
+            <source>Reference rows</source>
+            <translation>参考数据的行</translation>
+        </message>
+        <message>
+            <source>Align trajectory</source>
+            <translation>轨迹对齐方式</translation>
+        </message>
+        <message>
+            <source>Max time gap</source>
+            <translation>最大时间间隔</translation>
+        </message>
+        <message>
+            <source>Rpe step</source>
+            <translation>相对位姿误差的时间步长</translation>
+        </message>
+        <message>
+            <source>Rpe distance</source>
+            <translation>相对位姿误差的距离</translation>
+        </message>
+        <message>
+            <source>Segment</source>
+            <translation>轨迹段长</translation>
+        </message>
+        <message>
+            <source>Loop radius</source>
+            <translation>回环半径</translation>
+        </message>
+        <message>
+            <source>Loop path</source>
+            <translation>回环最小行程</translation>
+        </message>
+        <message>
+            <source>Loop shift</source>
+            <translation>回环位置误差上限</translation>
+        </message>
+        <message>
+            <source>Loop turn</source>
+            <translation>回环旋转误差上限</translation>
+        </message>
+        <message>
+            <source>Published plot</source>
+            <translation>已发表的样地</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <translation>方向</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <comment>geo.project</comment>
+            <translation>换算方向</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <comment>rows.from_stems</comment>
+            <translation>行向</translation>
+        </message>
+        <message>
+            <source>Direction</source>
+            <comment>rows.hedges</comment>
+            <translation>行向</translation>
+        </message>
+        <message>
+            <source>Plane</source>
+            <translation>投影平面</translation>
+        </message>
+        <message>
+            <source>Ellipsoid</source>
+            <translation>椭球</translation>
+        </message>
+        <message>
+            <source>Zone</source>
+            <translation>带号</translation>
+        </message>
+        <message>
+            <source>South</source>
+            <translation>南半球</translation>
+        </message>
+        <message>
+            <source>Zone prefix</source>
+            <translation>东坐标带号前缀</translation>
+        </message>
+        <message>
+            <source>Central meridian</source>
+            <translation>中央子午线</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>尺度比</translation>
+        </message>
+        <message>
+            <source>False easting</source>
+            <translation>东偏移</translation>
+        </message>
+        <message>
+            <source>False northing</source>
+            <translation>北偏移</translation>
+        </message>
+        <message>
+            <source>Latitude of origin</source>
+            <translation>原点纬度</translation>
+        </message>
+        <message>
+            <source>Method</source>
+            <translation>方法</translation>
+        </message>
+        <message>
+            <source>Cell</source>
+            <translation>格网大小</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>随机数种子</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <comment>ground.model</comment>
+            <translation>起始格网大小</translation>
+        </message>
+        <message>
+            <source>Max slope</source>
+            <translation>最大坡度</translation>
+        </message>
+        <message>
+            <source>Max angle</source>
+            <translation>最大角度</translation>
+        </message>
+        <message>
+            <source>Max angle</source>
+            <comment>steering.errors</comment>
+            <translation>最大夹角</translation>
+        </message>
+        <message>
+            <source>Max distance</source>
+            <translation>最大距离</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <translation>起伏</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <comment>ground.model</comment>
+            <translation>粗糙度</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <comment>steering.simulate</comment>
+            <translation>地面不平引起的倾斜</translation>
+        </message>
+        <message>
+            <source>Roughness</source>
+            <comment>steering.tune</comment>
+            <translation>地面不平引起的倾斜</translation>
+        </message>
+        <message>
+            <source>Band</source>
+            <translation>点带高度</translation>
+        </message>
+        <message>
+            <source>Tolerance</source>
+            <translation>容差</translation>
+        </message>
+        <message>
+            <source>Noise depth</source>
+            <translation>低噪点深度</translation>
+        </message>
+        <message>
+            <source>Fill distance</source>
+            <translation>填补距离</translation>
+        </message>
+        <message>
+            <source>Keep classes</source>
+            <translation>保留类别</translation>
+        </message>
+        <message>
+            <source>Form sd</source>
+            <translation>干形标准差</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>单位</translation>
+        </message>
+        <message>
+            <source>Up</source>
+            <translation>向上的轴</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>坐标系</translation>
+        </message>
+        <message>
+            <source>Delimiter</source>
+            <translation>分隔符</translation>
+        </message>
+        <message>
+            <source>Drop withheld</source>
+            <translation>舍去 withheld 点</translation>
+        </message>
+        <message>
+            <source>Skip lines</source>
+            <translation>跳过的行数</translation>
+        </message>
+        <message>
+            <source>Sensor</source>
+            <translation>传感器</translation>
+        </message>
+        <message>
+            <source>Min range</source>
+            <translation>最小距离</translation>
+        </message>
+        <message>
+            <source>Min range</source>
+            <comment>slam.run</comment>
+            <translation>配准最小距离</translation>
+        </message>
+        <message>
+            <source>Max range</source>
+            <translation>最大距离</translation>
+        </message>
+        <message>
+            <source>Max range</source>
+            <comment>slam.run</comment>
+            <translation>配准最大距离</translation>
+        </message>
+        <message>
+            <source>Cut angle</source>
+            <translation>分帧方位角</translation>
+        </message>
+        <message>
+            <source>Keep partial frames</source>
+            <translation>保留不完整的帧</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>端口</translation>
+        </message>
+        <message>
+            <source>Frame period</source>
+            <translation>帧间隔</translation>
+        </message>
+        <message>
+            <source>Rings</source>
+            <translation>线数</translation>
+        </message>
+        <message>
+            <source>Format</source>
+            <translation>格式</translation>
+        </message>
+        <message>
+            <source>Min quality</source>
+            <translation>最低定位质量</translation>
+        </message>
+        <message>
+            <source>Gap</source>
+            <translation>时间间断</translation>
+        </message>
+        <message>
+            <source>Title</source>
+            <translation>标题</translation>
+        </message>
+        <message>
+            <source>Figure width</source>
+            <translation>图件宽度</translation>
+        </message>
+        <message>
+            <source>Dpi</source>
+            <translation>分辨率</translation>
+        </message>
+        <message>
+            <source>Point budget</source>
+            <translation>点数上限</translation>
+        </message>
+        <message>
+            <source>Backend</source>
+            <translation>绘图后端</translation>
+        </message>
+        <message>
+            <source>Tables</source>
+            <translation>表格</translation>
+        </message>
+        <message>
+            <source>Tables</source>
+            <comment>report.plot</comment>
+            <translation>写出表格</translation>
+        </message>
+        <message>
+            <source>Cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>Cloud</source>
+            <comment>report.plot</comment>
+            <translation>写出点云</translation>
+        </message>
+        <message>
+            <source>Figures</source>
+            <translation>图件</translation>
+        </message>
+        <message>
+            <source>Hero</source>
+            <translation>封面图</translation>
+        </message>
+        <message>
+            <source>Vector figures</source>
+            <translation>矢量图件</translation>
+        </message>
+        <message>
+            <source>Page</source>
+            <translation>报告页面</translation>
+        </message>
+        <message>
+            <source>Edits</source>
+            <translation>编辑</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <translation>范围</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <comment>rows.edit</comment>
+            <translation>收入离群植株的距离</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <comment>rows.trunks</comment>
+            <translation>搜索范围</translation>
+        </message>
+        <message>
+            <source>Angle tolerance</source>
+            <translation>角度容差</translation>
+        </message>
+        <message>
+            <source>Fit</source>
+            <translation>直线拟合</translation>
+        </message>
+        <message>
+            <source>Plant spacing</source>
+            <translation>株距</translation>
+        </message>
+        <message>
+            <source>Row spacing</source>
+            <translation>行距</translation>
+        </message>
+        <message>
+            <source>Max gap</source>
+            <translation>最大连续缺株数</translation>
+        </message>
+        <message>
+            <source>Min plants</source>
+            <translation>最少株数</translation>
+        </message>
+        <message>
+            <source>Lateral tolerance</source>
+            <translation>横向容差</translation>
+        </message>
+        <message>
+            <source>Shape</source>
+            <translation>形状</translation>
+        </message>
+        <message>
+            <source>Min row spacing</source>
+            <translation>最小行距</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>宽度</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <comment>rows.hedges</comment>
+            <translation>窗口宽度</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>步长</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <comment>rows.hedges</comment>
+            <translation>分段长度</translation>
+        </message>
+        <message>
+            <source>Min points</source>
+            <translation>最少点数</translation>
+        </message>
+        <message>
+            <source>Min share</source>
+            <translation>最小峰值比例</translation>
+        </message>
+        <message>
+            <source>Roll</source>
+            <translation>横滚角</translation>
+        </message>
+        <message>
+            <source>Pitch</source>
+            <translation>俯仰角</translation>
+        </message>
+        <message>
+            <source>Yaw</source>
+            <translation>航向角</translation>
+        </message>
+        <message>
+            <source>Bandwidth</source>
+            <translation>带宽</translation>
+        </message>
+        <message>
+            <source>X</source>
+            <translation>中心 x</translation>
+        </message>
+        <message>
+            <source>X</source>
+            <comment>rows.place</comment>
+            <translation>传感器东坐标</translation>
+        </message>
+        <message>
+            <source>Y</source>
+            <translation>中心 y</translation>
+        </message>
+        <message>
+            <source>Y</source>
+            <comment>rows.place</comment>
+            <translation>传感器北坐标</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>半径</translation>
+        </message>
+        <message>
+            <source>Min neighbours</source>
+            <translation>最少邻点数</translation>
+        </message>
+        <message>
+            <source>Min x</source>
+            <translation>最小 x</translation>
+        </message>
+        <message>
+            <source>Max x</source>
+            <translation>最大 x</translation>
+        </message>
+        <message>
+            <source>Min y</source>
+            <translation>最小 y</translation>
+        </message>
+        <message>
+            <source>Max y</source>
+            <translation>最大 y</translation>
+        </message>
+        <message>
+            <source>Min z</source>
+            <translation>最小 z</translation>
+        </message>
+        <message>
+            <source>Max z</source>
+            <translation>最大 z</translation>
+        </message>
+        <message>
+            <source>Sector</source>
+            <translation>扇区宽度</translation>
+        </message>
+        <message>
+            <source>Sensor height</source>
+            <translation>传感器高度</translation>
+        </message>
+        <message>
+            <source>Max local slope</source>
+            <translation>最大局部坡度</translation>
+        </message>
+        <message>
+            <source>Max general slope</source>
+            <translation>最大总体坡度</translation>
+        </message>
+        <message>
+            <source>Height threshold</source>
+            <translation>高差阈值</translation>
+        </message>
+        <message>
+            <source>Reset distance</source>
+            <translation>重置距离</translation>
+        </message>
+        <message>
+            <source>Layer height</source>
+            <translation>层高</translation>
+        </message>
+        <message>
+            <source>Max extent x</source>
+            <translation>x 方向最大宽度</translation>
+        </message>
+        <message>
+            <source>Max extent y</source>
+            <translation>y 方向最大宽度</translation>
+        </message>
+        <message>
+            <source>Min layers</source>
+            <translation>最少层数</translation>
+        </message>
+        <message>
+            <source>Min ahead</source>
+            <translation>最小前方距离</translation>
+        </message>
+        <message>
+            <source>Centre</source>
+            <translation>中心</translation>
+        </message>
+        <message>
+            <source>Range sigma</source>
+            <translation>测距标准差</translation>
+        </message>
+        <message>
+            <source>Min diameter</source>
+            <translation>最小直径</translation>
+        </message>
+        <message>
+            <source>Min height</source>
+            <translation>最小高度</translation>
+        </message>
+        <message>
+            <source>Min filled</source>
+            <translation>最小充满比例</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>体素边长</translation>
+        </message>
+        <message>
+            <source>Preset</source>
+            <translation>预设</translation>
+        </message>
+        <message>
+            <source>Trajectory</source>
+            <translation>轨迹</translation>
+        </message>
+        <message>
+            <source>Features</source>
+            <translation>特征</translation>
+        </message>
+        <message>
+            <source>Occlusion</source>
+            <translation>遮挡处理</translation>
+        </message>
+        <message>
+            <source>Occlusion step</source>
+            <translation>遮挡距离差</translation>
+        </message>
+        <message>
+            <source>Query spacing</source>
+            <translation>待配准点间距</translation>
+        </message>
+        <message>
+            <source>Map spacing</source>
+            <translation>关键帧点间距</translation>
+        </message>
+        <message>
+            <source>First guess</source>
+            <translation>初始估计</translation>
+        </message>
+        <message>
+            <source>Deskew</source>
+            <translation>运动畸变校正</translation>
+        </message>
+        <message>
+            <source>Iterations</source>
+            <translation>迭代次数</translation>
+        </message>
+        <message>
+            <source>Neighbour keyframes</source>
+            <translation>局部地图关键帧数</translation>
+        </message>
+        <message>
+            <source>Local map</source>
+            <translation>局部地图</translation>
+        </message>
+        <message>
+            <source>Keyframe distance</source>
+            <translation>关键帧距离</translation>
+        </message>
+        <message>
+            <source>Keyframe angle</source>
+            <translation>关键帧角度</translation>
+        </message>
+        <message>
+            <source>Loops</source>
+            <translation>回环</translation>
+        </message>
+        <message>
+            <source>Context search</source>
+            <translation>相似地点的选择</translation>
+        </message>
+        <message>
+            <source>Loop registration</source>
+            <translation>回环配准</translation>
+        </message>
+        <message>
+            <source>Loop overlap</source>
+            <translation>回环重叠比例</translation>
+        </message>
+        <message>
+            <source>Weights</source>
+            <translation>权</translation>
+        </message>
+        <message>
+            <source>Solve</source>
+            <translation>求解方式</translation>
+        </message>
+        <message>
+            <source>Refine iterations</source>
+            <translation>最终平差迭代次数</translation>
+        </message>
+        <message>
+            <source>Angle sigma</source>
+            <translation>角度标准差</translation>
+        </message>
+        <message>
+            <source>Kernel sigmas</source>
+            <translation>核函数尺度</translation>
+        </message>
+        <message>
+            <source>Continuity sigma</source>
+            <translation>连续性标准差</translation>
+        </message>
+        <message>
+            <source>Continuity sigma angle</source>
+            <translation>连续性角度标准差</translation>
+        </message>
+        <message>
+            <source>Lost overlap</source>
+            <translation>失败重叠比例</translation>
+        </message>
+        <message>
+            <source>Lost frames</source>
+            <translation>丢失帧数</translation>
+        </message>
+        <message>
+            <source>Min observability</source>
+            <translation>最小可观测性</translation>
+        </message>
+        <message>
+            <source>Max speed</source>
+            <translation>最大速度</translation>
+        </message>
+        <message>
+            <source>Loop drift</source>
+            <translation>回环漂移比例</translation>
+        </message>
+        <message>
+            <source>Context rings</source>
+            <translation>Scan Context 环数</translation>
+        </message>
+        <message>
+            <source>Context sectors</source>
+            <translation>Scan Context 扇区数</translation>
+        </message>
+        <message>
+            <source>Context range</source>
+            <translation>Scan Context 半径</translation>
+        </message>
+        <message>
+            <source>Context tau</source>
+            <translation>Scan Context 差异上限</translation>
+        </message>
+        <message>
+            <source>Context candidates</source>
+            <translation>Scan Context 候选数</translation>
+        </message>
+        <message>
+            <source>Dense map</source>
+            <translation>稠密地图</translation>
+        </message>
+        <message>
+            <source>Map min range</source>
+            <translation>地图最小距离</translation>
+        </message>
+        <message>
+            <source>Map max range</source>
+            <translation>地图最大距离</translation>
+        </message>
+        <message>
+            <source>Map voxel</source>
+            <translation>地图体素</translation>
+        </message>
+        <message>
+            <source>Map points per voxel</source>
+            <translation>每体素点数</translation>
+        </message>
+        <message>
+            <source>Map max points</source>
+            <translation>地图最大点数</translation>
+        </message>
+        <message>
+            <source>Pass radius</source>
+            <translation>分趟半径</translation>
+        </message>
+        <message>
+            <source>Trajectory rate</source>
+            <translation>轨迹频率</translation>
+        </message>
+        <message>
+            <source>Row width</source>
+            <translation>线间距</translation>
+        </message>
+        <message>
+            <source>Run in</source>
+            <translation>起始不测距离</translation>
+        </message>
+        <message>
+            <source>Run out</source>
+            <translation>末尾不测距离</translation>
+        </message>
+        <message>
+            <source>Min length</source>
+            <translation>最小行程长度</translation>
+        </message>
+        <message>
+            <source>Speed step km h</source>
+            <translation>速度分组步长 (km/h)</translation>
+        </message>
+        <message>
+            <source>Speeds</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>Repeats</source>
+            <translation>重复次数</translation>
+        </message>
+        <message>
+            <source>Measured length</source>
+            <translation>测量长度</translation>
+        </message>
+        <message>
+            <source>Start offset</source>
+            <translation>起始偏距</translation>
+        </message>
+        <message>
+            <source>Preview</source>
+            <translation>预瞄距离</translation>
+        </message>
+        <message>
+            <source>Gain p</source>
+            <translation>增益 P</translation>
+        </message>
+        <message>
+            <source>Gain i</source>
+            <translation>增益 I</translation>
+        </message>
+        <message>
+            <source>Gain d</source>
+            <translation>增益 D</translation>
+        </message>
+        <message>
+            <source>Approach angle</source>
+            <translation>接近角</translation>
+        </message>
+        <message>
+            <source>Max command</source>
+            <translation>最大指令轮角</translation>
+        </message>
+        <message>
+            <source>Integral zone</source>
+            <translation>积分区</translation>
+        </message>
+        <message>
+            <source>Integral limit</source>
+            <translation>积分上限</translation>
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation>频率</translation>
+        </message>
+        <message>
+            <source>White noise</source>
+            <translation>白噪声</translation>
+        </message>
+        <message>
+            <source>Drift</source>
+            <translation>漂移</translation>
+        </message>
+        <message>
+            <source>Drift time</source>
+            <translation>漂移相关时间</translation>
+        </message>
+        <message>
+            <source>Jumps per hour</source>
+            <translation>每小时跳变次数</translation>
+        </message>
+        <message>
+            <source>Jump size</source>
+            <translation>跳变幅度</translation>
+        </message>
+        <message>
+            <source>Jump time</source>
+            <translation>跳变衰减时间</translation>
+        </message>
+        <message>
+            <source>Outages per hour</source>
+            <translation>每小时失锁次数</translation>
+        </message>
+        <message>
+            <source>Outage length</source>
+            <translation>失锁时长</translation>
+        </message>
+        <message>
+            <source>Heading noise</source>
+            <translation>航向噪声</translation>
+        </message>
+        <message>
+            <source>Tilt noise</source>
+            <translation>倾斜噪声</translation>
+        </message>
+        <message>
+            <source>Antenna forward</source>
+            <translation>天线前置距离</translation>
+        </message>
+        <message>
+            <source>Antenna left</source>
+            <translation>天线左置距离</translation>
+        </message>
+        <message>
+            <source>Antenna up</source>
+            <translation>天线高度</translation>
+        </message>
+        <message>
+            <source>Position sigma</source>
+            <translation>位置标准差</translation>
+        </message>
+        <message>
+            <source>Acceleration sigma</source>
+            <translation>加速度标准差</translation>
+        </message>
+        <message>
+            <source>Gate</source>
+            <translation>粗差阈值</translation>
+        </message>
+        <message>
+            <source>Patience</source>
+            <translation>等待时间</translation>
+        </message>
+        <message>
+            <source>Max outage</source>
+            <translation>最长失锁时间</translation>
+        </message>
+        <message>
+            <source>Wheelbase</source>
+            <translation>轴距</translation>
+        </message>
+        <message>
+            <source>Max steering angle</source>
+            <translation>最大转向角</translation>
+        </message>
+        <message>
+            <source>Steering rate deg s</source>
+            <translation>转向速率 (deg/s)</translation>
+        </message>
+        <message>
+            <source>Steering lag</source>
+            <translation>转向滞后</translation>
+        </message>
+        <message>
+            <source>Steering delay</source>
+            <translation>转向延迟</translation>
+        </message>
+        <message>
+            <source>Steering deadband</source>
+            <translation>转向死区</translation>
+        </message>
+        <message>
+            <source>Steering offset</source>
+            <translation>轮角零位误差</translation>
+        </message>
+        <message>
+            <source>Wheel disturbance</source>
+            <translation>轮角扰动</translation>
+        </message>
+        <message>
+            <source>Side slope</source>
+            <translation>横坡</translation>
+        </message>
+        <message>
+            <source>Slip per slope</source>
+            <translation>横坡侧滑系数</translation>
+        </message>
+        <message>
+            <source>Turn radius</source>
+            <translation>掉头半径</translation>
+        </message>
+        <message>
+            <source>Speed km h</source>
+            <translation>速度 (km/h)</translation>
+        </message>
+        <message>
+            <source>First p</source>
+            <translation>初始增益 P</translation>
+        </message>
+        <message>
+            <source>First preview</source>
+            <translation>初始预瞄距离</translation>
+        </message>
+        <message>
+            <source>Oscillation</source>
+            <translation>振荡幅度</translation>
+        </message>
+        <message>
+            <source>Doubt</source>
+            <translation>胸径变化容差</translation>
+        </message>
+        <message>
+            <source>Min dbh</source>
+            <translation>起测胸径</translation>
+        </message>
+        <message>
+            <source>Max dbh</source>
+            <translation>最大胸径</translation>
+        </message>
+        <message>
+            <source>Search bottom</source>
+            <translation>搜索下限</translation>
+        </message>
+        <message>
+            <source>Search top</source>
+            <translation>搜索上限</translation>
+        </message>
+        <message>
+            <source>Max lean</source>
+            <translation>最大倾斜</translation>
+        </message>
+        <message>
+            <source>Min sections</source>
+            <translation>最少断面数</translation>
+        </message>
+        <message>
+            <source>Min section points</source>
+            <translation>断面最少点数</translation>
+        </message>
+        <message>
+            <source>Min arc</source>
+            <translation>最小圆弧</translation>
+        </message>
+        <message>
+            <source>Breast height from</source>
+            <translation>胸高起算地面</translation>
+        </message>
+        <message>
+            <source>Model</source>
+            <translation>拟合模型</translation>
+        </message>
+        <message>
+            <source>Window</source>
+            <translation>拟合范围</translation>
+        </message>
+        <message>
+            <source>Section step</source>
+            <translation>断面间距</translation>
+        </message>
+        <message>
+            <source>Max sigma</source>
+            <translation>残差尺度上限</translation>
+        </message>
+        <message>
+            <source>Ray gate</source>
+            <translation>射线阈值</translation>
+        </message>
+        <message>
+            <source>Beam divergence</source>
+            <translation>光束发散角</translation>
+        </message>
+        <message>
+            <source>Beam aperture</source>
+            <translation>光束出射宽度</translation>
+        </message>
+        <message>
+            <source>Range noise</source>
+            <translation>测距噪声</translation>
+        </message>
+        <message>
+            <source>Bark relief</source>
+            <translation>树皮裂缝深度</translation>
+        </message>
+        <message>
+            <source>Estimate range offset</source>
+            <translation>估计测距偏移</translation>
+        </message>
+        <message>
+            <source>Range offset sd</source>
+            <translation>测距偏移标准差</translation>
+        </message>
+        <message>
+            <source>Range bias</source>
+            <translation>测距偏差</translation>
+        </message>
+        <message>
+            <source>Pass gap</source>
+            <translation>分趟时间间隔</translation>
+        </message>
+        <message>
+            <source>Max ray through</source>
+            <translation>穿透射线最大比例</translation>
+        </message>
+        <message>
+            <source>Crown radius</source>
+            <translation>树冠半径</translation>
+        </message>
+        <message>
+            <source>Bark tolerance</source>
+            <translation>树皮容差</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>胸高</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>厚度</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <translation>调平</translation>
+        </message>
+        <message>
+            <source>Min intensity</source>
+            <translation>最小强度</translation>
+        </message>
+        <message>
+            <source>Min target points</source>
+            <translation>标靶最少点数</translation>
+        </message>
+        <message>
+            <source>Target size</source>
+            <translation>标靶尺寸</translation>
+        </message>
+        <message>
+            <source>Target views</source>
+            <translation>标靶视点间距</translation>
+        </message>
+        <message>
+            <source>Target distance</source>
+            <translation>标靶间距</translation>
+        </message>
+        <message>
+            <source>Target tolerance</source>
+            <translation>标靶间距容差</translation>
+        </message>
+        <message>
+            <source>North bearing</source>
+            <translation>北标靶方位角</translation>
+        </message>
+        <message>
+            <source>Max tilt</source>
+            <translation>最大倾斜</translation>
+        </message>
+        <message>
+            <source>Min stems</source>
+            <translation>最少单木数</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>长度</translation>
+        </message>
+        <message>
+            <source>Bearing</source>
+            <translation>方位角</translation>
+        </message>
+    </context>
+    <context>
+        <name>option help</name>
+        <message>
+            <source>Maximum distance between a stem and its reference tree.</source>
+            <translation>单木与其参考树之间的最大距离。</translation>
+        </message>
+        <message>
+            <source>Maximum difference of matched diameters; 0 allows any.</source>
+            <translation>匹配直径之间的最大差值;0 表示不限。</translation>
+        </message>
+        <message>
+            <source>Width of the diameter classes.</source>
+            <translation>径阶宽度。</translation>
+        </message>
+        <message>
+            <source>Width of the rings around the plot centre in which trees are counted; needs a plot.</source>
+            <translation>以样地中心为圆心、统计树木所用圆环的宽度;需要样地。</translation>
+        </message>
+        <message>
+            <source>How the stems are moved onto the reference before errors are taken: not at all, by the best shift, by shift and rotation (rigid), or after trying every rotation and shift (search), for maps with another origin and north.</source>
+            <translation>计算误差前如何将单木移到参考数据上:不移动(none)、最佳平移(shift)、平移加旋转(rigid),或尝试所有旋转和平移(search),用于原点和北方向不同的地图。</translation>
+        </message>
+        <message>
+            <source>Columns of the stems by other names or units, as NAME=SOURCE:UNIT with commas between: x_m=E, y_m=N, dbh_cm=DIAM:mm. Units: mm, cm, dm, m, in, ft, deg, gon; azimuth_deg and distance_m give places too.</source>
+            <translation>单木表中名称或单位不同的列,写作 NAME=SOURCE:UNIT,以逗号分隔:x_m=E, y_m=N, dbh_cm=DIAM:mm。单位:mm、cm、dm、m、in、ft、deg、gon;也可用 azimuth_deg 和 distance_m 给出位置。</translation>
+        </message>
+        <message>
+            <source>Stems that are evaluated, as COLUMN=VALUE: plot=3; empty for all.</source>
+            <translation>参与评价的单木,写作 COLUMN=VALUE,例如 plot=3;留空表示全部。</translation>
+        </message>
+        <message>
+            <source>Columns of the reference by other names or units, as in columns.</source>
+            <translation>参考数据中名称或单位不同的列,写法同 columns。</translation>
+        </message>
+        <message>
+            <source>Reference trees that are used, as in rows.</source>
+            <translation>使用的参考树木,写法同 rows。</translation>
+        </message>
+        <message>
+            <source>Moves the trajectory onto the reference by the best rigid motion (se3) before errors are taken, or not (none).</source>
+            <translation>计算误差前,用最佳刚体运动(se3)将轨迹移到参考轨迹上,或不移动(none)。</translation>
+        </message>
+        <message>
+            <source>A pose is compared where reference poses lie on both sides of it, no further apart than this. A larger value compares more poses, with less certain reference poses.</source>
+            <translation>位姿两侧都有参考位姿、且二者时间间隔不超过此值时,才参与比较。值越大,比较的位姿越多,但参考位姿的可靠性越低。</translation>
+        </message>
+        <message>
+            <source>Time between the two poses of a relative pose error.</source>
+            <translation>计算相对位姿误差的两个位姿之间的时间。</translation>
+        </message>
+        <message>
+            <source>Distance travelled between the two poses of a relative pose error by distance.</source>
+            <translation>按距离计算相对位姿误差时,两个位姿之间的行进距离。</translation>
+        </message>
+        <message>
+            <source>Segments of 1 to 8 times this length give the relative errors of KITTI.</source>
+            <translation>以此长度的 1 至 8 倍为段长,给出 KITTI 相对误差。</translation>
+        </message>
+        <message>
+            <source>A loop is right where the reference puts its two places no further apart than this.</source>
+            <translation>参考轨迹上两处的距离不超过此值时,回环为正确。</translation>
+        </message>
+        <message>
+            <source>Minimum distance travelled between two visits of a place that count as a chance for a loop.</source>
+            <translation>两次到访同一处之间的最小行进距离,达到此值才算一次可能的回环。</translation>
+        </message>
+        <message>
+            <source>Maximum position error of a loop whose relative pose counts as true.</source>
+            <translation>相对位姿视为正确的回环所允许的最大位置误差。</translation>
+        </message>
+        <message>
+            <source>Maximum rotation error of a loop whose relative pose counts as true.</source>
+            <translation>相对位姿视为正确的回环所允许的最大旋转误差。</translation>
+        </message>
+        <message>
+            <source>Plot of the improved-LOAM paper whose published figures stand beside ours.</source>
+            <translation>改进 LOAM 论文中的样地,其发表的数值与本次结果并列给出。</translation>
+        </message>
+        <message>
+            <source>to_plane: latitude and longitude become x_m and y_m; to_geodetic: the reverse.</source>
+            <translation>到平面坐标(to_plane):纬度和经度换算为 x_m 和 y_m;到经纬度(to_geodetic):反向换算。</translation>
+        </message>
+        <message>
+            <source>Plane of the metres: Gauss-Krueger zones of 3 or 6 degrees, UTM, or any transverse Mercator plane.</source>
+            <translation>米制坐标的平面:3 度或 6 度高斯-克吕格带、UTM,或任意横轴墨卡托平面。</translation>
+        </message>
+        <message>
+            <source>Reference ellipsoid. Those named by a year belong to older datums: the degrees must be of that datum already.</source>
+            <translation>参考椭球。以年份命名的椭球属于较早的大地基准:经纬度必须已属于该基准。</translation>
+        </message>
+        <message>
+            <source>Number of the zone. auto: that of the mean longitude (to_plane only).</source>
+            <translation>带号。自动(auto):取平均经度所在的带(仅 to_plane)。</translation>
+        </message>
+        <message>
+            <source>The northings are those of the southern hemisphere.</source>
+            <translation>北坐标属于南半球。</translation>
+        </message>
+        <message>
+            <source>The zone number precedes the easting.</source>
+            <translation>东坐标前带有带号。</translation>
+        </message>
+        <message>
+            <source>Central meridian of the plane.</source>
+            <translation>平面的中央子午线。</translation>
+        </message>
+        <message>
+            <source>Scale on the central meridian.</source>
+            <translation>中央子午线上的尺度比。</translation>
+        </message>
+        <message>
+            <source>Easting of the central meridian.</source>
+            <translation>中央子午线的东坐标。</translation>
+        </message>
+        <message>
+            <source>Northing of the origin.</source>
+            <translation>原点的北坐标。</translation>
+        </message>
+        <message>
+            <source>Latitude at which the plane has its false northing.</source>
+            <translation>北坐标等于北偏移值处的纬度。</translation>
+        </message>
+        <message>
+            <source>tin: terrain from the ground points; lowest: a level plane at the lowest points, for a tree that was cut out without ground.</source>
+            <translation>三角网(tin):由地面点建立地形;最低点(lowest):取过最低点的水平面,用于裁出时不带地面的单株树。</translation>
+        </message>
+        <message>
+            <source>Cell size of the terrain model.</source>
+            <translation>地形模型的格网大小。</translation>
+        </message>
+        <message>
+            <source>Cell size in which the lowest point starts the ground. Make it larger than the largest object that hides the ground (shrub, boulder, building).</source>
+            <translation>以最低点作为地面起始点的格网大小。应大于遮挡地面的最大物体(灌木、巨石、建筑物)。</translation>
+        </message>
+        <message>
+            <source>Steepest terrain to expect. Lowest points that lie steeper than this to their neighbours do not start the ground.</source>
+            <translation>预期的最陡地形。与相邻最低点之间坡度更陡的最低点不作为地面起始点。</translation>
+        </message>
+        <message>
+            <source>Greatest angle, seen from the nearest ground point, at which a further ground point may leave the triangulation.</source>
+            <translation>从最近的地面点看,新的地面点偏离三角网的最大角度。</translation>
+        </message>
+        <message>
+            <source>Greatest distance of a further ground point from the triangulation.</source>
+            <translation>新的地面点到三角网的最大距离。</translation>
+        </message>
+        <message>
+            <source>Points this close to the triangulation are ground at any angle: noise of the cloud and micro-relief.</source>
+            <translation>与三角网的距离不超过此值的点,无论角度多大都是地面点:点云噪声和微地形。</translation>
+        </message>
+        <message>
+            <source>Points up to this far above and below the first surface take part in the local fit of the terrain height.</source>
+            <translation>在初始地面上下此范围内的点参与地形高度的局部拟合。</translation>
+        </message>
+        <message>
+            <source>Points within this height of the terrain model are classified as ground.</source>
+            <translation>与地形模型的高差在此范围内的点归为地面点。</translation>
+        </message>
+        <message>
+            <source>Points deeper than this below the terrain model are classified as low noise.</source>
+            <translation>比地形模型低出此值以上的点归为低噪点。</translation>
+        </message>
+        <message>
+            <source>Cells without ground points are filled up to this far from the nearest cell with ground points. Beyond it the terrain model has no value.</source>
+            <translation>没有地面点的格网,距最近的有地面点的格网在此距离内时予以填补。超出此距离,地形模型没有值。</translation>
+        </message>
+        <message>
+            <source>Keep classes of the input other than unassigned, ground and low noise (water, building, vegetation).</source>
+            <translation>保留输入中除未分类、地面和低噪点以外的类别(水体、建筑物、植被)。</translation>
+        </message>
+        <message>
+            <source>Width of the diameter classes in tables and charts.</source>
+            <translation>表格和图中径阶的宽度。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the stem form, shared by all stems whose volume comes from diameter and height. A larger value widens the interval of the volume.</source>
+            <translation>干形的标准差,为材积由直径和树高计算的全部单木所共有。值越大,材积区间越宽。</translation>
+        </message>
+        <message>
+            <source>Point cloud to read: LAZ, LAS, PLY, PCD, PTX, KITTI frame (.bin), CSV, PTS or XYZ (.xyz, .txt, .asc).</source>
+            <translation>要读取的点云:LAZ、LAS、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
+        </message>
+        <message>
+            <source>Unit of the coordinates in the file.</source>
+            <translation>文件中坐标的单位。</translation>
+        </message>
+        <message>
+            <source>Axis of the file that points up. It is z in most files, and y in most files from phones and cameras.</source>
+            <translation>文件中向上的坐标轴。多数文件为 z,手机和相机生成的文件多为 y。</translation>
+        </message>
+        <message>
+            <source>Coordinate system of the file. global: projected coordinates; plot: x to the east and y to the north of the plot centre.</source>
+            <translation>文件的坐标系。投影坐标(global);样地(plot):以样地中心为原点,x 向东,y 向北。</translation>
+        </message>
+        <message>
+            <source>Columns of a text file in their order, for instance &quot;x y z intensity&quot;; _ skips a column. Empty: from the header line, or guessed from the number of columns.</source>
+            <translation>文本文件各列的顺序,例如 &quot;x y z intensity&quot;;_ 表示跳过一列。留空:取自表头行,或按列数推测。</translation>
+        </message>
+        <message>
+            <source>Character between the columns of a text file.</source>
+            <translation>文本文件各列之间的分隔符。</translation>
+        </message>
+        <message>
+            <source>Leave out LAS points that are flagged as withheld.</source>
+            <translation>舍去标记为 withheld 的 LAS 点。</translation>
+        </message>
+        <message>
+            <source>Number of lines to skip at the beginning of a text file.</source>
+            <translation>文本文件开头要跳过的行数。</translation>
+        </message>
+        <message>
+            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap) or folder of frames (.bin, .pcd).</source>
+            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap) 或帧文件夹 (.bin, .pcd)。</translation>
+        </message>
+        <message>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vlp32c、hdl32e、hdl64e_s2 或 os1_64,或含有您所用设备各光束的 JSON 文件。</translation>
+        </message>
+        <message>
+            <source>Returns closer than this are ignored (they hit the operator or the housing).</source>
+            <translation>忽略距离小于此值的回波(它们打在操作员或外壳上)。</translation>
+        </message>
+        <message>
+            <source>Returns farther than this are ignored.</source>
+            <translation>忽略距离大于此值的回波。</translation>
+        </message>
+        <message>
+            <source>Azimuth at which one frame of a capture ends and the next begins, clockwise from forward. 180 is behind the sensor.</source>
+            <translation>记录中一帧结束、下一帧开始处的方位角,从正前方起顺时针计。180 为传感器正后方。</translation>
+        </message>
+        <message>
+            <source>Keep the first and last frame of a capture when they cover less than nine tenths of a revolution.</source>
+            <translation>记录的首帧和末帧不足一圈的十分之九时也予保留。</translation>
+        </message>
+        <message>
+            <source>UDP port of the sensor&apos;s data packets. auto takes that of the first one.</source>
+            <translation>传感器数据包的 UDP 端口。自动(auto):取第一个数据包的端口。</translation>
+        </message>
+        <message>
+            <source>Time between frames in a folder of frames without a file of times.</source>
+            <translation>没有时间文件的帧文件夹中相邻帧的时间间隔。</translation>
+        </message>
+        <message>
+            <source>Number of rings assumed in a folder of frames where neither the sensor, the files nor the order of the points give it.</source>
+            <translation>帧文件夹的线数:传感器、文件和点的顺序都不能给出时采用此值。</translation>
+        </message>
+        <message>
+            <source>Table to read: CSV (with a header line).</source>
+            <translation>要读取的表格:CSV(带表头行)。</translation>
+        </message>
+        <message>
+            <source>Track to read: NMEA (log of a receiver), CSV (with a header line) or columns (of numbers, without names).</source>
+            <translation>要读取的航迹:NMEA(接收机日志)、CSV(带表头行)或数字列(没有列名)。</translation>
+        </message>
+        <message>
+            <source>Format of the file. nmea: log of a receiver; csv: columns named in a header line; columns: numbers without names; auto: by the content.</source>
+            <translation>文件格式。NMEA(nmea):接收机日志;CSV(csv):列名在表头行中;数字列(columns):没有列名;自动(auto):按内容判断。</translation>
+        </message>
+        <message>
+            <source>Columns of a file without a header line, separated by commas: hhmmss, time_s, x_m, y_m, height_m, latitude_deg, longitude_deg. Leave the place of a column empty to skip it.</source>
+            <translation>没有表头行的文件的各列,以逗号分隔:hhmmss、time_s、x_m、y_m、height_m、latitude_deg、longitude_deg。某列留空表示跳过。</translation>
+        </message>
+        <message>
+            <source>Positions of a lower fix quality (as in GGA sentences) are left out.</source>
+            <translation>舍去定位质量(如 GGA 语句中的)低于此值的位置。</translation>
+        </message>
+        <message>
+            <source>Longer steps in time are counted as gaps.</source>
+            <translation>超过此值的时间步长计为间断。</translation>
+        </message>
+        <message>
+            <source>Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose).</source>
+            <translation>要读取的轨迹:TUM (time tx ty tz qx qy qz qw) 或 KITTI(每个位姿 12 个数字)。</translation>
+        </message>
+        <message>
+            <source>Format of the file. auto decides by the number of values in a line.</source>
+            <translation>文件格式。自动(auto):按一行中的数值个数判断。</translation>
+        </message>
+        <message>
+            <source>Coordinate system of the poses.</source>
+            <translation>位姿的坐标系。</translation>
+        </message>
+        <message>
+            <source>Title of the report.</source>
+            <translation>报告的标题。</translation>
+        </message>
+        <message>
+            <source>Width of the large figures; charts are a little less than half as wide.</source>
+            <translation>大图的宽度;图表宽度略小于其一半。</translation>
+        </message>
+        <message>
+            <source>Resolution of the PNG figures.</source>
+            <translation>PNG 图件的分辨率。</translation>
+        </message>
+        <message>
+            <source>Points drawn at most in each map; the cloud is thinned evenly in space.</source>
+            <translation>每幅图最多绘制的点数;点云在空间上均匀抽稀。</translation>
+        </message>
+        <message>
+            <source>What draws the 3-D maps: osmesa in memory, egl on a graphics card, glx on an X display.</source>
+            <translation>绘制三维图的方式:osmesa 在内存中,egl 在显卡上,glx 在 X 显示器上。</translation>
+        </message>
+        <message>
+            <source>Write stems.csv and the other tables, trajectory.tum, dem.tif and plot.gpkg.</source>
+            <translation>写出 stems.csv 及其他表格、trajectory.tum、dem.tif 和 plot.gpkg。</translation>
+        </message>
+        <message>
+            <source>Write cloud.las.</source>
+            <translation>写出 cloud.las。</translation>
+        </message>
+        <message>
+            <source>Draw the figures and write them as PNG.</source>
+            <translation>绘制图件并写成 PNG。</translation>
+        </message>
+        <message>
+            <source>Draw figures/hero.png too, a picture for a title page: the fitted stems and the walk on a dark ground, 1600 pixels wide.</source>
+            <translation>另绘制 figures/hero.png,用于封面:深色背景上的拟合单木和行走轨迹,宽 1600 像素。</translation>
+        </message>
+        <message>
+            <source>Write charts and plans as SVG and PDF too.</source>
+            <translation>图表和平面图另写成 SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Write report.html.</source>
+            <translation>写出 report.html。</translation>
+        </message>
+        <message>
+            <source>Draw the row map and write it as PNG, SVG and PDF.</source>
+            <translation>绘制种植行图并写成 PNG、SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Width of the map.</source>
+            <translation>图的宽度。</translation>
+        </message>
+        <message>
+            <source>Resolution of the PNG.</source>
+            <translation>PNG 的分辨率。</translation>
+        </message>
+        <message>
+            <source>Draw the error curves and write them as PNG, SVG and PDF.</source>
+            <translation>绘制误差曲线并写成 PNG、SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Width of the figures.</source>
+            <translation>图件的宽度。</translation>
+        </message>
+        <message>
+            <source>JSON list of edits, applied after those of the file.</source>
+            <translation>编辑的 JSON 列表,在文件中的编辑之后应用。</translation>
+        </message>
+        <message>
+            <source>File with a JSON list of edits.</source>
+            <translation>含有编辑 JSON 列表的文件。</translation>
+        </message>
+        <message>
+            <source>Largest distance between the place of an edit and the row that it changes.</source>
+            <translation>编辑的位置与所更改的行之间的最大距离。</translation>
+        </message>
+        <message>
+            <source>Largest distance of a stray plant from a drawn row that takes it in.</source>
+            <translation>离群植株到收入它的手绘行的最大距离。</translation>
+        </message>
+        <message>
+            <source>A row whose direction differs from was_angle_deg of an edit by more than this is reported.</source>
+            <translation>行的方向与编辑的 was_angle_deg 相差超过此值时予以报告。</translation>
+        </message>
+        <message>
+            <source>Line fit of changed rows, as in rows.from_stems.</source>
+            <translation>更改后各行的直线拟合方法,同 rows.from_stems。</translation>
+        </message>
+        <message>
+            <source>Line fit of a row. least_squares, as in the paper: y = a x + b, or x = a y + b for rows that run more north than east; orthogonal: least distances across the line.</source>
+            <translation>行的直线拟合。普通最小二乘(least_squares),同论文:y = a x + b,行的走向偏南北时为 x = a y + b;正交(orthogonal):使垂直于直线的距离最小。</translation>
+        </message>
+        <message>
+            <source>Distance between plants along the row. auto: found from the plants.</source>
+            <translation>沿行的株距。自动(auto):由植株求得。</translation>
+        </message>
+        <message>
+            <source>Distance between neighbouring rows. auto: found from the plants.</source>
+            <translation>相邻行的行距。自动(auto):由植株求得。</translation>
+        </message>
+        <message>
+            <source>Direction of the rows, from east to north. auto: found around every plant; give it where plants are as far apart along the row as across.</source>
+            <translation>行的方向,从东向北计。自动(auto):在每株植株周围求得;株距与行距相同时请给定。</translation>
+        </message>
+        <message>
+            <source>Largest number of consecutive missing plants within a row. A longer gap ends the row.</source>
+            <translation>行内连续缺株的最大数量。缺口更长时该行结束。</translation>
+        </message>
+        <message>
+            <source>Smallest number of plants in a row that is found. Rows named by a row_id column may be shorter.</source>
+            <translation>查找到的行的最少株数。由 row_id 列指定的行可以更少。</translation>
+        </message>
+        <message>
+            <source>Largest distance of the next plant from the line of its row, as a share of the plant spacing and of the row spacing. A larger value follows less regular rows.</source>
+            <translation>下一株偏离所在行直线的最大距离,以株距和行距的比例表示。值越大,越能跟踪不规则的行。</translation>
+        </message>
+        <message>
+            <source>auto: a clearly curved row gets a curve; straight: every row is a line.</source>
+            <translation>自动(auto):明显弯曲的行用曲线;直线(straight):每行都是直线。</translation>
+        </message>
+        <message>
+            <source>Direction of the rows, from east to north. auto: the direction across which the rows are most sharply separated.</source>
+            <translation>行的方向,从东向北计。自动(auto):取各行分隔最清晰的方向。</translation>
+        </message>
+        <message>
+            <source>Smallest distance between neighbouring rows. A larger value joins double rows.</source>
+            <translation>相邻行之间的最小距离。值越大,双行越容易合并为一行。</translation>
+        </message>
+        <message>
+            <source>Width of the window that follows a row. Canopy outside it does not move the row.</source>
+            <translation>随行移动的窗口的宽度。窗口外的冠层不会移动该行。</translation>
+        </message>
+        <message>
+            <source>Length of a piece of hedge. Each piece gives one point of the row&apos;s line.</source>
+            <translation>树篱分段的长度。每段给出该行线上的一个点。</translation>
+        </message>
+        <message>
+            <source>A piece of hedge with fewer points is a gap.</source>
+            <translation>点数更少的树篱段为缺口。</translation>
+        </message>
+        <message>
+            <source>Smallest height of a row&apos;s peak in the profile, as a share of the highest peak. A larger value drops weak rows.</source>
+            <translation>剖面中行峰值的最小高度,以最高峰的比例表示。值越大,舍去的弱行越多。</translation>
+        </message>
+        <message>
+            <source>Roll of the sensor about its x axis, from its IMU.</source>
+            <translation>传感器绕其 x 轴的横滚角,取自其 IMU。</translation>
+        </message>
+        <message>
+            <source>Pitch of the sensor about its y axis, from its IMU.</source>
+            <translation>传感器绕其 y 轴的俯仰角,取自其 IMU。</translation>
+        </message>
+        <message>
+            <source>Yaw of the sensor about the vertical axis.</source>
+            <translation>传感器绕铅垂轴的航向角。</translation>
+        </message>
+        <message>
+            <source>Horizontal radius of the mean shift. Choose less than half the plant spacing.</source>
+            <translation>均值漂移的水平半径。应小于株距的一半。</translation>
+        </message>
+        <message>
+            <source>Clusters with fewer points are not plants.</source>
+            <translation>点数更少的聚类不是植株。</translation>
+        </message>
+        <message>
+            <source>Easting of the sensor, from resection or a receiver.</source>
+            <translation>传感器的东坐标,由后方交会或接收机得到。</translation>
+        </message>
+        <message>
+            <source>Northing of the sensor.</source>
+            <translation>传感器的北坐标。</translation>
+        </message>
+        <message>
+            <source>Angle from east to the x axis of the frame, towards north. 0 when y points north.</source>
+            <translation>从东向帧的 x 轴量取的角度,向北为正。y 指向北时为 0。</translation>
+        </message>
+        <message>
+            <source>Radius of the sphere in which neighbours are counted.</source>
+            <translation>统计邻点所用球的半径。</translation>
+        </message>
+        <message>
+            <source>Points with fewer neighbours are removed.</source>
+            <translation>邻点更少的点被去除。</translation>
+        </message>
+        <message>
+            <source>Smallest x of the box.</source>
+            <translation>长方体的最小 x。</translation>
+        </message>
+        <message>
+            <source>Largest x of the box.</source>
+            <translation>长方体的最大 x。</translation>
+        </message>
+        <message>
+            <source>Smallest y of the box. y points ahead of the sensor.</source>
+            <translation>长方体的最小 y。y 指向传感器前方。</translation>
+        </message>
+        <message>
+            <source>Largest y of the box.</source>
+            <translation>长方体的最大 y。</translation>
+        </message>
+        <message>
+            <source>Smallest height of the box, counted from the sensor.</source>
+            <translation>长方体的最小高度,从传感器起算。</translation>
+        </message>
+        <message>
+            <source>Largest height of the box, counted from the sensor.</source>
+            <translation>长方体的最大高度,从传感器起算。</translation>
+        </message>
+        <message>
+            <source>Width of the sectors around the sensor.</source>
+            <translation>传感器周围扇区的宽度。</translation>
+        </message>
+        <message>
+            <source>Height of the sensor above the ground below it.</source>
+            <translation>传感器距其下方地面的高度。</translation>
+        </message>
+        <message>
+            <source>Steepest ground from one point to the next. A larger value removes more points.</source>
+            <translation>相邻两点之间的最陡地面坡度。值越大,去除的点越多。</translation>
+        </message>
+        <message>
+            <source>Steepest ground as seen from the sensor. A larger value removes more points.</source>
+            <translation>从传感器看的最陡地面坡度。值越大,去除的点越多。</translation>
+        </message>
+        <message>
+            <source>Points less than this above the last ground point are ground, whatever the slope.</source>
+            <translation>比上一个地面点高出不足此值的点,无论坡度如何都是地面点。</translation>
+        </message>
+        <message>
+            <source>After a horizontal step longer than this, the general slope alone decides.</source>
+            <translation>水平步长超过此值后,仅由总体坡度判断。</translation>
+        </message>
+        <message>
+            <source>Height of the layers into which a plant is cut.</source>
+            <translation>植株被切成的层的高度。</translation>
+        </message>
+        <message>
+            <source>Largest extent along x of a layer that is trunk only.</source>
+            <translation>只含树干的层沿 x 方向的最大宽度。</translation>
+        </message>
+        <message>
+            <source>Largest extent along y of a layer that is trunk only.</source>
+            <translation>只含树干的层沿 y 方向的最大宽度。</translation>
+        </message>
+        <message>
+            <source>Smallest number of trunk layers of a plant.</source>
+            <translation>一株植株的最少树干层数。</translation>
+        </message>
+        <message>
+            <source>Trunks less far ahead (y) are ignored: the edge of the view or of the region cuts them.</source>
+            <translation>忽略前方距离(y)小于此值的树干:它们被视场或区域的边缘截断。</translation>
+        </message>
+        <message>
+            <source>mean: the mean of the trunk points, as in the paper; face: the axis behind the side that the sensor sees, from the points of the input dense.</source>
+            <translation>平均值(mean):树干点的平均值,同论文;轴心(face):传感器所见一侧背后的轴心,由输入 dense 的点求得。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a single range.</source>
+            <translation>单次测距的标准差。</translation>
+        </message>
+        <message>
+            <source>Distance from the middle of a cluster within which its trunk is searched.</source>
+            <translation>在聚类中心周围此距离内搜索其树干。</translation>
+        </message>
+        <message>
+            <source>Thinner trunks are ignored: the edge of the view cuts them.</source>
+            <translation>忽略更细的树干:它们被视场边缘截断。</translation>
+        </message>
+        <message>
+            <source>Lower trunks are weeds.</source>
+            <translation>更矮的树干视为杂草。</translation>
+        </message>
+        <message>
+            <source>Smallest share of the layers between foot and top of a trunk that contain points.</source>
+            <translation>树干根部到顶部之间含有点的层所占的最小比例。</translation>
+        </message>
+        <message>
+            <source>Edge length of the voxels. A larger value keeps fewer points.</source>
+            <translation>体素的边长。值越大,保留的点越少。</translation>
+        </message>
+        <message>
+            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), or best (elastic frames and a final trajectory adjustment).</source>
+            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)或最佳(best,弹性帧和最终轨迹平差)。</translation>
+        </message>
+        <message>
+            <source>TUM file with sensor poses. The map is made with these poses, and none are estimated; the times must be on the clock of the scan.</source>
+            <translation>含传感器位姿的 TUM 文件。地图用这些位姿建立,不再估计位姿;其时间必须采用扫描数据的时钟。</translation>
+        </message>
+        <message>
+            <source>Returns closer than this are ignored (they hit the operator).</source>
+            <translation>忽略距离小于此值的回波(它们打在操作员身上)。</translation>
+        </message>
+        <message>
+            <source>Returns farther than this are not used for registration.</source>
+            <translation>距离大于此值的回波不用于配准。</translation>
+        </message>
+        <message>
+            <source>Points used for registration: edges and planes by curvature (LOAM), the same with curvature measured within connected surfaces, planes on the ground and edges on objects (LeGO-LOAM), or all points thinned on a grid.</source>
+            <translation>用于配准的点:按曲率的边缘和平面(LOAM,curvature),同上但曲率只在连通表面内计算(connected),地面上的平面和物体上的边缘(LeGO-LOAM,ground),或按格网抽稀的全部点(sampled)。</translation>
+        </message>
+        <message>
+            <source>Where edges beside a step in range are rejected: nowhere, on the far side (LOAM), or on both sides, so that the outline of a trunk is never an edge.</source>
+            <translation>在距离突变处的哪一侧舍去边缘:不舍去(none)、远侧(far_side,LOAM)或两侧(both_sides),使树干的轮廓不会成为边缘。</translation>
+        </message>
+        <message>
+            <source>Difference in range between neighbours of a scan line that counts as an occlusion.</source>
+            <translation>同一扫描线上相邻点的距离差达到此值时,视为遮挡。</translation>
+        </message>
+        <message>
+            <source>Grid that thins the points to be registered. A larger value is faster and less accurate.</source>
+            <translation>抽稀待配准点的格网。值越大,速度越快,精度越低。</translation>
+        </message>
+        <message>
+            <source>Grid that thins the points of a keyframe. A larger value is faster and gives a coarser local map.</source>
+            <translation>抽稀关键帧中点的格网。值越大,速度越快,局部地图越粗。</translation>
+        </message>
+        <message>
+            <source>Motion before registration: constant velocity, or the frame matched against the last frame.</source>
+            <translation>配准前的运动:匀速(velocity),或由本帧与上一帧匹配得到(last_frame)。</translation>
+        </message>
+        <message>
+            <source>Correction of the motion within a frame: none, once with the first guess, twice (again after a first registration), or elastic (begin and end pose are estimated together).</source>
+            <translation>帧内运动的校正:不校正(none);一次(once),用初始估计;两次(twice),初次配准后再校正一次;或弹性(elastic),同时估计帧首和帧尾位姿。</translation>
+        </message>
+        <message>
+            <source>Maximum number of iterations of a registration.</source>
+            <translation>一次配准的最大迭代次数。</translation>
+        </message>
+        <message>
+            <source>Number of keyframes in the local map.</source>
+            <translation>局部地图中的关键帧数量。</translation>
+        </message>
+        <message>
+            <source>Keyframes in the local map: those nearest to the sensor, or the last ones (LeGO-LOAM), which leaves revisits to the loop closures.</source>
+            <translation>局部地图中的关键帧:离传感器最近的(nearest),或最后的若干个(last,LeGO-LOAM),重访由回环处理。</translation>
+        </message>
+        <message>
+            <source>Distance travelled after which a new keyframe is made.</source>
+            <translation>行进此距离后建立新的关键帧。</translation>
+        </message>
+        <message>
+            <source>Rotation after which a new keyframe is made.</source>
+            <translation>旋转此角度后建立新的关键帧。</translation>
+        </message>
+        <message>
+            <source>Where loop closures are looked for: nowhere, where the estimated trajectory comes close to itself, where the surroundings look similar (Scan Context), or both.</source>
+            <translation>在何处查找回环:不查找(none)、估计轨迹接近自身处(odometry)、周围环境相似处(Scan Context,context),或两者(both)。</translation>
+        </message>
+        <message>
+            <source>How the place is chosen by its surroundings: the most similar one (single), the best fit of the three most similar (placed), or the same over the last metres travelled and within the drift of the odometry (sequence).</source>
+            <translation>如何按周围环境选择地点:最相似的一处(single),三处最相似中拟合最好的一处(placed),或同上但顾及最后几米行程并限于里程计漂移范围之内(sequence)。</translation>
+        </message>
+        <message>
+            <source>How the relative pose of a loop closure is found: edges and planes, closest points (ICP), or normal distributions (NDT) and then ICP.</source>
+            <translation>如何求回环的相对位姿:边缘和平面(features)、最近点(icp,ICP),或先正态分布(NDT)再 ICP(ndt_icp)。</translation>
+        </message>
+        <message>
+            <source>Minimum share of points that agree for a loop closure to be accepted. A larger value rejects more.</source>
+            <translation>接受回环所需的相符点的最小比例。值越大,舍去的回环越多。</translation>
+        </message>
+        <message>
+            <source>Weight of a match: from the thickness of the surface and the range noise, or from the covariances of the points by sensor and poses (SPEC A7).</source>
+            <translation>匹配的权:由表面厚度和测距噪声确定(thickness),或由传感器和位姿给出的点的协方差确定(priors,SPEC A7)。</translation>
+        </message>
+        <message>
+            <source>All six unknowns from all features, or height, roll and pitch from planes and the rest from edges (LeGO-LOAM; not with elastic frames).</source>
+            <translation>由全部特征求解全部六个未知数(joint),或由平面求高度、横滚和俯仰,其余由边缘求得(two_step,LeGO-LOAM;不可用于弹性帧)。</translation>
+        </message>
+        <message>
+            <source>Iterations of the final trajectory adjustment; 0: no adjustment.</source>
+            <translation>最终轨迹平差的迭代次数;0:不平差。</translation>
+        </message>
+        <message>
+            <source>Finest cell of the map for registration; each coarser level doubles it.</source>
+            <translation>用于配准的地图的最细格网;每粗一级,格网加倍。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a range. It is added to the thickness of map surfaces.</source>
+            <translation>测距的标准差。它与地图表面的厚度相加。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the azimuth and elevation of a return.</source>
+            <translation>回波方位角和高度角的标准差。</translation>
+        </message>
+        <message>
+            <source>Scale of the robust kernel (Geman-McClure) in standard deviations. A larger value gives outliers more weight.</source>
+            <translation>稳健核函数(Geman-McClure)的尺度,以标准差为单位。值越大,粗差的权越大。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the distance between the end of a frame and the begin of the next one.</source>
+            <translation>一帧末尾与下一帧开头之间距离的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the rotation between the end of a frame and the begin of the next one.</source>
+            <translation>一帧末尾与下一帧开头之间旋转的标准差。</translation>
+        </message>
+        <message>
+            <source>Minimum share of registered points that agree with the map. A frame with less counts as failed.</source>
+            <translation>与地图相符的配准点的最小比例。低于此值的帧计为失败。</translation>
+        </message>
+        <message>
+            <source>Number of consecutive failed frames after which the track is lost. The map ends there.</source>
+            <translation>连续失败达到此帧数后,视为跟踪丢失。地图到此为止。</translation>
+        </message>
+        <message>
+            <source>Minimum information about the weakest motion of a frame, as a multiple of what noise alone would give. A frame with less counts as failed.</source>
+            <translation>帧在最弱运动方向上的最小信息量,以仅有噪声时的倍数表示。低于此值的帧计为失败。</translation>
+        </message>
+        <message>
+            <source>Maximum speed of the sensor. A faster frame counts as failed.</source>
+            <translation>传感器的最大速度。更快的帧计为失败。</translation>
+        </message>
+        <message>
+            <source>Maximum distance between the two keyframes of a loop closure, before and after registration.</source>
+            <translation>回环的两个关键帧之间的最大距离,配准前后均须满足。</translation>
+        </message>
+        <message>
+            <source>Minimum distance travelled between the two keyframes of a loop closure.</source>
+            <translation>回环的两个关键帧之间的最小行进距离。</translation>
+        </message>
+        <message>
+            <source>Expected drift as a share of the distance travelled. A loop closure found by its surroundings may correct the trajectory by this much and 3 m.</source>
+            <translation>预期漂移占行进距离的比例。按周围环境找到的回环,对轨迹的改正最多为此漂移加 3 m。</translation>
+        </message>
+        <message>
+            <source>Number of rings of a scan context.</source>
+            <translation>Scan Context 的环数。</translation>
+        </message>
+        <message>
+            <source>Number of sectors of a scan context.</source>
+            <translation>Scan Context 的扇区数。</translation>
+        </message>
+        <message>
+            <source>Radius of a scan context.</source>
+            <translation>Scan Context 的半径。</translation>
+        </message>
+        <message>
+            <source>Maximum distance between two scan contexts to be tried as a loop closure. A larger value tries more.</source>
+            <translation>两个 Scan Context 之间的最大差异,不超过此值才尝试作为回环。值越大,尝试越多。</translation>
+        </message>
+        <message>
+            <source>Number of nearest ring keys whose scan contexts are compared.</source>
+            <translation>按环键取最近的若干个,比较其 Scan Context;此为其数量。</translation>
+        </message>
+        <message>
+            <source>Make the map. If false, only the trajectory is put out and the cloud is empty.</source>
+            <translation>建立地图。关闭时只输出轨迹,点云为空。</translation>
+        </message>
+        <message>
+            <source>Returns closer than this are not put into the map.</source>
+            <translation>距离小于此值的回波不进入地图。</translation>
+        </message>
+        <message>
+            <source>Returns farther than this are not put into the map.</source>
+            <translation>距离大于此值的回波不进入地图。</translation>
+        </message>
+        <message>
+            <source>Grid that thins the map, separately for each pass. A larger value gives a smaller map.</source>
+            <translation>抽稀地图的格网,每趟分别抽稀。值越大,地图越小。</translation>
+        </message>
+        <message>
+            <source>Maximum number of points of each pass in a voxel of the map.</source>
+            <translation>地图的一个体素中每趟的最大点数。</translation>
+        </message>
+        <message>
+            <source>Maximum number of points in the map, in millions. A larger map is thinned evenly at random.</source>
+            <translation>地图的最大点数,以百万计。更大的地图会被均匀随机抽稀。</translation>
+        </message>
+        <message>
+            <source>A new pass begins where the trajectory comes this close to an earlier part of the same pass, after at least three times this distance travelled.</source>
+            <translation>轨迹在行进至少三倍于此的距离后,又接近同一趟的较早部分、相距不足此值时,开始新的一趟。</translation>
+        </message>
+        <message>
+            <source>Poses per second in the output trajectory.</source>
+            <translation>输出轨迹每秒的位姿数。</translation>
+        </message>
+        <message>
+            <source>Distance between neighbouring lines. log: as the log gives it.</source>
+            <translation>相邻线之间的距离。日志(log):按日志所给。</translation>
+        </message>
+        <message>
+            <source>Distance at the start of each pass that is not measured.</source>
+            <translation>每次行程起始处不测量的距离。</translation>
+        </message>
+        <message>
+            <source>Distance at the end of each pass that is not measured, because the turn begins there.</source>
+            <translation>每次行程末尾不测量的距离,因为掉头从那里开始。</translation>
+        </message>
+        <message>
+            <source>Shorter passes are ignored.</source>
+            <translation>忽略更短的行程。</translation>
+        </message>
+        <message>
+            <source>Largest angle between the direction of motion and the line on a pass.</source>
+            <translation>行程中运动方向与线之间的最大夹角。</translation>
+        </message>
+        <message>
+            <source>Step, km/h, by which measured speeds are grouped when the log does not give them.</source>
+            <translation>日志未给出速度时,实测速度分组的步长,km/h。</translation>
+        </message>
+        <message>
+            <source>Speeds of the drives in km/h, as a list.</source>
+            <translation>各次行驶的速度列表,单位 km/h。</translation>
+        </message>
+        <message>
+            <source>Number of drives per speed.</source>
+            <translation>每个速度的行驶次数。</translation>
+        </message>
+        <message>
+            <source>Number of neighbouring lines per drive.</source>
+            <translation>每次行驶的相邻线数。</translation>
+        </message>
+        <message>
+            <source>Distance between neighbouring lines.</source>
+            <translation>相邻线之间的距离。</translation>
+        </message>
+        <message>
+            <source>Distance at the start of each line that is not measured.</source>
+            <translation>每条线起始处不测量的距离。</translation>
+        </message>
+        <message>
+            <source>Measured length of each line. The paper asks for 80 m.</source>
+            <translation>每条线的测量长度。论文要求 80 m。</translation>
+        </message>
+        <message>
+            <source>Direction from A to B, from east to north.</source>
+            <translation>从 A 到 B 的方向,从东向北计。</translation>
+        </message>
+        <message>
+            <source>Distance to the left of the line at which the drive starts.</source>
+            <translation>行驶起点在线左侧的距离。</translation>
+        </message>
+        <message>
+            <source>Preview distance ahead of the tractor. published: from the paper&apos;s table at the speed.</source>
+            <translation>拖拉机前方的预瞄距离。已发表(published):按速度取自论文的表格。</translation>
+        </message>
+        <message>
+            <source>Wheel angle per preview error, deg/m. published: from the paper&apos;s table.</source>
+            <translation>单位预瞄误差对应的轮角,deg/m。已发表(published):取自论文的表格。</translation>
+        </message>
+        <message>
+            <source>Wheel angle per integral of the error, deg/(m s). published: from the paper&apos;s table.</source>
+            <translation>单位误差积分对应的轮角,deg/(m s)。已发表(published):取自论文的表格。</translation>
+        </message>
+        <message>
+            <source>Wheel angle per speed across the line (V tan alpha), deg s/m. published: from the paper&apos;s table.</source>
+            <translation>单位横向速度(V tan alpha)对应的轮角,deg s/m。已发表(published):取自论文的表格。</translation>
+        </message>
+        <message>
+            <source>Largest angle at which the tractor approaches a distant line.</source>
+            <translation>拖拉机接近远处作业线的最大角度。</translation>
+        </message>
+        <message>
+            <source>Largest commanded wheel angle on a line. More than the wheels can follow makes the tractor oscillate.</source>
+            <translation>在线上行驶时指令轮角的最大值。超出车轮的跟随能力会使拖拉机振荡。</translation>
+        </message>
+        <message>
+            <source>Distance from the line within which the error is integrated.</source>
+            <translation>与线的距离在此值以内时,才对误差积分。</translation>
+        </message>
+        <message>
+            <source>Largest wheel angle of the integral part.</source>
+            <translation>积分部分的最大轮角。</translation>
+        </message>
+        <message>
+            <source>Position fixes and steering commands per second.</source>
+            <translation>每秒的定位和转向指令次数。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of the noise from fix to fix.</source>
+            <translation>各次定位间噪声的单轴标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of the slow error of precise point positioning.</source>
+            <translation>精密单点定位慢变误差的单轴标准差。</translation>
+        </message>
+        <message>
+            <source>Correlation time of the slow error (first-order Gauss-Markov process).</source>
+            <translation>慢变误差的相关时间(一阶高斯-马尔可夫过程)。</translation>
+        </message>
+        <message>
+            <source>Position jumps per hour, as after a change of satellites.</source>
+            <translation>每小时的位置跳变次数,例如卫星更换之后。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of a jump.</source>
+            <translation>跳变的单轴标准差。</translation>
+        </message>
+        <message>
+            <source>Time constant with which a jump decays.</source>
+            <translation>跳变衰减的时间常数。</translation>
+        </message>
+        <message>
+            <source>Losses of all fixes per hour.</source>
+            <translation>每小时完全失锁的次数。</translation>
+        </message>
+        <message>
+            <source>Mean duration of a loss.</source>
+            <translation>一次失锁的平均时长。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the heading from two antennas.</source>
+            <translation>双天线航向的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the measured roll and pitch.</source>
+            <translation>测得的横滚角和俯仰角的标准差。</translation>
+        </message>
+        <message>
+            <source>Distance of the antenna ahead of the middle of the rear axle.</source>
+            <translation>天线在后轴中点前方的距离。</translation>
+        </message>
+        <message>
+            <source>Distance of the antenna to the left of the middle of the rear axle.</source>
+            <translation>天线在后轴中点左侧的距离。</translation>
+        </message>
+        <message>
+            <source>Height of the antenna above the ground.</source>
+            <translation>天线距地面的高度。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of a fix, as the filter assumes it.</source>
+            <translation>滤波器假定的单次定位的单轴标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the acceleration, as the filter assumes it, m/s2. A larger value follows the fixes more closely.</source>
+            <translation>滤波器假定的加速度标准差,m/s2。值越大,越紧跟定位结果。</translation>
+        </message>
+        <message>
+            <source>Distance from the prediction, in standard deviations, beyond which a fix is rejected.</source>
+            <translation>与预测的距离超过此值(以标准差为单位)的定位被舍弃。</translation>
+        </message>
+        <message>
+            <source>Time for which rejected fixes are ignored. Then the filter starts again at the new position.</source>
+            <translation>在此时间内忽略被舍弃的定位。此后滤波器在新位置重新启动。</translation>
+        </message>
+        <message>
+            <source>Time without a fix after which the tractor stops and waits.</source>
+            <translation>无定位超过此时间后,拖拉机停车等待。</translation>
+        </message>
+        <message>
+            <source>Distance between front and rear axle.</source>
+            <translation>前后轴之间的距离。</translation>
+        </message>
+        <message>
+            <source>Largest angle of the front wheels.</source>
+            <translation>前轮的最大转角。</translation>
+        </message>
+        <message>
+            <source>Largest turning rate of the front wheels, deg/s.</source>
+            <translation>前轮的最大转动速率,deg/s。</translation>
+        </message>
+        <message>
+            <source>Time constant of the hydraulic steering.</source>
+            <translation>液压转向的时间常数。</translation>
+        </message>
+        <message>
+            <source>Dead time between the command and the movement of the wheels.</source>
+            <translation>从指令到车轮动作的延迟时间。</translation>
+        </message>
+        <message>
+            <source>Deviation from the commanded angle below which the valve stays closed (Qiu et al. 2001).</source>
+            <translation>与指令转角的偏差小于此值时,阀保持关闭(Qiu et al. 2001)。</translation>
+        </message>
+        <message>
+            <source>Constant error of the wheel-angle sensor. The integral part must compensate it.</source>
+            <translation>轮角传感器的常值误差。须由积分部分补偿。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the wheel angle caused by the ground, correlated over about 1.5 m.</source>
+            <translation>地面引起的轮角标准差,相关长度约 1.5 m。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of roll and pitch on uneven ground.</source>
+            <translation>不平地面上横滚角和俯仰角的标准差。</translation>
+        </message>
+        <message>
+            <source>Side slope of the field. Positive: the ground falls to the right of the line from A to B.</source>
+            <translation>田块的横坡。为正时,地面向 A 到 B 线的右侧下降。</translation>
+        </message>
+        <message>
+            <source>Crab angle downhill per angle of side slope.</source>
+            <translation>每单位横坡角引起的向坡下的偏航行驶角(蟹行角)。</translation>
+        </message>
+        <message>
+            <source>Radius of the driver&apos;s turns on the headland.</source>
+            <translation>驾驶员在地头掉头的半径。</translation>
+        </message>
+        <message>
+            <source>Seed of all randomness. The same seed gives the same drive.</source>
+            <translation>全部随机数的种子。种子相同,行驶过程相同。</translation>
+        </message>
+        <message>
+            <source>Speed to tune for, km/h.</source>
+            <translation>整定所针对的速度,km/h。</translation>
+        </message>
+        <message>
+            <source>Medium gain P, deg/m, with which the preview distance is tuned.</source>
+            <translation>整定预瞄距离时采用的中等增益 P,deg/m。</translation>
+        </message>
+        <message>
+            <source>Large preview distance from which tuning starts.</source>
+            <translation>整定开始时采用的较大预瞄距离。</translation>
+        </message>
+        <message>
+            <source>Distance from the line at which each trial starts.</source>
+            <translation>每次试验的起点到线的距离。</translation>
+        </message>
+        <message>
+            <source>Smallest lasting swing that counts as oscillation.</source>
+            <translation>算作振荡的最小持续摆幅。</translation>
+        </message>
+        <message>
+            <source>The edits as a JSON list, applied after those of the file.</source>
+            <translation>编辑的 JSON 列表,在文件中的编辑之后应用。</translation>
+        </message>
+        <message>
+            <source>A file with a JSON list of edits.</source>
+            <translation>含有编辑 JSON 列表的文件。</translation>
+        </message>
+        <message>
+            <source>An edit belongs to the nearest stem when that stands no further away than this.</source>
+            <translation>最近的单木与编辑的距离不超过此值时,编辑属于该单木。</translation>
+        </message>
+        <message>
+            <source>A diameter that differs by more than this from was_dbh_cm of an edit has changed: an acceptance or rejection is not carried over, other edits are applied with a warning.</source>
+            <translation>直径与编辑的 was_dbh_cm 相差超过此值时,视为已变化:接受或拒绝不再沿用,其他编辑照常应用并给出警告。</translation>
+        </message>
+        <message>
+            <source>Thinner stems are listed as rejected.</source>
+            <translation>更细的单木列入被拒绝的候选。</translation>
+        </message>
+        <message>
+            <source>Thicker stems are not searched for.</source>
+            <translation>不搜索更粗的单木。</translation>
+        </message>
+        <message>
+            <source>Lowest height above ground at which stems are searched for. Raise it above shrubs.</source>
+            <translation>搜索单木的最低离地高度。应高于灌木。</translation>
+        </message>
+        <message>
+            <source>Greatest height above ground at which stems are searched for. Keep it below the crowns.</source>
+            <translation>搜索单木的最大离地高度。应低于树冠。</translation>
+        </message>
+        <message>
+            <source>Greatest lean of a stem from the vertical.</source>
+            <translation>单木偏离铅垂方向的最大倾斜。</translation>
+        </message>
+        <message>
+            <source>A stem must show a circle at this many heights. A larger value rejects more bushes and more hidden stems.</source>
+            <translation>单木须在此数量的高度上都呈现圆形。值越大,排除的灌丛越多,但排除的被遮挡单木也越多。</translation>
+        </message>
+        <message>
+            <source>Fewest points on the bark of a section that is used.</source>
+            <translation>所用断面上树皮点的最少数量。</translation>
+        </message>
+        <message>
+            <source>Smallest part of the circle that must be seen in a section that is used.</source>
+            <translation>所用断面上须可见的最小圆弧比例。</translation>
+        </message>
+        <message>
+            <source>Ground from which breast height is measured: the highest ground at the stem base, or the mean of the ground around it.</source>
+            <translation>胸高的起算地面:树干基部的最高地面(uphill,坡上侧),或其周围地面的平均值(mean)。</translation>
+        </message>
+        <message>
+            <source>Residual of the joint fit. ray: error along the ray of a beam of finite width, needs sensor positions; surface: distance from the bark; auto: ray where sensor positions are known.</source>
+            <translation>联合拟合的残差。射线(ray):沿有宽度的光束的射线误差,需要传感器位置;表面(surface):到树皮的距离;自动(auto):传感器位置已知时采用射线。</translation>
+        </message>
+        <message>
+            <source>Sections up to this far above and below breast height take part in the joint fit.</source>
+            <translation>胸高上下此范围内的断面参与联合拟合。</translation>
+        </message>
+        <message>
+            <source>Spacing and thickness of the sections.</source>
+            <translation>断面的间距和厚度。</translation>
+        </message>
+        <message>
+            <source>Upper limit of the robust scale of the residuals, so that outliers cannot swell the stem. It is raised to 1.25 times the range noise of a noisier sensor.</source>
+            <translation>残差稳健尺度的上限,使粗差不会把单木撑大。传感器噪声较大时,提高到其测距噪声的 1.25 倍。</translation>
+        </message>
+        <message>
+            <source>The ray model leaves out rays that pass the stem axis further away than this share of the radius.</source>
+            <translation>射线模型舍去与树干轴线的距离超过半径此比例的射线。</translation>
+        </message>
+        <message>
+            <source>Horizontal full angle of the beam (1/e^2) in milliradians; cloud: as the cloud says. A wide beam measures the mean of the round bark that it lights.</source>
+            <translation>光束的水平全角(1/e^2),以毫弧度计;点云(cloud):按点云所给。宽光束测得的是它所照亮的圆形树皮的平均值。</translation>
+        </message>
+        <message>
+            <source>Horizontal width of the beam where it leaves the sensor; cloud: as the cloud says.</source>
+            <translation>光束离开传感器处的水平宽度;点云(cloud):按点云所给。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a single range; cloud: as the cloud says. It raises max_sigma for noisy sensors.</source>
+            <translation>单次测距的标准差;点云(cloud):按点云所给。传感器噪声较大时,它会提高 max_sigma。</translation>
+        </message>
+        <message>
+            <source>Mean depth of the bark below the ridges on which a tape lies. The ray model also sees the fissures and adds this depth to the radius: smooth bark 0, medium bark 1 mm, pine or oak more.</source>
+            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度。射线模型也会看到裂缝,因此将此深度加到半径上:光滑树皮 0,中等树皮 1 mm,松树或栎树更大。</translation>
+        </message>
+        <message>
+            <source>Estimate the mean range error from all stems and remove it. It comes from the lasers, or from poses that lie too close to the stems.</source>
+            <translation>由全部单木估计平均测距误差并消除。它来自激光器,或来自离单木过近的位姿。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the range offset of calibrated sensors. The estimate is regularised towards zero with it; a larger value lets the stems decide more.</source>
+            <translation>已检校传感器测距偏移的标准差。估计值据此向零正则化;值越大,越由单木决定。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the range error that all points of a stem share, fissures of the bark included. A larger value widens the intervals.</source>
+            <translation>同一单木所有点共有的测距误差的标准差,包括树皮裂缝。值越大,区间越宽。</translation>
+        </message>
+        <message>
+            <source>A pause of this length between returns from a stem starts a new pass of the walk.</source>
+            <translation>同一单木的回波中断达到此时长后,开始行走的新一趟。</translation>
+        </message>
+        <message>
+            <source>The fits leave out returns from further away where ranges are known and enough nearer returns exist.</source>
+            <translation>距离已知且有足够的较近回波时,拟合舍去距离大于此值的回波。</translation>
+        </message>
+        <message>
+            <source>A candidate is rejected when more than this share of the rays towards its core pass through it.</source>
+            <translation>指向候选核心的射线中,穿过它的比例超过此值时,该候选被拒绝。</translation>
+        </message>
+        <message>
+            <source>Points further from every stem axis than this belong to no tree.</source>
+            <translation>与每条树干轴线的距离都大于此值的点不属于任何树木。</translation>
+        </message>
+        <message>
+            <source>Points closer to the fitted surface than this are marked as bark.</source>
+            <translation>与拟合表面的距离小于此值的点标记为树皮。</translation>
+        </message>
+        <message>
+            <source>Breast height above ground: the middle of the slice, and the height at which diameters are measured.</source>
+            <translation>胸高(离地高度):横切面的中间高度,也是测定直径的高度。</translation>
+        </message>
+        <message>
+            <source>Thickness of the slice.</source>
+            <translation>横切面的厚度。</translation>
+        </message>
+        <message>
+            <source>What gives the vertical. stems: their mean direction, the ground where there are too few; ground: its plane, for level plots only; none: z is up already.</source>
+            <translation>由什么确定铅垂方向。单木(stems):单木的平均方向,单木太少时用地面;地面(ground):地面的平面,仅用于平坦样地;不调平(none):z 已经向上。</translation>
+        </message>
+        <message>
+            <source>Returns stronger than this come from retro-reflective surfaces (Velodyne: above 100).</source>
+            <translation>强度大于此值的回波来自反光表面(Velodyne:100 以上)。</translation>
+        </message>
+        <message>
+            <source>Fewest strong returns on a target.</source>
+            <translation>标靶上强回波的最少数量。</translation>
+        </message>
+        <message>
+            <source>Greatest extent of a target. Larger groups of strong returns (signs, vehicles) are rejected.</source>
+            <translation>标靶的最大尺寸。更大的强回波群(标志牌、车辆)被拒绝。</translation>
+        </message>
+        <message>
+            <source>A target must be seen from sensor positions at least this far apart; jackets and glints are not. Not checked where the cloud has no sensor positions.</source>
+            <translation>标靶须从相距至少此值的传感器位置都能看到;反光衣和反光点则不能。点云没有传感器位置时不检查。</translation>
+        </message>
+        <message>
+            <source>Horizontal distance between the centre and the north target as set out in the field; 0: not known.</source>
+            <translation>现场布设时中心标靶与北标靶之间的水平距离;0:未知。</translation>
+        </message>
+        <message>
+            <source>Greatest difference between the measured distance of the targets and target_distance.</source>
+            <translation>测得的标靶间距与 target_distance 之间的最大差值。</translation>
+        </message>
+        <message>
+            <source>Bearing from the centre to the north target, clockwise from grid north.</source>
+            <translation>从中心标靶到北标靶的方位角,从坐标北顺时针计。</translation>
+        </message>
+        <message>
+            <source>Greatest tilt of the map that is searched.</source>
+            <translation>搜索的地图最大倾斜。</translation>
+        </message>
+        <message>
+            <source>Fewest stems that may give the vertical.</source>
+            <translation>可用于确定铅垂方向的最少单木数。</translation>
+        </message>
+        <message>
+            <source>Boundary of the plot. auto: the polygon where vertices are connected, the rectangle where the map lies in plot axes (targets were found), else none.</source>
+            <translation>样地边界。自动(auto):连接了顶点时为多边形;地图位于样地坐标系中(已找到标靶)时为矩形;否则无边界(none)。</translation>
+        </message>
+        <message>
+            <source>Extent of a rectangle in x (east; across its bearing), horizontal.</source>
+            <translation>矩形沿 x 方向的尺寸(东;垂直于其方位),水平。</translation>
+        </message>
+        <message>
+            <source>Extent of a rectangle in y (north; along its bearing), horizontal.</source>
+            <translation>矩形沿 y 方向的尺寸(北;沿其方位),水平。</translation>
+        </message>
+        <message>
+            <source>Radius of a circle, horizontal.</source>
+            <translation>圆的半径,水平。</translation>
+        </message>
+        <message>
+            <source>Centre of a rectangle or circle, x in the axes of the stems.</source>
+            <translation>矩形或圆的中心,单木坐标系中的 x。</translation>
+        </message>
+        <message>
+            <source>Centre of a rectangle or circle, y in the axes of the stems.</source>
+            <translation>矩形或圆的中心,单木坐标系中的 y。</translation>
+        </message>
+        <message>
+            <source>Direction of a rectangle&apos;s length, clockwise from y (north).</source>
+            <translation>矩形长边的方向,从 y(北)顺时针计。</translation>
+        </message>
+        <message>
+            <source>Trees of this diameter at breast height and more count.</source>
+            <translation>胸径达到此值的树木才计入。</translation>
+        </message>
+    </context>
+    <context>
+        <name>choices</name>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>occlusion</comment>
+            <translation>不舍去</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>deskew</comment>
+            <translation>不校正</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>loops</comment>
+            <translation>不查找</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>level</comment>
+            <translation>不调平</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>align_stems</comment>
+            <translation>不移动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>align_trajectory</comment>
+            <translation>不移动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>shape</comment>
+            <translation>无边界</translation>
+        </message>
+        <message>
+            <source>shift</source>
+            <translation>平移</translation>
+        </message>
+        <message>
+            <source>rigid</source>
+            <translation>平移加旋转</translation>
+        </message>
+        <message>
+            <source>search</source>
+            <translation>全面搜索</translation>
+        </message>
+        <message>
+            <source>se3</source>
+            <translation>刚体运动 (se3)</translation>
+        </message>
+        <message>
+            <source>1</source>
+            <translation>样地 1</translation>
+        </message>
+        <message>
+            <source>2</source>
+            <translation>样地 2</translation>
+        </message>
+        <message>
+            <source>3</source>
+            <translation>样地 3</translation>
+        </message>
+        <message>
+            <source>4</source>
+            <translation>样地 4</translation>
+        </message>
+        <message>
+            <source>overall</source>
+            <translation>总体</translation>
+        </message>
+        <message>
+            <source>to_plane</source>
+            <translation>到平面坐标</translation>
+        </message>
+        <message>
+            <source>to_geodetic</source>
+            <translation>到经纬度</translation>
+        </message>
+        <message>
+            <source>gauss_krueger_3</source>
+            <translation>高斯-克吕格 3 度带</translation>
+        </message>
+        <message>
+            <source>gauss_krueger_6</source>
+            <translation>高斯-克吕格 6 度带</translation>
+        </message>
+        <message>
+            <source>utm</source>
+            <translation>UTM</translation>
+        </message>
+        <message>
+            <source>transverse_mercator</source>
+            <translation>横轴墨卡托</translation>
+        </message>
+        <message>
+            <source>GRS80</source>
+            <translation>GRS80</translation>
+        </message>
+        <message>
+            <source>WGS84</source>
+            <translation>WGS84</translation>
+        </message>
+        <message>
+            <source>CGCS2000</source>
+            <translation>CGCS2000</translation>
+        </message>
+        <message>
+            <source>Airy1830</source>
+            <translation>艾里 1830</translation>
+        </message>
+        <message>
+            <source>Bessel1841</source>
+            <translation>贝塞尔 1841</translation>
+        </message>
+        <message>
+            <source>International1924</source>
+            <translation>国际 1924</translation>
+        </message>
+        <message>
+            <source>Krassovsky1940</source>
+            <translation>克拉索夫斯基 1940</translation>
+        </message>
+        <message>
+            <source>tin</source>
+            <translation>三角网</translation>
+        </message>
+        <message>
+            <source>lowest</source>
+            <translation>最低点</translation>
+        </message>
+        <message>
+            <source>metre</source>
+            <translation>米</translation>
+        </message>
+        <message>
+            <source>centimetre</source>
+            <translation>厘米</translation>
+        </message>
+        <message>
+            <source>millimetre</source>
+            <translation>毫米</translation>
+        </message>
+        <message>
+            <source>foot</source>
+            <translation>英尺</translation>
+        </message>
+        <message>
+            <source>us_survey_foot</source>
+            <translation>美国测量英尺</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>unknown</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>sensor</source>
+            <translation>传感器</translation>
+        </message>
+        <message>
+            <source>map</source>
+            <translation>地图</translation>
+        </message>
+        <message>
+            <source>plot</source>
+            <translation>样地</translation>
+        </message>
+        <message>
+            <source>global</source>
+            <translation>投影坐标</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>blank</source>
+            <translation>空格</translation>
+        </message>
+        <message>
+            <source>comma</source>
+            <translation>逗号</translation>
+        </message>
+        <message>
+            <source>semicolon</source>
+            <translation>分号</translation>
+        </message>
+        <message>
+            <source>tab</source>
+            <translation>制表符</translation>
+        </message>
+        <message>
+            <source>nmea</source>
+            <translation>NMEA</translation>
+        </message>
+        <message>
+            <source>csv</source>
+            <translation>CSV</translation>
+        </message>
+        <message>
+            <source>columns</source>
+            <translation>数字列</translation>
+        </message>
+        <message>
+            <source>tum</source>
+            <translation>TUM</translation>
+        </message>
+        <message>
+            <source>kitti</source>
+            <translation>KITTI</translation>
+        </message>
+        <message>
+            <source>osmesa</source>
+            <translation>OSMesa</translation>
+        </message>
+        <message>
+            <source>egl</source>
+            <translation>EGL</translation>
+        </message>
+        <message>
+            <source>glx</source>
+            <translation>GLX</translation>
+        </message>
+        <message>
+            <source>least_squares</source>
+            <translation>普通最小二乘</translation>
+        </message>
+        <message>
+            <source>orthogonal</source>
+            <translation>正交</translation>
+        </message>
+        <message>
+            <source>straight</source>
+            <translation>直线</translation>
+        </message>
+        <message>
+            <source>mean</source>
+            <translation>平均值</translation>
+        </message>
+        <message>
+            <source>face</source>
+            <translation>轴心</translation>
+        </message>
+        <message>
+            <source>loam</source>
+            <translation>LOAM</translation>
+        </message>
+        <message>
+            <source>forest</source>
+            <translation>森林</translation>
+        </message>
+        <message>
+            <source>lego_loam</source>
+            <translation>LeGO-LOAM</translation>
+        </message>
+        <message>
+            <source>orchard</source>
+            <translation>果园</translation>
+        </message>
+        <message>
+            <source>best</source>
+            <translation>最佳</translation>
+        </message>
+        <message>
+            <source>preset</source>
+            <translation>按预设</translation>
+        </message>
+        <message>
+            <source>curvature</source>
+            <translation>曲率</translation>
+        </message>
+        <message>
+            <source>connected</source>
+            <translation>连通表面</translation>
+        </message>
+        <message>
+            <source>ground</source>
+            <translation>地面</translation>
+        </message>
+        <message>
+            <source>ground</source>
+            <comment>features</comment>
+            <translation>地面与物体</translation>
+        </message>
+        <message>
+            <source>sampled</source>
+            <translation>格网抽稀</translation>
+        </message>
+        <message>
+            <source>far_side</source>
+            <translation>远侧</translation>
+        </message>
+        <message>
+            <source>both_sides</source>
+            <translation>两侧</translation>
+        </message>
+        <message>
+            <source>velocity</source>
+            <translation>匀速</translation>
+        </message>
+        <message>
+            <source>last_frame</source>
+            <translation>与上一帧匹配</translation>
+        </message>
+        <message>
+            <source>once</source>
+            <translation>一次</translation>
+        </message>
+        <message>
+            <source>twice</source>
+            <translation>两次</translation>
+        </message>
+        <message>
+            <source>elastic</source>
+            <translation>弹性</translation>
+        </message>
+        <message>
+            <source>nearest</source>
+            <translation>最近</translation>
+        </message>
+        <message>
+            <source>last</source>
+            <translation>最后</translation>
+        </message>
+        <message>
+            <source>odometry</source>
+            <translation>里程计</translation>
+        </message>
+        <message>
+            <source>context</source>
+            <translation>周围环境</translation>
+        </message>
+        <message>
+            <source>both</source>
+            <translation>两者</translation>
+        </message>
+        <message>
+            <source>single</source>
+            <translation>单个最相似</translation>
+        </message>
+        <message>
+            <source>placed</source>
+            <translation>拟合最好</translation>
+        </message>
+        <message>
+            <source>sequence</source>
+            <translation>序列</translation>
+        </message>
+        <message>
+            <source>features</source>
+            <translation>边缘和平面</translation>
+        </message>
+        <message>
+            <source>icp</source>
+            <translation>ICP</translation>
+        </message>
+        <message>
+            <source>ndt_icp</source>
+            <translation>NDT 加 ICP</translation>
+        </message>
+        <message>
+            <source>thickness</source>
+            <translation>表面厚度</translation>
+        </message>
+        <message>
+            <source>priors</source>
+            <translation>先验协方差</translation>
+        </message>
+        <message>
+            <source>joint</source>
+            <translation>联合</translation>
+        </message>
+        <message>
+            <source>two_step</source>
+            <translation>分两步</translation>
+        </message>
+        <message>
+            <source>uphill</source>
+            <translation>坡上侧</translation>
+        </message>
+        <message>
+            <source>ray</source>
+            <translation>射线</translation>
+        </message>
+        <message>
+            <source>surface</source>
+            <translation>表面</translation>
+        </message>
+        <message>
+            <source>stems</source>
+            <translation>单木</translation>
+        </message>
+        <message>
+            <source>rectangle</source>
+            <translation>矩形</translation>
+        </message>
+        <message>
+            <source>circle</source>
+            <translation>圆</translation>
+        </message>
+        <message>
+            <source>polygon</source>
+            <translation>多边形</translation>
+        </message>
+        <message>
+            <source>cloud</source>
+            <translation>按点云</translation>
+        </message>
+        <message>
+            <source>log</source>
+            <translation>按日志</translation>
+        </message>
+        <message>
+            <source>published</source>
+            <translation>已发表</translation>
+        </message>
+    </context>
+</TS>
