@@ -31,7 +31,7 @@ std::filesystem::path resource_dir() {
 }
 
 std::filesystem::path resource_path(std::string_view relative) {
-  const auto path = resource_dir() / relative;
+  auto path = resource_dir() / relative;
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
     throw bad_input("there is no '" + path.string() + "'", "a file that comes with Bole",

@@ -7,6 +7,7 @@
 `run` may be called again: what is done with the same program is not run again. A pipeline whose data is absent is reported and counted.
 `compare` ends with exit code 1 where anything differs. --renamed (in both) is for what has another name in AFTER: an option, a file, a column,
 or a part of the path of a number in summary.json (`stages.report.metrics=stages.plot.metrics`); --renamed @FILE reads one per line.
+`--renamed OLD=` is for what AFTER has no more: an option is not set, a file or column is not looked for.
 --reworded is for columns of text: their sentences may change, one for one, but not the numbers in them.
 Not compared: text of summary.json, time, memory, paths and versions, and files that hold no table (they are listed).
 """
@@ -152,7 +153,8 @@ def run_pipeline(arguments, name, program):
         given = value.format(**places)
         if "{data}" in value:
             data.append(pathlib.Path(given))
-        words += ["--set", f"{renamed_word(option, arguments.renamed)}={given}"]
+        if name_now := renamed_word(option, arguments.renamed):
+            words += ["--set", f"{name_now}={given}"]
     return performed(name, folder, program, words, data)
 
 
@@ -170,6 +172,8 @@ def run(arguments):
 def renamed_path(name, renames):
     """The name with every renamed part, parts being what stands between dots."""
     for old, new in renames.items():
+        if not new:
+            continue
         name = re.sub(rf"(?<![^.]){re.escape(old)}(?![^.])", lambda _: new, name)
     return name
 
@@ -232,7 +236,7 @@ def compare_layers(file, before, after, renames, reworded, findings):
         if layer not in before or layer not in after:
             (findings.added if layer not in before else findings.removed).append(where)
             continue
-        old = {renamed_path(name, renames): values for name, values in before[layer].items()}
+        old = {renamed_path(name, renames): values for name, values in before[layer].items() if renames.get(name) != ""}
         new = after[layer]
         findings.removed.extend(f"{where}: {name}" for name in old if name not in new)
         findings.added.extend(f"{where}: {name}" for name in new if name not in old)
@@ -274,7 +278,7 @@ def folder_tables(folder, others):
 
 def compare_folders(before, after, read, renames, reworded):
     findings = Findings([], [], [], [], [])
-    old = {renames.get(file, file): layers for file, layers in read(before).items()}
+    old = {renames.get(file, file): layers for file, layers in read(before).items() if renames.get(file) != ""}
     new = read(after)
     findings.removed.extend(file for file in old if file not in new)
     findings.added.extend(file for file in new if file not in old)
@@ -334,8 +338,8 @@ def assignments(words):
         for line in lines:
             if line.strip() and not line.startswith("#"):
                 old, separator, new = line.strip().partition("=")
-                if not separator or not old or not new:
-                    sys.exit(f"--renamed takes OLD=NEW; '{line}' is not that")
+                if not separator or not old:
+                    sys.exit(f"--renamed takes OLD=NEW or OLD=; '{line}' is neither")
                 out[old] = new
     return out
 
@@ -355,7 +359,7 @@ def main():
     compares.add_argument("--reworded", action="append", default=[], metavar="COLUMN", help="a column whose sentences may change")
     compares.add_argument("--allow-added", action="store_true", help="what only AFTER has is listed, but is no difference")
     for command in (runs, compares):
-        command.add_argument("--renamed", action="append", default=[], metavar="OLD=NEW", help="what has another name in AFTER")
+        command.add_argument("--renamed", action="append", default=[], metavar="OLD=[NEW]", help="what has another name in AFTER, or none")
         command.add_argument("--only", nargs="+", choices=PIPELINES, metavar="NAME", help=f"of {', '.join(PIPELINES)}")
     arguments = parser.parse_args()
     arguments.renamed = assignments(arguments.renamed)

@@ -214,6 +214,11 @@ class Comparing(unittest.TestCase):
         write.write_text("# renamed on purpose\nstems.csv=trees.csv\n")
         self.expect(1, "trees.csv: dbh_cm", words=["--renamed", f"@{write}"])
 
+    def test_what_is_left_out_on_purpose(self):
+        (self.before / "stems.csv").write_text("tree_id,dbh_cm,reason,score\n1,21.50,,9\n2,33.10,12 points are too few,8\n")
+        self.expect(1, "only before: stems.csv: score")
+        self.expect(0, words=["--renamed", "score="])
+
     def test_other_words_for_the_same(self):
         (self.after / "stems.csv").write_text("tree_id,dbh_cm,reason\n1,21.50,\n2,33.10,only 12 points\n")
         self.expect(1, "stems.csv: reason: 1 of 2 rows differ, 1 of them in words")
@@ -281,6 +286,7 @@ class Running(unittest.TestCase):
         calls = self.run_with("--only", "steering_test", "--renamed", "drive.repeats=drive.runs")[2]
         self.assertIn("drive.runs=3", calls[0])
         self.assertNotIn("drive.repeats", calls[0])
+        self.assertNotIn("=3", self.run_with("--only", "steering_test", "--renamed", "drive.repeats=")[2][0])
 
     def test_recordings_are_made_once(self):
         calls = self.run_with("--only", "plot_loam", "plot_forest")[2]

@@ -116,8 +116,8 @@ class SideBySide {
       store(&h[247], points());
       store(&h[235], std::uint64_t{0});
       store(&h[243], std::uint32_t{0});
-    }
-    else store(&h[107], static_cast<std::uint32_t>(points()));
+    } else
+      store(&h[107], static_cast<std::uint32_t>(points()));
     for (int axis = 0; axis < 2; ++axis) {
       double most = 0;
       for (int copy = 0; copy < copies_; ++copy) most = std::max(most, steps(copy, axis));

@@ -231,7 +231,7 @@ class Experiment {
 
   Json without_loops() const {
     Json row{{"drift", drift_}};
-    stems::judge(name("no_loops"), path_of(keyframes_, poses_of(keyframes_)), row);
+    judge(name("no_loops"), path_of(keyframes_, poses_of(keyframes_)), row);
     return row;
   }
 
@@ -277,7 +277,7 @@ class Experiment {
     row["seconds"] = seconds_since(begin);
     if (!settings_.out.empty())
       io::write_table(std::filesystem::path(settings_.out) / (name + "-loops.csv"), kept.loops);
-    stems::judge(name, path_of(keyframes_, graph.T_map_keyframe), row);
+    judge(name, path_of(keyframes_, graph.T_map_keyframe), row);
   }
 
   void judge(const std::string& name, const Trajectory& path, Json& row) const {

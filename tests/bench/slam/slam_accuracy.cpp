@@ -277,7 +277,7 @@ int main(int count, char** arguments) try {
   const auto result = slam::run_slam(*source, options.as<slam::SlamOptions>(), {});
   const double user_s = user_seconds() - before_s;
   const auto e = compare(result.trajectory, truth);
-  if (!own["out"].empty()) io::write_tum(own["out"], result.trajectory);
+  if (!own["out"].empty()) write_tum(own["out"], result.trajectory);
   std::printf("%s\n", result.report.message.c_str());
   for (const auto& w : result.report.warnings) std::printf("warning: %s\n", w.c_str());
   for (const auto& [name, value] : result.report.counts)
@@ -294,7 +294,7 @@ int main(int count, char** arguments) try {
 #ifdef BOLE_HAS_IO
   if (!own["table"].empty()) io::write_table(own["table"], result.odometry);
 #endif
-  const Pose T_world_map = stems::aligned(result.trajectory, truth);
+  const Pose T_world_map = aligned(result.trajectory, truth);
   if (own["scan"].empty()) print_walls(result.points, world, T_world_map);
 #ifdef BOLE_HAS_IO
   else {
