@@ -112,11 +112,11 @@ void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> 
 
 void WalkLayers::set_dark(bool dark) {
   dark_ = dark;
-  for (const auto& [actor, colour] : {std::pair{path_, render::ink::primary},
-                                      {good_loops_, render::ink::good},
-                                      {bad_loops_, render::ink::poor},
-                                      {sensor_, render::ink::accent}})
-    if (actor) paint(actor, shown(colour));
+  for (const auto& [actor, color] : {std::pair{path_, render::ink::primary},
+                                     {good_loops_, render::ink::good},
+                                     {bad_loops_, render::ink::poor},
+                                     {sensor_, render::ink::accent}})
+    if (actor) paint(actor, shown(color));
 }
 
 void WalkLayers::clear() {

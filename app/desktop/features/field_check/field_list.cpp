@@ -10,7 +10,8 @@
 namespace bole::desktop {
 namespace {
 
-constexpr const char *field_port = "reference_stems", *stems_port = "stems";  // of the evaluation
+constexpr const char* field_port = "reference_stems";  // of the evaluation
+constexpr const char* sections_port = "sections";      // of stages that measure diameters; rows have stems without
 
 struct Pattern {
   std::string name;
@@ -91,7 +92,7 @@ pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& doc
                                            const FieldMapping& mapping, const std::string& align) {
   pipeline::PipelineDocument after = document;
   if (stage_with_input(after, field_port) == nullptr) {
-    if (stage_with_output(after, stems_port) == nullptr)
+    if (stage_with_output(after, sections_port) == nullptr)
       throw bad_input("the pipeline measures no stems", "a stage that measures stems",
                       "Add one before you load field measurements");
     after = with_stage(after, type_with_input(field_port)).document;
