@@ -201,6 +201,7 @@ inline pipeline::StageType stage_type(std::string name, std::vector<pipeline::Po
 
 inline void register_toys() {
   auto& registry = pipeline::StageRegistry::global();
+  if (!registry.first_time("toys")) return;
   const pipeline::Port cloud{"points", DataKind::cloud, "Points.", false, {}};
   const pipeline::Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
   registry.add(stage_type("toy.points", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}},
