@@ -201,6 +201,7 @@ inline pipeline::StageType stage_type(std::string name, std::vector<pipeline::Po
 
 inline void register_toys() {
   auto& registry = pipeline::StageRegistry::global();
+  for (auto& [name, n] : runs()) n = 0;
   if (!registry.first_time("toys")) return;
   const pipeline::Port cloud{"points", DataKind::cloud, "Points.", false, {}};
   const pipeline::Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
@@ -223,7 +224,6 @@ inline void register_toys() {
       "toy.use_frames", {{"frames", DataKind::frames, "Frames.", false, {}}},
       {{"trajectory", DataKind::trajectory, "Path.", false, {}}, {"dem", DataKind::raster, "Grid.", false, {}}},
       no_options(), use_frames));
-  for (auto& [name, n] : runs()) n = 0;
 }
 
 // A folder of its own for each test, removed at its end.
