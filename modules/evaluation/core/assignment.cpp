@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
+
+#include "base/groups.h"
 
 namespace bole::evaluation {
 namespace {
@@ -47,19 +48,6 @@ std::vector<std::size_t> hungarian(const std::vector<std::vector<double>>& cost)
   return column;
 }
 
-class Groups {
- public:
-  explicit Groups(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 // One connected group. Each left row has a private column that means "no partner", dearer than any set of pairs.
 void assign_group(const std::vector<Pairing>& group, std::vector<Pairing>& out) {
   std::map<std::size_t, std::size_t> rows, columns;
@@ -82,7 +70,10 @@ void assign_group(const std::vector<Pairing>& group, std::vector<Pairing>& out) 
 
 std::vector<Pairing> assign_pairs(const std::vector<Pairing>& offered) {
   std::size_t lefts = 0, rights = 0;
-  for (const auto& p : offered) lefts = std::max(lefts, p.left + 1), rights = std::max(rights, p.right + 1);
+  for (const auto& p : offered) {
+    lefts = std::max(lefts, p.left + 1);
+    rights = std::max(rights, p.right + 1);
+  }
   Groups groups(lefts + rights);
   for (const auto& p : offered) groups.join(p.left, lefts + p.right);
   std::map<std::size_t, std::vector<Pairing>> by_group;

@@ -5,10 +5,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 
+#include "base/no_number.h"
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
 #include "evaluation/core/field_table.h"
@@ -36,8 +36,6 @@ Table SummaryRows::table() const {
 namespace {
 
 using Tree = ListedTree;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
                            const EvaluationOptions& o) {
@@ -122,15 +120,15 @@ Table match_table(const std::vector<Row>& rows) {
     ref_id.push_back(f ? f->id : 0);
     name.push_back(e ? e->name : "");
     ref_name.push_back(f ? f->name : "");
-    c["x_m"].push_back(e ? e->at.x() : nan);
-    c["y_m"].push_back(e ? e->at.y() : nan);
-    c["ref_x_m"].push_back(f ? f->at.x() : nan);
-    c["ref_y_m"].push_back(f ? f->at.y() : nan);
-    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : nan);
-    c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : nan);
-    c["dbh_cm"].push_back(e ? e->dbh : nan);
-    c["ref_dbh_cm"].push_back(f ? f->dbh : nan);
-    c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : nan);
+    c["x_m"].push_back(e ? e->at.x() : no_number);
+    c["y_m"].push_back(e ? e->at.y() : no_number);
+    c["ref_x_m"].push_back(f ? f->at.x() : no_number);
+    c["ref_y_m"].push_back(f ? f->at.y() : no_number);
+    c["dx_m"].push_back(e && f ? e->at.x() - f->at.x() : no_number);
+    c["dy_m"].push_back(e && f ? e->at.y() - f->at.y() : no_number);
+    c["dbh_cm"].push_back(e ? e->dbh : no_number);
+    c["ref_dbh_cm"].push_back(f ? f->dbh : no_number);
+    c["dbh_error_cm"].push_back(e && f ? e->dbh - f->dbh : no_number);
   }
   t.set("kind", kind);
   t.set("tree_id", id);
@@ -146,7 +144,7 @@ Table match_table(const std::vector<Row>& rows) {
   return t;
 }
 
-double share_percent(double part, double whole) { return whole > 0 ? 100 * part / whole : nan; }
+double share_percent(double part, double whole) { return whole > 0 ? 100 * part / whole : no_number; }
 
 void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
   const auto n = static_cast<double>(matched.size());
@@ -162,7 +160,8 @@ void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
     const Eigen::Vector2d e = r.estimate->at - r.reference->at - mean;
     covariance += e * e.transpose() / n;
   }
-  const double largest = n > 0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1] : nan;
+  const double largest =
+      n > 0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1] : no_number;
   out.add("position_mean_x", mean.x(), "m");
   out.add("position_mean_y", mean.y(), "m");
   out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m");

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/error.h"
+#include "base/no_number.h"
 #include "cloud/stem_rows.h"
 
 namespace bole::evaluation {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::optional<std::int64_t> whole_number(const Table& t, const std::string& column, std::size_t row) {
   if (const auto* values = std::get_if<std::vector<double>>(t.find(column))) {
@@ -52,7 +50,7 @@ void take_ids(const Table& t, std::vector<ListedTree>& trees) {
 std::vector<ListedTree> trees_of(const Table& t, const std::string& what, std::vector<std::string>& warnings) {
   const auto x = t.numbers("x_m"), y = t.numbers("y_m"), dbh = t.numbers("dbh_cm");
   const auto optional = [&](const char* name) {
-    return t.has(name) ? t.numbers(name) : std::vector<double>(t.rows(), nan);
+    return t.has(name) ? t.numbers(name) : std::vector<double>(t.rows(), no_number);
   };
   const auto low = optional("dbh_lo_cm"), high = optional("dbh_hi_cm"), height = optional("height_m"),
              seen = optional("height_seen");

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "base/no_number.h"
 #include "inventory/core/measures.h"
 
 namespace bole::inventory {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t min_heights = 8;
 
 std::optional<HeightCurve> fit_once(const std::vector<SizedStem>& stems, double breast_height_m) {
@@ -41,7 +41,7 @@ std::optional<HeightCurve> fit_once(const std::vector<SizedStem>& stems, double 
 }  // namespace
 
 double HeightCurve::height_m(double d) const {
-  if (!(d >= 0.8 * min_dbh_cm && d <= 1.25 * max_dbh_cm)) return nan;
+  if (!(d >= 0.8 * min_dbh_cm && d <= 1.25 * max_dbh_cm)) return no_number;
   return breast_height_m + d * d / ((a + b * d) * (a + b * d));
 }
 
@@ -60,7 +60,7 @@ double form_volume_m3(double dbh_cm, double height_m, double breast_height_m) {
   constexpr double power = 1.5;
   return height_m > breast_height_m
              ? basal_area_m2(dbh_cm) * height_m / (power + 1) * std::pow(height_m / (height_m - breast_height_m), power)
-             : nan;
+             : no_number;
 }
 
 }  // namespace bole::inventory

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 
+#include "base/no_number.h"
 #include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
 #include "inventory/core/measures.h"
@@ -15,7 +15,6 @@ namespace {
 
 constexpr double m2_per_ha = 10000;
 constexpr double dominant_per_ha = 100;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void take_diameters(const std::vector<SizedStem>& stems, PlotValues& m) {
   const double n = static_cast<double>(stems.size());
@@ -32,7 +31,7 @@ void take_diameters(const std::vector<SizedStem>& stems, PlotValues& m) {
   m.quadratic_mean_dbh_cm = std::sqrt(squares / n);
   double spread = 0;
   for (const auto& s : stems) spread += std::pow(s.dbh_cm - m.mean_dbh_cm, 2);
-  m.sd_dbh_cm = stems.size() > 1 ? std::sqrt(spread / (n - 1)) : nan;
+  m.sd_dbh_cm = stems.size() > 1 ? std::sqrt(spread / (n - 1)) : no_number;
 }
 
 void take_dominant_height(std::vector<SizedStem> stems, PlotValues& m) {
@@ -88,7 +87,7 @@ std::vector<DiameterClass> classes_of(const std::vector<SizedStem>& stems, doubl
     auto& [c, heights] = entry;
     c.stems_per_ha = static_cast<double>(c.stems) * m2_per_ha / area_m2;
     c.basal_area_m2_per_ha = c.basal_area_m2 * m2_per_ha / area_m2;
-    c.mean_height_m = heights.count > 0 ? heights.sum / static_cast<double>(heights.count) : nan;
+    c.mean_height_m = heights.count > 0 ? heights.sum / static_cast<double>(heights.count) : no_number;
     classes.push_back(c);
   }
   return classes;
@@ -100,7 +99,7 @@ std::vector<double> seen_heights(const Table& stems) {
   if (!stems.has("height_seen")) return height;
   const auto seen = numbers_or_nan(stems, "height_seen");
   for (std::size_t i = 0; i < height.size(); ++i)
-    if (!(seen[i] > 0)) height[i] = nan;
+    if (!(seen[i] > 0)) height[i] = no_number;
   return height;
 }
 
@@ -115,8 +114,8 @@ PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotV
   m.assumed = {breast_height_m(stems), options.form_sd_pct};
   m.area_m2 = rule.area.area_m2();
   m.min_counted_dbh_cm = rule.min_dbh_cm;
-  m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.min_dbh_cm = m.max_dbh_cm = nan;
-  m.mean_height_m = m.lorey_height_m = m.dominant_height_m = nan;
+  m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.min_dbh_cm = m.max_dbh_cm = no_number;
+  m.mean_height_m = m.lorey_height_m = m.dominant_height_m = no_number;
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
              height = seen_heights(stems), low = numbers_or_nan(stems, "dbh_lo_cm"),
              high = numbers_or_nan(stems, "dbh_hi_cm"), volume = numbers_or_nan(stems, "volume_m3");

@@ -1,14 +1,13 @@
 #include "inventory/core/stand_values.h"
 
 #include <cmath>
-#include <limits>
 
+#include "base/no_number.h"
 #include "inventory/core/measures.h"
 
 namespace bole::inventory {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // This part of the standard deviation of each diameter points the same way in all stems of a plot.
 constexpr double shared_part = 0.25;
 
@@ -34,7 +33,7 @@ double usual_relative_sd(const std::vector<SizedStem>& stems) {
       squares += relative * relative;
       ++known;
     }
-  return known > 0 ? std::sqrt(squares / static_cast<double>(known)) : nan;
+  return known > 0 ? std::sqrt(squares / static_cast<double>(known)) : no_number;
 }
 
 }  // namespace
@@ -73,7 +72,7 @@ StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumpt
   const auto n = static_cast<double>(stems.size());
   v.mean_height_m = heights / n;
   v.lorey_height_m = weighted / basal_area;
-  v.stems = {nan, z_95 * std::sqrt(n)};
+  v.stems = {no_number, z_95 * std::sqrt(n)};
   v.basal_area_m2 = {area.half(), z_95 * std::sqrt(area_squares)};
   v.volume_m3_half = {std::hypot(volume.half(), z_95 * assumed.form_sd_pct / 100 * by_form_m3),
                       z_95 * std::sqrt(volume_squares)};

@@ -1,19 +1,18 @@
 #include "inventory/core/value_tables.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/no_number.h"
 #include "base/option_text.h"
 
 namespace bole::inventory {
 namespace {
 
 constexpr double m2_per_ha = 10000;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr HalfWidths no_interval{nan, nan};
+constexpr HalfWidths no_interval{no_number, no_number};
 
 class ValueRows {
  public:
@@ -55,12 +54,12 @@ StandValues stand_of(const PlotValues& v) {
   StandValues s = v.stand;
   if (v.stems == 0) {
     s.stems = s.basal_area_m2 = s.volume_m3_half = no_interval;
-    s.quadratic_mean_dbh_half_cm = nan;
-    s.mean_height_m = s.lorey_height_m = s.volume_m3 = nan;
+    s.quadratic_mean_dbh_half_cm = no_number;
+    s.mean_height_m = s.lorey_height_m = s.volume_m3 = no_number;
   }
   if (!v.heights_known) {
     s.curve.reset();
-    s.mean_height_m = s.lorey_height_m = s.volume_m3 = nan;
+    s.mean_height_m = s.lorey_height_m = s.volume_m3 = no_number;
     s.volume_m3_half = no_interval;
   }
   return s;
@@ -79,13 +78,13 @@ Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
   rows.count("stems_too_thin", v.too_thin);
   rows.count("stems_without_interval", s.no_interval);
   rows.add("stem_density", v.stems_per_ha, "1/ha", per_hectare(s.stems, v.area_m2));
-  rows.add("basal_area", v.basal_area_m2, "m2", {s.basal_area_m2.measured, nan});
+  rows.add("basal_area", v.basal_area_m2, "m2", {s.basal_area_m2.measured, no_number});
   rows.add("basal_area_per_ha", v.basal_area_m2_per_ha, "m2/ha", per_hectare(s.basal_area_m2, v.area_m2));
   rows.add("mean_dbh", v.mean_dbh_cm, "cm");
   rows.add("min_dbh", v.min_dbh_cm, "cm");
   rows.add("max_dbh", v.max_dbh_cm, "cm");
   rows.add("sd_dbh", v.sd_dbh_cm, "cm");
-  rows.add("quadratic_mean_dbh", v.quadratic_mean_dbh_cm, "cm", {s.quadratic_mean_dbh_half_cm, nan});
+  rows.add("quadratic_mean_dbh", v.quadratic_mean_dbh_cm, "cm", {s.quadratic_mean_dbh_half_cm, no_number});
   rows.count("tops_seen", v.tops_seen);
   rows.add("mean_height", v.mean_height_m, "m");
   rows.add("lorey_height", v.lorey_height_m, "m");
@@ -95,7 +94,7 @@ Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
   rows.count("heights_by_curve", s.by_curve);
   rows.add("mean_height_all", s.mean_height_m, "m");
   rows.add("lorey_height_all", s.lorey_height_m, "m");
-  rows.add("volume", s.volume_m3, "m3", {s.volume_m3_half.measured, nan});
+  rows.add("volume", s.volume_m3, "m3", {s.volume_m3_half.measured, no_number});
   rows.add("volume_per_ha", s.volume_m3 * m2_per_ha / v.area_m2, "m3/ha", per_hectare(s.volume_m3_half, v.area_m2));
   rows.count("volumes_by_stem_curve", s.own_volume);
   rows.add("form_sd", v.assumed.form_sd_pct, "%");

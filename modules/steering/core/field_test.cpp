@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 #include "steering/core/drive.h"
 #include "steering/core/headland_turn.h"
 
 namespace bole::steering {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Grows a row per fix.
 class Log {
@@ -23,7 +21,7 @@ class Log {
     line_.push_back(line);
     stopped_.push_back(s.stopped ? 1 : 0);
     state_.emplace_back(state);
-    const auto gnss = s.received.value_or(Eigen::Vector2d(nan, nan));
+    const auto gnss = s.received.value_or(Eigen::Vector2d(no_number, no_number));
     const double values[] = {speed_km_h,
                              s.time_s,
                              s.navigated.x(),

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 #include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
@@ -56,11 +57,9 @@ const OptionTable& option_table(const ErrorOptions*) {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 struct Drive {
   std::int64_t run = 1;
-  double speed_km_h = nan;
+  double speed_km_h = no_number;
   Track track;
 };
 
@@ -73,7 +72,7 @@ std::vector<Eigen::Vector2d> at_times(const Table& reference, const std::vector<
     const auto j = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), time) - t.begin());
     const bool exact = j > 0 && t[j - 1] == time;
     if (!exact && (j == 0 || j == t.size() || t[j] - t[j - 1] > 1)) {
-      found.emplace_back(nan, nan);
+      found.emplace_back(no_number, no_number);
       continue;
     }
     const double s = exact ? 0 : (time - t[j - 1]) / (t[j] - t[j - 1]);
@@ -93,7 +92,7 @@ std::vector<Drive> drives_of(const Table& log, const Table* reference) {
     truth = at_times(*reference, time);
   }
   const auto runs = log.has("run") ? log.integers("run") : std::vector<std::int64_t>(log.rows(), 1);
-  const auto speeds = log.has("speed_km_h") ? log.numbers("speed_km_h") : std::vector<double>(log.rows(), nan);
+  const auto speeds = log.has("speed_km_h") ? log.numbers("speed_km_h") : std::vector<double>(log.rows(), no_number);
   std::vector<Drive> drives;
   for (std::size_t i = 0; i < log.rows(); ++i) {
     const Eigen::Vector2d navigated(x[i], y[i]), real = truth.empty() ? navigated : truth[i];
@@ -139,7 +138,7 @@ class Neighbour {
   }
   double offset_m(double along_m) const {
     const auto after = offset_at_.lower_bound(along_m);
-    if (after == offset_at_.end() || (after == offset_at_.begin() && after->first > along_m)) return nan;
+    if (after == offset_at_.end() || (after == offset_at_.begin() && after->first > along_m)) return no_number;
     if (after == offset_at_.begin()) return after->second;
     const auto before = std::prev(after);
     return std::lerp(before->second, after->second, (along_m - before->first) / (after->first - before->first));
@@ -168,7 +167,7 @@ void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimit
     for (std::size_t i = pass.first; i <= pass.last; ++i) {
       const auto& truth = drive.track.truth[i];
       const double along = line.along_m(truth), offset = line.offset_m(truth);
-      ErrorSample s{drive.track.time_s[i], along, pass.direction * (offset - middle), nan, nan};
+      ErrorSample s{drive.track.time_s[i], along, pass.direction * (offset - middle), no_number, no_number};
       if (!drive.track.navigated.empty())
         s.controller_m = pass.direction * (line.offset_m(drive.track.navigated[i]) - middle);
       if (neighbour != nullptr) s.adjacent_m = std::abs(offset - neighbour->offset_m(along)) - limits.row_width_m;

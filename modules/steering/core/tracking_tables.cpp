@@ -6,13 +6,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
+
+#include "base/no_number.h"
 
 namespace bole::steering {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Table 2 of the paper, metres; speed 0: its row of averages.
 struct Published {
@@ -80,7 +79,7 @@ void add_published(Columns& columns, double speed_km_h) {
   const auto row = std::find_if(published_table.begin(), published_table.end(),
                                 [&](const auto& p) { return std::abs(p.speed_km_h - speed_km_h) < 1e-6; });
   for (std::size_t i = 0; i < std::size(names); ++i)
-    columns.add(names[i], row == published_table.end() ? nan : row->values[i]);
+    columns.add(names[i], row == published_table.end() ? no_number : row->values[i]);
 }
 
 // Of the speeds at which this part was measured.
@@ -96,7 +95,7 @@ Spread average(const std::vector<SpeedErrors>& speeds, Spread SpeedErrors::*part
     a.sd += s.sd;
     a.max += s.max;
   }
-  if (a.count == 0) return {0, nan, nan, nan};
+  if (a.count == 0) return {0, no_number, no_number, no_number};
   a.mean /= n;
   a.sd /= n;
   a.max /= n;
@@ -114,7 +113,7 @@ Spread spread_of(const std::vector<double>& values) {
       sum += v;
       s.max = std::max(s.max, std::abs(v));
     }
-  if (s.count == 0) return {0, nan, nan, nan};
+  if (s.count == 0) return {0, no_number, no_number, no_number};
   s.mean = sum / static_cast<double>(s.count);
   for (const double v : values)
     if (std::isfinite(v)) squares += (v - s.mean) * (v - s.mean);
@@ -133,7 +132,7 @@ std::vector<SpeedErrors> by_speed(const std::vector<MeasuredPass>& passes) {
 SpeedErrors overall(const std::vector<MeasuredPass>& passes) {
   std::vector<const MeasuredPass*> all;
   for (const auto& p : passes) all.push_back(&p);
-  return errors_of(all, nan);
+  return errors_of(all, no_number);
 }
 
 Table pass_table(const std::vector<MeasuredPass>& passes) {

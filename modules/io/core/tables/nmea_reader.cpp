@@ -2,17 +2,16 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "base/no_number.h"
 #include "io/core/bytes/line_reader.h"
 
 namespace bole::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_sentence = 256;  // the standard allows 82; receivers write longer ones
 constexpr double day_s = 86400, knot_m_s = 1852.0 / 3600;
 
@@ -32,7 +31,7 @@ Fields split_commas(std::string_view text) {
 
 // The number of a field; NaN when it is empty or absent.
 double number(const Fields& f, std::size_t i) {
-  if (i >= f.size() || f[i].empty()) return nan;
+  if (i >= f.size() || f[i].empty()) return no_number;
   double value = 0;
   if (!parse_number(f[i], value) || !std::isfinite(value) || std::abs(value) > 1e9) throw Malformed{};
   return value;
@@ -59,7 +58,7 @@ std::optional<double> time_of_day(const Fields& f, std::size_t i) {
 
 // ddmm.mmmm and a hemisphere as degrees; NaN when not given.
 double angle_deg(const Fields& f, std::size_t i, int degree_digits, char negative, double most) {
-  if (i + 1 >= f.size() || f[i].empty()) return nan;
+  if (i + 1 >= f.size() || f[i].empty()) return no_number;
   if (f[i].size() < static_cast<std::size_t>(degree_digits) + 2) throw Malformed{};
   const int degrees = digits(f[i].substr(0, static_cast<std::size_t>(degree_digits)));
   double minutes = 0;
@@ -78,8 +77,9 @@ double days_since_1970(int year, int month, int day) {
 }
 
 struct Epoch {
-  double time_s = nan, latitude = nan, longitude = nan, height = nan, hdop = nan, speed = nan, course = nan,
-         heading = nan, sd_east = nan, sd_north = nan, sd_height = nan;
+  double time_s = no_number, latitude = no_number, longitude = no_number, height = no_number, hdop = no_number,
+         speed = no_number, course = no_number, heading = no_number, sd_east = no_number, sd_north = no_number,
+         sd_height = no_number;
   std::int64_t quality = 0, satellites = 0;
 };
 
@@ -211,7 +211,7 @@ class Reader {
     days_ = days_since_1970(year < 80 ? 2000 + year : 1900 + year, month, day);
     dated_ = true;
     if (std::isfinite(now_.time_s)) now_.time_s += days_ * day_s;
-    last_s_ = nan;
+    last_s_ = no_number;
   }
 
   void vtg(const Fields& f) {
@@ -232,7 +232,7 @@ class Reader {
   NmeaCounts& counts_;
   std::vector<Epoch> epochs_;
   Epoch now_;
-  double days_ = 0, last_s_ = nan;
+  double days_ = 0, last_s_ = no_number;
   bool dated_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/no_number.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/formats.h"
 #include "io/core/tables/nmea_reader.h"
@@ -15,7 +16,6 @@
 namespace bole::io {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double day_s = 86400;
 constexpr std::int64_t max_named_lines = 3;  // of those that cannot be used
 
@@ -33,7 +33,7 @@ std::vector<std::string> names_of(const std::string& columns) {
 double seconds_of(double hhmmss) {
   const double h = std::floor(hhmmss / 10000), m = std::floor(std::fmod(hhmmss, 10000) / 100),
                s = std::fmod(hhmmss, 100);
-  return h < 24 && m < 60 && s < 61 && hhmmss >= 0 ? 3600 * h + 60 * m + s : nan;
+  return h < 24 && m < 60 && s < 61 && hhmmss >= 0 ? 3600 * h + 60 * m + s : no_number;
 }
 
 // Rows with a finite place whose times increase.
@@ -110,7 +110,7 @@ Table read_column_track(Bytes file, const std::string&, const TrackOptions& o, R
         text, [](char c) { return c == ',' || c == ';' || c == '\t'; }, ' ');
     const auto words = split_blanks(text);
     if (words.empty() || words[0].front() == '#') continue;
-    std::vector<double> row(names.size(), nan);
+    std::vector<double> row(names.size(), no_number);
     bool good = words.size() >= names.size() - (names.back().empty() ? 1 : 0);
     for (std::size_t i = 0; good && i < names.size() && i < words.size(); ++i)
       if (!names[i].empty()) good = parse_number(words[i], row[i]) && std::isfinite(row[i]);

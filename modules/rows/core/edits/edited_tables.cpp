@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 #include "base/option_text.h"
 #include "rows/core/rows/joined_tables.h"
 #include "rows/core/rows/line_fit.h"
@@ -15,7 +15,6 @@ namespace bole::rows {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // The ids as one type for all tables: whole numbers where all of them are.
 Table::Values ids_as(std::vector<std::string> ids, bool numbers) {
@@ -66,7 +65,7 @@ class Composer {
     }
     Table stems = field_.sources;
     std::vector<double> number;
-    for (const auto& l : label) number.push_back(numbers_ ? number_from_text(l).value_or(nan) : nan);
+    for (const auto& l : label) number.push_back(numbers_ ? number_from_text(l).value_or(no_number) : no_number);
     if (numbers_)
       stems.set("row_id", std::move(number));
     else
@@ -109,7 +108,7 @@ class Composer {
     put(k, "y1_m", b.y());
     put(k, "length_m", d.norm());
     put(k, "sagitta_m", 0.0);
-    for (const char* name : {"angle_se_deg", "angle_lo_deg", "angle_hi_deg", "rms_m"}) put(k, name, nan);
+    for (const char* name : {"angle_se_deg", "angle_lo_deg", "angle_hi_deg", "rms_m"}) put(k, name, no_number);
     put(k, "shape", std::string("straight"));
     set_line(row.id, a, b);
     set_distances(row.id, a, u);

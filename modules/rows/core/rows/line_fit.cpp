@@ -1,13 +1,12 @@
 #include "rows/core/rows/line_fit.h"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "base/no_number.h"
 
 namespace bole::rows {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Moments {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -39,7 +38,7 @@ double row_angle_difference(double a_rad, double b_rad) {
 
 LineFit fit_orthogonal(const Points2& points) {
   const auto m = moments_of(points);
-  LineFit fit{m.mean, nan, nan, 0};
+  LineFit fit{m.mean, no_number, no_number, 0};
   if (!(m.xx + m.yy > 0)) return fit;
   fit.angle_rad = row_angle(0.5 * std::atan2(2 * m.xy, m.xx - m.yy));
   const double half = (m.xx + m.yy) / 2, root = std::hypot((m.xx - m.yy) / 2, m.xy);
@@ -52,7 +51,7 @@ LineFit fit_orthogonal(const Points2& points) {
 
 LineFit fit_least_squares(const Points2& points) {
   const auto m = moments_of(points);
-  LineFit fit{m.mean, nan, nan, 0};
+  LineFit fit{m.mean, no_number, no_number, 0};
   if (!(m.xx + m.yy > 0)) return fit;
   const bool eastward = m.xx >= m.yy;
   const double along = eastward ? m.xx : m.yy, across = eastward ? m.yy : m.xx;

@@ -1,15 +1,14 @@
 #include "rows/core/rows/row_tables.h"
 
 #include <cmath>
-#include <limits>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 #include "base/statistics.h"
 
 namespace bole::rows {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double guidance_step_m = 1;
 
 using Ids = Table::Values;
@@ -56,7 +55,7 @@ Table rows_table(const RowSet& set) {
   std::vector<double> angle, se, lo, hi, x0, y0, x1, y1, spacing, spacing_sd, next, length, sagitta, rms;
   std::vector<std::string> shape;
   std::vector<int> index_in_block(set.rows.size());
-  std::vector<double> to_next(set.rows.size(), nan);
+  std::vector<double> to_next(set.rows.size(), no_number);
   for (const auto& b : set.blocks)
     for (std::size_t k = 0; k < b.rows.size(); ++k) {
       index_in_block[static_cast<std::size_t>(b.rows[k])] = static_cast<int>(k) + 1;
@@ -154,7 +153,7 @@ Table plants_table(const RowSet& set) {
     };
     for (std::size_t i = 0; i < row.plants.size(); ++i) {
       for (; gap != row.missing.end() && gap->number < row.numbers[i]; ++gap)
-        add(gap->number, -1, gap->at + set.origin, nan);
+        add(gap->number, -1, gap->at + set.origin, no_number);
       const auto& p = set.plants[static_cast<std::size_t>(row.plants[i])];
       add(row.numbers[i], row.plants[i], stem_at(row.plants[i]),
           row.plants.size() < 2 ? 0 : row.curve.foot(p).across_m);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "base/arrays.h"
+#include "base/no_number.h"
 #include "stems/core/edits/relabel_points.h"
 #include "stems/core/edits/table_rows.h"
 #include "stems/core/fit/circle_fit.h"
@@ -17,8 +17,6 @@ namespace {
 
 using Action = StemEdit::Action;
 using Eigen::Vector2d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Why an edit cannot be applied; told, never thrown further.
 struct Conflict {
@@ -170,14 +168,14 @@ class Editor {
   void set_diameter(std::size_t row, double dbh_cm) {
     stems_.set(row, "dbh_cm", dbh_cm);
     forget_sections(row);
-    stems_.set(row, "dbh_lo_cm", nan), stems_.set(row, "dbh_hi_cm", nan);
-    stems_.set(row, "girth_dbh_cm", nan), stems_.set(row, "ovality_pct", nan);
+    stems_.set(row, "dbh_lo_cm", no_number), stems_.set(row, "dbh_hi_cm", no_number);
+    stems_.set(row, "girth_dbh_cm", no_number), stems_.set(row, "ovality_pct", no_number);
     forget_form(row);
   }
 
   // What was computed of a diameter or height that no longer holds.
   void forget_form(std::size_t row) {
-    stems_.set(row, "volume_m3", nan), stems_.set(row, "volume_method", std::string());
+    stems_.set(row, "volume_m3", no_number), stems_.set(row, "volume_method", std::string());
   }
 
   void forget(std::size_t row) {
@@ -290,7 +288,7 @@ class Editor {
   }
 
   double ground_at(const Vector2d& at) const {
-    if (in_.slice == nullptr || !in_.slice->has(arrays::height_above_ground)) return nan;
+    if (in_.slice == nullptr || !in_.slice->has(arrays::height_above_ground)) return no_number;
     const auto& heights = in_.slice->values<float>(arrays::height_above_ground);
     double sum = 0;
     int n = 0;
@@ -298,7 +296,7 @@ class Editor {
       const Eigen::Vector3d p = in_.slice->position(i);
       if ((p.head<2>() - at).norm() < 1) sum += p.z() - static_cast<double>(heights[i]), ++n;
     }
-    return n > 0 ? sum / n : nan;
+    return n > 0 ? sum / n : no_number;
   }
 
   static constexpr double bark_reach_m = 0.05, bark_bottom_m = 0.1, bark_top_m = 4;  // the points of an added stem
