@@ -87,11 +87,11 @@ void register_stages(pipeline::StageRegistry& registry) {
   t.vtk_class = "vtkBoleEvaluatePlot";
   t.title = "Evaluate a plot";
   t.help =
-      "Compares stems and trajectory with a reference: one-to-one matching by the Hungarian method within distance and "
-      "diameter gates, completeness and correctness, mean and covariance of the position error, bias and "
-      "RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; "
-      "rejected stems take no part; absolute and relative "
-      "error of the trajectory. Without a reference the tables are empty.";
+      "Compares stems and trajectory with a reference. Stems are matched one to one (Hungarian method) within distance "
+      "and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of "
+      "the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is "
+      "connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a "
+      "reference the tables are empty.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},
               {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},

@@ -97,9 +97,9 @@ pipeline::StageType edit_stage() {
   t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
-      "Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
-      "each with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied "
-      "anew after every run, by place. What no longer fits is a conflict: it changes nothing and is listed.";
+      "Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject and note, "
+      "each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied "
+      "again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed.";
   t.source = "Bole";
   t.inputs = {{"stems", DataKind::table, "Stems as measured.", false, {}},
               {"sections", DataKind::table, "Circles along the stems.", true, {}},

@@ -1126,7 +1126,7 @@
             <translation>以样地中心为圆心、统计树木所用圆环的宽度;需要样地。</translation>
         </message>
         <message>
-            <source>How the stems are moved onto the reference before errors are taken: not at all, by the best shift, by shift and rotation (rigid), or after trying every rotation and shift (search), for maps with another origin and north.</source>
+            <source>Alignment of the stems with the reference before errors are computed: none, shift, rigid (shift and rotation), or search (all rotations and shifts are tried, for maps with another origin and north).</source>
             <translation>计算误差前如何将单木移到参考数据上:不移动(none)、最佳平移(shift)、平移加旋转(rigid),或尝试所有旋转和平移(search),用于原点和北方向不同的地图。</translation>
         </message>
         <message>
@@ -1182,7 +1182,7 @@
             <translation>相对位姿视为正确的回环所允许的最大旋转误差。</translation>
         </message>
         <message>
-            <source>Plot of the improved-LOAM paper whose published figures stand beside ours.</source>
+            <source>Plot of the improved-LOAM paper whose published figures are listed beside the results.</source>
             <translation>改进 LOAM 论文中的样地,其发表的数值与本次结果并列给出。</translation>
         </message>
         <message>
@@ -1478,7 +1478,7 @@
             <translation>更改后各行的直线拟合方法,同 rows.from_stems。</translation>
         </message>
         <message>
-            <source>Line fit of a row. least_squares, as in the paper: y = a x + b, or x = a y + b for rows that run more north than east; orthogonal: least distances across the line.</source>
+            <source>Line fit of a row. least_squares, as in the paper: y = a x + b, or x = a y + b for rows that run more north than east; orthogonal: smallest distances across the line.</source>
             <translation>行的直线拟合。普通最小二乘(least_squares),同论文:y = a x + b,行的走向偏南北时为 x = a y + b;正交(orthogonal):使垂直于直线的距离最小。</translation>
         </message>
         <message>
@@ -1658,7 +1658,7 @@
             <translation>忽略更细的树干:它们被视场边缘截断。</translation>
         </message>
         <message>
-            <source>Lower trunks are weeds.</source>
+            <source>Trunks lower than this are ignored (weeds).</source>
             <translation>更矮的树干视为杂草。</translation>
         </message>
         <message>
@@ -1778,11 +1778,11 @@
             <translation>稳健核函数(Geman-McClure)的尺度,以标准差为单位。值越大,粗差的权越大。</translation>
         </message>
         <message>
-            <source>Standard deviation of the distance between the end of a frame and the begin of the next one.</source>
+            <source>Standard deviation of the distance between the end of a frame and the start of the next frame.</source>
             <translation>一帧末尾与下一帧开头之间距离的标准差。</translation>
         </message>
         <message>
-            <source>Standard deviation of the rotation between the end of a frame and the begin of the next one.</source>
+            <source>Standard deviation of the rotation between the end of a frame and the start of the next frame.</source>
             <translation>一帧末尾与下一帧开头之间旋转的标准差。</translation>
         </message>
         <message>
@@ -1834,15 +1834,15 @@
             <translation>按环键取最近的若干个,比较其 Scan Context;此为其数量。</translation>
         </message>
         <message>
-            <source>Make the map. If false, only the trajectory is put out and the cloud is empty.</source>
+            <source>Make the map. Without it only the trajectory is output, and the cloud is empty.</source>
             <translation>建立地图。关闭时只输出轨迹,点云为空。</translation>
         </message>
         <message>
-            <source>Returns closer than this are not put into the map.</source>
+            <source>Returns closer than this are left out of the map.</source>
             <translation>距离小于此值的回波不进入地图。</translation>
         </message>
         <message>
-            <source>Returns farther than this are not put into the map.</source>
+            <source>Returns farther than this are left out of the map.</source>
             <translation>距离大于此值的回波不进入地图。</translation>
         </message>
         <message>
@@ -2054,7 +2054,7 @@
             <translation>与指令转角的偏差小于此值时,阀保持关闭(Qiu et al. 2001)。</translation>
         </message>
         <message>
-            <source>Constant error of the wheel-angle sensor. The integral part must compensate it.</source>
+            <source>Constant error of the wheel-angle sensor. The integral part must compensate for it.</source>
             <translation>轮角传感器的常值误差。须由积分部分补偿。</translation>
         </message>
         <message>
@@ -2110,7 +2110,7 @@
             <translation>含有编辑 JSON 列表的文件。</translation>
         </message>
         <message>
-            <source>An edit belongs to the nearest stem when that stands no further away than this.</source>
+            <source>Maximum distance between an edit and the stem that it changes.</source>
             <translation>最近的单木与编辑的距离不超过此值时,编辑属于该单木。</translation>
         </message>
         <message>
@@ -2138,7 +2138,7 @@
             <translation>单木偏离铅垂方向的最大倾斜。</translation>
         </message>
         <message>
-            <source>A stem must show a circle at this many heights. A larger value rejects more bushes and more hidden stems.</source>
+            <source>A stem must show a circle at this many heights. A larger value rejects more bushes, but also more hidden stems.</source>
             <translation>单木须在此数量的高度上都呈现圆形。值越大,排除的灌丛越多,但排除的被遮挡单木也越多。</translation>
         </message>
         <message>
@@ -2186,7 +2186,7 @@
             <translation>单次测距的标准差;点云(cloud):按点云所给。传感器噪声较大时,它会提高 max_sigma。</translation>
         </message>
         <message>
-            <source>Mean depth of the bark below the ridges on which a tape lies. The ray model also sees the fissures and adds this depth to the radius: smooth bark 0, medium bark 1 mm, pine or oak more.</source>
+            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more.</source>
             <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度。射线模型也会看到裂缝,因此将此深度加到半径上:光滑树皮 0,中等树皮 1 mm,松树或栎树更大。</translation>
         </message>
         <message>
@@ -2194,7 +2194,7 @@
             <translation>由全部单木估计平均测距误差并消除。它来自激光器,或来自离单木过近的位姿。</translation>
         </message>
         <message>
-            <source>Standard deviation of the range offset of calibrated sensors. The estimate is regularised towards zero with it; a larger value lets the stems decide more.</source>
+            <source>Standard deviation of the range offset of calibrated sensors. The estimate is regularised towards zero with it; a larger value follows the stems more closely.</source>
             <translation>已检校传感器测距偏移的标准差。估计值据此向零正则化;值越大,越由单木决定。</translation>
         </message>
         <message>
@@ -2246,7 +2246,7 @@
             <translation>标靶的最大尺寸。更大的强回波群(标志牌、车辆)被拒绝。</translation>
         </message>
         <message>
-            <source>A target must be seen from sensor positions at least this far apart; jackets and glints are not. Not checked where the cloud has no sensor positions.</source>
+            <source>A target must be seen from sensor positions at least this far apart. This rejects reflective jackets and glints; it is not checked where the cloud has no sensor positions.</source>
             <translation>标靶须从相距至少此值的传感器位置都能看到;反光衣和反光点则不能。点云没有传感器位置时不检查。</translation>
         </message>
         <message>
@@ -2286,11 +2286,11 @@
             <translation>圆的半径,水平。</translation>
         </message>
         <message>
-            <source>Centre of a rectangle or circle, x in the axes of the stems.</source>
+            <source>x of the centre of a rectangle or circle, in the axes of the stems.</source>
             <translation>矩形或圆的中心,单木坐标系中的 x。</translation>
         </message>
         <message>
-            <source>Centre of a rectangle or circle, y in the axes of the stems.</source>
+            <source>y of the centre of a rectangle or circle, in the axes of the stems.</source>
             <translation>矩形或圆的中心,单木坐标系中的 y。</translation>
         </message>
         <message>

@@ -135,7 +135,7 @@
     <context>
         <name>stage help</name>
         <message>
-            <source>Compares stems and trajectory with a reference: one-to-one matching by the Hungarian method within distance and diameter gates, completeness and correctness, mean and covariance of the position error, bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre; rejected stems take no part; absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
+            <source>Compares stems and trajectory with a reference. Stems are matched one to one (Hungarian method) within distance and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
             <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。</translation>
         </message>
         <message>
@@ -243,7 +243,7 @@
             <translation>论文中的试验整定方法:减小预瞄距离直至轻微振荡,再加一米;增大 P 直至轻微振荡;增大 D 直至振荡消失;在不振荡的前提下增大 I。</translation>
         </message>
         <message>
-            <source>Applies what a person decided: add, delete, move, resize, set_height, split, merge, accept, reject and note, each with author, time and reason. The inputs are never changed; the edits are kept in the pipeline and applied anew after every run, by place. What no longer fits is a conflict: it changes nothing and is listed.</source>
+            <source>Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject and note, each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed.</source>
             <translation>应用人工决定:add、delete、move、resize、set_height、split、merge、accept、reject 和 note,每条都带有作者、时间和原因。输入不会改变;编辑保存在流程中,每次运行后按位置重新应用。不再适用的编辑为冲突:它不作任何更改,并会列出。</translation>
         </message>
         <message>

@@ -29,10 +29,10 @@ const OptionTable& option_table(const EvaluationOptions*) {
                         {0.5, 1000},
                         Tier::advanced,
                         "Width of the rings around the plot centre in which trees are counted; needs a plot."},
-      Option<S, AlignStems>{"align_stems", &S::align_stems, Tier::basic,
-                            "How the stems are moved onto the reference before errors are taken: not at all, by the "
-                            "best shift, by shift and rotation (rigid), or after trying every rotation and shift "
-                            "(search), for maps with another origin and north."},
+      Option<S, AlignStems>{
+          "align_stems", &S::align_stems, Tier::basic,
+          "Alignment of the stems with the reference before errors are computed: none, shift, rigid (shift and "
+          "rotation), or search (all rotations and shifts are tried, for maps with another origin and north)."},
       Option<S, std::string>{
           "columns",
           &S::columns,
@@ -111,8 +111,9 @@ const OptionTable& option_table(const EvaluationOptions*) {
                         {0.01, 180},
                         Tier::advanced,
                         "Maximum rotation error of a loop whose relative pose counts as true."},
-      Option<S, PublishedPlot>{"published_plot", &S::published_plot, Tier::advanced,
-                               "Plot of the improved-LOAM paper whose published figures stand beside ours."},
+      Option<S, PublishedPlot>{
+          "published_plot", &S::published_plot, Tier::advanced,
+          "Plot of the improved-LOAM paper whose published figures are listed beside the results."},
   });
   return table;
 }

@@ -54,7 +54,7 @@ Entries<S> tractor_entries() {
                 Unit::degree,
                 {-10, 10},
                 Tier::advanced,
-                "Constant error of the wheel-angle sensor. The integral part must compensate it."},
+                "Constant error of the wheel-angle sensor. The integral part must compensate for it."},
       Number<S>{"wheel_disturbance",
                 &S::wheel_disturbance_deg,
                 Unit::degree,

@@ -56,8 +56,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                          Unit::none,
                          {2, 20},
                          Tier::advanced,
-                         "A stem must show a circle at this many heights. A larger value rejects more bushes and more "
-                         "hidden stems."},
+                         "A stem must show a circle at this many heights. A larger value rejects more bushes, but also "
+                         "more hidden stems."},
           Option<S, int>{"min_section_points",
                          &S::min_section_points,
                          Unit::none,
@@ -129,14 +129,13 @@ const OptionTable& option_table(const MeasureOptions*) {
               Tier::expert,
               "Standard deviation of a single range; cloud: as the cloud says. It raises max_sigma for noisy "
               "sensors."},
-          Option<S, double>{
-              "bark_relief",
-              &S::bark_relief,
-              Unit::metre,
-              {0, 0.03},
-              Tier::advanced,
-              "Mean depth of the bark below the ridges on which a tape lies. The ray model also sees the fissures and "
-              "adds this depth to the radius: smooth bark 0, medium bark 1 mm, pine or oak more."},
+          Option<S, double>{"bark_relief",
+                            &S::bark_relief,
+                            Unit::metre,
+                            {0, 0.03},
+                            Tier::advanced,
+                            "Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds "
+                            "it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more."},
           Option<S, bool>{"estimate_range_offset", &S::estimate_range_offset, Tier::expert,
                           "Estimate the mean range error from all stems and remove it. It comes from the lasers, or "
                           "from poses that lie too close to the stems."},
@@ -146,7 +145,7 @@ const OptionTable& option_table(const MeasureOptions*) {
                             {0.0001, 0.05},
                             Tier::expert,
                             "Standard deviation of the range offset of calibrated sensors. The estimate is regularised "
-                            "towards zero with it; a larger value lets the stems decide more."},
+                            "towards zero with it; a larger value follows the stems more closely."},
           Option<S, double>{"range_bias",
                             &S::range_bias,
                             Unit::metre,

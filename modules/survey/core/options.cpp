@@ -31,8 +31,8 @@ const OptionTable& option_table(const FrameOptions*) {
                         Unit::metre,
                         {0.0, 100.0},
                         Tier::advanced,
-                        "A target must be seen from sensor positions at least this far apart; jackets and glints are "
-                        "not. Not checked where the cloud has no sensor positions."},
+                        "A target must be seen from sensor positions at least this far apart. This rejects reflective "
+                        "jackets and glints; it is not checked where the cloud has no sensor positions."},
       Option<S, double>{
           "target_distance",
           &S::target_distance,

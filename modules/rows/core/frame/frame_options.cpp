@@ -116,7 +116,7 @@ const OptionTable& option_table(const TrunkOptions*) {
              Tier::advanced),
       metres("min_diameter", &S::min_diameter, 0, 10, "Thinner trunks are ignored: the edge of the view cuts them.",
              Tier::advanced),
-      metres("min_height", &S::min_height, 0, 20, "Lower trunks are weeds.", Tier::advanced),
+      metres("min_height", &S::min_height, 0, 20, "Trunks lower than this are ignored (weeds).", Tier::advanced),
       Option<S, double>{"min_filled",
                         &S::min_filled,
                         Unit::none,

@@ -6,10 +6,9 @@ const OptionTable& option_table(const RowOptions*) {
   using S = RowOptions;
   using OpenNumber = Option<S, std::optional<double>>;
   static const OptionTable table = make_option_table<S>({
-      Option<S, LineFitMethod>{
-          "fit", &S::fit, Tier::advanced,
-          "Line fit of a row. least_squares, as in the paper: y = a x + b, or x = a y + b for rows "
-          "that run more north than east; orthogonal: least distances across the line."},
+      Option<S, LineFitMethod>{"fit", &S::fit, Tier::advanced,
+                               "Line fit of a row. least_squares, as in the paper: y = a x + b, or x = a y + b for "
+                               "rows that run more north than east; orthogonal: smallest distances across the line."},
       OpenNumber{"plant_spacing",
                  &S::plant_spacing,
                  Unit::metre,

@@ -329,7 +329,7 @@ const OptionTable& option_table(const EditOptions*) {
                         Unit::metre,
                         {0.01, 10},
                         Tier::advanced,
-                        "An edit belongs to the nearest stem when that stands no further away than this."},
+                        "Maximum distance between an edit and the stem that it changes."},
       Option<S, double>{"doubt",
                         &S::doubt,
                         Unit::centimetre,
