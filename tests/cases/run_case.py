@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs one case: simulates a scan when asked, runs a pipeline on it, and compares what it writes with what is expected.
 
---expect  STAGE.NAME OP NUMBER, where NAME is a metric or a count of the stage in summary.json: 'evaluate.dbh_rmse<=1.0'
+--expect  STAGE.NAME OP NUMBER, where NAME is a metric or a count of the stage in summary.json: 'evaluate.dbh_rmse<=1.0',
+          or STAGE.FACT=='TEXT': "stems.beam_divergence=='0.5 mrad (Dome-64)'"
 --table   a table of the run and an expected one, column by column (compare_tables.py):
           'stems.csv = {scan}/trees.csv, nearest x_m y_m within 0.5, dbh_cm 1.5'
 """
@@ -40,16 +41,22 @@ def value_of(summary, path):
         return stage["metrics"][name]["value"]
     if name in stage["counts"]:
         return stage["counts"][name]
-    sys.exit(f"{stage_id} has no metric or count '{name}'; it has {', '.join(sorted(stage['metrics']) + sorted(stage['counts']))}")
+    if name in stage["facts"]:
+        return stage["facts"][name]
+    known = sorted(stage["metrics"]) + sorted(stage["counts"]) + sorted(stage["facts"])
+    sys.exit(f"{stage_id} has no metric, count or fact '{name}'; it has {', '.join(known)}")
 
 
 def check(summary, expectation):
-    match = re.fullmatch(r"([\w.]+)(<=|>=|==)(-?[\d.]+)", expectation)
+    match = re.fullmatch(r"([\w.]+)(<=|>=|==)(-?[\d.]+|'[^']*')", expectation)
     if not match:
         sys.exit(f"cannot read the expectation '{expectation}'")
     path, operator, bound = match.groups()
     value = value_of(summary, path)
-    good = value is not None and OPERATORS[operator](value, float(bound))
+    if bound.startswith("'"):
+        good = operator == "==" and value == bound[1:-1]
+    else:
+        good = isinstance(value, (int, float)) and OPERATORS[operator](value, float(bound))
     print(f"{'ok  ' if good else 'FAIL'} {path} = {value} (expected {operator} {bound})")
     return good
 
