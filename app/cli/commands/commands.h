@@ -7,7 +7,7 @@
 namespace bole::cli {
 
 struct Program {
-  CLI::App app{"Bole: from LiDAR scans to a stem map that can be signed."};
+  CLI::App app{"Bole: from LiDAR scans to a stem map that can be signed.", "bole"};
   int exit_code = 0;
 };
 

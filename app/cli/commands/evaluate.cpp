@@ -85,7 +85,7 @@ void compare_trajectories(const Arguments& args) {
 }  // namespace
 
 void add_evaluate(Program& program) {
-  auto* command = program.app.add_subcommand("evaluate", "Hold a table or trajectory against a reference");
+  auto* command = program.app.add_subcommand("evaluate", "Compare a table or trajectory with a reference");
   command->require_subcommand(1);
   add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
     const auto result = evaluation::evaluate_stems(
