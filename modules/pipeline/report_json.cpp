@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/verdict.h"
 
 namespace bole::pipeline {
 namespace {
@@ -21,9 +22,21 @@ Unit unit_from_symbol(std::string_view symbol) {
   throw bad_input("unit '" + std::string(symbol) + "'", "a unit of Bole");
 }
 
+Finding finding_from_json(const ordered_json& j) {
+  Finding finding{j.at("code").get<std::string>(), Severity::note, j.at("text").get<std::string>()};
+  const auto name = j.at("severity").get<std::string>();
+  for (const auto severity : {Severity::look, Severity::refused})
+    if (severity_name(severity) == name) finding.severity = severity;
+  return finding;
+}
+
 }  // namespace
 
 std::string_view status_name(Status status) { return status_names[static_cast<std::size_t>(status)]; }
+
+ordered_json finding_to_json(const Finding& finding) {
+  return {{"code", finding.code}, {"severity", severity_name(finding.severity)}, {"text", finding.text}};
+}
 
 ordered_json report_to_json(const Report& report) {
   ordered_json j{{"status", status_name(report.status)},
@@ -39,6 +52,8 @@ ordered_json report_to_json(const Report& report) {
   }
   j["facts"] = report.facts;
   j["warnings"] = report.warnings;
+  j["findings"] = ordered_json::array();
+  for (const auto& finding : report.findings) j["findings"].push_back(finding_to_json(finding));
   return j;
 }
 
@@ -58,6 +73,7 @@ Report report_from_json(const ordered_json& j) {
   }
   report.facts = j.at("facts").get<std::map<std::string, std::string>>();
   report.warnings = j.at("warnings").get<std::vector<std::string>>();
+  for (const auto& finding : j.at("findings")) report.findings.push_back(finding_from_json(finding));
   return report;
 }
 

@@ -10,6 +10,7 @@ namespace bole::pipeline {
 
 std::string_view status_name(Status status);  // "ok", "finished_early", "warning"
 
+nlohmann::ordered_json finding_to_json(const Finding& finding);
 nlohmann::ordered_json report_to_json(const Report& report);
 // Throws nlohmann::json::exception or Error when the text is not one that report_to_json() made.
 Report report_from_json(const nlohmann::ordered_json& json);

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr int entry_format = 1;
+constexpr int entry_format = 2;
 
 ordered_json files_to_json(const std::vector<WrittenFile>& files) {
   auto list = ordered_json::array();

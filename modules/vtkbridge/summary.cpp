@@ -11,6 +11,7 @@
 #include <set>
 
 #include "base/memory.h"
+#include "base/verdict.h"
 #include "base/version.h"
 #include "pipeline/report_json.h"
 
@@ -84,6 +85,28 @@ std::string axes_of(const RunOutcome& outcome) {
   return axes;
 }
 
+// A run that failed is refused, whatever its stages found.
+Judgement judgement_of(const RunOutcome& outcome) {
+  std::vector<StageRecord> records;
+  for (const auto& stage : outcome.stages)
+    if (stage.state == StageState::done || stage.state == StageState::from_cache) records.push_back(stage.record);
+  auto judgement = judge(records);
+  if (outcome.exit_code == 0) return judgement;
+  judgement.verdict = Verdict::refused;
+  judgement.findings.insert(judgement.findings.begin(), {"", {"run_failed", Severity::refused, outcome.error}});
+  return judgement;
+}
+
+void add_judgement(ordered_json& j, const Judgement& judgement) {
+  j["verdict"] = verdict_name(judgement.verdict);
+  j["findings"] = ordered_json::array();
+  for (const auto& [stage, finding] : judgement.findings) {
+    auto entry = pipeline::finding_to_json(finding);
+    if (!stage.empty()) entry["stage"] = stage;
+    j["findings"].push_back(std::move(entry));
+  }
+}
+
 }  // namespace
 
 std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
@@ -93,6 +116,7 @@ std::string summary_json(const pipeline::PipelineDocument& document, const RunOu
                  {"finished_at", now_utc()},
                  {"exit_code", outcome.exit_code}};
   if (!outcome.error.empty()) j["error"] = outcome.error;
+  add_judgement(j, judgement_of(outcome));
   j["axes"] = axes_of(outcome);
   j["seconds"] = seconds;
   j["peak_mib"] = peak_resident_mib();

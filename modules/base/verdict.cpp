@@ -1,0 +1,58 @@
+#include "base/verdict.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bole {
+inline namespace base {
+namespace {
+
+bool is_finding(const Report& report, const std::string& warning) {
+  return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.text == warning; });
+}
+
+std::vector<Finding> findings_of(const StageRecord& stage) {
+  const Report& report = stage.report;
+  auto all = report.findings;
+  for (const auto& warning : report.warnings)
+    if (!is_finding(report, warning)) all.push_back({"warning", Severity::note, warning});
+  if (report.status == Status::finished_early)
+    all.push_back({"finished_early", Severity::look, "ended early on request: the result is not complete"});
+  return all;
+}
+
+Verdict verdict_for(Severity worst) {
+  switch (worst) {
+    case Severity::refused:
+      return Verdict::refused;
+    case Severity::look:
+      return Verdict::look;
+    default:
+      return Verdict::sign;
+  }
+}
+
+}  // namespace
+
+std::string_view severity_name(Severity severity) {
+  constexpr std::array<std::string_view, 3> names{"note", "look", "refused"};
+  return names[static_cast<std::size_t>(severity)];
+}
+
+std::string_view verdict_name(Verdict verdict) {
+  constexpr std::array<std::string_view, 3> names{"sign", "look", "refused"};
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+Judgement judge(const std::vector<StageRecord>& stages) {
+  Judgement out;
+  for (const auto& stage : stages)
+    for (auto& finding : findings_of(stage)) out.findings.push_back({stage.id, std::move(finding)});
+  std::ranges::stable_sort(out.findings, std::ranges::greater{},
+                           [](const StageFinding& f) { return f.finding.severity; });
+  if (!out.findings.empty()) out.verdict = verdict_for(out.findings.front().finding.severity);
+  return out;
+}
+
+}  // namespace base
+}  // namespace bole
