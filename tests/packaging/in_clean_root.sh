@@ -2,7 +2,9 @@
 # What clean_root.sh runs in the root, as a person without rights. Every step must succeed.
 #   in_clean_root.sh [qgis]
 set -euo pipefail
-cd "$(mktemp -d)"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
 step() { echo "== $*"; }
 
 step "bole --version"
