@@ -78,7 +78,8 @@ if(BOLE_ARCH)
   install(TARGETS ${hot_targets} LIBRARY DESTINATION ${BOLE_INSTALL_LIBRARY_DIR}/glibc-hwcaps/${BOLE_ARCH} COMPONENT hwcaps EXCLUDE_FROM_ALL)
 endif()
 if(BOLE_HWCAPS_BUILD)
-  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${BOLE_HWCAPS_BUILD}\" --component hwcaps --strip --prefix \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\"
+  # CPack hands its folder on by the environment variable DESTDIR, which holds for this installation too.
+  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${BOLE_HWCAPS_BUILD}\" --component hwcaps --strip --prefix \"\${CMAKE_INSTALL_PREFIX}\"
   COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)")
 endif()
 
