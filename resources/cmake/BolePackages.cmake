@@ -35,12 +35,13 @@ set(doc ${CMAKE_INSTALL_DATADIR}/doc)
 
 # Written by the program itself, so that they are never out of date.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
-add_custom_target(
-  packaging_files ALL
+add_custom_command(
+  OUTPUT ${made}/changelog.gz
   COMMAND ${Python3_EXECUTABLE} ${packaging}/make_files.py --bole $<TARGET_FILE:bole> --source ${CMAKE_SOURCE_DIR} --version ${PROJECT_VERSION} --maintainer
           ${BOLE_PACKAGE_MAINTAINER} --out ${made}
-  BYPRODUCTS ${made}/bole.1.gz
+  DEPENDS bole ${packaging}/make_files.py ${packaging}/bole-desktop.1 ${CMAKE_SOURCE_DIR}/CHANGELOG.md
   COMMENT "Printing manual pages and completions" VERBATIM)
+add_custom_target(packaging_files ALL DEPENDS ${made}/changelog.gz)
 
 install(DIRECTORY ${made}/program/ DESTINATION ${CMAKE_INSTALL_DATADIR})
 install(FILES ${packaging}/bole.lintian DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME bole)
