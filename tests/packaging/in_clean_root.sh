@@ -69,7 +69,7 @@ if [ "${1:-}" = qgis ]; then
   step "QGIS Processing"
   export QT_QPA_PLATFORM=offscreen
   process=$(command -v qgis_process.bin || command -v qgis_process) # the wrapper of Debian 12 hands on an option that the program does not know
-  $process plugins enable bole_provider > qgis_enable.log 2>&1 || { cat qgis_enable.log; exit 1; }
+  $process plugins enable bole_provider > qgis_enable.log 2>&1 || grep -q 'already enabled' qgis_enable.log || { cat qgis_enable.log; exit 1; }
   $process list 2> /dev/null | grep -A9 '^Bole'
   $process help bole:stem_map_from_cloud > qgis_help.log 2>&1
   grep -q 'ground' qgis_help.log
