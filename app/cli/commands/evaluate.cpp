@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/user_path.h"
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
 #include "evaluation/core/evaluate_rows.h"
@@ -61,6 +62,8 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
   add_option_flags(*command, args->options);
   add_option_flags(*command, args->plot, "plot-");
   command->callback([args, compare = std::move(compare)] {
+    for (auto* path : {&args->estimate, &args->reference, &args->figure, &args->out, &args->loops})
+      *path = expand_home(*path);
     args->options.check_all();
     args->plot.check_all();
     compare(*args);
