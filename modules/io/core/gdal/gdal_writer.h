@@ -33,7 +33,7 @@ struct VectorLayer {
   std::vector<std::vector<Eigen::Vector3d>> shapes;
   Table attributes;
   std::string crs_wkt;    // empty when not known
-  std::string style_qml;  // how QGIS draws the layer of a GeoPackage; empty: as it likes
+  std::string style_qml = {};  // how QGIS draws the layer of a GeoPackage; empty: as it likes
 };
 
 // A layer of points from a table with x_m, y_m and z_m (0 where it is absent or NaN). All columns are attributes.
