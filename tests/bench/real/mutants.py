@@ -10,7 +10,7 @@ deg, two registrations 5 cm apart, y up, feet, millimetres, every point twice, a
 
 A row is right when nine trees of ten that the cloud shows are found, sound or not, the diameters of the sound ones have a bias of at most 0.6 cm and an RMSE of at most 1.2 cm, and the
 ground from which breast height counts (z_m) is right to 0.10 m (median over the trees). Where it is not, the verdict must be refused, or look with a finding about the mutant. Else the row is SILENTLY
-WRONG, and the script exits 1.
+WRONG, and the script exits 1. The cloud as it is must come out right.
 """
 import argparse
 import json
@@ -134,7 +134,8 @@ def judge(mutant, result, trees, all_trees, terrain):
     false = [s for k, s in enumerate(stems) if k not in pairs.values() and not s["flagged"] and not any(math.hypot(s["x"] - t["x"], s["y"] - t["y"]) < 0.5 for t in all_trees)]
     right = result["code"] == 0 and len(pairs) >= FOUND * len(here) and abs(bias) <= BIAS_CM and rmse <= RMSE_CM and abs(height) <= HEIGHT_M and len(false) <= 1
     about = [f["code"] for f in result["findings"] if f["severity"] != "note" and any(a in f["code"] for a in mutant.about)]
-    told = result["verdict"] == "refused" or result["code"] != 0 or (result["verdict"] == "look" and bool(about))
+    refused = result["verdict"] == "refused" or (result["code"] != 0 and result["trouble"].startswith("bole: "))
+    told = mutant.about and (refused or (result["verdict"] == "look" and bool(about)))
     return {"state": "right" if right else "told" if told else "SILENTLY WRONG", "found": f"{len(pairs)} of {len(here)}", "sound": len(sound), "false": len(false),
             "dbh": f"{bias:+.2f} / {rmse:.2f}" if errors else "", "holding": f"{holding} of {len(pairs)}", "height": f"{height:+.2f}" if heights else ""}
 
