@@ -93,10 +93,11 @@ void take_small_unit(SeenCloud& seen, const Run& run) {
 
 // Stems or trees that are taller and thicker than nearly all on earth.
 void judge_size(const FirstSight& sight, const SeeCloudOptions& options, Report& report) {
-  if (options.unit || sight.kind == CloudKind::unknown) return;
+  if (options.unit || sight.kind == CloudKind::unknown || sight.kind == CloudKind::airborne) return;
   constexpr double tall_m = 50, thick_m = 0.75;
+  constexpr std::size_t min_stems = 3;
   const bool tall = sight.top_height_m > tall_m;
-  const bool thick = sight.stems > 0 && sight.stem_diameter_m > thick_m;
+  const bool thick = sight.stems >= min_stems && sight.stem_diameter_m > thick_m;
   const bool both = sight.top_height_m > 0.8 * tall_m && sight.stem_diameter_m > 0.8 * thick_m;
   if (!tall && !thick && !both) return;
   report.find(Severity::look, "unit_suspect",
@@ -132,11 +133,13 @@ void take_up(SeenCloud& seen, const SeeCloudOptions& options) {
                             choice_name(up), sight.stems, stems_along(sight)));
     return;
   }
-  if (sight.up || options.up || sight.along[2].stems > 0) return;
+  if (sight.up || options.up || sight.along[2].stems > 0 || sight.kind == CloudKind::single_tree) return;
   for (int axis = 0; axis < 2; ++axis) {
     const auto& e = sight.along[static_cast<std::size_t>(axis)];
     constexpr double surface = 0.5, times_of_z = 2;
-    const bool ground = e.ground_seen > surface && e.ground_seen > times_of_z * sight.along[2].ground_seen;
+    constexpr double wide_m = 8;  // of a ground that lies across the axis; what was cut out narrow has flat sides
+    const bool wide = sight.extent_m.z() > wide_m && sight.extent_m[1 - axis] > wide_m;
+    const bool ground = wide && e.ground_seen > surface && e.ground_seen > times_of_z * sight.along[2].ground_seen;
     if (e.stems == 0 && !ground) continue;
     report.find(
         Severity::look, "up_axis_unclear",
