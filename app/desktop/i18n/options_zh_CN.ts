@@ -1290,12 +1290,16 @@
             <translation>要读取的点云:LAZ、LAS、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
         </message>
         <message>
-            <source>Unit of the coordinates in the file.</source>
-            <translation>文件中坐标的单位。</translation>
+            <source>Unit of the coordinates in the file. auto: metre, unless the coordinate system of the file or the stems in it show another one for certain.</source>
+            <translation>文件中坐标的单位。自动(auto):米,除非文件的坐标系或其中的树干确切表明是其他单位。</translation>
         </message>
         <message>
-            <source>Axis of the file that points up. It is z in most files, and y in most files from phones and cameras.</source>
-            <translation>文件中向上的坐标轴。多数文件为 z,手机和相机生成的文件多为 y。</translation>
+            <source>Axis of the file that points up. It is z in most files, and y in most files from phones and cameras. auto: z, unless the stems show for certain that it is another one.</source>
+            <translation>文件中向上的坐标轴。多数文件为 z,手机和相机生成的文件多为 y。自动(auto):z,除非树干确切表明是其他轴。</translation>
+        </message>
+        <message>
+            <source>Turn a cloud that is not level. stems: until the mean direction of the stems is vertical; none: leave it as it is.</source>
+            <translation>调平倾斜的点云。树干(stems):旋转到树干的平均方向竖直;无(none):保持原样。</translation>
         </message>
         <message>
             <source>Coordinate system of the file. global: projected coordinates; plot: x to the east and y to the north of the plot centre.</source>
