@@ -18,8 +18,8 @@ std::vector<std::string> split_choices(const std::string& type_name) {
   return choices;
 }
 
-OptionEntry entry_of(const CLI::Option& option) {
-  OptionEntry entry;
+ArgumentEntry entry_of(const CLI::Option& option) {
+  ArgumentEntry entry;
   const bool positional = option.get_positional();
   entry.flag = positional                     ? option.get_name(true)
                : !option.get_lnames().empty() ? "--" + option.get_lnames().front()
@@ -65,7 +65,7 @@ std::vector<CommandEntry> command_table(const CLI::App& app) {
   return table;
 }
 
-std::vector<std::string> words_for(const CommandEntry& command, const OptionEntry& argument) {
+std::vector<std::string> words_for(const CommandEntry& command, const ArgumentEntry& argument) {
   if (!argument.choices.empty()) return argument.choices;
   if (argument.flag == "pipeline") return documents::shipped_pipelines();
   std::vector<std::string> words;
