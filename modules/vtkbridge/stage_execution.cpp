@@ -5,6 +5,7 @@
 #include "base/content_hash.h"
 #include "base/option_text.h"
 #include "base/verdict.h"
+#include "base/version.h"
 #include "cloud/large_cloud.h"
 
 namespace bole::vtkbridge {
@@ -104,7 +105,7 @@ std::string content_key(const Data& data) {
 std::string stage_key(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
                       ResultCache& cache, const std::filesystem::path& final_dir) {
   ContentHash hash;
-  hash.add_text(BOLE_VERSION);
+  hash.add_text(version());
   hash.add_text(type.name);
   hash.add_value(type.version);
   for (const auto& spec : type.options->specs) {

@@ -55,7 +55,7 @@ ordered_json table_json(const Table& table) {
 
 // Every library that takes part, by its name in small letters.
 ordered_json versions_json() {
-  ordered_json j{{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}};
+  ordered_json j{{"bole", version()}, {"vtk", vtkVersion::GetVTKVersion()}};
   for (auto [name, version] : library_versions()) {
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     j.emplace(name, version);
@@ -110,7 +110,7 @@ Judgement judgement_of(const RunOutcome& outcome) {
 
 std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
                          const std::filesystem::path& output_dir) {
-  ordered_json j{{"bole", BOLE_VERSION},
+  ordered_json j{{"bole", version()},
                  {"versions", versions_json()},
                  {"finished_at", now_utc()},
                  {"exit_code", program_exit_code(outcome)}};

@@ -94,6 +94,9 @@ void add_evaluate(Program& program) {
     const auto result = evaluation::evaluate_stems(
         io::read_table(args.estimate), io::read_table(args.reference), args.options.as<evaluation::EvaluationOptions>(),
         survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
+    if (!result.guessed_columns.empty())
+      fmt::print(stderr, "note: the columns of the reference were taken by their headings: {}; --reference-columns "
+                 "names others\n", result.guessed_columns);
     for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
     print_summary(result.summary, args.json);
   });

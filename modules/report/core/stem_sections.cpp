@@ -29,7 +29,7 @@ std::string stem_cell(const Table& stems, const StemColumn& column, double heigh
   if (const auto* texts = std::get_if<std::vector<std::string>>(stems.find(column.column))) return (*texts)[row];
   const std::string_view name = column.column;
   if (name == "tree_id") return stems.text(name, row, 0);
-  const double value = numbers_or_nan(stems, name)[row];
+  const double value = (name == "height_m" ? known_heights(stems) : numbers_or_nan(stems, name))[row];
   const bool lower_bound = name == "height_m" && height_seen == 0 && std::isfinite(value);
   return (lower_bound ? "≥ " : "") + render::fixed(value, column.decimals);
 }

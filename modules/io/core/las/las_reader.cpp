@@ -88,6 +88,15 @@ std::vector<std::uint32_t> not_withheld(const PointCloud& cloud) {
   return kept;
 }
 
+// The GPS time field was taken where no extra bytes of the name `time` stand for it.
+void take_time_kind(const LasInfo& info, PointCloud& cloud) {
+  const auto extra = std::ranges::find(info.extra_columns, arrays::time.name) != info.extra_columns.end();
+  const auto key = std::string(las::gps_time_fact);
+  cloud.facts.erase(key);
+  if (cloud.has(arrays::time) && !extra)
+    cloud.facts[key] = (info.global_encoding & las::standard_time_bit) != 0 ? las::gps_standard : las::gps_week;
+}
+
 PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, bool with_crs,
                     std::vector<std::string>& warnings, Report& findings) {
   const LasInfo info = las::parse_info(file, with_crs);
@@ -113,6 +122,7 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
         info.scale.minCoeff()));
   cloud.crs_wkt = info.crs_wkt;
   cloud.facts = las::read_facts(file, info, warnings);
+  take_time_kind(info, cloud);
   cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
   if (cloud.has("withheld")) {
     const std::vector<std::uint32_t> kept = not_withheld(cloud);
