@@ -57,7 +57,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string exit_codes_text() {
   std::string text;
-  for (const auto& row : exit_codes()) text += fmt::format("  {}  {}\n", static_cast<int>(row.code), row.meaning);
+  for (const auto& row : exit_codes) text += fmt::format("  {}  {}\n", static_cast<int>(row.code), row.meaning);
   return text;
 }
 
@@ -71,7 +71,7 @@ std::string manual_page(const std::string& description, const std::vector<Comman
   text += ".SH COMMANDS\n";
   for (const auto& command : commands) text += command_lines(command);
   text += ".SH EXIT STATUS\n";
-  for (const auto& row : exit_codes())
+  for (const auto& row : exit_codes)
     text += fmt::format(".TP\n{}\n{}\n", static_cast<int>(row.code), roff(std::string(row.meaning)));
   text +=
       ".SH FILES\n.TP\n\\fIDIR\\fR/summary.json\nResults for programs: verdict (sign, look, refused), findings, "
