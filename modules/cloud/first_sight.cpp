@@ -422,9 +422,9 @@ CloudKind kind_of(const FirstSight& sight) {
 bool looks_normalised(const std::vector<float>& lowest_m) {
   constexpr std::size_t min_cells = 25;
   if (lowest_m.size() < min_cells) return false;
-  constexpr float middle_m = 0.1F, most_m = 0.25F;
-  return std::abs(quantile(lowest_m, 0.5)) < middle_m && quantile(lowest_m, 0.05) > -most_m &&
-         quantile(lowest_m, 0.9) < most_m;
+  constexpr float middle_m = 0.1F, max_height = 0.25F;
+  return std::abs(quantile(lowest_m, 0.5)) < middle_m && quantile(lowest_m, 0.05) > -max_height &&
+         quantile(lowest_m, 0.9) < max_height;
 }
 
 FirstSight first_sight(const PointCloud& cloud, const Run& run) {
