@@ -147,7 +147,7 @@ class StemFitter {
  private:
   // Which points take part depends on the fit before: only where both agree does the stem no longer depend on where the
   // search found it.
-  static constexpr int max_rounds = 5;
+  static constexpr int max_rounds = 4;
   static bool settled(const CylinderFit& fit, double radius_before) {
     constexpr double still_m = 5e-5;
     return std::hypot(fit.cylinder.x, fit.cylinder.y) < still_m &&
