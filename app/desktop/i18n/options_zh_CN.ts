@@ -2190,8 +2190,12 @@
             <translation>单次测距的标准差;点云(cloud):按点云所给。传感器噪声较大时,它会提高 max_sigma。</translation>
         </message>
         <message>
-            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more.</source>
-            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度。射线模型也会看到裂缝,因此将此深度加到半径上:光滑树皮 0,中等树皮 1 mm,松树或栎树更大。</translation>
+            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. A convention: the points do not show it. 0: diameters of the mean bark; medium bark 1 mm, pine or oak more.</source>
+            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度;射线模型将其加到半径上。这是约定,点云并不显示它。0:平均树皮处的直径;中等树皮 1 mm,松树或栎树更大。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of bark_relief: how far the bark may be from the convention. The intervals allow for it.</source>
+            <translation>bark_relief 的标准差:树皮可能偏离约定的程度。区间已将其计入。</translation>
         </message>
         <message>
             <source>Estimate the mean range error from all stems and remove it. It comes from the lasers, or from poses that lie too close to the stems.</source>
@@ -2202,8 +2206,8 @@
             <translation>已检校传感器测距偏移的标准差。估计值据此向零正则化;值越大,越由单木决定。</translation>
         </message>
         <message>
-            <source>Standard deviation of the range error that all points of a stem share, fissures of the bark included. A larger value widens the intervals.</source>
-            <translation>同一单木所有点共有的测距误差的标准差,包括树皮裂缝。值越大,区间越宽。</translation>
+            <source>Standard deviation of the range error that all points of a stem share. A larger value widens the intervals.</source>
+            <translation>同一单木所有点共有的测距误差的标准差。值越大,区间越宽。</translation>
         </message>
         <message>
             <source>A pause of this length between returns from a stem starts a new pass of the walk.</source>
