@@ -197,9 +197,11 @@ void judge_walls(const FirstSight& sight, Report& report) {
 }
 
 void judge_density(const FirstSight& sight, Report& report) {
-  if (sight.kind == CloudKind::airborne) {
+  constexpr double sparse_per_m2 = 100, wide_m = 8;
+  const bool wide = sight.extent_m.head<2>().minCoeff() > wide_m;
+  if (sight.stems == 0 && wide && sight.points_per_m2 < sparse_per_m2) {
     report.find(Severity::look, "no_stems_in_sight",
-                fmt::format("no stem is seen at {:.1f} points per m2: the cloud looks airborne. It is good for terrain "
+                fmt::format("no stem is seen at {:.1f} points per m2: too sparse, or airborne. It is good for terrain "
                             "and heights; diameters cannot be measured in it",
                             sight.points_per_m2));
   } else if (sight.stems > 0 && sight.points_per_stem < needed_points_per_stem) {
