@@ -18,6 +18,7 @@ BELOW = {
     "sensor": {"base", "cloud"},
     "geo": {"base", "cloud"},
     "pipeline": {"base", "cloud"},
+    "documents": {"base", "pipeline", "io"},
     "vtkbridge": {"base", "cloud", "pipeline"},
     "render": {"base", "cloud"},
     "report": {"base", "cloud", "pipeline", "render", "io"},
