@@ -53,6 +53,7 @@ if(BOLE_FUZZ)
 endif()
 
 include(BolePrecompiled)
+include(BoleUnity)
 
 # bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [OPTIONS option...] [STAGES])
 #   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp apart). Headers are included
@@ -105,9 +106,10 @@ function(bole_stages_library)
   install(TARGETS bole_stages)
 endfunction()
 
-# bole_tests(NAME [LINK target...]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a ctest.
+# bole_tests(NAME [LINK target...] [UNITY n]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a
+# ctest. UNITY: n files are compiled as one.
 function(bole_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "UNITY" "LINK")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*Test.cxx)
   if(NOT sources)
     return()
@@ -117,6 +119,9 @@ function(bole_tests name)
   target_link_libraries(${name}_tests PRIVATE ${arg_LINK} GTest::gmock_main bole_build)
   target_compile_definitions(${name}_tests PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
   bole_precompile(${name}_tests TEST)
+  if(arg_UNITY)
+    bole_unity(${name}_tests BATCH ${arg_UNITY})
+  endif()
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 
