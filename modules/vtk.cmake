@@ -24,7 +24,8 @@ vtk_module_build(
   PACKAGE BoleVTK
   INSTALL_HEADERS OFF
   TEST_DIRECTORY_NAME NONE
-  LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  TARGETS_COMPONENT program
+  LIBRARY_DESTINATION ${BOLE_INSTALL_LIBRARY_DIR}
   HIERARCHY_DESTINATION ${CMAKE_INSTALL_LIBDIR}/bole/hierarchy)
 
 add_library(bole::vtkbridge ALIAS vtkBoleBridge)
@@ -32,13 +33,14 @@ add_library(bole::vtkbridge ALIAS vtkBoleBridge)
 if(BOLE_PYTHON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
   find_package(VTK 9.1 REQUIRED COMPONENTS Python WrappingPythonCore)
-  set(BOLE_PYTHON_DIR "${CMAKE_BINARY_DIR}/lib/python")
+  set(BOLE_PYTHON_DIR "${CMAKE_BINARY_DIR}/${BOLE_INSTALL_PYTHON_DIR}")
   vtk_module_wrap_python(
     MODULES ${bole_vtk_modules}
     TARGET Bole::Python
     PYTHON_PACKAGE bole
-    MODULE_DESTINATION lib/python
-    LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    MODULE_DESTINATION ${BOLE_INSTALL_PYTHON_DIR}
+    LIBRARY_DESTINATION ${BOLE_INSTALL_LIBRARY_DIR}
+    COMPONENT python
     INSTALL_HEADERS OFF)
 
   # bole/__init__.py brings the classes of all modules together.
@@ -47,6 +49,15 @@ if(BOLE_PYTHON)
     string(REPLACE "Bole::" "" name ${module})
     string(APPEND bole_python_imports "from .${name} import *\n")
   endforeach()
+  set(installed_init ${CMAKE_BINARY_DIR}/generated/installed/__init__.py)
+  set(bole_libraries ${BOLE_LIBRARIES_FROM_PYTHON})
+  configure_file(${CMAKE_SOURCE_DIR}/resources/cmake/bole_init.py.in ${installed_init} @ONLY)
+  install(FILES ${installed_init} DESTINATION ${BOLE_INSTALL_PYTHON_DIR}/bole COMPONENT python)
+  file(RELATIVE_PATH bole_libraries ${BOLE_PYTHON_DIR}/bole ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
   configure_file(${CMAKE_SOURCE_DIR}/resources/cmake/bole_init.py.in ${BOLE_PYTHON_DIR}/bole/__init__.py @ONLY)
-  install(FILES ${BOLE_PYTHON_DIR}/bole/__init__.py DESTINATION lib/python/bole)
+  # PYTHONPATH=build/headless/lib/python is short to type.
+  if(IS_DIRECTORY ${CMAKE_BINARY_DIR}/lib/python AND NOT IS_SYMLINK ${CMAKE_BINARY_DIR}/lib/python)
+    file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/lib/python) # of a build before this layout: its modules would be taken for current ones
+  endif()
+  file(CREATE_LINK python3/dist-packages ${CMAKE_BINARY_DIR}/lib/python SYMBOLIC)
 endif()

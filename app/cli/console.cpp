@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/drafts.h"
+#include "base/exit_codes.h"
+
 namespace bole::cli {
 namespace {
 
@@ -47,32 +50,58 @@ void ProgressLine::update(std::string_view step, double fraction, std::string_vi
   std::fflush(stderr);
 }
 
-// Signals are blocked in every thread and taken by one that waits for them: nothing runs in signal context.
-Interrupts::Interrupts(First first) {
+namespace {
+
+sigset_t stop_signals() {
   sigset_t set;
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  return set;
+}
+
+}  // namespace
+
+// Signals are blocked in every thread and taken by one that waits for them: nothing runs in signal context.
+Interrupts::Interrupts(First first) {
+  const sigset_t set = stop_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
-  watcher_ = std::jthread([this, set, first](std::stop_token stop) {
-    const timespec patience{0, 100'000'000};
-    while (!stop.stop_requested()) {
-      const int signal_number = sigtimedwait(&set, nullptr, &patience);
-      if (signal_number != SIGINT && signal_number != SIGTERM) continue;
-      if (first == First::finishes && !finish_.stop_requested()) {
-        finish_.request_stop();
-        fmt::print(stderr, "\nFinishing with what there is so far; interrupt again to cancel.\n");
-      } else {
-        cancel_.request_stop();
-        fmt::print(stderr, "\nCancelling.\n");
-      }
-    }
-  });
+  watcher_ = std::jthread([this, first](const std::stop_token& stop) { watch(stop, first); });
 }
 
 Interrupts::~Interrupts() {
   watcher_.request_stop();
   watcher_.join();
+}
+
+void Interrupts::cancel_now() {
+  if (cancel_.stop_requested()) return;
+  cancelled_at_ = std::chrono::steady_clock::now();
+  cancel_.request_stop();
+  fmt::print(stderr, "\nCancelling.\n");
+}
+
+void Interrupts::watch(const std::stop_token& stop, First first) {
+  const sigset_t set = stop_signals();
+  const timespec pause{0, 50'000'000};
+  while (!stop.stop_requested()) {
+    const int signal_number = sigtimedwait(&set, nullptr, &pause);
+    if (signal_number == SIGTERM || (signal_number == SIGINT && first == First::cancels)) {
+      cancel_now();
+    } else if (signal_number == SIGINT && !finish_.stop_requested()) {
+      finish_.request_stop();
+      fmt::print(stderr, "\nFinishing with what there is so far; interrupt again to cancel.\n");
+    } else if (signal_number == SIGINT) {
+      cancel_now();
+    }
+    const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - cancelled_at_;
+    if (cancel_.stop_requested() && waited.count() > patience_s && !stop.stop_requested()) {
+      remove_own_drafts();
+      fmt::print(stderr, "bole: cancelled on request. Nothing was changed\n");
+      std::fflush(nullptr);
+      _exit(static_cast<int>(ExitCode::cancelled));
+    }
+  }
 }
 
 }  // namespace bole::cli

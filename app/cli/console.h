@@ -29,8 +29,10 @@ class ProgressLine {
   std::chrono::steady_clock::time_point step_start_, last_draw_;
 };
 
-// While it lives, the first Ctrl-C (or SIGTERM) asks to finish with the best so far, the second to cancel. Work that
-// has no best so far is cancelled at once.
+// While it lives, the first Ctrl-C asks to finish with the best so far, the second cancels; SIGTERM always cancels.
+// Work that has no best so far is cancelled at once. Work that does not end within patience_s of a cancel (a blocked
+// file system, a library that cannot be interrupted) is left: temporary files are removed and the program ends with the
+// exit code of a cancel. Results are put in place at the end only, so that nothing is half written.
 class Interrupts {
  public:
   enum class First { finishes, cancels };
@@ -43,7 +45,12 @@ class Interrupts {
   std::stop_token cancel() const { return cancel_.get_token(); }
 
  private:
+  void watch(const std::stop_token& stop, First first);
+  void cancel_now();
+
+  static constexpr double patience_s = 0.35;
   std::stop_source finish_, cancel_;
+  std::chrono::steady_clock::time_point cancelled_at_;
   std::jthread watcher_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSurfaceFormat>
 #include <clocale>
 
@@ -48,6 +49,9 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName("Bole");
   QApplication::setOrganizationName("Bole");
+  // The menu entry of the package: desktops find name and icon of the window by it.
+  QGuiApplication::setDesktopFileName("bole-desktop");
+  QApplication::setWindowIcon(QIcon::fromTheme("bole"));
   QApplication::setApplicationVersion(QString::fromStdString(std::string(bole::version())));
   bole::pipeline::register_all_stages(bole::pipeline::StageRegistry::global());
   bole::report::register_stages(bole::pipeline::StageRegistry::global());

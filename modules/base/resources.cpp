@@ -18,7 +18,7 @@ std::filesystem::path installed_resource_dir() {
   if (dladdr(reinterpret_cast<const void*>(&resource_dir), &info) == 0 || info.dli_fname == nullptr) return {};
   std::error_code error;
   const auto library = std::filesystem::canonical(info.dli_fname, error);
-  const auto folder = (library.parent_path() / BOLE_RESOURCES_FROM_LIB).lexically_normal();
+  const auto folder = (library.parent_path() / BOLE_RESOURCES_FROM_LIBRARIES).lexically_normal();
   return !error && std::filesystem::is_directory(folder, error) ? folder : std::filesystem::path();
 }
 

@@ -17,7 +17,7 @@ std::vector<Finding> findings_of(const StageRecord& stage) {
   for (const auto& warning : report.warnings)
     if (!is_finding(report, warning)) all.push_back({"warning", Severity::note, warning});
   if (report.status == Status::finished_early)
-    all.push_back({"finished_early", Severity::look, "ended early on request: the result is not complete"});
+    all.push_back({finding_code::finished_early, Severity::look, "ended early on request: the result is not complete"});
   return all;
 }
 
@@ -33,6 +33,10 @@ Verdict verdict_for(Severity worst) {
 }
 
 }  // namespace
+
+bool has_finding(const Report& report, std::string_view code) {
+  return std::ranges::any_of(report.findings, [code](const Finding& f) { return f.code == code; });
+}
 
 std::string_view severity_name(Severity severity) {
   constexpr std::array<std::string_view, 3> names{"note", "look", "refused"};

@@ -22,6 +22,15 @@ struct Judgement {
   std::vector<StageFinding> findings;  // the most severe first, in the order of the stages otherwise
 };
 
+// Codes that programs act on; the words stay the same from version to version.
+namespace finding_code {
+inline constexpr const char* finished_early = "finished_early";
+inline constexpr const char* output_not_written = "output_not_written";  // the run fails: exit code 1
+inline constexpr const char* input_incomplete = "input_incomplete";      // likewise, unless it is accepted
+}  // namespace finding_code
+
+bool has_finding(const Report& report, std::string_view code);
+
 std::string_view severity_name(Severity severity);  // "note", "look", "refused"
 std::string_view verdict_name(Verdict verdict);     // "sign", "look", "refused"
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "cloud/table_columns.h"
+
 namespace bole {
 inline namespace cloud {
 
@@ -21,6 +23,14 @@ std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& ru
   for (const auto i : kept_rows(stems))
     if (std::isfinite(dbh[i]) && rule.counts({x[i], y[i]}, dbh[i])) counted.push_back(i);
   return counted;
+}
+
+std::vector<double> known_heights(const Table& stems) {
+  auto heights = numbers_or_nan(stems, "height_m");
+  const auto bounds = numbers_or_nan(stems, "height_lower_bound_m");
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (!std::isfinite(heights[i])) heights[i] = bounds[i];
+  return heights;
 }
 
 }  // namespace cloud

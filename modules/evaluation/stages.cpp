@@ -1,3 +1,5 @@
+#include <optional>
+
 #include "cloud/known_facts.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
@@ -37,6 +39,25 @@ void copy_metrics(const Table& summary, Report& report) {
   for (std::size_t i = 0; i < summary.rows(); ++i) report.metrics[measure[i]] = {value[i], unit_named(unit[i])};
 }
 
+// A list whose columns nobody named and no heading tells is left out and told: the survey itself is whole without it.
+std::optional<StemEvaluation> compare_stems(const Table& stems, const Table& reference,
+                                            const EvaluationOptions& options, const CountingRule& rule,
+                                            Report& report) {
+  try {
+    auto found = evaluate_stems(stems, reference, options, rule);
+    if (!found.guessed_columns.empty())
+      report.find(Severity::note, "reference_columns_guessed",
+                  "the columns of the reference were taken by their headings: " + found.guessed_columns +
+                      ". Set evaluate.reference_columns where that is wrong");
+    return found;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::bad_input || !options.reference_columns.empty() || reference.has("x_m")) throw;
+    report.find(Severity::look, "reference_not_read",
+                std::string("the stems were compared with no reference: ") + error.what());
+    return std::nullopt;
+  }
+}
+
 pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
   const auto& options = set.as<EvaluationOptions>();
   const CountingRule rule = in.has("plot") ? counting_rule(in.table("plot")) : CountingRule{};
@@ -47,18 +68,22 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
   Table summary = SummaryRows(PublishedPlot::none).table();
   std::string message;
   if (in.has("reference_stems")) {
-    auto stems = evaluate_stems(in.table("stems"), in.table("reference_stems"), options, rule);
     auto& r = result.report;
-    r.counts["matched"] = static_cast<std::int64_t>(stems.matched);
-    r.counts["missed"] = static_cast<std::int64_t>(stems.missed);
-    r.counts["false"] = static_cast<std::int64_t>(stems.extra);
-    message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " +
-              std::to_string(stems.extra) + " false";
-    if (stems.matched == 0)
-      r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
-    for (auto& w : stems.warnings) r.warn(std::move(w));
-    matches = std::move(stems.matches);
-    summary = std::move(stems.summary);
+    auto compared = compare_stems(in.table("stems"), in.table("reference_stems"), options, rule, r);
+    message = "the reference could not be read";
+    if (compared) {
+      auto& stems = *compared;
+      r.counts["matched"] = static_cast<std::int64_t>(stems.matched);
+      r.counts["missed"] = static_cast<std::int64_t>(stems.missed);
+      r.counts["false"] = static_cast<std::int64_t>(stems.extra);
+      message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " +
+                std::to_string(stems.extra) + " false";
+      if (stems.matched == 0)
+        r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
+      for (auto& w : stems.warnings) r.warn(std::move(w));
+      matches = std::move(stems.matches);
+      summary = std::move(stems.summary);
+    }
   }
   run.check_cancel();
   if (in.has("reference_trajectory")) {
@@ -91,7 +116,7 @@ void register_stages(pipeline::StageRegistry& registry) {
       "and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of "
       "the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is "
       "connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a "
-      "reference the tables are empty.";
+      "reference the tables are empty. Columns of a field list with other headings are guessed and the guess is reported.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},
               {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},
@@ -100,6 +125,7 @@ void register_stages(pipeline::StageRegistry& registry) {
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};
   t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
                {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}, true}};
+  t.version = 2;
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
   t.main_numbers = {"ate_rmse",    "ate_max",  "drift",    "completeness",
                     "correctness", "dbh_bias", "dbh_rmse", "height_bias"};

@@ -1,4 +1,8 @@
 // Registers the stage of the module inventory.
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "inventory/core/plot_values.h"
 #include "inventory/core/value_tables.h"
 #include "pipeline/stage.h"
@@ -6,11 +10,40 @@
 namespace bole::inventory {
 namespace {
 
+// "21.3 m2/ha", or in m2 where there is no plot area.
+std::string basal_area_text(const PlotValues& values, double per_ha, double total) {
+  return std::isfinite(values.area_m2) ? fmt::format("{:.1f} m2/ha", per_ha) : fmt::format("{:.2f} m2", total);
+}
+std::string sound_basal_area(const PlotValues& v) {
+  return basal_area_text(v, v.sound.basal_area_m2_per_ha, v.sound.basal_area_m2);
+}
+std::string whole_basal_area(const PlotValues& v) {
+  return basal_area_text(v, v.basal_area_m2_per_ha, v.basal_area_m2);
+}
+
+// "15 sound, 17 to check: basal area 21.3 m2/ha (23.9 m2/ha with them); 3 outside the plot"
 std::string message_of(const PlotValues& values) {
-  std::string text = std::to_string(values.stems) + (values.stems == 1 ? " stem counts" : " stems count");
-  if (values.outside > 0) text += ", " + std::to_string(values.outside) + " outside the plot";
-  if (values.too_thin > 0) text += ", " + std::to_string(values.too_thin) + " too thin";
+  std::string text;
+  if (values.to_check > 0)
+    text = fmt::format("{} sound, {} to check: basal area {} ({} with them)", values.sound.stems, values.to_check,
+                       sound_basal_area(values), whole_basal_area(values));
+  else
+    text = std::to_string(values.stems) + (values.stems == 1 ? " stem counts" : " stems count");
+  if (values.to_check == 0 && values.stems > 0) text += ": basal area " + whole_basal_area(values);
+  if (values.outside > 0) text += "; " + std::to_string(values.outside) + " outside the plot";
+  if (values.too_thin > 0) text += "; " + std::to_string(values.too_thin) + " too thin";
   return text;
+}
+
+void judge_doubtful(const PlotValues& v, Report& report) {
+  report.counts["stems_sound"] = static_cast<std::int64_t>(v.sound.stems);
+  report.counts["stems_to_check"] = static_cast<std::int64_t>(v.to_check);
+  if (!many_to_check(v)) return;
+  report.find(Severity::look, "stems_to_check",
+              fmt::format("{} of the {} stems that count are to be checked: the basal area is {} without and {} with "
+                          "them. Look at their slices (column 'reasons' of the stem table), then accept, resize or "
+                          "reject them",
+                          v.to_check, v.stems, sound_basal_area(v), whole_basal_area(v)));
 }
 
 pipeline::StageResult run_plot_values(const DataSet& inputs, const OptionSet& set, const Run&) {
@@ -20,9 +53,11 @@ pipeline::StageResult run_plot_values(const DataSet& inputs, const OptionSet& se
   pipeline::StageResult result;
   result.report.counts["stems"] = static_cast<std::int64_t>(values.stems);
   result.report.message = message_of(values);
+  judge_doubtful(values, result.report);
   result.outputs.set("plot_values", plot_value_table(values, options));
   result.outputs.set("diameter_classes", class_table(values));
   result.outputs.set("height_curve", height_curve_table(values));
+  result.outputs.set("tree_values", tree_value_table(values, inputs.table("stems")));
   return result;
 }
 
@@ -37,7 +72,8 @@ void register_stages(pipeline::StageRegistry& registry) {
       "Computes stem density, basal area, mean diameters, heights and stem volume of a plot, with 95 % intervals, by "
       "diameter class too. Heights of stems whose top was not seen come from a height curve (Näslund); volumes come "
       "from the stem curves, else from diameter and height. Where too few tops were seen, heights and volumes are "
-      "left out. Without a plot there are no values per hectare.";
+      "left out. Without a plot there are no values per hectare. Values without the stems that are to be checked stand "
+      "beside those with them.";
   type.source = "Näslund (1936); van Laar and Akça (2007); volumes by form and intervals: Bole";
   type.inputs = {{"stems", DataKind::table, "Stems with x_m, y_m and dbh_cm.", false, {}},
                  {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}}};
@@ -51,10 +87,17 @@ void register_stages(pipeline::StageRegistry& registry) {
       {"diameter_classes", DataKind::table, "Stems, basal area and mean height by diameter class.", false, {}, true},
       {"height_curve",
        DataKind::table,
-       "Coefficients of the height curve; no row where there is none.",
+       "Coefficients of the height curve, spread and number of its residuals; no row where there is none.",
+       false,
+       {},
+       true},
+      {"tree_values",
+       DataKind::table,
+       "A row per stem that counts: height with its source and residual, volume with its 95 % interval.",
        false,
        {},
        true}};
+  type.version = 2;
   type.options = &option_table(static_cast<const PlotValueOptions*>(nullptr));
   type.run = run_plot_values;
   registry.add(std::move(type));

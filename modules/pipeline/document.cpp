@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/option_text.h"
+#include "base/user_path.h"
 
 namespace bole::pipeline {
 namespace {
@@ -36,7 +37,8 @@ OptionValue option_value(const OptionSpec& spec, const ordered_json& value) {
   throw bad_input("option " + spec.name + " is " + value.dump(), spec.needed());
 }
 
-std::string resolved(const std::string& path, const std::filesystem::path& base_dir) {
+std::string resolved(const std::string& written, const std::filesystem::path& base_dir) {
+  const std::string path = expand_home(written);
   if (path.empty() || std::filesystem::path(path).is_absolute() || base_dir.empty()) return path;
   return (base_dir / path).lexically_normal().string();
 }
@@ -141,8 +143,12 @@ const StageNode& PipelineDocument::at(std::string_view id) const {
   const auto it = std::ranges::find(stages_, id, &StageNode::id);
   if (it != stages_.end()) return *it;
   std::string list;
-  for (const auto& s : stages_) list += (list.empty() ? "" : ", ") + s.id;
-  throw bad_input("the pipeline has no stage '" + std::string(id) + "'", "one of: " + list);
+  std::vector<std::string> ids;
+  for (const auto& s : stages_) {
+    list += (list.empty() ? "" : ", ") + s.id;
+    ids.push_back(s.id);
+  }
+  throw bad_input("the pipeline has no stage '" + std::string(id) + "'", "one of: " + list, did_you_mean(id, ids));
 }
 
 void PipelineDocument::set(std::string_view stage_and_option, std::string_view text) {

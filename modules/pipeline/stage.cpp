@@ -74,10 +74,16 @@ const StageType* StageRegistry::find(std::string_view name) const {
 
 const StageType& StageRegistry::at(std::string_view name) const {
   if (const auto* type = find(name)) return *type;
+  // "stems" asks for one of stems.slice, stems.fit and so on, "fit" for stems.fit.
   std::vector<std::string> names;
-  for (const auto& [n, t] : types_) names.push_back(n);
+  std::string parts;
+  for (const auto& [n, t] : types_) {
+    names.push_back(n);
+    const bool is_part = n.starts_with(std::string(name) + ".") || n.ends_with("." + std::string(name));
+    if (is_part && !name.empty()) parts += (parts.empty() ? "Did you mean " : " or ") + n;
+  }
   throw bad_input("there is no stage type '" + std::string(name) + "'", "one that `bole stages` lists",
-                  did_you_mean(name, names));
+                  parts.empty() ? did_you_mean(name, names) : parts + "?");
 }
 
 std::vector<const StageType*> StageRegistry::all() const {

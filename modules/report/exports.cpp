@@ -5,6 +5,7 @@
 #include "io/core/las/las_writer.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
+#include "report/map_styles.h"
 #include "report/stem_mesh.h"
 #include "report/table_decimals.h"
 #include "report/workbook.h"
@@ -19,7 +20,8 @@ std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outlin
 }
 
 io::VectorLayer boundary_layer(const PlotArea& area, const std::string& crs_wkt) {
-  io::VectorLayer layer{"plot", io::GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt};
+  io::VectorLayer layer{
+      "plot", io::GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt, boundary_style()};
   layer.attributes.set("area_m2", std::vector<double>{area.area_m2()});
   return layer;
 }
@@ -31,7 +33,7 @@ io::VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_
     if (const Eigen::Vector3d p = pose.T_target_sensor.translation();
         line.empty() || (p - line.back()).norm() >= step_m)
       line.push_back(p);
-  io::VectorLayer layer{"trajectory", io::GeometryKind::line, {std::move(line)}, {}, crs_wkt};
+  io::VectorLayer layer{"trajectory", io::GeometryKind::line, {std::move(line)}, {}, crs_wkt, trajectory_style()};
   layer.attributes.set("length_m", std::vector<double>{trajectory.length_m()});
   return layer;
 }
@@ -39,12 +41,15 @@ io::VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   const std::string crs = d.crs_wkt();
   std::vector<io::VectorLayer> layers{io::point_layer("stems", *d.stems, crs)};
-  const auto add_points = [&](const char* name, const Table* table) {
-    if (table != nullptr && table->rows() > 0) layers.push_back(io::point_layer(name, *table, crs));
+  layers.back().style_qml = stem_style(*d.stems);
+  const auto add_points = [&](const char* name, const Table* table, std::string style) {
+    if (table == nullptr || table->rows() == 0) return;
+    layers.push_back(io::point_layer(name, *table, crs));
+    layers.back().style_qml = std::move(style);
   };
-  add_points("targets", d.targets);
-  add_points("rejected", d.rejected);
-  add_points("sections", d.sections);
+  add_points("targets", d.targets, target_style());
+  add_points("rejected", d.rejected, candidate_style());
+  add_points("sections", d.sections, section_style());
   if (!d.rule.area.outline().empty()) layers.push_back(boundary_layer(d.rule.area, crs));
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
   io::write_geopackage(path, layers);
@@ -84,11 +89,18 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back(
         {"survey.xlsx", [&d](const auto& path, const Run& run, Report&) { write_workbook(path, d, run); }});
   if (o.tables)
-    exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report&) { write_layers(path, d); }});
-  if (o.tables && d.stems->rows() > 0) {
-    exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
-                         io::write_geojson(path, io::point_layer("stems", *d.stems, d.crs_wkt()));
+    exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report& report) {
+                         write_layers(path, d);
+                         if (d.crs_wkt().empty())
+                           report.facts["stems.geojson"] =
+                               "not written: GeoJSON holds longitude and latitude, and the place of these coordinates "
+                               "on the earth is not known (no coordinate reference system); plot.gpkg has the stems";
                        }});
+  if (o.tables && d.stems->rows() > 0) {
+    if (!d.crs_wkt().empty())
+      exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
+                           io::write_geojson(path, io::point_layer("stems", *d.stems, d.crs_wkt()));
+                         }});
     const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<render::StemShape>&)) {
       exports.push_back({file, [&d, text](const auto& path, const Run&, Report&) {
                            write_text_file(path, text(render::stem_shapes(d.kept_stems(), d.sections)));

@@ -1,6 +1,7 @@
 #include "report/make_report.h"
 
 #include "base/atomic_file.h"
+#include "base/verdict.h"
 #include "base/version.h"
 #include "render/offscreen/offscreen.h"
 #include "report/core/page_warnings.h"
@@ -51,7 +52,8 @@ class PlotReport {
       render::use_backend(render::backend_from_name(o_.backend));
       return true;
     } catch (const Error& e) {
-      writer_.report().warn(std::string("no 3-D maps: ") + e.what());
+      writer_.report().find(Severity::look, finding_code::output_not_written,
+                            std::string("the 3-D maps could not be drawn: ") + e.what());
       return false;
     }
   }
@@ -64,6 +66,7 @@ class PlotReport {
     double all = 0, done = 0;
     for (const auto& plan : plans) all += plan.share();
     for (const auto& plan : plans) {
+      if (writer_.ends_early()) return writer_.report().warn("asked to finish early: figures are left out");
       run.report(done / all, "draw " + plan.name);
       if (plan.kind != FigureKind::map || renders) writer_.attempt(plan.name, [&] { save(plan); });
       done += plan.share();
@@ -71,13 +74,15 @@ class PlotReport {
   }
 
   void save(const FigurePlan& plan) {
-    for (const auto& figure : plan.make())
+    for (const auto& figure : plan.make()) {
+      if (writer_.ends_early()) return;
       writer_.save(figure, {.dpi = plan.dpi > 0 ? plan.dpi : drawn_.dpi,
                             .for_print = o_.figure_set == FigureSet::all,
                             .vectors = o_.vector_figures,
                             .on_page = o_.page && plan.on_page,
                             .as_pixels = plan.kind != FigureKind::chart,
                             .wide = plan.wide});
+    }
   }
 
   void write_page(const std::filesystem::path& path) {

@@ -4,6 +4,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/verdict.h"
 
 namespace bole::report {
 ReportWriter::ReportWriter(const Run& run) : run_(run) {
@@ -17,10 +18,20 @@ void ReportWriter::attempt(const std::string& what, const std::function<void()>&
     part();
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::cancelled) throw;
-    report().warn(what + ": " + e.what());
+    note_unwritten(what, e.what());
   } catch (const std::exception& e) {
-    report().warn(what + ": " + e.what());
+    note_unwritten(what, e.what());
   }
+}
+
+void ReportWriter::note_unwritten(const std::string& what, const std::string& why) {
+  report().find(Severity::refused, finding_code::output_not_written, what + " could not be written: " + why);
+}
+
+bool ReportWriter::ends_early() {
+  if (!run_.asked_to_finish()) return false;
+  report().status = Status::finished_early;
+  return true;
 }
 
 void ReportWriter::write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write) {
@@ -65,7 +76,7 @@ void ReportWriter::save(const render::Figure& figure, const FigureOutput& output
 
 pipeline::StageResult ReportWriter::finish() {
   report().counts["files"] = static_cast<std::int64_t>(files_.size());
-  report().message = fmt::format("{} files in {}", files_.size(), run_.output_dir.string());
+  report().message = fmt::format("{} files", files_.size());
   return std::move(result_);
 }
 

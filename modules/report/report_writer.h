@@ -1,5 +1,5 @@
-// Writes the files of a report into the output folder of a run. What cannot be written becomes a warning and does not
-// end the run.
+// Writes the files of a report into the output folder of a run. What cannot be written becomes a finding
+// (output_not_written), which makes the run fail in the end; the other files are still written.
 #pragma once
 
 #include <filesystem>
@@ -31,12 +31,15 @@ class ReportWriter {
   // Throws Error{bad_input} where the run has no output folder.
   explicit ReportWriter(const Run& run);
 
-  // Runs one part of the work. An error in it becomes a warning that begins with `what`; Error{cancelled} is thrown on.
+  // Runs one part of the work. An error in it becomes a finding that begins with `what`; Error{cancelled} is thrown on.
   void attempt(const std::string& what, const std::function<void()>& part);
   // attempt() with the path of a file in the output folder; the file is listed where `write` succeeds.
   void write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write);
   // Writes a figure as PNG, SVG and PDF into figures/.
   void save(const render::Figure& figure, const FigureOutput& output);
+
+  // Whether to leave out what is not needed for a page, because somebody asked for an early end. Says so in the report.
+  bool ends_early();
 
   Report& report() { return result_.report; }
   const std::vector<std::string>& files() const { return files_; }
@@ -47,6 +50,7 @@ class ReportWriter {
 
  private:
   void put(const std::string& file, const std::string& bytes);
+  void note_unwritten(const std::string& what, const std::string& why);
 
   const Run& run_;
   pipeline::StageResult result_;

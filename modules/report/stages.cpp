@@ -1,5 +1,6 @@
 // Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core
 // modules, because they draw.
+#include "pipeline/result_names.h"
 #include "report/make_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"
@@ -7,8 +8,55 @@
 
 namespace bole::report {
 
+namespace {
+
+// What the reports may write, at the top of the output folder.
+void register_result_names() {
+  pipeline::add_result_names({"ab_lines.geojson",
+                              "chm.tif",
+                              "cloud.las",
+                              "cloud.laz",
+                              "dem.tif",
+                              "diameter_classes.csv",
+                              "edits.csv",
+                              "figures",
+                              "height_curve.csv",
+                              "loops.csv",
+                              "matches.csv",
+                              "odometry.csv",
+                              "plants.csv",
+                              "plot.gpkg",
+                              "plot_values.csv",
+                              "rejected.csv",
+                              "report.html",
+                              "rows.csv",
+                              "rows.geojson",
+                              "rows.gpkg",
+                              "sections.csv",
+                              "slope.tif",
+                              "steering_errors.csv",
+                              "steering_gains.csv",
+                              "steering_log.csv",
+                              "steering_passes.csv",
+                              "steering_summary.csv",
+                              "steering_tuning.csv",
+                              "stem_curves.vtp",
+                              "stems.csv",
+                              "stems.geojson",
+                              "stems.obj",
+                              "stems.ply",
+                              "stems.vtp",
+                              "strays.csv",
+                              "survey.xlsx",
+                              "tally.html",
+                              "trajectory.tum"});
+}
+
+}  // namespace
+
 void register_stages(pipeline::StageRegistry& registry) {
   if (!registry.first_time("report")) return;
+  register_result_names();
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
@@ -19,7 +67,8 @@ void register_stages(pipeline::StageRegistry& registry) {
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
-      "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem "
+      "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
+      "stem "
       "table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every "
       "option and the time and memory of each stage. Inputs that are not connected are left out.";
   type.source = "Bole";

@@ -97,18 +97,21 @@ using AddFigure =
 void add_stand_charts(const SurveyData& d, double width_mm, const AddFigure& add) {
   const Table stems = d.stems_in_plot();
   if (render::has_heights(stems))
-    add("heights over diameters", false,
+    add(
+        "heights over diameters", false,
         [&d, width_mm] { return render::height_diameter(d.stems_in_plot(), d.height_curve, width_mm); }, true,
         FigureKind::chart);
   if (d.sections != nullptr && render::has_stem_curves(stems, *d.sections))
-    add("taper", false, [&d, width_mm] { return render::taper_curves(d.stems_in_plot(), *d.sections, width_mm); }, true,
+    add(
+        "taper", false, [&d, width_mm] { return render::taper_curves(d.stems_in_plot(), *d.sections, width_mm); }, true,
         FigureKind::chart);
 }
 
 void add_rasters(const SurveyData& d, double width_mm, const AddFigure& add) {
   const auto add_one = [&](const char* name, const Raster* raster, render::RasterKind kind) {
     if (raster == nullptr || raster->values.empty()) return;
-    add(name, false,
+    add(
+        name, false,
         [&d, raster, kind, width_mm] {
           const Table stems = d.kept_stems();
           return render::raster_map({raster, &stems, d.rule.area, d.north_known()}, kind, width_mm);
@@ -120,9 +123,9 @@ void add_rasters(const SurveyData& d, double width_mm, const AddFigure& add) {
 }
 
 // Both paths laid over each other first, as the errors of the evaluation are stated.
-render::Figure comparison_figure(
-    const SurveyData& d, const std::function<render::Figure(const render::TrajectoryComparison&, double)>& draw,
-    double width_mm) {
+render::Figure comparison_figure(const SurveyData& d,
+                                 const std::function<render::Figure(const render::TrajectoryComparison&, double)>& draw,
+                                 double width_mm) {
   const auto aligned = render::aligned_to(*d.trajectory, *d.reference_trajectory);
   auto figure = draw({&aligned, d.reference_trajectory, d.loops}, width_mm);
   figure.caption += " Both were first laid over each other as well as a shift and a turn allow.";
@@ -157,10 +160,13 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
   const bool has_stems = d.kept_stems().rows() > 0;
   if (d.points != nullptr && !d.points->empty()) add_maps(d, o, run, plans);
   if (has_stems) {
-    add("stem map", true, [&d, wide] {
-      const Table stems = d.kept_stems();
-      return render::stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
-    }, false);  // the page has a plan of its own
+    add(
+        "stem map", true,
+        [&d, wide] {
+          const Table stems = d.kept_stems();
+          return render::stem_map({&stems, d.rule.area, d.targets, d.trajectory, d.matches, d.north_known()}, wide);
+        },
+        false);  // the page has a plan of its own
     add("diameter distribution", false, [&d, half, width = d.class_width_cm()] {
       return render::dbh_histogram(d.stems->subset(counted_rows(*d.stems, d.rule)).numbers("dbh_cm"), half, width);
     });
@@ -175,9 +181,8 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
   }
   if (d.trajectory != nullptr && d.trajectory->poses.size() > 1)
     add("walk", true, [&d, wide] {
-      return compares_walks(d) ? render::trajectory_plan(
-                                     render::aligned_to(*d.trajectory, *d.reference_trajectory),
-                                     d.reference_trajectory, wide)
+      return compares_walks(d) ? render::trajectory_plan(render::aligned_to(*d.trajectory, *d.reference_trajectory),
+                                                         d.reference_trajectory, wide)
                                : render::trajectory_plan(*d.trajectory, nullptr, wide);
     });
   if (compares_walks(d)) {

@@ -17,6 +17,7 @@ const io::Decimals& table_decimals() {
                                      {"dbh_hi_cm", 2},
                                      {"diameter_cm", 2},
                                      {"height_m", 3},
+                                     {"height_lower_bound_m", 3},
                                      {"lean_deg", 2},
                                      {"lean_azimuth_deg", 1},
                                      {"taper_cm_per_m", 2},

@@ -111,14 +111,9 @@ class CloudBytes {
       const int tree = trees != nullptr ? (*trees)[i] : 0;
       tree_bytes += static_cast<char>(static_cast<unsigned char>(tree > 0 ? tree % 255 + 1 : 0));
     }
-    json_ = {{"count", indices.size()},
-             {"lo", point_json(lo - origin)},
-             {"size", point_json(size)},
-             {"top", number(top, 2)},
-             {"has_trees", trees != nullptr},
-             {"positions", base64(positions)},
-             {"heights", base64(height_bytes)},
-             {"trees", base64(tree_bytes)}};
+    json_ = {{"count", indices.size()},         {"lo", point_json(lo - origin)}, {"size", point_json(size)},
+             {"top", number(top, 2)},           {"has_trees", trees != nullptr}, {"positions", base64(positions)},
+             {"heights", base64(height_bytes)}, {"trees", base64(tree_bytes)}};
   }
   json take() { return std::move(json_); }
 

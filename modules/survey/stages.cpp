@@ -1,6 +1,12 @@
 // Registers the stages of the module survey.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "pipeline/stage.h"
 #include "survey/core/move_cloud.h"
+#include "survey/core/plot_cover.h"
 #include "survey/core/plot_frame.h"
 #include "survey/core/plot_options.h"
 
@@ -31,14 +37,62 @@ Axes axes_of(const DataSet& inputs) {
   return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
 }
 
-pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run&) {
+std::optional<Eigen::Vector2d> centre_target(const Table& targets) {
+  const auto& names = targets.texts("name");
+  const auto x = targets.numbers("x_m"), y = targets.numbers("y_m");
+  for (std::size_t i = 0; i < targets.rows(); ++i)
+    if (names[i] == "centre") return Eigen::Vector2d(x[i], y[i]);
+  return std::nullopt;
+}
+
+// The middle between the outermost stems.
+std::optional<Eigen::Vector2d> middle_of_stems(const Table& stems) {
+  const auto x = stems.numbers("x_m"), y = stems.numbers("y_m");
+  if (x.empty()) return std::nullopt;
+  const auto [min_x, max_x] = std::ranges::minmax(x);
+  const auto [min_y, max_y] = std::ranges::minmax(y);
+  return Eigen::Vector2d((min_x + max_x) / 2, (min_y + max_y) / 2);
+}
+
+PlotSite site_of(const DataSet& inputs, const Run& run) {
+  PlotSite site;
+  if (inputs.has("targets")) site.target = centre_target(inputs.table("targets"));
+  site.middle = [&inputs, &run]() -> std::optional<Eigen::Vector2d> {
+    if (inputs.has("points")) return middle_of(inputs.cloud("points"), run);
+    return inputs.has("stems") ? middle_of_stems(inputs.table("stems")) : std::nullopt;
+  };
+  return site;
+}
+
+void judge_cover(const PlotArea& area, const PointCloud& points, const Run& run, Report& report) {
+  constexpr double max_empty = 0.1;
+  const double empty = empty_share(area, points, run);
+  if (!std::isfinite(empty)) return;
+  report.metrics["empty"] = {100 * empty, Unit::percent};
+  if (empty <= max_empty) return;
+  report.find(Severity::look, "plot_partly_empty",
+              fmt::format("{:.0f} % of the plot ({}, centre ({:.2f}, {:.2f})) holds no points: values per hectare are "
+                          "too low there. Move the plot (x, y), make it smaller, or scan the rest",
+                          100 * empty, describe(area), area.centre.x(), area.centre.y()));
+}
+
+pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run& run) {
   const Table* vertices = inputs.has("vertices") ? &inputs.table("vertices") : nullptr;
-  const auto rule = counting_rule_for(options.as<PlotOptions>(), axes_of(inputs), vertices);
+  const auto plot = placed_plot(options.as<PlotOptions>(), axes_of(inputs), vertices, site_of(inputs, run));
+  const auto& area = plot.rule.area;
   pipeline::StageResult result;
-  result.report.message = describe(rule.area) + ", trees from " + number_text(rule.min_dbh_cm) + " cm";
-  if (rule.area.shape != PlotArea::Shape::none)
-    result.report.metrics["area"] = {rule.area.area_m2(), Unit::square_metre};
-  result.outputs.set("plot", to_table(rule));
+  auto& report = result.report;
+  report.message = describe(area);
+  if (!plot.centre.empty()) {
+    report.facts["centre"] = plot.centre;
+    report.message += fmt::format(" about {} ({:.2f}, {:.2f})", plot.centre, area.centre.x(), area.centre.y());
+  }
+  report.message += ", trees from " + number_text(plot.rule.min_dbh_cm) + " cm";
+  if (area.shape != PlotArea::Shape::none) {
+    report.metrics["area"] = {area.area_m2(), Unit::square_metre};
+    if (inputs.has("points")) judge_cover(area, inputs.cloud("points"), run, report);
+  }
+  result.outputs.set("plot", to_table(plot.rule));
   return result;
 }
 
@@ -73,13 +127,16 @@ void register_plot(pipeline::StageRegistry& registry) {
   type.help =
       "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre "
       "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
-      "horizontal.";
+      "horizontal. Options that contradict one another are refused. A plot of which more than a tenth holds no points "
+      "is reported.";
   type.source = "Improved LOAM forest plot survey (SPEC A13)";
-  type.inputs = {{"points", DataKind::cloud, "The map; its axes decide shape auto.", true, {}},
+  type.inputs = {{"points", DataKind::cloud, "The map; its axes decide shape auto, its middle is a centre.", true, {}},
                  {"stems", DataKind::table, "Stems; their axes decide where no map is connected.", true, {}},
+                 {"targets", DataKind::table, "Targets from survey.frame; the one named centre is a centre.", true, {}},
                  {"vertices", DataKind::table, "Corners of a polygon in order: x_m, y_m.", true, {}}};
   type.outputs = {
       {"plot", DataKind::table, "Outline (x_m, y_m); shape, size and minimum diameter are facts.", false, {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const PlotOptions*>(nullptr));
   type.run = run_plot;
   registry.add(std::move(type));

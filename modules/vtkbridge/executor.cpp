@@ -12,7 +12,9 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/exit_codes.h"
 #include "base/option_text.h"
+#include "pipeline/result_folder.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/core_conversion.h"
 #include "vtkbridge/file_keys.h"
@@ -34,6 +36,7 @@ struct PipelineExecutor::Graph {
   std::map<std::string, int> executions;               // as counted when the last run ended
   std::map<std::string, std::string> stamps_of_input;  // of the files that a stage read then
   std::shared_ptr<ResultCache> cache;
+  fs::path draft_dir;                  // of the results, while a run goes on
   vtkNew<vtkCallbackCommand> silence;  // an observer that does nothing
   std::mutex mutex;
   vtkBoleStage* running = nullptr;
@@ -92,6 +95,69 @@ std::string stamps_of_input(const OptionSet& options) {
     if (const auto value = options.get(spec.name); is_input_path(spec, value))
       stamps += change_stamp(option_text(value));
   return stamps;
+}
+
+// A result that is not there must not look like a success, whatever the stage made of it.
+void note_unwritten_outputs(RunOutcome& outcome) {
+  for (const auto& stage : outcome.stages)
+    for (const auto& finding : stage.record.report.findings)
+      if (finding.code == finding_code::output_not_written) note_first_error(outcome, 1, finding.text);
+}
+
+// An input of which a part is missing ends the run, unless that was accepted.
+void refuse_partial_input(StageOutcome& outcome) {
+  for (const auto& finding : outcome.record.report.findings)
+    if (finding.code == finding_code::input_incomplete) {
+      outcome.state = StageState::failed;
+      outcome.error = finding.text + ". Get a whole file, or go on with what there is (--accept-partial)";
+      return;
+    }
+}
+
+std::string finished_early_text(const RunOutcome& outcome) {
+  std::string stages;
+  for (const auto& stage : outcome.stages)
+    if (stage.record.report.status == Status::finished_early) stages += (stages.empty() ? "" : ", ") + stage.record.id;
+  return "This survey is not complete: the run was asked to finish early (" + stages +
+         ").\nRun the same pipeline again to have it whole.\n";
+}
+
+// One spelling for a folder: a result in the cache knows its files by their whole paths.
+fs::path whole_path(const fs::path& folder) {
+  if (folder.empty()) return folder;
+  const auto whole = fs::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
+// Of a run that failed, where there is a survey before it.
+void keep_beside(pipeline::ResultFolder& folder, const fs::path& output_dir, RunOutcome& outcome) {
+  outcome.kept_before = true;
+  write_text_file(folder.draft() / "summary.json", outcome.summary_json);
+  folder.keep_survey_before(outcome.error);
+  outcome.results = output_dir / pipeline::failed_run_folder;
+}
+
+// Puts what a run wrote where it belongs: in place of the survey before, beside it when the run failed, nowhere when it
+// was cancelled.
+void keep_results(pipeline::ResultFolder& folder, const fs::path& output_dir, RunOutcome& outcome) {
+  const bool failed = outcome.exit_code != 0;
+  const bool had_survey = folder.has_survey();
+  if (failed && had_survey && outcome.exit_code == static_cast<int>(ExitCode::cancelled)) {
+    outcome.kept_before = true;
+    return;
+  }
+  if (failed && had_survey) return keep_beside(folder, output_dir, outcome);
+  write_text_file(folder.draft() / "summary.json", outcome.summary_json);
+  if (failed)
+    write_text_file(folder.draft() / pipeline::failed_run_note,
+                    "This run failed. What lies here is not complete:\n\n  " + outcome.error + "\n");
+  if (!failed && outcome.finished_early())
+    write_text_file(folder.draft() / pipeline::finished_early_note, finished_early_text(outcome));
+  std::set<std::string> files;
+  for (const auto& stage : outcome.stages)
+    for (const auto& file : stage.files) files.insert(whole_path(file).lexically_relative(output_dir).generic_string());
+  folder.publish(files);
+  outcome.results = output_dir;
 }
 
 fs::path cache_folder(const RunSettings& settings) {
@@ -153,6 +219,7 @@ StageControl PipelineExecutor::control_for(const pipeline::StageNode& node, cons
   };
   control.cache = graph_->cache;
   control.output_dir = settings.output_dir, control.scratch_dir = settings.scratch_dir;
+  control.draft_dir = graph_->draft_dir;
   control.core_only = true;
   return control;
 }
@@ -211,53 +278,97 @@ StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, con
   counted = vtk_stage->GetExecutionCount();
   outcome.state = outcome.record.from_cache ? StageState::from_cache : StageState::done;
   outcome.record.report = vtk_stage->GetReport();
+  if (!settings.accept_partial) refuse_partial_input(outcome);
+  if (outcome.state == StageState::failed) {
+    note_first_error(so_far, 1, "stage '" + node.id + "': " + outcome.error);
+    return outcome;
+  }
   for (auto& text : left_out) outcome.record.report.warn(std::move(text));
   outcome.files = vtk_stage->GetOutputFiles();
   outcome.tables = summary_tables(*node.type, *vtk_stage);
   return outcome;
 }
 
-RunOutcome PipelineExecutor::run(const RunSettings& settings) {
+// Null where nothing is to be written.
+std::unique_ptr<pipeline::ResultFolder> PipelineExecutor::open_results(const RunSettings& settings) const {
+  if (settings.output_dir.empty() || !settings.sinks) return nullptr;
+  auto results = std::make_unique<pipeline::ResultFolder>(settings.output_dir, settings.replace_foreign);
+  results->refuse_foreign_files(
+      std::ranges::any_of(document_.stages(), [](const pipeline::StageNode& node) { return node.type->writes_files; }));
+  return results;
+}
+
+void PipelineExecutor::run_stages(const RunSettings& settings, RunOutcome& outcome) {
+  check(document_);
+  const fs::path folder = cache_folder(settings);
+  graph_->cache = folder.empty() ? nullptr : std::make_shared<ResultCache>(folder);
+  std::map<std::string, int> waiting;  // consumers that have not run
+  for (const auto& node : document_.stages())
+    for (const auto& [port, source] : node.inputs) ++waiting[pipeline::parse_source(source).id];
+  for (const auto* node : document_.in_order()) {
+    if (settings.cancel.stop_requested()) {
+      note_first_error(outcome, static_cast<int>(ExitCode::cancelled), "cancelled on request");
+      outcome.stages.push_back({{node->id, node->type->name, option_records(node->options), {}, false},
+                                StageState::cancelled,
+                                "cancelled on request",
+                                {}});
+      continue;
+    }
+    outcome.stages.push_back(run_stage_of(*node, settings, outcome));
+    // Results that no stage needs any more leave the memory; the cache has them.
+    for (const auto& [port, source] : node->inputs)
+      if (const auto id = pipeline::parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
+    if (waiting[node->id] == 0) stage(node->id)->ReleaseResults();
+  }
+  if (graph_->cache) graph_->cache->prune(settings.cache_bytes);
+}
+
+RunOutcome PipelineExecutor::run(const RunSettings& asked) {
+  RunSettings settings = asked;
+  settings.output_dir = whole_path(asked.output_dir);
   const auto start = std::chrono::steady_clock::now();
   RunOutcome outcome;
+  std::unique_ptr<pipeline::ResultFolder> results;
   try {
-    check(document_);
-    if (!settings.output_dir.empty()) fs::create_directories(settings.output_dir);
-    const fs::path folder = cache_folder(settings);
-    graph_->cache = folder.empty() ? nullptr : std::make_shared<ResultCache>(folder);
-    std::map<std::string, int> waiting;  // consumers that have not run
-    for (const auto& node : document_.stages())
-      for (const auto& [port, source] : node.inputs) ++waiting[pipeline::parse_source(source).id];
-    for (const auto* node : document_.in_order()) {
-      if (settings.cancel.stop_requested()) {
-        note_first_error(outcome, Error(ErrorKind::cancelled, "").exit_code(), "cancelled on request");
-        outcome.stages.push_back({{node->id, node->type->name, option_records(node->options), {}, false},
-                                  StageState::cancelled,
-                                  "cancelled on request",
-                                  {}});
-        continue;
-      }
-      outcome.stages.push_back(run_stage_of(*node, settings, outcome));
-      // Results that no stage needs any more leave the memory; the cache has them.
-      for (const auto& [port, source] : node->inputs)
-        if (const auto id = pipeline::parse_source(source).id; --waiting[id] == 0) stage(id)->ReleaseResults();
-      if (waiting[node->id] == 0) stage(node->id)->ReleaseResults();
-    }
-    if (graph_->cache) graph_->cache->prune(settings.cache_bytes);
+    results = open_results(settings);
+    graph_->draft_dir = results ? results->draft() : fs::path();
+    run_stages(settings, outcome);
   } catch (const Error& e) {
     note_first_error(outcome, e.exit_code(), e.what());
   } catch (const std::exception& e) {
     note_first_error(outcome, 1, e.what());
   }
+  graph_->draft_dir.clear();
+  note_unwritten_outputs(outcome);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   try {
     outcome.summary_json = summary_json(document_, outcome, seconds, settings.output_dir);
-    if (!settings.output_dir.empty() && fs::is_directory(settings.output_dir))
-      write_text_file(settings.output_dir / "summary.json", outcome.summary_json);
+    if (results) keep_results(*results, settings.output_dir, outcome);
+    return outcome;
+  } catch (const Error& e) {
+    note_first_error(outcome, e.exit_code(), e.what());
   } catch (const std::exception& e) {
     note_first_error(outcome, 1, e.what());
   }
+  // The results could not be put in place.
+  outcome.results.clear();
+  try {
+    outcome.summary_json = summary_json(document_, outcome, seconds, settings.output_dir);
+    if (results && results->has_survey()) keep_beside(*results, settings.output_dir, outcome);
+  } catch (const std::exception&) {  // nothing more can be written; the error above says why
+    outcome.results.clear();
+  }
   return outcome;
+}
+
+bool RunOutcome::finished_early() const {
+  return std::ranges::any_of(
+      stages, [](const StageOutcome& stage) { return stage.record.report.status == Status::finished_early; });
+}
+
+int program_exit_code(const RunOutcome& outcome) {
+  if (outcome.exit_code == 0 && outcome.finished_early()) return static_cast<int>(ExitCode::finished_early);
+  return outcome.exit_code;
 }
 
 RunOutcome run_pipeline(const pipeline::PipelineDocument& document, const RunSettings& settings) {

@@ -13,17 +13,25 @@
 #include <string>
 #include <vector>
 
+#include "base/verdict.h"
 #include "pipeline/document.h"
 #include "vtkBoleBridgeModule.h"
 
 class vtkBoleStage;
+
+namespace bole::pipeline {
+class ResultFolder;
+}
 
 namespace bole::vtkbridge {
 
 struct StageControl;
 
 struct RunSettings {
-  std::filesystem::path output_dir;                // where sinks and summary.json go; empty: nothing is written
+  // Where sinks and summary.json go, see pipeline/result_folder.h; empty: nothing is written.
+  std::filesystem::path output_dir;
+  bool replace_foreign = false;  // write over files in output_dir that no run of Bole wrote
+  bool accept_partial = true;    // go on with an input that could be read in part only; a finding says so
   std::optional<std::filesystem::path> cache_dir;  // default: output_dir/cache
   bool use_cache = true;
   bool sinks = true;  // false: stages that write files (report) are left out, for a quick look after an edit
@@ -49,11 +57,20 @@ struct StageOutcome {
 };
 
 struct RunOutcome {
-  int exit_code = 0;  // 0 ok, 1 failed, 2 bad input, 3 cancelled; of the first stage that went wrong
+  int exit_code = 0;  // base/exit_codes.h; 0 also when a stage ended early; of the first stage that went wrong
   std::string error;  // empty when all went well
   std::vector<StageOutcome> stages;
   std::string summary_json;
+  std::filesystem::path results;  // the folder with what this run wrote; empty: nothing was kept
+  bool kept_before = false;       // the run failed, and the survey before is still in the output folder, marked as old
+
+  VTKBOLEBRIDGE_EXPORT bool finished_early() const;  // a stage ended early on request
 };
+
+// What the run means for a person who signs. One that failed is refused, whatever its stages found.
+VTKBOLEBRIDGE_EXPORT Judgement judgement_of(const RunOutcome& outcome);
+// The exit code of a program that runs this (base/exit_codes.h): an early end has one of its own.
+VTKBOLEBRIDGE_EXPORT int program_exit_code(const RunOutcome& outcome);
 
 class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
  public:
@@ -67,8 +84,9 @@ class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
   void set(std::string_view stage_and_option, std::string_view text);
   vtkBoleStage* stage(std::string_view id) const;  // nullptr when there is none
 
-  // Runs what is not up to date, checks the document first. Errors are in the outcome, none are thrown. Writes
-  // summary.json.
+  // Runs what is not up to date, checks the document first. Errors are in the outcome, none are thrown. Results and
+  // summary.json take the place of the survey before at the end; of a run that failed they lie beside it. Without sinks
+  // the output folder is left as it is, but for the cache.
   RunOutcome run(const RunSettings& settings);
 
   // Asks the stage that runs now for its best result so far; from any thread.
@@ -80,6 +98,8 @@ class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
                            const RunOutcome& so_far) const;
   void set_running(vtkBoleStage* running);
   StageOutcome run_stage_of(const pipeline::StageNode& node, const RunSettings& settings, RunOutcome& so_far);
+  std::unique_ptr<pipeline::ResultFolder> open_results(const RunSettings& settings) const;
+  void run_stages(const RunSettings& settings, RunOutcome& outcome);
   pipeline::PipelineDocument document_;
   std::unique_ptr<Graph> graph_;
 };

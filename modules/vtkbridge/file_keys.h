@@ -1,5 +1,7 @@
-// The content of input files as short keys. A file is read in full once; after that its path, size and time of change
-// vouch for it, kept in a JSON file beside the cache, so that a raw scan of gigabytes is not read again at every start.
+// The content of input files as short keys. Up to 64 MiB are read in full every time. A larger file or folder is read
+// in full once; after that its path, size, inode, times of writing and of change, and of large files blocks from all
+// over them, vouch for it, kept in a JSON file beside the cache, so that a raw scan of gigabytes is not read again at
+// every start. The time of change (ctime) cannot be set back by a program, as the time of writing can.
 #pragma once
 
 #include <filesystem>
@@ -18,22 +20,22 @@ class FileKeys {
   // which belong to the frames of a scan. A path that is not there has the key "absent": the stage that reads it tells
   // about it in its own words. Throws Error{cancelled}.
   std::string key(const std::filesystem::path& path, const Run& run = {});
-  // Writes what was learnt.
+  // Writes what was learnt. A folder that cannot be written to costs time at the next run, nothing else.
   void save();
 
  private:
   struct Known {
-    std::uintmax_t size = 0;
-    std::int64_t changed_ns = 0;
+    std::string stamp;  // size, inode, times
+    std::string sample;
     std::string key;
   };
-  std::string file_key(const std::filesystem::path& path, const Run& run);
+  std::string file_key(const std::filesystem::path& path, const Run& run, bool in_large_folder = false);
   std::filesystem::path memo_file_;
   std::map<std::string, Known> known_;
   bool changed_ = false;
 };
 
-// A text that differs once a file, or a file of a folder, has another name, size or time of change. Reads no contents.
+// A text that differs once a file, or a file of a folder, has another name, size, inode or time. Reads no contents.
 std::string change_stamp(const std::filesystem::path& path);
 
 std::int64_t change_time_ns(const std::filesystem::path& path);

@@ -21,6 +21,8 @@ struct StageControl {
   std::shared_ptr<Preview> preview;                          // null: nobody watches
   std::shared_ptr<ResultCache> cache;
   std::filesystem::path output_dir;
+  // Where sinks write while the run goes on; empty: into output_dir. Their files lie in output_dir at the end.
+  std::filesystem::path draft_dir;
   std::filesystem::path scratch_dir;
   // Outputs are handed on as core objects alone; vtkBoleStage::FillOutputs() makes VTK objects of them when somebody
   // looks.

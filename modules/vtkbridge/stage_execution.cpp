@@ -4,6 +4,8 @@
 
 #include "base/content_hash.h"
 #include "base/option_text.h"
+#include "base/verdict.h"
+#include "base/version.h"
 #include "cloud/large_cloud.h"
 
 namespace bole::vtkbridge {
@@ -85,6 +87,11 @@ std::function<DataSet()> repeat(const pipeline::StageType& type, const OptionSet
   return [&type, options, inputs, silent] { return run_now(type, options, inputs, silent).outputs; };
 }
 
+// The paths that files have once they were moved from one folder to another.
+void move_paths(std::vector<WrittenFile>& files, const std::filesystem::path& from, const std::filesystem::path& to) {
+  for (auto& file : files) file.path = (to / std::filesystem::path(file.path).lexically_relative(from)).string();
+}
+
 std::string output_key(const std::string& key, const std::string& port) { return key.empty() ? key : key + "." + port; }
 
 }  // namespace
@@ -96,9 +103,9 @@ std::string content_key(const Data& data) {
 }
 
 std::string stage_key(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs, const Run& run,
-                      ResultCache& cache) {
+                      ResultCache& cache, const std::filesystem::path& final_dir) {
   ContentHash hash;
-  hash.add_text(BOLE_VERSION);
+  hash.add_text(version());
   hash.add_text(type.name);
   hash.add_value(type.version);
   for (const auto& spec : type.options->specs) {
@@ -113,14 +120,17 @@ std::string stage_key(const pipeline::StageType& type, const OptionSet& options,
     hash.add_text(port);
     hash.add_text(!lazy ? "none" : lazy->key().empty() ? content_key(lazy->get()) : lazy->key());
   }
-  if (type.writes_files) hash.add_text(std::filesystem::absolute(run.output_dir).lexically_normal().string());
+  if (type.writes_files)
+    hash.add_text(
+        std::filesystem::absolute(final_dir.empty() ? run.output_dir : final_dir).lexically_normal().string());
   return hash.hex();
 }
 
 StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& options, const PortData& inputs,
-                             const Run& run, const std::shared_ptr<ResultCache>& cache) {
+                             const Run& run, const std::shared_ptr<ResultCache>& cache,
+                             const std::filesystem::path& final_dir) {
   StageExecution execution;
-  const std::string key = cache ? stage_key(type, options, inputs, run, *cache) : std::string();
+  const std::string key = cache ? stage_key(type, options, inputs, run, *cache, final_dir) : std::string();
   const auto loader = [&] {
     const auto stored = std::make_shared<StoredResult>(cache, key, repeat(type, options, inputs, run));
     return [stored](const std::string& port, const std::string& text) -> std::function<Data()> {
@@ -139,13 +149,15 @@ StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& o
       return execution;
     }
   }
-  const auto before = type.writes_files ? list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path())
-                                        : std::vector<WrittenFile>();
+  const auto cache_folder = cache ? cache->folder() : std::filesystem::path();
+  const auto before = type.writes_files ? list_files(run.output_dir, cache_folder) : std::vector<WrittenFile>();
   pipeline::StageResult result = run_now(type, options, inputs, run);
-  if (type.writes_files)
-    execution.files =
-        changed_files(before, list_files(run.output_dir, cache ? cache->folder() : std::filesystem::path()));
-  const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish();
+  if (type.writes_files) {
+    execution.files = changed_files(before, list_files(run.output_dir, cache_folder));
+    if (!final_dir.empty()) move_paths(execution.files, run.output_dir, final_dir);
+  }
+  const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish() &&
+                     !has_finding(result.report, finding_code::output_not_written);
   for (const auto& [port, data] : result.outputs.all())
     execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
   if (cache && whole) {

@@ -8,6 +8,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace bole::vtkbridge {
 
@@ -77,6 +78,8 @@ bool vtkBoleStage::Internals::guarded(vtkBoleStage* self, const std::function<vo
     return true;
   } catch (const Error& e) {
     fail(self, e);
+  } catch (const std::filesystem::filesystem_error& e) {
+    fail(self, bole::failure("'" + e.path1().string() + "': " + e.code().message()));
   } catch (const std::exception& e) {
     fail(self, bole::failure(e.what()));
   }
@@ -118,7 +121,8 @@ bole::Run vtkBoleStage::Internals::make_run(vtkBoleStage* self) {
   bole::Run run;
   run.cancel = stop.cancel_token();
   run.finish = stop.finish_token();
-  run.output_dir = control.output_dir;
+  const bool into_draft = type->writes_files && !control.draft_dir.empty();
+  run.output_dir = into_draft ? control.draft_dir : control.output_dir;
   run.scratch_dir = control.scratch_dir;
   if (control.record) run.record = control.record();
   run.preview = control.preview;
@@ -145,7 +149,7 @@ bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::
   const std::stop_callback forward_cancel(control.cancel, [this] { stop.cancel(); });
   const std::stop_callback forward_finish(control.finish, [this] { stop.finish(); });
   return guarded(self, [&] {
-    result = bole::vtkbridge::execute_stage(*type, *options, inputs, make_run(self), control.cache);
+    result = bole::vtkbridge::execute_stage(*type, *options, inputs, make_run(self), control.cache, control.output_dir);
     result_inputs_ = inputs;
     result_time_ = self->GetMTime();
     if (!result->from_cache) ++executions;

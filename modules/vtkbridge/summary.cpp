@@ -55,7 +55,7 @@ ordered_json table_json(const Table& table) {
 
 // Every library that takes part, by its name in small letters.
 ordered_json versions_json() {
-  ordered_json j{{"bole", BOLE_VERSION}, {"vtk", vtkVersion::GetVTKVersion()}};
+  ordered_json j{{"bole", version()}, {"vtk", vtkVersion::GetVTKVersion()}};
   for (auto [name, version] : library_versions()) {
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     j.emplace(name, version);
@@ -85,18 +85,6 @@ std::string axes_of(const RunOutcome& outcome) {
   return axes;
 }
 
-// A run that failed is refused, whatever its stages found.
-Judgement judgement_of(const RunOutcome& outcome) {
-  std::vector<StageRecord> records;
-  for (const auto& stage : outcome.stages)
-    if (stage.state == StageState::done || stage.state == StageState::from_cache) records.push_back(stage.record);
-  auto judgement = judge(records);
-  if (outcome.exit_code == 0) return judgement;
-  judgement.verdict = Verdict::refused;
-  judgement.findings.insert(judgement.findings.begin(), {"", {"run_failed", Severity::refused, outcome.error}});
-  return judgement;
-}
-
 void add_judgement(ordered_json& j, const Judgement& judgement) {
   j["verdict"] = verdict_name(judgement.verdict);
   j["findings"] = ordered_json::array();
@@ -109,12 +97,23 @@ void add_judgement(ordered_json& j, const Judgement& judgement) {
 
 }  // namespace
 
+Judgement judgement_of(const RunOutcome& outcome) {
+  std::vector<StageRecord> records;
+  for (const auto& stage : outcome.stages)
+    if (stage.state == StageState::done || stage.state == StageState::from_cache) records.push_back(stage.record);
+  auto judgement = judge(records);
+  if (outcome.exit_code == 0) return judgement;
+  judgement.verdict = Verdict::refused;
+  judgement.findings.insert(judgement.findings.begin(), {"", {"run_failed", Severity::refused, outcome.error}});
+  return judgement;
+}
+
 std::string summary_json(const pipeline::PipelineDocument& document, const RunOutcome& outcome, double seconds,
                          const std::filesystem::path& output_dir) {
-  ordered_json j{{"bole", BOLE_VERSION},
+  ordered_json j{{"bole", version()},
                  {"versions", versions_json()},
                  {"finished_at", now_utc()},
-                 {"exit_code", outcome.exit_code}};
+                 {"exit_code", program_exit_code(outcome)}};
   if (!outcome.error.empty()) j["error"] = outcome.error;
   add_judgement(j, judgement_of(outcome));
   j["axes"] = axes_of(outcome);
@@ -125,7 +124,7 @@ std::string summary_json(const pipeline::PipelineDocument& document, const RunOu
   for (const auto& stage : outcome.stages) {
     j["stages"].push_back(stage_json(stage));
     for (const auto& file : stage.files)
-      files.insert(std::filesystem::path(file).lexically_relative(output_dir).generic_string());
+      files.insert(std::filesystem::absolute(file).lexically_normal().lexically_relative(output_dir).generic_string());
   }
   if (!output_dir.empty()) files.insert("summary.json");
   j["files"] = files;

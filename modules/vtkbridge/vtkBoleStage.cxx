@@ -201,6 +201,7 @@ void vtkBoleStage::DetachControl() {
   auto& control = this->Inner->control;
   control.progress = nullptr, control.record = nullptr, control.preview = nullptr;
   control.cancel = {}, control.finish = {};
+  control.draft_dir.clear();
 }
 
 void vtkBoleStage::SetAbortExecute(int abort) {

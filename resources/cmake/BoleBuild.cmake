@@ -9,10 +9,20 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-# Programs and libraries of an installation find one another wherever its folder is put.
-file(RELATIVE_PATH BOLE_LIB_FROM_BIN "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${CMAKE_INSTALL_LIBDIR}")
-file(RELATIVE_PATH BOLE_RESOURCES_FROM_LIB "/prefix/${CMAKE_INSTALL_LIBDIR}" "/prefix/${CMAKE_INSTALL_DATADIR}/bole/resources")
-set(CMAKE_INSTALL_RPATH "$ORIGIN/${BOLE_LIB_FROM_BIN};$ORIGIN")
+# An installation has the layout of the Debian packages under every prefix, and its parts find one another wherever it is moved.
+# The libraries are private to Bole, so they have a folder of their own.
+set(BOLE_INSTALL_LIBRARY_DIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}/bole")
+set(BOLE_INSTALL_PYTHON_DIR lib/python3/dist-packages)
+file(RELATIVE_PATH BOLE_LIBRARIES_FROM_BIN "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${BOLE_INSTALL_LIBRARY_DIR}")
+file(RELATIVE_PATH BOLE_LIBRARIES_FROM_PYTHON "/prefix/${BOLE_INSTALL_PYTHON_DIR}/bole" "/prefix/${BOLE_INSTALL_LIBRARY_DIR}")
+file(RELATIVE_PATH BOLE_RESOURCES_FROM_LIBRARIES "/prefix/${BOLE_INSTALL_LIBRARY_DIR}" "/prefix/${CMAKE_INSTALL_DATADIR}/bole/resources")
+set(CMAKE_INSTALL_RPATH "$ORIGIN")
+if(BOLE_ARCH MATCHES "^x86-64-v")
+  # In a package, libraries of this level lie in glibc-hwcaps/<level>/, two folders below those for all processors.
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN/../..")
+endif()
+# What an installation rule belongs to when it does not say so: the package bole.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -53,6 +63,7 @@ if(BOLE_FUZZ)
 endif()
 
 include(BolePrecompiled)
+include(BoleUnity)
 
 # bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [OPTIONS option...] [STAGES])
 #   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp apart). Headers are included
@@ -78,7 +89,7 @@ function(bole_module name)
   else()
     bole_precompile(bole_${name})
   endif()
-  install(TARGETS bole_${name})
+  install(TARGETS bole_${name} LIBRARY DESTINATION ${BOLE_INSTALL_LIBRARY_DIR})
   if(arg_STAGES)
     set_property(GLOBAL APPEND PROPERTY BOLE_STAGE_MODULES ${name})
   endif()
@@ -102,12 +113,13 @@ function(bole_stages_library)
   add_library(bole::stages ALIAS bole_stages)
   target_link_libraries(bole_stages PUBLIC bole::pipeline PRIVATE ${modules} $<BUILD_INTERFACE:bole_build>)
   bole_precompile(bole_stages)
-  install(TARGETS bole_stages)
+  install(TARGETS bole_stages LIBRARY DESTINATION ${BOLE_INSTALL_LIBRARY_DIR})
 endfunction()
 
-# bole_tests(NAME [LINK target...]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a ctest.
+# bole_tests(NAME [LINK target...] [UNITY n]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a
+# ctest. UNITY: n files are compiled as one.
 function(bole_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "UNITY" "LINK")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*Test.cxx)
   if(NOT sources)
     return()
@@ -117,6 +129,9 @@ function(bole_tests name)
   target_link_libraries(${name}_tests PRIVATE ${arg_LINK} GTest::gmock_main bole_build)
   target_compile_definitions(${name}_tests PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
   bole_precompile(${name}_tests TEST)
+  if(arg_UNITY)
+    bole_unity(${name}_tests BATCH ${arg_UNITY})
+  endif()
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 

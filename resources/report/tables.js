@@ -1,4 +1,4 @@
-// Sorts a table by the column whose heading was clicked, numbers as numbers; opens all details for printing.
+// Sorts a table by the column whose heading was clicked, numbers as numbers; opens details for printing, but for long lists.
 (() => {
   'use strict';
   for (const table of document.querySelectorAll('table.sortable')) {
@@ -27,5 +27,5 @@
       head.addEventListener('keydown', event => { if (event.key === 'Enter') sort(); });
     });
   }
-  addEventListener('beforeprint', () => { for (const d of document.querySelectorAll('details')) d.open = true; });
+  addEventListener('beforeprint', () => { for (const d of document.querySelectorAll('details')) if (d.querySelectorAll('tr').length <= 40) d.open = true; });
 })();

@@ -78,8 +78,9 @@ window.boleView3d = (data, pick) => {
     points.paint('height');
   }
 
-  // Stems as tubes of ten sides
-  const sides = 10, shapes = data.shapes || [], place = [], shade = [], owner = [];
+  // The stems of the plot as tubes of ten sides
+  const inPlot = new Set(data.stems.filter(stem => stem.inside).map(stem => stem.id));
+  const sides = 10, shapes = (data.shapes || []).filter(shape => inPlot.has(shape.id)), place = [], shade = [], owner = [];
   shapes.forEach((shape, index) => {
     const ring = k => {
       const r = shape.radius[k], c = shape.axis.slice(3 * k, 3 * k + 3);

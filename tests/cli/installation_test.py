@@ -33,3 +33,11 @@ with tempfile.TemporaryDirectory(prefix="bole_install_") as temporary:
     assert (moved / "share" / "bole" / "pipelines" / "forest_plot.json").is_file()
     validated = run("validate", moved / "share" / "bole" / "pipelines" / "forest_plot.json", "--set", f"scan.file={moved}")
     assert "report.plot" in validated.stderr + validated.stdout or validated.returncode == 0, validated
+    # The Python module finds the libraries of its installation too.
+    python = moved / "lib" / "python3" / "dist-packages"
+    if python.is_dir():
+        told = subprocess.run([sys.executable, "-c", "import bole; print(open('/proc/self/maps').read())"], env={**environment, "PYTHONPATH": str(python)},
+                              capture_output=True, text=True, timeout=60, cwd=temporary)
+        assert told.returncode == 0, told.stderr
+        loaded = {line.split()[-1] for line in told.stdout.splitlines() if "libbole_" in line or "libvtkBole" in line}
+        assert loaded and all(pathlib.Path(p).is_relative_to(moved) for p in loaded), loaded

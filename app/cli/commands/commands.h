@@ -11,6 +11,7 @@ struct Program {
   int exit_code = 0;
 };
 
+void add_survey(Program& program);
 void add_run(Program& program);
 void add_validate(Program& program);
 void add_stages(Program& program);
@@ -18,6 +19,8 @@ void add_info(Program& program);
 void add_simulate(Program& program);
 void add_simulate_field(Program& program);
 void add_evaluate(Program& program);
-void add_version(Program& program);
+void add_version(Program& program);  // --version too
+void add_completion(Program& program);
+void add_man(Program& program);
 
 }  // namespace bole::cli

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/user_path.h"
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
 #include "evaluation/core/evaluate_rows.h"
@@ -61,6 +62,8 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
   add_option_flags(*command, args->options);
   add_option_flags(*command, args->plot, "plot-");
   command->callback([args, compare = std::move(compare)] {
+    for (auto* path : {&args->estimate, &args->reference, &args->figure, &args->out, &args->loops})
+      *path = expand_home(*path);
     args->options.check_all();
     args->plot.check_all();
     compare(*args);
@@ -91,6 +94,9 @@ void add_evaluate(Program& program) {
     const auto result = evaluation::evaluate_stems(
         io::read_table(args.estimate), io::read_table(args.reference), args.options.as<evaluation::EvaluationOptions>(),
         survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
+    if (!result.guessed_columns.empty())
+      fmt::print(stderr, "note: the columns of the reference were taken by their headings: {}; --reference-columns "
+                 "names others\n", result.guessed_columns);
     for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
     print_summary(result.summary, args.json);
   });

@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
-#include "base/error.h"
+#include "base/user_path.h"
 #include "commands.h"
 #include "console.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/tables/table_file.h"
 #include "option_flags.h"
+#include "pipeline/result_folder.h"
 
 namespace bole::cli {
 
@@ -31,10 +30,8 @@ void add_simulate_field(Program& program) {
     run.cancel = interrupts.cancel();
     run.progress = [&line](double fraction, std::string_view what) { line.update("simulate-field", fraction, what); };
     const auto scan = sim::simulate_field(args->options.as<sim::FieldSimulationOptions>(), run);
-    const std::filesystem::path out = args->out;
-    std::error_code error;
-    std::filesystem::create_directories(out, error);
-    if (error) throw failure("cannot make the folder " + args->out + ": " + error.message());
+    pipeline::ResultFolder folder(expand_home(args->out), true);
+    const auto& out = folder.draft();
     for (std::size_t i = 0; i < scan.frames.size(); ++i)
       io::write_ply(out / fmt::format("frame_{:03}.ply", i), scan.frames[i], run);
     io::write_table(out / "attitude.csv", scan.attitude);
@@ -42,6 +39,7 @@ void add_simulate_field(Program& program) {
     io::write_table(out / "marks.csv", scan.marks);
     io::write_table(out / "plants.csv", scan.plants);
     io::write_table(out / "rows.csv", scan.rows);
+    folder.add();
     line.clear();
     fmt::print("{}\n", scan.report.message);
   });

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/atomic_file.h"
 #include "commands.h"
 #include "pipeline/paraview_xml.h"
 #include "pipeline/printing.h"
@@ -28,11 +29,11 @@ std::string read_text(const fs::path& path) {
 }
 
 void write_pages(const fs::path& folder, const std::map<std::string, std::string>& by_file) {
-  fs::create_directories(folder);
-  for (const auto& entry : fs::directory_iterator(folder))
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".md" && !by_file.contains(entry.path().filename().string()))
       fs::remove(entry.path());
-  for (const auto& [name, text] : by_file) std::ofstream(folder / name) << text;
+  for (const auto& [name, text] : by_file) write_text_file(folder / name, text);
 }
 
 // The committed pages against what is printed; the pages that differ, are missing or belong to no stage.

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "documents/new_document.h"
 #include "pipeline/document.h"
 
 namespace bole::cli {
@@ -15,11 +16,12 @@ void add_validate(Program& program) {
   };
   auto args = std::make_shared<Arguments>();
   auto* command = program.app.add_subcommand("validate", "Say whether a pipeline document can run, and if not, why");
-  command->add_option("pipeline", args->pipeline, "Pipeline document (JSON)")->required();
+  command->add_option("pipeline", args->pipeline, "Pipeline document (JSON), or the name of one that comes with Bole")
+      ->required();
   command->add_option("--set", args->sets, "Set an option: STAGE.OPTION=VALUE")->type_name("ASSIGNMENT");
   command->add_flag("--json", args->json, "Print the problems as JSON");
   command->callback([args, &program] {
-    auto document = pipeline::PipelineDocument::load(args->pipeline, pipeline::StageRegistry::global());
+    auto document = documents::load_pipeline(args->pipeline);
     pipeline::apply_sets(document, args->sets);
     const auto problems = pipeline::validate(document);
     if (args->json) {

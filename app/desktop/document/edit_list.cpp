@@ -9,7 +9,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr const char *stems_port = "stems", *rows_port = "rows", *edits_option = "edits";
+constexpr const char *stems_port = "stems", *rows_port = "rows";
 
 const pipeline::StageNode& editor_or_refuse(const Session& session, const std::string& port) {
   const std::string needed = "a pipeline with a stage that edits " + port;

@@ -8,8 +8,8 @@
 #include "base/resources.h"
 #include "document/file_kinds.h"
 #include "document/session.h"
+#include "documents/new_document.h"
 #include "io/core/formats.h"
-#include "look/resources.h"
 #include "sim/core/plot/simulate.h"
 
 namespace bole::desktop {
@@ -66,21 +66,12 @@ QString path_that_reads(const QFileInfo& scan, const QString& base) {
 
 }  // namespace
 
-pipeline::PipelineDocument shipped_pipeline(const QString& name) {
-  take_in_resources();
-  QFile file(":/pipelines/" + name);
-  if (!file.open(QIODevice::ReadOnly)) throw failure("the program lacks its pipeline " + name.toStdString());
-  return pipeline::PipelineDocument::parse(file.readAll().toStdString(), pipeline::StageRegistry::global());
-}
-
 pipeline::PipelineDocument document_for_file(const QString& path) {
   const auto kind = kind_of_file(path);
   if (kind != FileKind::cloud && kind != FileKind::scan)
     throw bad_input("'" + path.toStdString() + "' is not a pipeline, scan or point cloud",
                     "a pipeline (.json), or " + io::format_list(io::scans_and_clouds));
-  auto document = shipped_pipeline(kind == FileKind::cloud ? "stem_map_from_cloud.json" : "forest_plot.json");
-  document.set("scan.file", QFileInfo(path).absoluteFilePath().toStdString());
-  return document;
+  return documents::document_for_file(QFileInfo(path).absoluteFilePath().toStdString());
 }
 
 QString pipeline_path_for_file(const QString& path) {
@@ -101,7 +92,7 @@ pipeline::PipelineDocument sample_document(const QString& folder, const Run& run
     QFile mark(done);
     if (!mark.open(QIODevice::WriteOnly)) throw failure("cannot write " + done.toStdString());
   }
-  auto document = shipped_pipeline("forest_plot.json");
+  auto document = documents::shipped_pipeline("forest_plot");
   const auto file = [&](const char* name) { return dir.absoluteFilePath(name).toStdString(); };
   document.set("scan.file", file(sample_scan));
   document.set("slam.trajectory", file("trajectory.tum"));

@@ -1,4 +1,5 @@
-// Documents that the program makes: for a file that was dropped on the window, and for the sample plot.
+// Documents that the window makes: for a file that was dropped on it, as `bole survey` does (documents/new_document.h),
+// and for the sample plot.
 #pragma once
 
 #include <QString>
@@ -7,9 +8,6 @@
 #include "pipeline/document.h"
 
 namespace bole::desktop {
-
-// One of the pipelines that come with the program, by its file name.
-pipeline::PipelineDocument shipped_pipeline(const QString& name);
 
 // A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
 pipeline::PipelineDocument document_for_file(const QString& path);

@@ -5,7 +5,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr std::string_view edits_option = "edits", slice_port = "slice", height_option = "height";
+constexpr std::string_view slice_port = "slice", height_option = "height";
 
 bool has_option(const pipeline::StageType& type, std::string_view option) {
   return type.options != nullptr && type.options->find(option) != nullptr;

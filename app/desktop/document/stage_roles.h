@@ -8,6 +8,8 @@
 
 namespace bole::desktop {
 
+inline constexpr const char* edits_option = "edits";  // the list of edits that a person makes
+
 bool takes_edits(const pipeline::StageType& type);  // has the list of edits that a person makes
 
 // The first stage of the document with such a port; null when there is none.

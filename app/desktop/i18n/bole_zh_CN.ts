@@ -212,6 +212,10 @@
             <translation>树号</translation>
         </message>
         <message>
+            <source>Species</source>
+            <translation>树种</translation>
+        </message>
+        <message>
             <source>Azimuth from the centre</source>
             <translation>自样地中心的方位角</translation>
         </message>
@@ -1501,6 +1505,18 @@
         <message>
             <source>Set height…</source>
             <translation>设定树高…</translation>
+        </message>
+        <message>
+            <source>Set species…</source>
+            <translation>设定树种…</translation>
+        </message>
+        <message>
+            <source>Species</source>
+            <translation>树种</translation>
+        </message>
+        <message>
+            <source>Species of the tree</source>
+            <translation>该树的树种</translation>
         </message>
         <message>
             <source>Accept</source>

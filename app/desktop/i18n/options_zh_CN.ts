@@ -1142,8 +1142,8 @@
             <translation>参与评价的单木,写作 COLUMN=VALUE,例如 plot=3;留空表示全部。</translation>
         </message>
         <message>
-            <source>Columns of the reference by other names or units, as in columns.</source>
-            <translation>参考数据中名称或单位不同的列,写法同 columns。</translation>
+            <source>Columns of the reference by other names or units, as in columns. Empty: as they are named, else guessed by their headings.</source>
+            <translation>参考表中使用其他名称或单位的列,写法同“columns”。留空:按列名,否则按标题猜测。</translation>
         </message>
         <message>
             <source>Reference trees that are used, as in rows.</source>
@@ -2278,32 +2278,32 @@
             <translation>可用于确定铅垂方向的最少单木数。</translation>
         </message>
         <message>
-            <source>Boundary of the plot. auto: the polygon where vertices are connected, the rectangle where the map lies in plot axes (targets were found), else none.</source>
-            <translation>样地边界。自动(auto):连接了顶点时为多边形;地图位于样地坐标系中(已找到标靶)时为矩形;否则无边界(none)。</translation>
+            <source>Boundary of the plot. auto: a circle where a radius is given, a rectangle where a width, length or bearing is, the polygon where vertices are connected, the usual rectangle where the map lies in plot axes (targets were found), else none.</source>
+            <translation>样地边界。自动(auto):给出半径时为圆;给出宽度、长度或方位时为矩形;连接了顶点时为多边形;地图位于样地坐标系中(已找到标靶)时为通常的矩形;否则无边界(none)。</translation>
         </message>
         <message>
-            <source>Extent of a rectangle in x (east; across its bearing), horizontal.</source>
-            <translation>矩形沿 x 方向的尺寸(东;垂直于其方位),水平。</translation>
+            <source>Extent of a rectangle in x (east; across its bearing), horizontal. auto: the length, or 32 m where that is open too.</source>
+            <translation>矩形沿 x 方向的尺寸(东;垂直于其方位),水平。自动(auto):与长度相同;长度也未给出时为 32 m。</translation>
         </message>
         <message>
-            <source>Extent of a rectangle in y (north; along its bearing), horizontal.</source>
-            <translation>矩形沿 y 方向的尺寸(北;沿其方位),水平。</translation>
+            <source>Extent of a rectangle in y (north; along its bearing), horizontal. auto: the width, or 32 m where that is open too.</source>
+            <translation>矩形沿 y 方向的尺寸(北;沿其方位),水平。自动(auto):与宽度相同;宽度也未给出时为 32 m。</translation>
         </message>
         <message>
-            <source>Radius of a circle, horizontal.</source>
-            <translation>圆的半径,水平。</translation>
+            <source>Radius of a circle, horizontal. auto: 15 m.</source>
+            <translation>圆的半径,水平。自动(auto):15 m。</translation>
         </message>
         <message>
-            <source>x of the centre of a rectangle or circle, in the axes of the stems.</source>
-            <translation>矩形或圆的中心,单木坐标系中的 x。</translation>
+            <source>x of the centre of a rectangle or circle, in the axes of the stems. auto: the centre target where it was found, else the middle of what was scanned.</source>
+            <translation>矩形或圆的中心的 x 坐标,采用树干的坐标系。自动(auto):找到中心标靶时取其位置,否则取扫描范围的中央。</translation>
         </message>
         <message>
-            <source>y of the centre of a rectangle or circle, in the axes of the stems.</source>
-            <translation>矩形或圆的中心,单木坐标系中的 y。</translation>
+            <source>y of the centre of a rectangle or circle, in the axes of the stems. auto: as x.</source>
+            <translation>矩形或圆的中心的 y 坐标,采用树干的坐标系。自动(auto):同 x。</translation>
         </message>
         <message>
-            <source>Direction of a rectangle&apos;s length, clockwise from y (north).</source>
-            <translation>矩形长边的方向,从 y(北)顺时针计。</translation>
+            <source>Direction of a rectangle&apos;s length, clockwise from y (north). auto: 0.</source>
+            <translation>矩形长边的方向,从 y(北)起顺时针。自动(auto):0。</translation>
         </message>
         <message>
             <source>Trees of this diameter at breast height and more count.</source>

@@ -135,8 +135,8 @@
     <context>
         <name>stage help</name>
         <message>
-            <source>Compares stems and trajectory with a reference. Stems are matched one to one (Hungarian method) within distance and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a reference the tables are empty.</source>
-            <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。</translation>
+            <source>Compares stems and trajectory with a reference. Stems are matched one to one (Hungarian method) within distance and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a reference the tables are empty. Columns of a field list with other headings are guessed and the guess is reported.</source>
+            <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。外业清单的列名不同时,按标题猜测并予以说明。</translation>
         </message>
         <message>
             <source>Converts latitude and longitude of a table to metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, UTM, or any transverse Mercator plane, with the exact projection. The definition of the plane stays with the table, so exports contain it.</source>
@@ -147,8 +147,8 @@
             <translation>区分地面与植被,建立地形模型(DEM),并给出每个点的离地高度。先从小格网中最低的点组逐步加密三角网;再在每个格网周围的地面点带上稳健拟合平面,使模型位于点带中间,而不是其下缘或草丛顶部。没有地面点的格网由插值得到,并在 dem_filled 中标出;与任何地面点的距离超过 fill_distance 处,模型没有值,该处的点也没有高度(NaN)。</translation>
         </message>
         <message>
-            <source>Computes stem density, basal area, mean diameters, heights and stem volume of a plot, with 95 % intervals, by diameter class too. Heights of stems whose top was not seen come from a height curve (Näslund); volumes come from the stem curves, else from diameter and height. Where too few tops were seen, heights and volumes are left out. Without a plot there are no values per hectare.</source>
-            <translation>计算样地的株数密度、断面积、平均直径、树高和树干材积及其 95 % 区间,并按径阶给出。树梢未被扫描到的单木,其树高取自树高曲线(Näslund);材积取自干曲线,没有干曲线时由直径和树高计算。扫描到的树梢太少时,不给出树高和材积。没有样地时,不给出每公顷的数值。</translation>
+            <source>Computes stem density, basal area, mean diameters, heights and stem volume of a plot, with 95 % intervals, by diameter class too. Heights of stems whose top was not seen come from a height curve (Näslund); volumes come from the stem curves, else from diameter and height. Where too few tops were seen, heights and volumes are left out. Without a plot there are no values per hectare. Values without the stems that are to be checked stand beside those with them.</source>
+            <translation>计算样地的株数密度、断面积、平均直径、树高和树干材积及其 95 % 区间,并按径阶给出。树梢未被扫描到的单木,其树高取自树高曲线(Näslund);材积取自干曲线,没有干曲线时由直径和树高计算。扫描到的树梢太少时,不给出树高和材积。没有样地时,不给出每公顷的数值。不含待检查树干的数值与包含它们的数值并列给出。</translation>
         </message>
         <message>
             <source>Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are given in metres with z up; large ones are kept exactly, as offsets from an origin. Fields of the file become arrays with Bole&apos;s names (intensity, time, ring, return_number, classification, red, ...); other fields keep their names. Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives the points it holds.</source>
@@ -243,8 +243,8 @@
             <translation>论文中的试验整定方法:减小预瞄距离直至轻微振荡,再加一米;增大 P 直至轻微振荡;增大 D 直至振荡消失;在不振荡的前提下增大 I。</translation>
         </message>
         <message>
-            <source>Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject and note, each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed.</source>
-            <translation>应用人工决定:add、delete、move、resize、set_height、split、merge、accept、reject 和 note,每条都带有作者、时间和原因。输入不会改变;编辑保存在流程中,每次运行后按位置重新应用。不再适用的编辑为冲突:它不作任何更改,并会列出。</translation>
+            <source>Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject, note and set_species, each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed. Where a plot is connected, its trees get the ids from 1 on and the others follow.</source>
+            <translation>应用人工决定:add、delete、move、resize、set_height、split、merge、accept、reject、note 和 set_species,每条都带有作者、时间和原因。输入不会改变;编辑保存在流程中,每次运行后按位置重新应用。不再适用的编辑为冲突:它不作任何更改,并会列出。连接样地时,样地内的树从 1 开始编号,其余的排在后面。</translation>
         </message>
         <message>
             <source>Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the surface (model); candidates that rays pass through are rejected. Passes of the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id of its tree.</source>
@@ -259,8 +259,8 @@
             <translation>将地图变换到样地坐标系:x 向东,y 向北,z 向上,原点位于中心标靶下方的地面。铅垂方向由单木(或地面)确定,原点和方位由两个反光标靶确定;标靶按强回波查找:小而密,并从相距较远的位置都能看到。离行走起点最近的标靶为中心。没有标靶时,只将地图调平,其余不变。</translation>
         </message>
         <message>
-            <source>Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are horizontal.</source>
-            <translation>为所有统计树木的步骤设定样地边界和起测胸径。树木在胸高处的中心位于边界内(边界上也算在内),且胸径达到 min_dbh 时,才计入。面积为水平面积。</translation>
+            <source>Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are horizontal. Options that contradict one another are refused. A plot of which more than a tenth holds no points is reported.</source>
+            <translation>为所有统计树木的步骤设定样地边界和起测胸径。树木在胸高处的中心位于边界内(边界上也算在内),且胸径达到 min_dbh 时,才计入。面积为水平面积。相互矛盾的选项会被拒绝。样地中超过十分之一的面积没有点时会给出提示。</translation>
         </message>
     </context>
 </TS>

@@ -6,12 +6,13 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "look/pixels.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr double mm_per_px = 25.4 / 96, reach_mm = 2.5;
+constexpr double reach_mm = 2.5;
 
 QString to_qt(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 

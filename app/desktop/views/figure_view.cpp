@@ -4,14 +4,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "look/pixels.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
-namespace {
-
-constexpr double mm_per_px = 25.4 / 96;
-
-}  // namespace
 
 FigureView::FigureView(const QString& empty_text, QWidget* parent) : QWidget(parent), empty_text_(empty_text) {
   setMinimumHeight(120);

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "look/pixels.h"
 #include "render/draw/color.h"
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
@@ -32,7 +33,6 @@ constexpr double target_s = 0.042;  // of a frame while the camera moves, until 
 constexpr FramePace::Budget at_rest{4'000'000, 500'000};
 constexpr int rest_ms = 150;
 constexpr double highlight_m = 0.12;     // by how much the ring of the selected tree stands off its bark
-constexpr double mm_per_px = 25.4 / 96;  // of the widget's own pixels
 constexpr double approach_m = 7;
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "look/pixels.h"
 #include "render/charts/columns.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr double mm_per_px = 25.4 / 96;
-constexpr double grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
+constexpr double circle_grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
 constexpr double start_error_m = 0.05, max_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
 
 QString quality_text(const std::string& quality) {
@@ -141,7 +141,7 @@ QPointF SliceView::place_of(const Eigen::Vector2d& plan) const {
 SliceView::Grip SliceView::grip_at(const QPoint& at) const {
   if (!stem_) return Grip::none;
   if (adding_) return Grip::add;
-  const double reach = grip_px * mm_per_px / scale().mm_per_metre, off = (to_metres(at) - data_.stem->centre).norm();
+  const double reach = circle_grip_px * mm_per_px / scale().mm_per_metre, off = (to_metres(at) - data_.stem->centre).norm();
   if (off <= std::min(reach, 0.5 * data_.stem->radius_m)) return Grip::centre;
   if (std::abs(off - data_.stem->radius_m) <= reach) return Grip::rim;
   return Grip::none;

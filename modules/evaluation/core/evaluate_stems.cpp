@@ -11,6 +11,7 @@
 #include "base/no_number.h"
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
+#include "evaluation/core/field_columns.h"
 #include "evaluation/core/field_table.h"
 #include "evaluation/core/listed_trees.h"
 #include "evaluation/core/published.h"
@@ -110,7 +111,7 @@ Table match_table(const std::vector<Row>& rows) {
   Table t;
   std::vector<std::string> kind;
   std::vector<std::int64_t> id, ref_id;  // 0 where there is none
-  std::vector<std::string> name, ref_name;
+  std::vector<std::string> name, ref_name, species;
   std::map<std::string, std::vector<double>> c;
   for (const auto& r : rows) {
     const auto* e = r.estimate;
@@ -120,6 +121,7 @@ Table match_table(const std::vector<Row>& rows) {
     ref_id.push_back(f ? f->id : 0);
     name.push_back(e ? e->name : "");
     ref_name.push_back(f ? f->name : "");
+    species.push_back(f && !f->species.empty() ? f->species : e ? e->species : "");
     c["x_m"].push_back(e ? e->at.x() : no_number);
     c["y_m"].push_back(e ? e->at.y() : no_number);
     c["ref_x_m"].push_back(f ? f->at.x() : no_number);
@@ -141,6 +143,7 @@ Table match_table(const std::vector<Row>& rows) {
   };
   if (any(name)) t.set("tree_name", name);
   if (any(ref_name)) t.set("ref_name", ref_name);
+  if (any(species)) t.set("species", species);
   return t;
 }
 
@@ -260,6 +263,29 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
   return rows;
 }
 
+bool lacks_columns(const Table& t) {
+  const bool places = (t.has("x_m") && t.has("y_m")) || (t.has("azimuth_deg") && t.has("distance_m"));
+  return !places || !t.has("dbh_cm");
+}
+
+// The reference in our columns; what was guessed for that goes to `guessed`.
+Table reference_in_our_columns(const Table& table, const EvaluationOptions& options, std::string& guessed) {
+  std::string columns = options.reference_columns;
+  if (columns.empty() && lacks_columns(table)) {
+    const auto mapping = guess_mapping(table);
+    if (!mapping.complete()) {
+      std::string names;
+      for (const auto& c : table.columns()) names += (names.empty() ? "" : ", ") + c.name;
+      throw bad_input("the columns of the reference are " + names,
+                      "x_m, y_m (or azimuth_deg, distance_m) and dbh_cm, or headings that say the same",
+                      "Name them: evaluate.reference_columns=\"x_m=E, y_m=N, dbh_cm=DIAM:mm\" (on the command line "
+                      "--reference-columns)");
+    }
+    columns = guessed = mapping.text();
+  }
+  return field_table(table, columns, options.reference_rows);
+}
+
 }  // namespace
 
 StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
@@ -267,7 +293,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   StemEvaluation out;
   auto estimate =
       trees_of(without_rejected(field_table(estimate_table, options.columns, options.rows)), "stems", out.warnings);
-  const auto reference = trees_of(field_table(reference_table, options.reference_columns, options.reference_rows),
+  const auto reference = trees_of(reference_in_our_columns(reference_table, options, out.guessed_columns),
                                   "reference", out.warnings);
   const Eigen::Isometry2d motion = align(estimate, reference, options);
   const auto rows = sort_out(estimate, reference, options, rule);

@@ -12,13 +12,16 @@ namespace bole::evaluation {
 
 struct StemEvaluation {
   Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm,
-                  // ref_dbh_cm, dbh_error_cm; tree_name and ref_name (text) where ids are no whole numbers
+                  // ref_dbh_cm, dbh_error_cm; tree_name and ref_name (text) where ids are no whole numbers; species (of the reference, else of the
+                  // stem) where one of both has it
   Table summary;  // measure, value, unit, published
   std::size_t matched = 0, missed = 0, extra = 0;
   std::vector<std::string> warnings;
+  std::string guessed_columns;  // of the reference, as the option takes them; empty where none were guessed
 };
 
-// Both tables are read by field_table() with the options columns and rows, and need tree_id, x_m, y_m, dbh_cm;
+// Both tables are read by field_table() with the options columns and rows, and need x_m, y_m and dbh_cm. Where the
+// reference lacks one and the option reference_columns is empty, its columns are guessed by their headings;
 // dbh_lo_cm, dbh_hi_cm and height_m are used where present. One-to-one matching within the distance and diameter gates.
 // Reference trees count as `rule` says; a stem is false when it matches no tree at all (counted or not) and counts
 // itself. Stems whose state is "rejected" take no part. Rows without a position are left out and told in the warnings.

@@ -52,7 +52,8 @@ const OptionTable& option_table(const EvaluationOptions*) {
                              TextKind::plain,
                              {},
                              Tier::advanced,
-                             "Columns of the reference by other names or units, as in columns."},
+                             "Columns of the reference by other names or units, as in columns. Empty: as they are named, else guessed by "
+                             "their headings."},
       Option<S, std::string>{"reference_rows",
                              &S::reference_rows,
                              TextKind::plain,

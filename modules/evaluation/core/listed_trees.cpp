@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/no_number.h"
 #include "cloud/stem_rows.h"
+#include "cloud/table_columns.h"
 
 namespace bole::evaluation {
 namespace {
@@ -54,9 +55,10 @@ std::vector<ListedTree> trees_of(const Table& t, const std::string& what, std::v
   };
   const auto low = optional("dbh_lo_cm"), high = optional("dbh_hi_cm"), height = optional("height_m"),
              seen = optional("height_seen");
+  const auto species = texts_or_empty(t, "species");
   std::vector<ListedTree> out;
   for (std::size_t i = 0; i < t.rows(); ++i)
-    out.push_back({0, {}, {x[i], y[i]}, dbh[i], low[i], high[i], height[i], !(seen[i] == 0)});
+    out.push_back({0, {}, {x[i], y[i]}, dbh[i], low[i], high[i], height[i], !(seen[i] == 0), species[i]});
   take_ids(t, out);
   const auto placeless = std::erase_if(out, [](const ListedTree& tree) { return !tree.at.allFinite(); });
   if (placeless > 0 && out.empty()) throw bad_input("no row of the " + what + " has a position", "x_m and y_m");

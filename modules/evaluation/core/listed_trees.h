@@ -17,9 +17,11 @@ struct ListedTree {
   double dbh = 0, low = 0, high = 0;  // centimetres; NaN where not known
   double height = 0;                  // metres
   bool height_seen = true;
+  std::string species;  // empty where not known
 };
 
-// Needs x_m, y_m, dbh_cm; tree_id, dbh_lo_cm, dbh_hi_cm, height_m and height_seen where present. Ids that are no whole
+// Needs x_m, y_m, dbh_cm; tree_id, dbh_lo_cm, dbh_hi_cm, height_m, height_seen and species where
+// present. Ids that are no whole
 // numbers are kept as names and numbered above the others. Trees without a place are left out and told in `warnings`;
 // `what`: whose they are. Throws Error{bad_input} when a column is absent or no row has a place.
 std::vector<ListedTree> trees_of(const Table& table, const std::string& what, std::vector<std::string>& warnings);

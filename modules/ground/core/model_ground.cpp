@@ -112,7 +112,7 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
   const auto prior = surface_heights(surface, shape);
   auto fit = fit_terrain(cloud, grid, prior, options, run);
   if (fit.cells == 0)
-    throw failure("no points lie within band (" + number_text(options.band) + " m) of the first ground surface", "some",
+    throw bad_input("no points lie within band (" + number_text(options.band) + " m) of the first ground surface", "some",
                   "Raise band, or lower seed");
 
   run.report(0.80, "Filling holes");

@@ -36,7 +36,7 @@ class TinFilter {
     }
     triangulate();
     if (surface_.measured < 3 || surface_.triangles.empty())
-      throw failure("only " + std::to_string(surface_.measured) + " ground points were found among " +
+      throw bad_input("only " + std::to_string(surface_.measured) + " ground points were found among " +
                         std::to_string(candidates_.size()) + " candidates",
                     "at least three, not on one line",
                     "Check that the cloud has ground points and its z axis points up, lower seed_m, or set "

@@ -51,9 +51,13 @@ std::optional<HeightCurve> fit_height_curve(const std::vector<SizedStem>& stems,
     if (s.height_m > breast_height_m + 0.5 && s.dbh_cm > 0) seen.push_back(s);
   auto curve = fit_once(seen, breast_height_m);
   if (!curve) return curve;
+  const std::size_t all = seen.size();
   std::erase_if(
       seen, [&](const SizedStem& s) { return std::abs(curve->height_m(s.dbh_cm) - s.height_m) > 3 * curve->rmse_m; });
-  return seen.size() == curve->trees ? curve : fit_once(seen, breast_height_m);
+  if (seen.size() == all) return curve;
+  curve = fit_once(seen, breast_height_m);
+  if (curve) curve->left_out = all - seen.size();
+  return curve;
 }
 
 double form_volume_m3(double dbh_cm, double height_m, double breast_height_m) {

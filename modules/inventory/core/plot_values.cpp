@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <string>
 
 #include "base/no_number.h"
 #include "cloud/stem_rows.h"
@@ -65,18 +66,21 @@ void take_heights(const std::vector<SizedStem>& stems, PlotValues& m) {
   if (std::isfinite(m.area_m2)) take_dominant_height(stems, m);
 }
 
-std::vector<DiameterClass> classes_of(const std::vector<SizedStem>& stems, double class_cm, double area_m2) {
+std::vector<DiameterClass> classes_of(const std::vector<SizedStem>& stems, const std::vector<CountedStem>& counted,
+                                      double class_cm, double area_m2) {
   struct Heights {
     double sum = 0;
     std::size_t count = 0;
   };
   std::map<long, std::pair<DiameterClass, Heights>> by_class;
-  for (const auto& s : stems) {
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    const auto& s = stems[i];
     const long k = std::lround(std::floor(s.dbh_cm / class_cm));
     auto& [c, heights] = by_class[k];
     c.lo_cm = static_cast<double>(k) * class_cm;
     c.hi_cm = c.lo_cm + class_cm;
     ++c.stems;
+    c.to_check += counted[i].to_check;
     c.basal_area_m2 += basal_area_m2(s.dbh_cm);
     if (!std::isfinite(s.height_m)) continue;
     heights.sum += s.height_m;
@@ -103,7 +107,34 @@ std::vector<double> seen_heights(const Table& stems) {
   return height;
 }
 
+bool is_to_check(const std::string& state, const std::string& quality) {
+  const bool decided = state == "accepted" || state == "edited" || state == "rejected";
+  return !decided && (state == "check" || quality == "poor");
+}
+
+void take_sound(const std::vector<SizedStem>& stems, PlotValues& m) {
+  double squares = 0;
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    if (m.counted[i].to_check) continue;
+    ++m.sound.stems;
+    m.sound.basal_area_m2 += basal_area_m2(stems[i].dbh_cm);
+    squares += stems[i].dbh_cm * stems[i].dbh_cm;
+    m.sound.volume_m3 += m.stand.by_stem[i].volume_m3;
+  }
+  m.to_check = stems.size() - m.sound.stems;
+  const auto n = static_cast<double>(m.sound.stems);
+  m.sound.stems_per_ha = n * m2_per_ha / m.area_m2;
+  m.sound.basal_area_m2_per_ha = m.sound.basal_area_m2 * m2_per_ha / m.area_m2;
+  m.sound.quadratic_mean_dbh_cm = std::sqrt(squares / n);
+}
+
 }  // namespace
+
+bool many_to_check(const PlotValues& v) {
+  const auto least = [](double whole) { return considerable_share * whole; };
+  return v.to_check > 0 && (static_cast<double>(v.to_check) >= least(static_cast<double>(v.stems)) ||
+                            v.basal_area_m2 - v.sound.basal_area_m2 >= least(v.basal_area_m2));
+}
 
 bool enough_tops(std::size_t seen, std::size_t stems) {
   return seen > 0 && (seen == stems || (seen >= 5 && 5 * seen >= stems));
@@ -126,18 +157,22 @@ PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotV
     else if (dbh[i] < rule.min_dbh_cm)
       ++m.too_thin;
   }
-  std::vector<SizedStem> counted;
-  for (const auto i : counted_rows(stems, rule))
-    counted.push_back({dbh[i], (high[i] - low[i]) / (2 * z_95), height[i], volume[i]});
-  m.stems = counted.size();
-  if (!counted.empty()) {
-    take_diameters(counted, m);
-    take_heights(counted, m);
-    m.stand = stand_values(counted, m.assumed);
+  const auto state = texts_or_empty(stems, "state"), quality = texts_or_empty(stems, "quality");
+  std::vector<SizedStem> sized;
+  for (const auto i : counted_rows(stems, rule)) {
+    sized.push_back({dbh[i], (high[i] - low[i]) / (2 * z_95), height[i], volume[i]});
+    m.counted.push_back({i, is_to_check(state[i], quality[i])});
   }
+  m.stems = sized.size();
+  if (!sized.empty()) {
+    take_diameters(sized, m);
+    take_heights(sized, m);
+    m.stand = stand_values(sized, m.assumed);
+  }
+  take_sound(sized, m);
   m.stems_per_ha = static_cast<double>(m.stems) * m2_per_ha / m.area_m2;
   m.basal_area_m2_per_ha = m.basal_area_m2 * m2_per_ha / m.area_m2;
-  m.classes = classes_of(counted, options.class_width_cm, m.area_m2);
+  m.classes = classes_of(sized, m.counted, options.class_width_cm, m.area_m2);
   return m;
 }
 

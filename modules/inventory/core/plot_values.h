@@ -13,10 +13,27 @@ namespace bole::inventory {
 struct DiameterClass {
   double lo_cm = 0, hi_cm = 0;  // lo <= dbh < hi
   std::size_t stems = 0;
+  std::size_t to_check = 0;
   double stems_per_ha = 0;  // NaN without a plot area
   double basal_area_m2 = 0;
   double basal_area_m2_per_ha = 0;
   double mean_height_m = 0;  // of the tops that were seen; NaN where none was seen
+};
+
+// Of the stems that nobody need look at: measured well, or accepted or edited by a person.
+struct SoundValues {
+  std::size_t stems = 0;
+  double stems_per_ha = 0;
+  double basal_area_m2 = 0;
+  double basal_area_m2_per_ha = 0;
+  double quadratic_mean_dbh_cm = 0;
+  double volume_m3 = 0;
+};
+
+// A stem that counts, by its row in the table given.
+struct CountedStem {
+  std::size_t row = 0;
+  bool to_check = false;
 };
 
 // NaN where a number cannot be given: per-hectare values without a plot area, heights where too few tops were seen.
@@ -44,14 +61,22 @@ struct PlotValues {
   StandAssumptions assumed;        // what `stand` rests on
   StandValues stand;               // heights of all stems, volume, intervals; without meaning where stems is 0
   std::vector<DiameterClass> classes;
+  std::vector<CountedStem> counted;  // in the order of stand.by_stem
+  std::size_t to_check = 0;          // of the stems that count; all values above are with them
+  SoundValues sound;                 // without them
 };
 
 // Whether heights of a plot may be given from so many tops: all of them, or at least 5 and at least a fifth of the
 // stems. Below a canopy the few tops that are seen belong to the low trees.
 bool enough_tops(std::size_t seen, std::size_t stems);
 
-// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen and state where known. Breast height is that of the
-// table (fact breast_height_m).
+// Stems that are to be checked are a considerable part from this share of the stems or of the basal area on.
+inline constexpr double considerable_share = 0.1;
+bool many_to_check(const PlotValues& values);
+
+// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen, quality and state where known. A stem is to be checked
+// where its state is "check" or its quality "poor" and no person has decided on it. Breast height is that of the table
+// (fact breast_height_m).
 PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotValueOptions& options = {});
 
 }  // namespace bole::inventory

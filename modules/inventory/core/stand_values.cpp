@@ -36,6 +36,25 @@ double usual_relative_sd(const std::vector<SizedStem>& stems) {
   return known > 0 ? std::sqrt(squares / static_cast<double>(known)) : no_number;
 }
 
+// Of a volume, without the form that all stems share.
+double own_relative_sd(const StemValues& stem, double diameter_relative_sd, const std::optional<HeightCurve>& curve) {
+  return std::hypot(2 * diameter_relative_sd, stem.by_curve ? curve->rmse_m / stem.height_m : 0);
+}
+
+StemValues values_of(const SizedStem& s, double diameter_relative_sd, const std::optional<HeightCurve>& curve,
+                     const StandAssumptions& assumed) {
+  StemValues v;
+  v.curve_height_m = curve ? curve->height_m(s.dbh_cm) : no_number;
+  v.by_curve = !std::isfinite(s.height_m) && std::isfinite(v.curve_height_m);
+  v.height_m = v.by_curve ? v.curve_height_m : s.height_m;
+  v.own_volume = std::isfinite(s.volume_m3);
+  v.volume_m3 = v.own_volume ? s.volume_m3 : form_volume_m3(s.dbh_cm, v.height_m, assumed.breast_height_m);
+  v.volume_half_m3 = z_95 * v.volume_m3 *
+                     std::hypot(own_relative_sd(v, diameter_relative_sd, curve),
+                                v.own_volume ? 0 : assumed.form_sd_pct / 100);
+  return v;
+}
+
 }  // namespace
 
 StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumptions& assumed) {
@@ -48,16 +67,11 @@ StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumpt
     const bool has_interval = std::isfinite(s.dbh_sd_cm);
     const double g = basal_area_m2(s.dbh_cm), relative = has_interval ? s.dbh_sd_cm / s.dbh_cm : usual;
     v.no_interval += !has_interval;
-    double height = s.height_m;
-    const bool by_curve = !std::isfinite(height);
-    if (by_curve && v.curve) {
-      height = v.curve->height_m(s.dbh_cm);
-      v.by_curve += std::isfinite(height);
-    }
-    const bool own = std::isfinite(s.volume_m3);
-    const double m3 = own ? s.volume_m3 : form_volume_m3(s.dbh_cm, height, assumed.breast_height_m);
-    v.own_volume += own;
-    by_form_m3 += own ? 0 : m3;
+    const StemValues stem = values_of(s, relative, v.curve, assumed);
+    v.by_curve += stem.by_curve;
+    v.own_volume += stem.own_volume;
+    by_form_m3 += stem.own_volume ? 0 : stem.volume_m3;
+    const double height = stem.height_m, m3 = stem.volume_m3;
     basal_area += g;
     weighted += g * height;
     heights += height;
@@ -67,7 +81,8 @@ StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumpt
     volume_squares += m3 * m3;
     area.add(2 * g * relative);
     squares.add(s.dbh_cm * s.dbh_cm * relative);
-    volume.add(m3 * std::hypot(2 * relative, by_curve && v.curve ? v.curve->rmse_m / height : 0));
+    volume.add(m3 * own_relative_sd(stem, relative, v.curve));
+    v.by_stem.push_back(stem);
   }
   const auto n = static_cast<double>(stems.size());
   v.mean_height_m = heights / n;

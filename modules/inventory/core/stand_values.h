@@ -19,7 +19,18 @@ struct HalfWidths {
   double measured = 0, sampled = 0;
 };
 
+// What a stem contributes to heights and volume. NaN where not known.
+struct StemValues {
+  double height_m = 0;          // of its top, else by the curve
+  bool by_curve = false;        // the height is that of the curve
+  double curve_height_m = 0;    // by the curve, for residuals; NaN without a curve and outside its diameters
+  double volume_m3 = 0;
+  double volume_half_m3 = 0;    // half width of the 95 % interval: diameter, height of the curve, form
+  bool own_volume = false;      // by its own stem curve
+};
+
 struct StandValues {
+  std::vector<StemValues> by_stem;  // in the order of the stems given
   std::optional<HeightCurve> curve;
   std::size_t by_curve = 0;     // stems whose height is that of the curve
   double mean_height_m = 0;     // of all stems, seen tops and curve; NaN where a height is missing

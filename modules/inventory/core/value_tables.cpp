@@ -7,6 +7,7 @@
 
 #include "base/no_number.h"
 #include "base/option_text.h"
+#include "cloud/table_columns.h"
 
 namespace bole::inventory {
 namespace {
@@ -98,6 +99,15 @@ Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
   rows.add("volume_per_ha", s.volume_m3 * m2_per_ha / v.area_m2, "m3/ha", per_hectare(s.volume_m3_half, v.area_m2));
   rows.count("volumes_by_stem_curve", s.own_volume);
   rows.add("form_sd", v.assumed.form_sd_pct, "%");
+  rows.count("stems_to_check", v.to_check);
+  rows.count("stems_sound", v.sound.stems);
+  rows.add("stem_density_sound", v.sound.stems_per_ha, "1/ha");
+  rows.add("basal_area_sound", v.sound.basal_area_m2, "m2");
+  rows.add("basal_area_per_ha_sound", v.sound.basal_area_m2_per_ha, "m2/ha");
+  rows.add("quadratic_mean_dbh_sound", v.sound.quadratic_mean_dbh_cm, "cm");
+  const double volume_sound = v.heights_known ? v.sound.volume_m3 : no_number;
+  rows.add("volume_sound", volume_sound, "m3");
+  rows.add("volume_per_ha_sound", volume_sound * m2_per_ha / v.area_m2, "m3/ha");
   Table t = rows.table();
   t.facts["class_width_cm"] = number_text(options.class_width_cm);
   return t;
@@ -105,8 +115,9 @@ Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
 
 Table class_table(const PlotValues& v) {
   std::vector<double> lo, hi, per_ha, area, area_per_ha, height;
-  std::vector<std::int64_t> stems;
+  std::vector<std::int64_t> stems, to_check;
   for (const auto& c : v.classes) {
+    to_check.push_back(static_cast<std::int64_t>(c.to_check));
     lo.push_back(c.lo_cm);
     hi.push_back(c.hi_cm);
     stems.push_back(static_cast<std::int64_t>(c.stems));
@@ -119,6 +130,7 @@ Table class_table(const PlotValues& v) {
   t.set("min_dbh_cm", lo);
   t.set("max_dbh_cm", hi);
   t.set("stems", stems);
+  t.set("stems_to_check", to_check);
   t.set("stems_per_ha", per_ha);
   t.set("basal_area_m2", area);
   t.set("basal_area_m2_per_ha", area_per_ha);
@@ -136,8 +148,51 @@ Table height_curve_table(const PlotValues& v) {
   t.set("b", one(c.b));
   t.set("rmse_m", one(c.rmse_m));
   t.set("trees", one(static_cast<double>(c.trees)));
+  t.set("left_out", one(static_cast<double>(c.left_out)));
   t.set("min_dbh_cm", one(c.min_dbh_cm));
   t.set("max_dbh_cm", one(c.max_dbh_cm));
+  return t;
+}
+
+Table tree_value_table(const PlotValues& v, const Table& stems) {
+  const auto ids = numbers_or_nan(stems, "tree_id"), dbh = numbers_or_nan(stems, "dbh_cm");
+  std::vector<std::int64_t> id, to_check;
+  std::vector<double> diameter, height, curve_height, residual, volume, lo, hi;
+  std::vector<std::string> height_source, volume_source;
+  for (std::size_t i = 0; i < v.counted.size(); ++i) {
+    const auto row = v.counted[i].row;
+    StemValues s = v.stand.by_stem[i];
+    if (!v.heights_known) {
+      s.volume_m3 = s.own_volume ? s.volume_m3 : no_number;
+      s.volume_half_m3 = s.own_volume ? s.volume_half_m3 : no_number;
+      s.height_m = s.by_curve ? no_number : s.height_m;
+      s.by_curve = false;
+      s.curve_height_m = no_number;
+    }
+    id.push_back(std::isfinite(ids[row]) ? static_cast<std::int64_t>(ids[row]) : static_cast<std::int64_t>(row) + 1);
+    to_check.push_back(v.counted[i].to_check ? 1 : 0);
+    diameter.push_back(dbh[row]);
+    height.push_back(s.height_m);
+    height_source.emplace_back(!std::isfinite(s.height_m) ? "" : s.by_curve ? "height curve" : "top seen");
+    curve_height.push_back(s.curve_height_m);
+    residual.push_back(s.by_curve ? no_number : s.height_m - s.curve_height_m);
+    volume.push_back(s.volume_m3);
+    lo.push_back(s.volume_m3 - s.volume_half_m3);
+    hi.push_back(s.volume_m3 + s.volume_half_m3);
+    volume_source.emplace_back(!std::isfinite(s.volume_m3) ? "" : s.own_volume ? "stem curve" : "DBH, height and form");
+  }
+  Table t;
+  t.set("tree_id", id);
+  t.set("dbh_cm", diameter);
+  t.set("to_check", to_check);
+  t.set("height_m", height);
+  t.set("height_source", height_source);
+  t.set("curve_height_m", curve_height);
+  t.set("height_residual_m", residual);
+  t.set("volume_m3", volume);
+  t.set("volume_lo_m3", lo);
+  t.set("volume_hi_m3", hi);
+  t.set("volume_source", volume_source);
   return t;
 }
 

@@ -124,7 +124,7 @@ std::vector<Format> make_formats() {
                   .fuzz_target = "ptx"});
   rows.push_back({.name = "KITTI frame",
                   .endings = {".bin"},
-                  .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && c.bytes.size() >= 16; },
+                  .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && looks_like_kitti_frame(c.bytes); },
                   .access = CloudAccess{.read = read_kitti_frame},
                   .fuzz_target = "kitti_frame"});
   rows.push_back({.name = "CSV",
@@ -224,6 +224,10 @@ const Format* first_match(const Candidate& candidate, bool folder, std::span<con
   for (const auto& foreign : foreign_files)
     if (starts_with(file, foreign.magic))
       throw bad_input("this is " + std::string(foreign.name), list, std::string(foreign.remedy));
+  if (name.extension() == ".bin")
+    throw bad_input("this is no KITTI frame (" + std::to_string(file.size()) + " bytes): a .bin file holds nothing but "
+                    "points of four 32-bit numbers, within 2 km of the sensor",
+                    list);
   throw bad_input("the format of this file is not known (" + std::to_string(file.size()) + " bytes, ending '" +
                       name.extension().string() + "')",
                   list);

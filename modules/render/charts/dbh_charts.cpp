@@ -127,7 +127,8 @@ void draw_boxes(Canvas& canvas, const std::vector<ErrorClass>& classes, double c
     draw_box(canvas, frame, x, classes[i].errors);
     const auto foot = frame.map(x, y.lo);
     canvas.line(foot, {foot.x(), foot.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({foot.x(), foot.y() + 2}, number_text(classes[i].lo_cm) + "–" + number_text(classes[i].lo_cm + class_cm),
+    canvas.text({foot.x(), foot.y() + 2},
+                number_text(classes[i].lo_cm) + "–" + number_text(classes[i].lo_cm + class_cm),
                 TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
     canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(classes[i].errors.size()),
                 TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::top));
@@ -161,15 +162,15 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
     const auto top = frame.map((static_cast<double>(k) + 0.5) * class_cm, n);
     TextStyle count{6.5, ink::muted};
     count.halo_mm = 0.5;  // over the line of the mean
-    canvas.text({top.x(), top.y() - 0.9}, std::to_string(n),
-                count.aligned(HAlign::centre, VAlign::baseline));
+    canvas.text({top.x(), top.y() - 0.9}, std::to_string(n), count.aligned(HAlign::centre, VAlign::baseline));
   }
   const auto classes = static_cast<int>(std::lround((hi - lo) / class_cm));
   const int every = std::max(1, static_cast<int>(std::ceil(7.0 * classes / frame.box.width())));
   for (int i = 0; i <= classes; i += every) {
     const auto p = frame.map(lo + i * class_cm, 0);
     canvas.line(p, {p.x(), p.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({p.x(), p.y() + 2}, number_text(lo + i * class_cm), TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
+    canvas.text({p.x(), p.y() + 2}, number_text(lo + i * class_cm),
+                TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
   }
   if (!dbh.empty()) {
     const bool left = mean > (frame.x.lo + frame.x.hi) / 2;
@@ -241,14 +242,14 @@ Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
 Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double class_cm) {
   std::vector<double> finite;
   std::copy_if(dbh_cm.begin(), dbh_cm.end(), std::back_inserter(finite), [](double d) { return std::isfinite(d); });
-  Figure figure{"dbh_histogram",
-                "Diameter distribution",
-                "Stems per class of diameter at breast height (classes of " + number_text(class_cm) +
-                    " cm); dashed: their mean.",
-                width_mm,
-                0.66 * width_mm,
-                true,
-                {}};
+  Figure figure{
+      "dbh_histogram",
+      "Diameter distribution",
+      "Stems per class of diameter at breast height (classes of " + number_text(class_cm) + " cm); dashed: their mean.",
+      width_mm,
+      0.66 * width_mm,
+      true,
+      {}};
   figure.draw = [finite = std::move(finite), class_cm](Canvas& canvas) { draw_histogram(canvas, finite, class_cm); };
   return figure;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "cloud/stem_rows.h"
 #include "render/charts/columns.h"
 #include "render/charts/dbh_charts.h"
 #include "render/draw/axes.h"
@@ -121,7 +122,7 @@ LinkedChart diameter_histogram(const Table& stems, const ChartSize& size, std::o
 }
 
 LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, std::optional<std::int64_t> selected) {
-  const auto dbh = numbers_or_nan(stems, "dbh_cm"), height = numbers_or_nan(stems, "height_m"),
+  const auto dbh = numbers_or_nan(stems, "dbh_cm"), height = known_heights(stems),
              seen = numbers_or_nan(stems, "height_seen");
   const auto ids = stems.integers("tree_id");
   const auto quality = texts_or_empty(stems, "quality");

@@ -30,7 +30,8 @@ std::vector<Tree> trees_of(const Table& stems) {
   const auto quality = texts_or_empty(stems, "quality");
   std::vector<Tree> trees;
   for (std::size_t i = 0; i < stems.rows(); ++i)
-    if (std::isfinite(dbh[i] + height[i])) trees.push_back({dbh[i], height[i], seen[i] != 0, quality_color(quality[i])});
+    if (std::isfinite(dbh[i] + height[i]))
+      trees.push_back({dbh[i], height[i], seen[i] != 0, quality_color(quality[i])});
   return trees;
 }
 
@@ -45,9 +46,9 @@ Frame frame_of(const Canvas& canvas, const Interval& x, const Interval& y) {
 }
 
 void draw_heights(Canvas& canvas, const std::vector<Tree>& trees, const std::optional<Curve>& curve) {
-  double most_x = 10, most_y = 5;
-  for (const auto& t : trees) most_x = std::max(most_x, t.dbh_cm), most_y = std::max(most_y, t.height_m);
-  const Frame frame = frame_of(canvas, nice_interval({0, 1.05 * most_x}, 6), nice_interval({0, 1.05 * most_y}, 5));
+  double max_x = 10, max_y = 5;
+  for (const auto& t : trees) max_x = std::max(max_x, t.dbh_cm), max_y = std::max(max_y, t.height_m);
+  const Frame frame = frame_of(canvas, nice_interval({0, 1.05 * max_x}, 6), nice_interval({0, 1.05 * max_y}, 5));
   AxesStyle axes{"DBH (cm)", "Height (m)"};
   axes.y_ticks = 5;
   draw_grid(canvas, frame, axes);
@@ -106,10 +107,10 @@ std::vector<StemCurve> curves_of(const Table& stems, const Table& table) {
 }
 
 void draw_taper(Canvas& canvas, const std::vector<StemCurve>& curves) {
-  double most_x = 3, most_y = 10;
+  double max_x = 3, max_y = 10;
   for (const auto& c : curves)
-    for (const auto& s : c.sections) most_x = std::max(most_x, s.height_m), most_y = std::max(most_y, s.diameter_cm);
-  const Frame frame = frame_of(canvas, nice_interval({0, 1.02 * most_x}, 6), nice_interval({0, 1.05 * most_y}, 5));
+    for (const auto& s : c.sections) max_x = std::max(max_x, s.height_m), max_y = std::max(max_y, s.diameter_cm);
+  const Frame frame = frame_of(canvas, nice_interval({0, 1.02 * max_x}, 6), nice_interval({0, 1.05 * max_y}, 5));
   AxesStyle axes{"Height above ground (m)", "Diameter (cm)"};
   axes.y_ticks = 5;
   draw_grid(canvas, frame, axes);
@@ -120,8 +121,9 @@ void draw_taper(Canvas& canvas, const std::vector<StemCurve>& curves) {
     canvas.dots(line, 0.55, c.color.with_alpha(0.7));
   }
   draw_axes(canvas, frame, axes);
-  draw_legend_row(canvas, {frame.box.x0, canvas.height_mm() - 5}, frame.box.width(),
-                  {{Symbol::line, ink::good, "good"}, {Symbol::line, ink::fair, "fair"}, {Symbol::line, ink::poor, "poor"}});
+  draw_legend_row(
+      canvas, {frame.box.x0, canvas.height_mm() - 5}, frame.box.width(),
+      {{Symbol::line, ink::good, "good"}, {Symbol::line, ink::fair, "fair"}, {Symbol::line, ink::poor, "poor"}});
 }
 
 }  // namespace

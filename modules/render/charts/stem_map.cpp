@@ -54,7 +54,8 @@ std::vector<LegendEntry> legend_of(const StemMapContent& content) {
   std::vector<LegendEntry> entries{{Symbol::disc, ink::good, "stem, good fit"},
                                    {Symbol::disc, ink::fair, "fair"},
                                    {Symbol::disc, ink::poor, "poor"}};
-  if (std::none_of(content.stems.begin(), content.stems.end(), [](const MapStem& s) { return s.color.r != ink::muted.r; }))
+  if (std::none_of(content.stems.begin(), content.stems.end(),
+                   [](const MapStem& s) { return s.color.r != ink::muted.r; }))
     entries = {{Symbol::disc, ink::muted, "stem"}};
   if (content.compared) {
     entries.push_back({Symbol::ring, ink::accent, "missed"});
@@ -100,8 +101,7 @@ void draw(Canvas& canvas, const StemMapContent& content, const Frame& frame) {
 
 Figure stem_map(const StemMapData& data, double width_mm) {
   auto content = stem_map_content(data);
-  const auto frame =
-      stem_map_frame(content, {margin_left, margin_top}, width_mm - margin_left - margin_right);
+  const auto frame = stem_map_frame(content, {margin_left, margin_top}, width_mm - margin_left - margin_right);
   const auto all = content.stems.size();
   std::erase_if(content.stems, [&](const MapStem& s) {
     return s.at.x() < frame.x.lo || s.at.x() > frame.x.hi || s.at.y() < frame.y.lo || s.at.y() > frame.y.hi;

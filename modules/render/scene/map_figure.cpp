@@ -24,7 +24,7 @@ namespace bole::render {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
-constexpr double side_mm = 19;    // the legend's column
+constexpr double side_mm = 19;  // the legend's column
 
 struct Extent {
   Eigen::Vector3d lo, hi;
@@ -371,8 +371,8 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   const double inner_height_mm = from_above ? inner_mm * std::clamp(size.y() / size.x(), 0.3, 1.3) : 0.62 * picture_mm;
   view.box = {left_mm, edge_mm, left_mm + inner_mm, edge_mm + inner_height_mm};
   if (!from_above && options.furniture) view.box.y1 = edge_mm + needed_height_mm(*data.points, options, view);
-  const double height_mm = std::max(view.box.y1 + below_mm + edge_mm,
-                                    options.furniture ? furniture_below_bar_mm + min_bar_mm : 0.0);
+  const double height_mm =
+      std::max(view.box.y1 + below_mm + edge_mm, options.furniture ? furniture_below_bar_mm + min_bar_mm : 0.0);
   drawing->options = options;
   drawing->north_known = data.north_known;
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;

@@ -50,9 +50,9 @@ struct MapOptions {
   bool dark = false;       // light drawing on a dark ground, for screens
   double crown_share = 1;  // of the points higher than 4 m above ground, so many are drawn
   double max_height_m = std::numeric_limits<double>::infinity();  // above ground: higher points are not drawn
-  bool furniture = true;   // legend, grid labels, north arrow
-  int supersampling = 2;   // each pixel is the mean of so many squared
-  int color_step = 1;      // colours are rounded to multiples of it, of 255: a greater step makes a smaller file
+  bool furniture = true;                                          // legend, grid labels, north arrow
+  int supersampling = 2;                                          // each pixel is the mean of so many squared
+  int color_step = 1;  // colours are rounded to multiples of it, of 255: a greater step makes a smaller file
   double dpi = 300;
 };
 

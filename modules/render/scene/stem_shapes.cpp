@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "cloud/breast_height.h"
+#include "cloud/stem_rows.h"
 #include "render/charts/columns.h"
 
 namespace bole::render {
@@ -54,7 +55,7 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), z = stems.numbers("z_m"),
              dbh = stems.numbers("dbh_cm");
   const auto lean = numbers_or_nan(stems, "lean_deg"), azimuth = numbers_or_nan(stems, "lean_azimuth_deg"),
-             taper = numbers_or_nan(stems, "taper_cm_per_m"), height = numbers_or_nan(stems, "height_m");
+             taper = numbers_or_nan(stems, "taper_cm_per_m"), height = known_heights(stems);
   const auto quality = texts_or_empty(stems, "quality");
   const double breast_height = breast_height_m(stems);
   std::vector<StemShape> shapes;

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double min_voxel_m = 0.01;
 constexpr std::size_t poll_every = 0x40000;  // points between two looks at the cancel flag
-constexpr std::size_t candidates_per_point = 8;  // of the cloud, for each point that is wanted: evenly through its order
-constexpr std::size_t share_sample = 100'000;    // points that tell how much of the cloud lies in the window
+constexpr std::size_t candidates_per_point =
+    8;                                         // of the cloud, for each point that is wanted: evenly through its order
+constexpr std::size_t share_sample = 100'000;  // points that tell how much of the cloud lies in the window
 constexpr unsigned min_table_bits = 20, max_table_bits = 28;  // of the occupied voxels
-constexpr std::size_t slots_per_point = 64;  // about one point in a hundred is lost to a collision
+constexpr std::size_t slots_per_point = 64;                   // about one point in a hundred is lost to a collision
 
 std::uint64_t scrambled(std::uint64_t v) {
   v ^= v >> 30, v *= 0xbf58476d1ce4e5b9ULL;
@@ -48,8 +49,7 @@ std::vector<std::uint32_t> one_per_voxel(const PointCloud& cloud, const std::vec
 }
 
 // Of a large cloud not every point is looked at: some for each that is wanted are enough for an even choice.
-std::size_t candidate_step(std::size_t points, std::size_t budget,
-                           const std::function<bool(std::size_t)>& shown) {
+std::size_t candidate_step(std::size_t points, std::size_t budget, const std::function<bool(std::size_t)>& shown) {
   const std::size_t wanted = candidates_per_point * std::max<std::size_t>(budget, 1);
   if (points <= wanted) return 1;
   std::size_t sampled = 0, inside = 0;

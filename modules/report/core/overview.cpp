@@ -142,9 +142,9 @@ class Cards {
     auto c = card("Stems", "stem_density", 0, "per ha");
     c.interval.clear();  // a count has no error of measuring of its own
     const double sound = optional("stems_sound");
-    const auto parts = to_check_ > 0 && std::isfinite(sound) ? ": " + render::fixed(sound, 0) + " sound, " +
-                                                                    render::fixed(to_check_, 0) + " to look at"
-                                                              : std::string();
+    const auto parts = to_check_ > 0 && std::isfinite(sound)
+                           ? ": " + render::fixed(sound, 0) + " sound, " + render::fixed(to_check_, 0) + " to look at"
+                           : std::string();
     c.note = v_.count("stems") + " counted in the plot" + parts;
     return c;
   }
@@ -185,7 +185,8 @@ std::string look_html(const SurveyData& d, const LookList& look) {
   }
   out += "</ul>\n";
   if (look.rows.size() > max_pictured)
-    out += "<p class=\"note\"><a href=\"#check\">All " + std::to_string(look.rows.size()) + " with their reasons</a></p>\n";
+    out += "<p class=\"note\"><a href=\"#check\">All " + std::to_string(look.rows.size()) +
+           " with their reasons</a></p>\n";
   return out;
 }
 

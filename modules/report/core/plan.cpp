@@ -103,10 +103,10 @@ std::string labels(const StemMapContent& content, const Frame& f) {
 std::string scale_and_north(const Frame& f, bool north_known) {
   const double metres = render::scale_bar_length_m(f.mm_per_unit_x(), 30), length = metres * f.mm_per_unit_x(),
                y = f.box.y1 + 8.5;
-  std::string out = path(svg_path({{f.box.x0, y - 1.5}, {f.box.x0, y}, {f.box.x0 + length, y},
-                                   {f.box.x0 + length, y - 1.5}}),
-                         "bar") +
-                    text({f.box.x0 + length + 1.5, y}, svg_number(metres) + " m", "class=\"axis\"");
+  std::string out =
+      path(svg_path({{f.box.x0, y - 1.5}, {f.box.x0, y}, {f.box.x0 + length, y}, {f.box.x0 + length, y - 1.5}}),
+           "bar") +
+      text({f.box.x0 + length + 1.5, y}, svg_number(metres) + " m", "class=\"axis\"");
   if (!north_known) return out;
   const Eigen::Vector2d foot(f.box.x1 - 4, f.box.y1 + 10.5);
   return out +
@@ -121,8 +121,8 @@ std::string legend(const StemMapContent& c, bool outside) {
   const auto entry = [](const std::string& css, const std::string& words) {
     return "<span><i class=\"" + css + "\"></i>" + words + "</span> ";
   };
-  std::string out = "<p class=\"legend\">" + entry("good", "good") + entry("fair", "fair") +
-                    entry("poor", "poor diameter");
+  std::string out =
+      "<p class=\"legend\">" + entry("good", "good") + entry("fair", "fair") + entry("poor", "poor diameter");
   if (outside) out += entry("beyond", "outside the plot");
   if (!c.missed.empty()) out += entry("missed", "missed reference tree");
   if (std::ranges::any_of(c.stems, &render::MapStem::is_false)) out += entry("false", "no reference tree");

@@ -119,9 +119,9 @@ std::optional<Judgement> judgement_of(const ReportContent& c, Report& told) {
 
 std::string navigation(const std::string& page) {
   constexpr std::pair<const char*, const char*> links[] = {
-      {"plot", "Values"},   {"check", "What to look at"}, {"stems", "Stems"},         {"slices", "Slices"},
-      {"view3d", "3-D"},    {"figures", "Figures"},       {"evaluation", "Reference"}, {"signature", "Signature"},
-      {"terms", "Words"},   {"run", "Appendix"}};
+      {"plot", "Values"}, {"check", "What to look at"}, {"stems", "Stems"},          {"slices", "Slices"},
+      {"view3d", "3-D"},  {"figures", "Figures"},       {"evaluation", "Reference"}, {"signature", "Signature"},
+      {"terms", "Words"}, {"run", "Appendix"}};
   std::string out = "<nav class=\"screen\">";
   for (const auto& [id, title] : links)
     if (page.find("<section id=\"" + std::string(id) + "\">") != std::string::npos)
@@ -137,9 +137,10 @@ std::string view_section(const ReportContent& c) {
 
 // What stands in the card of the selected tree is filled in by the script.
 std::string scripts(const ReportContent& c) {
-  std::string out = "<aside id=\"tree\" class=\"screen\" hidden=\"hidden\"></aside>\n<div id=\"tip\" class=\"screen\" "
-                    "hidden=\"hidden\"></div>\n" +
-                    page_script("tables.js");
+  std::string out =
+      "<aside id=\"tree\" class=\"screen\" hidden=\"hidden\"></aside>\n<div id=\"tip\" class=\"screen\" "
+      "hidden=\"hidden\"></div>\n" +
+      page_script("tables.js");
   if (c.view_data.empty()) return out;
   return out + "<script type=\"application/json\" id=\"survey-data\">" + c.view_data + "</script>\n" +
          page_script("view3d.js") + page_script("survey.js");

@@ -25,7 +25,8 @@ struct ReportContent {
 };
 
 // The page as in a report that is read from the top: first screen, values, trees, figures, signature, and everything
-// about how it was made at the end. What the page counts or adds up itself goes into the counts and metrics of `told`, so that summary.json has it.
+// about how it was made at the end. What the page counts or adds up itself goes into the counts and metrics of `told`,
+// so that summary.json has it.
 std::string report_html(const ReportContent& content, Report& told);
 
 }  // namespace bole::report

@@ -30,7 +30,7 @@ std::string stem_cell(const Table& stems, const StemColumn& column, double heigh
   if (const auto* texts = std::get_if<std::vector<std::string>>(stems.find(column.column))) return (*texts)[row];
   const std::string_view name = column.column;
   if (name == "tree_id") return stems.text(name, row, 0);
-  const double value = numbers_or_nan(stems, name)[row];
+  const double value = (name == "height_m" ? known_heights(stems) : numbers_or_nan(stems, name))[row];
   const bool lower_bound = name == "height_m" && height_seen == 0 && std::isfinite(value);
   return (lower_bound ? "≥ " : "") + render::fixed(value, column.decimals);
 }
@@ -161,7 +161,8 @@ std::string edits_by_hand(const SurveyData& d, Report& told) {
 
 // Fields that narrow the table down; the script of the page works them.
 std::string table_tools() {
-  return "<p class=\"tools screen\"><label>Find <input id=\"find\" type=\"search\" placeholder=\"tree or reason\"/></label> "
+  return "<p class=\"tools screen\"><label>Find <input id=\"find\" type=\"search\" placeholder=\"tree or "
+         "reason\"/></label> "
          "<label>Quality <select id=\"quality\"><option value=\"\">all</option><option>good</option>"
          "<option>fair</option><option>poor</option></select></label> "
          "<label><input id=\"only-look\" type=\"checkbox\"/> only trees to look at</label> "

@@ -17,7 +17,8 @@ namespace {
 
 // The files that the run read its points from, without their folders.
 std::string input_files(const RunRecord* record) {
-  constexpr std::array<std::string_view, 4> readers{"io.read_scan", "io.read_cloud", "io.read_points", "io.read_frames"};
+  constexpr std::array<std::string_view, 4> readers{"io.read_scan", "io.read_cloud", "io.read_points",
+                                                    "io.read_frames"};
   std::string names;
   if (record == nullptr) return names;
   for (const auto& stage : record->stages) {
@@ -44,7 +45,8 @@ std::string recorded_on(const SurveyData& d, const RunRecord* record) {
   if ((clock != "utc" && clock != "recorder") || !(start_s > year_2000_s) ||
       !(start_s < static_cast<double>(std::time(nullptr)) + 86400))
     return {};
-  return day_text(static_cast<std::time_t>(start_s)) + (clock == "recorder" ? " (clock of the recording computer)" : "");
+  return day_text(static_cast<std::time_t>(start_s)) +
+         (clock == "recorder" ? " (clock of the recording computer)" : "");
 }
 
 std::string sensor(const SurveyData& d) {

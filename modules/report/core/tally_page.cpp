@@ -60,8 +60,8 @@ HtmlTable rows_of(const SurveyData& d) {
 
 std::string tally_html(const std::string& title, const std::vector<std::pair<std::string, std::string>>& facts,
                        const SurveyData& d) {
-  std::string out = page_head("Tally sheet: " + title, "page.css") + "<main class=\"tally\">\n<h1>Tally sheet: " +
-                    escaped(title) + "</h1>\n<dl class=\"facts\">\n";
+  std::string out = page_head("Tally sheet: " + title, "page.css") +
+                    "<main class=\"tally\">\n<h1>Tally sheet: " + escaped(title) + "</h1>\n<dl class=\"facts\">\n";
   for (const auto& [name, value] : facts)
     if (name == "Input" || name == "Recorded" || name == "Plot")
       out += "<div><dt>" + escaped(name) + "</dt><dd>" + escaped(value) + "</dd></div>\n";

@@ -19,8 +19,9 @@ constexpr std::array<Term, 24> terms{{
      "gives."},
     {"95 % interval", "from|to|95 % from|95 % to",
      "The true diameter lies between these bounds for nineteen of twenty such trees. The wider, the less sure."},
-    {"Quality", "", "good, fair or poor: how far the diameter can be trusted, by its interval and by how the stem was "
-                    "seen. Poor stems should be measured again or looked at."},
+    {"Quality", "",
+     "good, fair or poor: how far the diameter can be trusted, by its interval and by how the stem was "
+     "seen. Poor stems should be measured again or looked at."},
     {"State", "",
      "auto: measured by the program alone; check: the program asks for a look; accepted, edited, rejected: what a "
      "person decided."},
@@ -33,18 +34,22 @@ constexpr std::array<Term, 24> terms{{
      "of the map together."},
     {"Points", "", "Points that the diameter rests on."},
     {"Lean", "Lean (°)", "Angle between the stem and the vertical."},
-    {"Height", "Height (m)", "From the ground to the top of the tree. With ≥ it is a lower bound: the top was not seen."},
+    {"Height", "Height (m)",
+     "From the ground to the top of the tree. With ≥ it is a lower bound: the top was not seen."},
     {"Basal area", "Basal area (m²)|Basal area (m²/ha)|Basal area per hectare",
      "Sum of the cross-sections of all stems at breast height."},
     {"Quadratic mean diameter", "", "Diameter of the stem of mean basal area."},
     {"Lorey's height", "Lorey's height, all stems", "Mean height in which each tree counts by its basal area."},
     {"Dominant height", "", "Mean height of the thickest trees of the stand."},
     {"Height curve", "", "Height as a function of diameter, fitted to the trees whose tops were seen."},
-    {"Stem volume", "Stem volume per hectare", "Wood and bark of the stems from the ground to the top, without branches."},
-    {"± as measured", "", "Half of the 95 % interval from the errors of measuring: what would differ if the same plot were "
-                          "measured again."},
-    {"± as a sample of a stand", "", "Half of the 95 % interval if this plot stands for a larger stand: trees differ from "
-                                     "place to place, which is usually far more than the error of measuring."},
+    {"Stem volume", "Stem volume per hectare",
+     "Wood and bark of the stems from the ground to the top, without branches."},
+    {"± as measured", "",
+     "Half of the 95 % interval from the errors of measuring: what would differ if the same plot were "
+     "measured again."},
+    {"± as a sample of a stand", "",
+     "Half of the 95 % interval if this plot stands for a larger stand: trees differ from "
+     "place to place, which is usually far more than the error of measuring."},
     {"Taper", "", "How the diameter decreases with height."},
     {"Terrain", "", "Height of the ground, as modelled below the trees."},
     {"Canopy height", "", "Height of the highest point above the terrain."},
@@ -65,8 +70,7 @@ bool is_word(std::string_view list, std::string_view word) {
 }  // namespace
 
 std::string_view meaning_of(std::string_view word) {
-  const auto it =
-      std::ranges::find_if(terms, [&](const Term& t) { return t.word == word || is_word(t.also, word); });
+  const auto it = std::ranges::find_if(terms, [&](const Term& t) { return t.word == word || is_word(t.also, word); });
   return it == terms.end() ? std::string_view() : it->meaning;
 }
 

@@ -12,7 +12,8 @@ std::string view3d_section(bool has_points, bool has_trees) {
         "<output id=\"view-cut-text\"></output></label> <label>Colour <select id=\"view-color\">"
         "<option value=\"height\">height above ground</option>";
     if (has_trees) tools += "<option value=\"tree\">tree</option>";
-    tools += "</select></label> <label><input id=\"view-points\" type=\"checkbox\" checked=\"checked\"/> points</label> ";
+    tools +=
+        "</select></label> <label><input id=\"view-points\" type=\"checkbox\" checked=\"checked\"/> points</label> ";
   }
   tools +=
       "<button id=\"view-top\" type=\"button\">from above</button> <button id=\"view-side\" type=\"button\">from the "
@@ -24,7 +25,8 @@ std::string view3d_section(bool has_points, bool has_trees) {
                 "note screen") +
           tools +
           "<div class=\"view3d\"><canvas id=\"view\" tabindex=\"0\" aria-label=\"Stems and points in 3-D\"></canvas>"
-          "<p id=\"view-trouble\" class=\"note\" hidden=\"hidden\">This browser cannot draw in 3-D (WebGL is missing or "
+          "<p id=\"view-trouble\" class=\"note\" hidden=\"hidden\">This browser cannot draw in 3-D (WebGL is missing "
+          "or "
           "switched off). The figures below show the stand, and cloud.las opens in any viewer of point clouds.</p>"
           "</div>\n");
 }

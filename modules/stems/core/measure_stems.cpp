@@ -18,6 +18,7 @@
 #include "stems/core/sensor_facts.h"
 #include "stems/core/tree/assign_points.h"
 #include "stems/core/tree/crown_form.h"
+#include "stems/core/tree/grow_crowns.h"
 #include "stems/core/tree/stem_curve.h"
 
 namespace bole::stems {
@@ -363,10 +364,11 @@ class Survey {
     run_.report(0.85, "points of each tree");
     leave_memory(points_);  // the rays of a large cloud, read all over it by the fits
     auto labels = assign_points(out_.stems, points_, options_, run_);
-    measure_heights(out_.stems, points_, labels, run_);
-    judge_tops(out_.stems, points_, labels, sensor_of_point(), run_);
-    run_.report(0.92, "stem curves and crowns");
+    run_.report(0.88, "stem curves and crowns");
     follow_stems(out_.stems, points_, labels, breast_height_, options_, run_, out_.report);
+    const auto growth = grow_crowns(out_.stems, points_, options_, run_, labels);
+    run_.report(0.94, "tops, volumes and crowns");
+    out_.tops = measure_tops(out_.stems, points_, labels, growth, sensor_of_point(), run_, out_.report);
     measure_volumes(out_.stems, breast_height_, run_, out_.report);
     measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.points = input_;

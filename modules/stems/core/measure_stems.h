@@ -8,6 +8,7 @@
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 #include "stems/core/fit/fit_stem.h"
+#include "stems/core/tree/tree_tops.h"
 
 namespace bole::stems {
 
@@ -20,6 +21,7 @@ struct RejectedStem {
 
 struct StemSurvey {
   std::vector<Stem> stems;  // ids from 1, from north to south, west to east where level
+  std::vector<TopVerdict> tops;  // by stem
   std::vector<RejectedStem> rejected;
   PointCloud points;  // input with tree_id and stem
   double breast_height_m = usual_breast_height_m;

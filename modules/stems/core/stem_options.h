@@ -47,7 +47,7 @@ struct MeasureOptions {
   double max_range = 20;
   double max_ray_through = 0.30;
   // Points of a tree
-  double crown_radius = 2.5;
+  double crown_radius = 6;
   double bark_tolerance = 0.03;
 };
 

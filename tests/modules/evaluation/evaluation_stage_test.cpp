@@ -93,5 +93,35 @@ TEST_F(EvaluationStage, AMappedColumnThatIsAbsentIsNamed) {
   }
 }
 
+TEST_F(EvaluationStage, OrdinaryHeadingsAreGuessedAndTold) {
+  Table list;
+  list.set("id", std::vector<std::int64_t>{7});
+  list.set("x", std::vector<double>{0}), list.set("y", std::vector<double>{0});
+  list.set("DBH", std::vector<double>{200}), list.set("Species", std::vector<std::string>{"Fagus sylvatica"});
+  DataSet in;
+  in.set("stems", one_tree(0.1, 21)), in.set("reference_stems", list);
+  const auto result = run(in);
+  EXPECT_EQ(result.report.counts.at("matched"), 1);
+  EXPECT_NEAR(result.report.metrics.at("dbh_bias").value, 1, 1e-12) << "200 are millimetres";
+  EXPECT_EQ(result.outputs.table("matches").texts("species")[0], "Fagus sylvatica");
+  ASSERT_EQ(result.report.findings.size(), 1U);
+  EXPECT_EQ(result.report.findings[0].code, "reference_columns_guessed");
+  EXPECT_THAT(result.report.findings[0].text, testing::HasSubstr("dbh_cm=DBH:mm"));
+}
+
+TEST_F(EvaluationStage, AListThatNobodyCanReadIsAFindingThatNamesTheOption) {
+  Table list;
+  list.set("foo", std::vector<double>{0}), list.set("bar", std::vector<double>{0});
+  DataSet in;
+  in.set("stems", one_tree(0.1, 21)), in.set("reference_stems", list);
+  const auto result = run(in);
+  EXPECT_EQ(result.outputs.table("matches").rows(), 0U);
+  ASSERT_EQ(result.report.findings.size(), 1U);
+  EXPECT_EQ(result.report.findings[0].code, "reference_not_read");
+  EXPECT_EQ(result.report.findings[0].severity, Severity::look);
+  EXPECT_THAT(result.report.findings[0].text,
+              testing::AllOf(testing::HasSubstr("foo, bar"), testing::HasSubstr("evaluate.reference_columns")));
+}
+
 }  // namespace
 }  // namespace bole::evaluation

@@ -55,6 +55,51 @@ TEST(PlotValues, ByHand) {
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 17.25);
 }
 
+// The check of the stand above is of 30 cm: 9 of the 30 squares of the basal area.
+TEST(PlotValues, StemsToCheckStandApart) {
+  const auto m = plot_values(stems(), rectangle);
+  EXPECT_EQ(m.to_check, 1U);
+  EXPECT_EQ(m.sound.stems, 3U);
+  EXPECT_DOUBLE_EQ(m.sound.stems_per_ha, 60);
+  EXPECT_NEAR(m.sound.basal_area_m2, m.basal_area_m2 * 21 / 30, 1e-12);
+  EXPECT_NEAR(m.sound.quadratic_mean_dbh_cm, std::sqrt(2100.0 / 3), 1e-12);
+  EXPECT_TRUE(many_to_check(m));
+  const auto table = plot_value_table(m, {});
+  EXPECT_EQ(value(table, "stems"), 4);
+  EXPECT_EQ(value(table, "stems_sound"), 3);
+  EXPECT_EQ(value(table, "stems_to_check"), 1);
+  EXPECT_NEAR(value(table, "basal_area_per_ha_sound"), m.basal_area_m2_per_ha * 0.7, 1e-9);
+  auto accepted = stems();
+  accepted.set("state", std::vector<std::string>{"auto", "auto", "accepted", "edited", "auto", "auto", "rejected"});
+  EXPECT_FALSE(many_to_check(plot_values(accepted, rectangle)));
+  // A poor stem counts as one to check unless a person decided.
+  accepted.set("quality", std::vector<std::string>{"good", "poor", "poor", "poor", "good", "good", "good"});
+  EXPECT_EQ(plot_values(accepted, rectangle).to_check, 1U);
+}
+
+TEST(PlotValues, EveryTreeHasItsHeightAndVolumeWithTheirSource) {
+  auto t = stems();
+  t.set("tree_id", std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7});
+  t.set("dbh_lo_cm", std::vector<double>{9, 19, 29, 39, 49, 4, 34});
+  t.set("dbh_hi_cm", std::vector<double>{11, 21, 31, 41, 51, 6, 36});
+  t.set("volume_m3", std::vector<double>{std::nan(""), 0.25, std::nan(""), std::nan(""), 1, 1, 1});
+  const auto m = plot_values(t, rectangle);
+  const auto trees = tree_value_table(m, t);
+  ASSERT_EQ(trees.rows(), 4U);
+  EXPECT_THAT(trees.integers("tree_id"), testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(trees.integers("to_check"), testing::ElementsAre(0, 0, 1, 0));
+  EXPECT_EQ(trees.texts("height_source")[0], "top seen");
+  EXPECT_EQ(trees.texts("volume_source")[1], "stem curve");
+  EXPECT_EQ(trees.numbers("volume_m3")[1], 0.25);
+  // Twice the relative half width of the diameter: 1 of 20 cm is 5 %, so 10 % of the volume.
+  EXPECT_NEAR(trees.numbers("volume_hi_m3")[1] - 0.25, 0.025, 1e-6);
+  // By form the 5 % of the form come on top: hypot(20 %, 1.96 * 5 %).
+  const double v = trees.numbers("volume_m3")[0];
+  EXPECT_NEAR(trees.numbers("volume_hi_m3")[0] / v - 1, std::hypot(0.2, 1.959964 * 0.05), 1e-6);
+  EXPECT_NEAR(trees.numbers("volume_m3")[0] + 0.25 + trees.numbers("volume_m3")[2] + trees.numbers("volume_m3")[3],
+              m.stand.volume_m3, 1e-9);
+}
+
 // `n` stems in a line, the k-th of (10 + k) cm and m height; the tops of the first `seen` are seen.
 Table line_of_stems(int n, int seen) {
   std::vector<double> x, y, size;

@@ -4,10 +4,13 @@
 
 #include <Eigen/LU>
 
+#include <sys/stat.h>
+
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "base/verdict.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/clouds/pcd_reader.h"
 #include "io/core/clouds/sensor_arrays.h"
@@ -226,6 +229,53 @@ TEST(ReadText, BadLinesAreCountedAndTheFirstIsNamed) {
   EXPECT_THAT(r.report.warnings.at(0), HasSubstr("line 3"));
   EXPECT_THAT(error_of([] { read("1 2 3\na\nb\nc\n", "a.xyz"); }), HasSubstr("line 2"));
   EXPECT_THAT(error_of([] { read("dear forester,\nthis is a letter\n", "a.txt"); }), HasSubstr("three numbers"));
+}
+
+TEST(ReadText, DecimalCommasBetweenCommasAreRefused) {
+  EXPECT_THAT(error_of([] { read("x,y,z,intensity\n1,250,2,500,3,750,7\n", "a.csv"); }),
+              testing::AllOf(HasSubstr("line 2 has 7 fields"), HasSubstr("needed: 4"), HasSubstr("decimal commas")));
+  // Without a header: six columns of whole numbers, of which every second has three digits.
+  EXPECT_THAT(error_of([] { read("1,250,2,500,3,750\n4,125,5,000,6,875\n", "a.csv"); }),
+              HasSubstr("no decimal points"));
+  CloudReadOptions options;
+  options.delimiter = Delimiter::comma;  // somebody who knows
+  EXPECT_EQ(read("1,250,2,500,3,750\n4,125,5,000,6,875\n", "a.csv", options).cloud.position(0),
+            Eigen::Vector3d(1, 250, 2));
+  EXPECT_EQ(read("1,2,3,10,200,30\n4,5,6,7,8,9\n", "a.csv").cloud.size(), 2U);  // colours: digits differ
+  EXPECT_EQ(read("x;y;z\n1,25;2,5;3,75\n", "a.csv").cloud.position(0), Eigen::Vector3d(1.25, 2.5, 3.75));
+}
+
+TEST(ReadText, MoreFieldsThanTheHeaderAreRefusedInAnyLine) {
+  EXPECT_THAT(error_of([] { read("x y z\n1 2 3\n4 5 6 7\n", "a.xyz"); }), HasSubstr("line 3 has 4 fields"));
+  EXPECT_THAT(error_of([] { read("1 2 3\n4 5 6 7\n", "a.xyz"); }), HasSubstr("line 2 has 4 fields"));
+  EXPECT_EQ(read("x,y,z\n1,2,3,\n4,5,6,,\n", "a.csv").cloud.size(), 2U);  // empty ones are nothing
+}
+
+TEST(ReadText, PosesAreNoPoints) {
+  EXPECT_THAT(error_of([] { read("1 0 0 5 0 1 0 6 0 0 1 7\n", "poses.txt"); }), HasSubstr("io.read_trajectory"));
+  EXPECT_THAT(error_of([] { read("10.5 1 2 3 0 0 0 1\n11 1 2 3 0 0 0.6 0.8\n", "walk.txt"); }),
+              HasSubstr("io.read_trajectory"));
+  EXPECT_EQ(read("10.5 1 2 3 0 0 0 5\n", "a.txt").cloud.size(), 1U);
+}
+
+TEST(ReadText, ADeclaredNumberOfPointsIsCompared) {
+  const auto fewer = read("100\n1 2 3\n4 5 6\n", "a.pts"), more = read("1\n1 2 3\n4 5 6\n", "a.pts");
+  EXPECT_TRUE(has_finding(fewer.report, finding_code::input_incomplete));
+  EXPECT_TRUE(has_finding(more.report, "points_behind_header"));
+  EXPECT_EQ(more.cloud.size(), 2U);
+}
+
+TEST(ReadCloud, CoordinatesBeyondTheEarthAreRefused) {
+  EXPECT_THAT(error_of([] { read("1 2 3\n1e30 2 3\n", "a.xyz"); }), HasSubstr("1 of 2 points"));
+  std::string text;
+  for (int i = 0; i < 200; ++i) text += "500000.5 5600000 120\n";
+  EXPECT_TRUE(has_finding(read(text + "1e12 2 3\n", "a.xyz").report, "implausible_coordinates"));
+}
+
+TEST(ReadCloud, APipeIsNoFile) {
+  const TempDir dir;
+  ASSERT_EQ(::mkfifo((dir / "a.las").c_str(), 0600), 0);  // nobody writes into it: to open it would take for ever
+  EXPECT_THAT(error_of([&] { read_cloud(dir / "a.las"); }), HasSubstr("is not a file"));
 }
 
 TEST(ReadText, NanAndInfinityAreDroppedAndCounted) {

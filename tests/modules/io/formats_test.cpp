@@ -22,6 +22,12 @@ std::string format_of(const std::string& content, const std::string& name) {
   return format == nullptr ? "none" : std::string(format->name);
 }
 
+std::string frame_of(const std::vector<float>& values) {
+  std::string bytes;
+  for (const float value : values) put(bytes, value);
+  return bytes;
+}
+
 TEST(Formats, EveryRowIsComplete) {
   std::set<std::pair<FileContent, std::string>> words;
   for (const auto& format : formats()) {
@@ -92,8 +98,23 @@ TEST(Formats, TheEndingDecidesWhereTheContentDoesNot) {
   EXPECT_EQ(format_of("2\n3\n0 0 0\n", "a.ptx"), "PTX");
   EXPECT_EQ(format_of("x,y,z\n1,2,3\n", "a.csv"), "CSV");
   EXPECT_EQ(format_of("1\n1 2 3\n", "a.PTS"), "PTS");
-  EXPECT_EQ(format_of(std::string(16, '\1'), "a.bin"), "KITTI frame");
+  EXPECT_EQ(format_of(frame_of({3, 4, 0, 0.5F}), "a.bin"), "KITTI frame");
   EXPECT_EQ(format_of("", "a.xyz"), "none");
+}
+
+TEST(Formats, ABinaryFileIsAFrameOnlyWhereItsNumbersAre) {
+  std::vector<float> points;
+  for (int i = 0; i < 400; ++i) points.push_back(static_cast<float>(i % 97) - 40);
+  EXPECT_EQ(format_of(frame_of(points), "a.bin"), "KITTI frame");
+  EXPECT_EQ(format_of(frame_of(points) + "cut", "a.bin"), "none");  // not whole points
+  EXPECT_EQ(format_of(std::string(1600, 'x'), "a.bin"), "none");    // letters: numbers of 1e19
+  EXPECT_EQ(format_of(std::string(1600, '\0'), "a.bin"), "none");
+  points[4] = 3e38F;
+  points[9] = 3e38F;
+  EXPECT_EQ(format_of(frame_of(points), "a.bin"), "none");
+  const TempDir dir;
+  write_file(dir / "a.bin", std::string(1600, 'x'));
+  EXPECT_THAT(error_of([&] { require_format(dir / "a.bin"); }), HasSubstr("no KITTI frame"));
 }
 
 TEST(Formats, PathsThatDoNotExistAreJudgedByTheirEnding) {
@@ -105,7 +126,7 @@ TEST(Formats, PathsThatDoNotExistAreJudgedByTheirEnding) {
 TEST(Formats, AFolderIsAScanWhereItHoldsFrames) {
   const TempDir dir;
   EXPECT_EQ(find_format(dir.path()), nullptr);
-  write_file(dir / "velodyne/0.bin", std::string(16, '\1'));
+  write_file(dir / "velodyne/0.bin", frame_of({3, 4, 0, 0.5F}));
   ASSERT_NE(find_format(dir.path()), nullptr);
   EXPECT_EQ(find_format(dir.path())->content(), FileContent::scan);
 }

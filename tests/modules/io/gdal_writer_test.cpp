@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "io/core/gdal/gdal_support.h"
 
 namespace bole::io {
 namespace {
@@ -200,6 +201,25 @@ TEST_F(GdalWriter, LayersThatCannotBeWritten) {
       write_geopackage(folder_ / "a.gpkg", {point_layer("stems", stems(), ""), point_layer("stems", stems(), "")}),
       Error);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(GdalWriter, StylesLieWhereQgisLooksForThem) {
+  auto styled = point_layer("stems", stems(), ""), plain = point_layer("rejected", stems(), "");
+  styled.style_qml = "<qgis/>";
+  write_geopackage(folder_ / "map.gpkg", {styled, plain});
+  const gdal::Dataset set(GDALDataset::Open((folder_ / "map.gpkg").c_str(), GDAL_OF_VECTOR));
+  ASSERT_NE(set, nullptr);
+  OGRLayer* rows = set->ExecuteSQL(
+      "SELECT id, styleQML, f_geometry_column FROM layer_styles WHERE f_table_catalog='' AND f_table_schema='' AND "
+      "f_table_name='stems' AND useAsDefault=1",
+      nullptr, nullptr);
+  ASSERT_NE(rows, nullptr);
+  ASSERT_EQ(rows->GetFeatureCount(), 1);
+  const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> row(rows->GetNextFeature(), OGRFeature::DestroyFeature);
+  EXPECT_STREQ(row->GetFieldAsString("styleQML"), "<qgis/>");
+  EXPECT_STREQ(row->GetFieldAsString("f_geometry_column"), set->GetLayerByName("stems")->GetGeometryColumn());
+  set->ReleaseResultSet(rows);
+  EXPECT_EQ(set->GetLayerByName("layer_styles")->GetFeatureCount(), 1) << "of the styled layer alone";
 }
 
 TEST_F(GdalWriter, GeoJsonIsInLongitudeAndLatitude) {

@@ -251,5 +251,42 @@ TEST_F(LasWriter, EmptyCloud) {
   EXPECT_EQ(read_las(path()).size(), 0U);
 }
 
+PointCloud timed_cloud() {
+  PointCloud cloud(PointCloud::Positions{{0, 0, 0}, {1, 1, 1}});
+  cloud.set_column(arrays::time, std::vector<double>{1600000000.25, 1600000001.5});
+  return cloud;
+}
+
+unsigned encoding_of(const std::filesystem::path& file) { return las_info(file).global_encoding; }
+
+// What bit 0 of the global encoding says of the times is what it said of those that were read.
+TEST_F(LasWriter, TheKindOfGpsTimeIsKept) {
+  for (const auto& [kind, bit] : {std::pair{las::gps_week, 0U}, {las::gps_standard, 1U}}) {
+    auto cloud = timed_cloud();
+    cloud.facts[std::string(las::gps_time_fact)] = kind;
+    write_las(path(), cloud, {}, {}, nullptr);
+    EXPECT_EQ(encoding_of(path()), 16U | bit);
+    const auto back = read_las(path(), {}, {}, nullptr);
+    EXPECT_EQ(back.facts.at(std::string(las::gps_time_fact)), kind);
+    EXPECT_EQ(back.values<double>(arrays::time), cloud.values<double>(arrays::time));
+    write_las(path("again.las"), back, {}, {}, nullptr);
+    EXPECT_EQ(encoding_of(path("again.las")), 16U | bit);
+  }
+}
+
+// Seconds of another clock, such as Unix time, are no GPS time: other programs must not take them for it.
+TEST_F(LasWriter, TimesOfAnotherClockAreNotDeclaredAsGpsTime) {
+  const auto cloud = timed_cloud();
+  write_las(path(), cloud, {}, {}, nullptr);
+  EXPECT_THAT(las_info(path()).extra_columns, Contains("time"));
+  const auto records = records_of(path());
+  const auto back = read_las(path(), {}, {}, nullptr);
+  EXPECT_EQ(back.values<double>(arrays::time), cloud.values<double>(arrays::time));
+  EXPECT_FALSE(back.facts.contains(std::string(las::gps_time_fact)));
+  LasReadOptions fields_alone;
+  fields_alone.extra_bytes = false;
+  EXPECT_FALSE(read_las(path(), fields_alone, {}, nullptr).has(arrays::time)) << "the field of GPS times is empty";
+}
+
 }  // namespace
 }  // namespace bole::io

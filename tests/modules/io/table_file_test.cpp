@@ -75,5 +75,20 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(read(table_text(one)).texts("note"), one.texts("note"));
 }
 
+// A spreadsheet runs a text that begins like a formula.
+TEST(TableFile, TextsThatLookLikeFormulasGetAnApostropheAndComeBack) {
+  Table table;
+  const std::vector<std::string> texts{
+      "=cmd|' /C calc'!A0", "+1 cm", "-5 cm", "@SUM(A1)", "'=x", "plain", "-5", "O'Neill"};
+  table.set("author", texts);
+  table.set("x_m", std::vector<double>(texts.size(), -1.5));
+  const auto text = table_text(table);
+  EXPECT_THAT(text,
+              testing::AllOf(testing::HasSubstr("'=cmd|"), testing::HasSubstr("'+1 cm"), testing::HasSubstr("'@SUM"),
+                             testing::HasSubstr("-1.5"), testing::Not(testing::HasSubstr("'-1.5"))));
+  const auto bytes = Bytes{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+  EXPECT_EQ(read_table(bytes, "a.csv").texts("author"), texts);
+}
+
 }  // namespace
 }  // namespace bole::io

@@ -95,8 +95,9 @@ TEST(TrajectoryCharts, AlignedPathsLieOnTheirReference) {
   for (auto& pose : estimate.poses) pose.T_target_sensor = moved * pose.T_target_sensor;
   const auto aligned = aligned_to(estimate, s.reference);
   for (std::size_t i = 0; i < aligned.poses.size(); ++i)
-    EXPECT_LT((aligned.poses[i].T_target_sensor.translation() - s.reference.poses[i].T_target_sensor.translation()).norm(),
-              1e-6);
+    EXPECT_LT(
+        (aligned.poses[i].T_target_sensor.translation() - s.reference.poses[i].T_target_sensor.translation()).norm(),
+        1e-6);
   EXPECT_GT(greatest_error_cm({&estimate, &s.reference, nullptr}), 100);
   EXPECT_LT(greatest_error_cm({&aligned, &s.reference, nullptr}), 1e-3);
   auto short_path = s.reference;

@@ -277,8 +277,8 @@ TEST_F(MakeReport, SlamIsTold) {
   const auto section = html.substr(html.find("<div id=\"slam\">"));
   for (const char* text :
        {"SLAM: from frames to a map", "Frames that could not be registered", "(below 2.3: not determined)", ">2.8<",
-        "Track lost at frame", ">77<", ">0.93<", ">12.3<", "Loop closures and pose graph", ">10.0<", ">22.3<", "context",
-        ">30.5<", ">4.2<", "Failed frames"})
+        "Track lost at frame", ">77<", ">0.93<", ">12.3<", "Loop closures and pose graph", ">10.0<", ">22.3<",
+        "context", ">30.5<", ">4.2<", "Failed frames"})
     EXPECT_THAT(section, HasSubstr(text));
 
   // With poses from a file there is nothing to tell.

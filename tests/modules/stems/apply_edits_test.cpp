@@ -203,5 +203,37 @@ TEST(ApplyEdits, SectionsFollowTheirStem) {
   EXPECT_THAT(e.sections.numbers("diameter_cm"), ElementsAre(30, 10));
 }
 
+// Stems 2 and 3 stand in a plot about (5, 0); 3 is too thin to count.
+TEST(ApplyEdits, StemsOfThePlotAreNumberedFirstInEveryOutput) {
+  const auto s = stand();
+  const Table plot = to_table({circle_area({5, 0}, 2), 15});
+  const auto e = apply_stem_edits({&s.stems, &s.sections, &s.points, nullptr, &plot}, {}, {}, bole::Run{});
+  EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(3, 1, 2));
+  EXPECT_EQ(e.stems.numbers("dbh_cm"), s.stems.numbers("dbh_cm"));
+  EXPECT_THAT(e.sections.integers("tree_id"), ElementsAre(3, 3, 1, 2));
+  const auto& before = s.points.values<std::int32_t>(arrays::tree_id);
+  const auto& after = e.points->values<std::int32_t>(arrays::tree_id);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i], before[i] == 1 ? 3 : before[i] == 2 ? 1 : 2);
+}
+
+TEST(ApplyEdits, EditsMeanTheSameStemsWithAPlotAndWithout) {
+  const auto s = stand();
+  const Table plot = to_table({circle_area({5, 0}, 2), 15});
+  const auto edits = parse_stem_edits(R"([{"action": "delete", "at": [0, 0]}, {"action": "resize", "at": [5, 0], "dbh_cm": 31},
+    {"action": "add", "at": [9, 9], "dbh_cm": 20}])");
+  const auto e = apply_stem_edits({&s.stems, &s.sections, &s.points, nullptr, &plot}, edits, {}, bole::Run{});
+  EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(1, 2, 4));  // 3 was deleted, 4 is new
+  EXPECT_THAT(e.stems.numbers("dbh_cm"), ElementsAre(31, 10, 20));
+  EXPECT_THAT(e.log.integers("tree_id"), ElementsAre(3, 1, 4));
+  EXPECT_EQ(points_of(e, 0), 10);
+  EXPECT_EQ(points_of(e, 1), 10);
+}
+
+TEST(ApplyEdits, ASpeciesIsKept) {
+  const auto e = edited(stand(), R"([{"action": "set_species", "at": [5, 0], "species": "Picea abies"}])");
+  EXPECT_THAT(e.stems.texts("species"), ElementsAre("", "Picea abies", ""));
+  EXPECT_EQ(e.stems.texts("state")[1], "auto");
+}
+
 }  // namespace
 }  // namespace bole::stems

@@ -162,7 +162,7 @@ TEST(TreeForm, ACrownHasABaseAndAnAreaAndADeadStemHasNone) {
   const std::size_t alive = std::abs(table.numbers("x_m")[0]) < 1 ? 0 : 1;
   EXPECT_NEAR(table.numbers("crown_base_m")[alive], 6, 0.3);
   EXPECT_NEAR(table.numbers("crown_area_m2")[alive], 4 * std::numbers::pi, 0.8);
-  EXPECT_NEAR(table.numbers("height_m")[alive], 11, 0.2);
+  EXPECT_NEAR(table.numbers("height_lower_bound_m")[alive], 11, 0.2);
   EXPECT_TRUE(std::isnan(table.numbers("crown_base_m")[1 - alive]));
 }
 

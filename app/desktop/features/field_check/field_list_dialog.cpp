@@ -21,6 +21,7 @@ QString title_of(const std::string& name) {
   if (name == "dbh_cm") return FieldListDialog::tr("Diameter at breast height");
   if (name == "height_m") return FieldListDialog::tr("Height");
   if (name == "tree_id") return FieldListDialog::tr("Tree number");
+  if (name == "species") return FieldListDialog::tr("Species");
   if (name == "azimuth_deg") return FieldListDialog::tr("Azimuth from the centre");
   return FieldListDialog::tr("Distance from the centre");
 }

@@ -21,9 +21,8 @@ namespace bole::desktop {
 namespace {
 
 using rows::RowEdit;
-using Action = rows::RowEdit::Action;
 
-const std::string layer = "rows";
+const std::string rows_layer = "rows";
 constexpr double ground_reach_m = 1.0, tick_m = 0.15, above_ground_m = 0.05;
 constexpr std::size_t max_ground_samples = 40'000;
 constexpr double min_row_m = 0.1;
@@ -43,11 +42,11 @@ RowEditor::RowEditor(Workbench& bench) : QObject(&bench), bench_(bench) {
   connect(&bench_, &Workbench::survey_shown, this, &RowEditor::show_survey);
   connect(&bench_.selection(), &Selection::row_changed, this, &RowEditor::follow_selection);
   connect(&scene, &SceneView::drawing_clicked, this, [this](const QString& which, int drawing) {
-    if (which.toStdString() == layer) click_row(drawing);
+    if (which.toStdString() == rows_layer) click_row(drawing);
   });
   connect(&scene, &SceneView::grip_dragged, this,
           [this](const QString& which, int drawing, int grip, const Eigen::Vector3d& at, bool released) {
-            if (which.toStdString() == layer) bench_.guarded([&] { drag(drawing, grip, at, released); });
+            if (which.toStdString() == rows_layer) bench_.guarded([&] { drag(drawing, grip, at, released); });
           });
   connect(&scene, &SceneView::place_taken, this, [this](const Eigen::Vector3d& place) {
     if (task_) bench_.guarded([&] { take(place); });
@@ -210,7 +209,7 @@ void RowEditor::draw() {
     begin.marks = {on_ground(clicked_[0])};
     drawings.push_back(std::move(begin));
   }
-  bench_.scene().set_drawings(layer, std::move(drawings));
+  bench_.scene().set_drawings(rows_layer, std::move(drawings));
 }
 
 const RowEditor::Row* RowEditor::selected() const {
@@ -223,7 +222,7 @@ const RowEditor::Row& RowEditor::selected_or_refuse() const {
   throw bad_input("no row is selected", "a row", "Click it in the view or in the table");
 }
 
-rows::RowEdit RowEditor::edit_of(const Row& row, Action action) const {
+rows::RowEdit RowEditor::edit_of(const Row& row, RowEdit::Action action) const {
   rows::RowEdit edit;
   edit.action = action;
   edit.at = row.course.size() > 2 ? row.course[row.course.size() / 2] : Eigen::Vector2d((row.from + row.to) / 2);
@@ -239,7 +238,7 @@ void RowEditor::drag(int which, int end, const Eigen::Vector3d& at, bool release
   const bool changed = (moved.from - row.from).norm() + (moved.to - row.to).norm() > 1e-3;
   if (released && !changed) return draw();
   if (released) {
-    auto edit = edit_of(row, Action::move);
+    auto edit = edit_of(row, RowEdit::Action::move);
     edit.from = moved.from;
     edit.to = moved.to;
     draw();
@@ -248,7 +247,7 @@ void RowEditor::drag(int which, int end, const Eigen::Vector3d& at, bool release
   moved.course = {moved.from, moved.to};
   std::vector<SceneDrawing> drawings;
   for (const auto& other : rows_) drawings.push_back(drawing_of(other.id == row.id ? moved : other));
-  bench_.scene().set_drawings(layer, std::move(drawings));
+  bench_.scene().set_drawings(rows_layer, std::move(drawings));
 }
 
 void RowEditor::start(Task task) {
@@ -274,7 +273,7 @@ void RowEditor::take(const Eigen::Vector3d& place) {
   }
   rows::RowEdit edit;
   if (*task_ == Task::add) {
-    edit.action = Action::add;
+    edit.action = RowEdit::Action::add;
     edit.from = clicked_[0];
     edit.to = clicked_[1];
     if ((*edit.from - *edit.to).norm() < min_row_m) {
@@ -283,7 +282,7 @@ void RowEditor::take(const Eigen::Vector3d& place) {
     }
   } else {
     const auto& row = selected_or_refuse();
-    edit = edit_of(row, *task_ == Task::split ? Action::split : Action::merge);
+    edit = edit_of(row, *task_ == Task::split ? RowEdit::Action::split : RowEdit::Action::merge);
     if (*task_ == Task::split)
       edit.at = clicked_[0];
     else
@@ -298,17 +297,17 @@ void RowEditor::click_row(int which) {
     bench_.selection().select_row(rows_[static_cast<std::size_t>(which)].id);
 }
 
-void RowEditor::remove() { apply(edit_of(selected_or_refuse(), Action::remove)); }
+void RowEditor::remove() { apply(edit_of(selected_or_refuse(), RowEdit::Action::remove)); }
 
 void RowEditor::renumber(const std::string& to) {
-  auto edit = edit_of(selected_or_refuse(), Action::renumber);
+  auto edit = edit_of(selected_or_refuse(), RowEdit::Action::renumber);
   edit.row_id = to;
   edit.was_angle_deg.reset();
   apply(edit);
 }
 
 void RowEditor::note(const std::string& text) {
-  auto edit = edit_of(selected_or_refuse(), Action::note);
+  auto edit = edit_of(selected_or_refuse(), RowEdit::Action::note);
   edit.text = text;
   edit.was_angle_deg.reset();
   apply(edit);

@@ -18,7 +18,7 @@ namespace bole::desktop {
 namespace {
 
 enum Column { run_column, state_column, progress_column, elapsed_column, left_column, columns };
-constexpr int id_role = Qt::UserRole, fraction_role = Qt::UserRole + 1;
+constexpr int job_role = Qt::UserRole, fraction_role = Qt::UserRole + 1;
 
 // A bar with the text of the cell in it, while there is a fraction.
 class ProgressDelegate : public QStyledItemDelegate {
@@ -112,7 +112,7 @@ JobsPanel::JobsPanel(Runner& runs, QWidget* parent)
 }
 
 int JobsPanel::selected() const {
-  if (const auto items = tree_->selectedItems(); !items.isEmpty()) return items.front()->data(0, id_role).toInt();
+  if (const auto items = tree_->selectedItems(); !items.isEmpty()) return items.front()->data(0, job_role).toInt();
   return runs_.current() ? runs_.current()->id : 0;
 }
 
@@ -143,11 +143,11 @@ void JobsPanel::fill(QTreeWidgetItem* item, const Job& job) const {
 void JobsPanel::refresh() {
   const auto& jobs = runs_.jobs();
   const int n = static_cast<int>(jobs.size());
-  const int newest = tree_->topLevelItemCount() > 0 ? tree_->topLevelItem(0)->data(0, id_role).toInt() : 0;
+  const int newest = tree_->topLevelItemCount() > 0 ? tree_->topLevelItem(0)->data(0, job_role).toInt() : 0;
   for (const auto& job : jobs) {
     if (job->id <= newest) continue;
     auto* item = new QTreeWidgetItem;
-    item->setData(0, id_role, job->id);
+    item->setData(0, job_role, job->id);
     tree_->insertTopLevelItem(0, item);
   }
   while (tree_->topLevelItemCount() > n) delete tree_->topLevelItem(tree_->topLevelItemCount() - 1);

@@ -38,6 +38,10 @@ bool ask_for_value(Workbench& bench, stems::StemEdit& edit) {
   if (edit.action == Action::set_height)
     edit.height_m = QInputDialog::getDouble(&bench, Workbench::tr("Height"), Workbench::tr("Height of the tree in m"),
                                             usual_height_m, min_height_m, max_height_m, 1, &given);
+  if (edit.action == Action::set_species)
+    edit.species = QInputDialog::getText(&bench, Workbench::tr("Species"), Workbench::tr("Species of the tree"),
+                                         QLineEdit::Normal, {}, &given)
+                       .toStdString();
   if (edit.action == Action::note)
     edit.text =
         QInputDialog::getText(&bench, Workbench::tr("Note"), Workbench::tr("Note"), QLineEdit::Normal, {}, &given)
@@ -64,6 +68,7 @@ void install_stem_edit(Workbench& bench) {
   };
   add("stem.set_diameter", Workbench::tr("Set diameter…"), Qt::Key_D, Action::resize);
   add("stem.set_height", Workbench::tr("Set height…"), Qt::Key_H, Action::set_height);
+  add("stem.set_species", Workbench::tr("Set species…"), QKeySequence(), Action::set_species);
   add("stem.accept", Workbench::tr("Accept"), Qt::Key_A, Action::accept);
   add("stem.reject", Workbench::tr("Reject"), Qt::Key_R, Action::reject);
   add("stem.note", Workbench::tr("Note…"), Qt::Key_N, Action::note);

@@ -15,7 +15,8 @@
 namespace bole::io {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // Without O_NONBLOCK the opening of a pipe would wait for a writer, for ever. Files do not mind it.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0)
     throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
                     "a file that exists and may be read");

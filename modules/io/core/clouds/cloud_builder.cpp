@@ -4,11 +4,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
 
 #include "base/error.h"
+#include "base/verdict.h"
 #include "io/core/clouds/sensor_arrays.h"
 
 namespace bole::io {
@@ -179,10 +181,23 @@ void poll_points(const Run& run, std::size_t point, double fraction) {
   run.report(fraction, "reading points");
 }
 
+void note_missing_points(Report& report, std::uint64_t declared, std::uint64_t present, const std::string& text) {
+  if (present >= declared) return;
+  constexpr double whole_enough = 0.99;
+  const double share = static_cast<double>(present) / static_cast<double>(declared);
+  char percent[16];
+  std::snprintf(percent, sizeof percent, "%.3g", 100 * share);
+  const auto told = text + " (" + percent + " %)";
+  if (share >= whole_enough)
+    report.find(Severity::look, "input_damaged", told);
+  else
+    report.find(Severity::refused, finding_code::input_incomplete, told);
+}
+
 void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present) {
-  if (present < declared)
-    report.warn("the file is cut off: the header declares " + std::to_string(declared) + " points, " +
-                std::to_string(present) + " are present and were read");
+  note_missing_points(report, declared, present,
+                      "the file is cut off: the header declares " + std::to_string(declared) + " points, " +
+                          std::to_string(present) + " are present and were read");
 }
 
 std::string array_name(std::string_view file_name) {

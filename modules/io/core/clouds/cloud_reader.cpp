@@ -48,11 +48,34 @@ Eigen::Matrix3d rotation_to_z_up(UpAxis up) {
   return rotation;
 }
 
+namespace {
+
+// Noise read as numbers reaches 1e38; the unit of a file may be another than metres. Nothing on earth is further away
+// than this from the origin of its coordinates.
+void check_coordinates(CloudReading& reading) {
+  constexpr double far_m = 1e8, doubtful_share = 0.01;
+  const auto& cloud = reading.cloud;
+  std::size_t far = 0;
+  for (const auto& p : cloud.positions())
+    if (!((p.cast<double>() + cloud.origin).cwiseAbs().maxCoeff() <= far_m)) ++far;
+  if (far == 0) return;
+  const auto found =
+      std::to_string(far) + " of " + std::to_string(cloud.size()) + " points lie more than 100 000 km from the origin";
+  if (static_cast<double>(far) > doubtful_share * static_cast<double>(cloud.size()))
+    throw bad_input(found + ": these are no coordinates in metres", "a point cloud",
+                    "Is the file damaged or of another kind? Else set the option unit, or the columns of a text file");
+  reading.report.find(Severity::look, "implausible_coordinates", found + ": crop or repair the cloud");
+}
+
+}  // namespace
+
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options,
                         const Run& run) {
   try {
     const auto& format = require_format(FileContent::cloud, file, name);
-    return std::get<CloudAccess>(format.access).read(file, options, run);
+    auto reading = std::get<CloudAccess>(format.access).read(file, options, run);
+    check_coordinates(reading);
+    return reading;
   } catch (const Error& e) {
     throw e.at("'" + name.string() + "'");
   }

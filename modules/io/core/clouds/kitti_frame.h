@@ -6,6 +6,9 @@
 namespace bole::io {
 
 // Bytes behind the last whole point are warned of.
+// Whether a file without any mark of its own may be a frame: whole points, and values that a sensor can give.
+bool looks_like_kitti_frame(Bytes file);
+
 CloudReading read_kitti_frame(Bytes file, const CloudReadOptions& options, const Run& run);
 
 }  // namespace bole::io

@@ -1,8 +1,10 @@
 #include "io/core/clouds/text_reader.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/error.h"
 #include "io/core/bytes/line_reader.h"
@@ -123,7 +125,9 @@ std::vector<SourceField> usual_fields(const std::vector<double>& first_row) {
 struct Layout {
   Dialect dialect;
   std::vector<SourceField> fields;
-  std::size_t data_offset = 0;  // of the first line with points
+  std::size_t columns = 0;                // of a line; the option columns may name fewer
+  std::optional<std::uint64_t> declared;  // points, by a line that holds nothing but their number (PTS)
+  std::size_t data_offset = 0;            // of the first line with points
   std::size_t lines_before = 0;
 };
 
@@ -134,6 +138,65 @@ bool all_numbers(const std::vector<std::string_view>& words, const Dialect& dial
   double ignored = 0;
   return words.size() >= 3 &&
          std::all_of(words.begin(), words.begin() + 3, [&](std::string_view w) { return number(w, dialect, ignored); });
+}
+
+std::vector<std::vector<double>> first_rows(Bytes file, const Dialect& dialect, std::size_t most) {
+  std::vector<std::vector<double>> rows;
+  LineReader lines(file);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  std::vector<double> row;
+  while (rows.size() < most && lines.next(line)) {
+    split(line, dialect, words);
+    if (all_numbers(words, dialect, row)) rows.push_back(row);
+  }
+  return rows;
+}
+
+bool is_tum_pose(const std::vector<double>& row) {
+  if (row.size() != 8) return false;
+  const double norm = std::hypot(std::hypot(row[4], row[5]), std::hypot(row[6], row[7]));
+  return std::abs(norm - 1) < 1e-3;
+}
+
+bool is_kitti_pose(const std::vector<double>& row) {
+  if (row.size() != 12) return false;
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>> matrix(row.data());
+  const Eigen::Matrix3d rotation = matrix.leftCols<3>();
+  return (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 1e-3;
+}
+
+// Columns of numbers without names may be a trajectory: its poses would be read as points in silence.
+void refuse_poses(Bytes file) {
+  const auto rows = first_rows(file, {}, 20);
+  if (rows.empty() || !(std::ranges::all_of(rows, is_tum_pose) || std::ranges::all_of(rows, is_kitti_pose))) return;
+  throw bad_input("the lines are poses of a trajectory", "points",
+                  "Read it with the stage io.read_trajectory, or name the columns with the option columns");
+}
+
+// "1,250,2,500,3,750": six columns or three with decimal commas? Every second field has the same number of digits then.
+void refuse_doubtful_commas(Bytes file, const Dialect& dialect) {
+  if (dialect.delimiter != ',') return;
+  constexpr std::size_t lines_looked_at = 50, fewest_columns = 6;
+  LineReader lines(file);
+  std::string_view line;
+  std::vector<std::string_view> words;
+  std::vector<std::size_t> digits;
+  while (lines.number() < lines_looked_at && lines.next(line)) {
+    split(line, dialect, words);
+    if (words.size() < fewest_columns || words.size() % 2 != 0 || line.find('.') != std::string_view::npos) return;
+    for (std::size_t i = 1; i < words.size(); i += 2) {
+      const auto length = words[i].size();
+      const bool whole = length >= 2 && words[i].find_first_not_of("0123456789") == std::string_view::npos;
+      if (!whole || (digits.size() > i / 2 && digits[i / 2] != length)) return;
+      if (digits.size() <= i / 2) digits.push_back(length);
+    }
+  }
+  throw bad_input(
+      "the numbers have no decimal points, and every second one has the same number of digits",
+      "numbers that can be told apart: decimal commas do not go with commas between the columns",
+      "Write the file with points or with semicolons between the columns; if the commas do separate columns, "
+      "set the option delimiter to comma");
 }
 
 Layout find_layout(Bytes file, const CloudReadOptions& options) {
@@ -160,9 +223,12 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
       throw bad_input("line " + std::to_string(lines.number()) + " has " + std::to_string(words.size()) + " columns",
                       "at most " + std::to_string(max_columns));
     if (!all_numbers(words, dialect, row)) {
+      std::uint64_t count = 0;
       if (words.size() >= 3) header = line;
+      if (words.size() == 1 && parse_number(words[0], count)) layout.declared = count;
       continue;
     }
+    layout.columns = words.size();
     layout.dialect = dialect;
     layout.data_offset = before;
     layout.lines_before = lines.number() - 1;
@@ -177,8 +243,11 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
         throw bad_input("the header line '" + std::string(header.substr(0, 100)) + "' does not name x, y and z",
                         "a header line with x, y and z",
                         "Name the columns with the option columns, for instance \"_ x y z\"");
+      layout.columns = names.size();
       if (names.size() > row.size()) layout.fields.resize(row.size());
     } else {
+      refuse_poses(file.subspan(before));
+      if (!options.delimiter) refuse_doubtful_commas(file.subspan(before), dialect);
       layout.fields = usual_fields(row);
     }
     return layout;
@@ -193,6 +262,26 @@ void check_columns(const Layout& layout, const CloudReadOptions& options, std::s
   throw bad_input("the option columns names " + std::to_string(layout.fields.size()) + " columns, the file has " +
                       std::to_string(present),
                   "at most " + std::to_string(present));
+}
+
+void note_declared(std::uint64_t declared, std::uint64_t present, Report& report) {
+  warn_cut_off(report, declared, present);
+  if (present > declared)
+    report.find(Severity::look, "points_behind_header",
+                "the file declares " + std::to_string(declared) + " points and holds " + std::to_string(present) +
+                    ": all were read. Is it made of several scans?");
+}
+
+// Empty fields at the end of a line do no harm; others are read wrong or lost.
+void refuse_more_fields(const std::vector<std::string_view>& words, const Layout& layout, std::size_t line) {
+  const auto more = std::span(words).subspan(layout.columns);
+  if (std::ranges::all_of(more, [](std::string_view word) { return word.empty(); })) return;
+  const bool commas = layout.dialect.delimiter == ',';
+  throw bad_input("line " + std::to_string(line) + " has " + std::to_string(words.size()) + " fields",
+                  std::to_string(layout.columns) + ", as the header or the first line has",
+                  commas ? "If its numbers have decimal commas, write them with points or separate the columns by "
+                           "semicolons; else name the columns with the option columns"
+                         : "Name the columns with the option columns");
 }
 
 }  // namespace
@@ -227,6 +316,7 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
     split(line, layout.dialect, words);
     if (words.empty() || is_comment(line) || (words.size() == 1 && words[0].empty())) continue;
     if (good + bad == 0) check_columns(layout, options, words.size());
+    if (words.size() > layout.columns) refuse_more_fields(words, layout, layout.lines_before + lines.number());
     bool complete = words.size() >= row.size();
     std::size_t numeric = 0;
     for (std::size_t i = 0; complete && i < row.size(); ++i) {
@@ -251,6 +341,7 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
   if (bad > 0)
     out.report.warn(std::to_string(bad) + " lines without " + std::to_string(row.size()) +
                     " numbers were skipped; the first is line " + std::to_string(first_bad));
+  if (layout.declared) note_declared(*layout.declared, good + bad, out.report);
   out.report.facts["format"] = "text";
   std::string columns;
   for (const auto& f : layout.fields)

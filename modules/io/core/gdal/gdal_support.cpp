@@ -29,8 +29,15 @@ Errors::Errors() {
 Errors::~Errors() { CPLPopErrorHandler(); }
 
 std::string Errors::last() const {
-  const std::string text = CPLGetLastErrorMsg();
-  return text.empty() ? "no reason given" : text;
+  std::string text = CPLGetLastErrorMsg();
+  if (text.empty()) return "no reason given";
+  // SQLite repeats the whole statement, kilobytes of it, and says why behind it.
+  constexpr std::size_t longest = 160;
+  if (text.size() <= longest) return text;
+  const auto reason = text.rfind(": ");
+  const auto why = reason == std::string::npos ? std::string() : text.substr(reason + 2);
+  if (!why.empty() && why.size() <= longest) return why;
+  return text.substr(0, longest) + " ...";
 }
 
 }  // namespace bole::io::gdal

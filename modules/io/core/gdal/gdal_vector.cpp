@@ -1,9 +1,12 @@
 #include <cpl_error.h>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "base/atomic_file.h"
@@ -140,6 +143,45 @@ void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& e
   if (transaction) require(set.CommitTransaction() == OGRERR_NONE, errors, layer, "committing its rows");
 }
 
+// The table that QGIS reads the styles of the layers of a GeoPackage from.
+void add_styles(GDALDataset& set, const std::vector<VectorLayer>& layers, const gdal::Errors& errors) {
+  if (std::ranges::all_of(layers, [](const VectorLayer& layer) { return layer.style_qml.empty(); })) return;
+  VectorLayer table;
+  table.name = "layer_styles";
+  char id_column[] = "FID=id";
+  char* creation[] = {id_column, nullptr};
+  OGRLayer* out = set.CreateLayer("layer_styles", nullptr, wkbNone, creation);
+  require(out != nullptr, errors, table, "creating it");
+  const auto define = [&](const char* name, OGRFieldType type, OGRFieldSubType subtype = OFSTNone) {
+    OGRFieldDefn field(name, type);
+    field.SetSubType(subtype);
+    require(out->CreateField(&field) == OGRERR_NONE, errors, table, "defining a field");
+  };
+  for (const char* name : {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column", "styleName",
+                           "styleQML", "styleSLD"})
+    define(name, OFTString);
+  define("useAsDefault", OFTInteger, OFSTBoolean);
+  for (const char* name : {"description", "owner", "ui"}) define(name, OFTString);
+  define("update_time", OFTDateTime);
+  for (const auto& layer : layers) {
+    if (layer.style_qml.empty()) continue;
+    const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> row(OGRFeature::CreateFeature(out->GetLayerDefn()),
+                                                                 OGRFeature::DestroyFeature);
+    // QGIS asks for empty catalogues and schemas, not for missing ones.
+    for (const char* name : {"f_table_catalog", "f_table_schema", "styleSLD", "owner", "ui"}) row->SetField(name, "");
+    OGRLayer* styled = set.GetLayerByName(layer.name.c_str());
+    row->SetField("f_table_name", layer.name.c_str());
+    row->SetField("f_geometry_column", styled != nullptr ? styled->GetGeometryColumn() : "");
+    row->SetField("styleName", layer.name.c_str());
+    row->SetField("styleQML", layer.style_qml.c_str());
+    row->SetField("useAsDefault", 1);
+    row->SetField("description", "written by Bole");
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    row->SetField("update_time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", now).c_str());
+    require(out->CreateFeature(row.get()) == OGRERR_NONE, errors, table, "writing a row");
+  }
+}
+
 void write_vector(const std::filesystem::path& path, const char* driver_name, const std::vector<VectorLayer>& layers) {
   for (const auto& layer : layers) check(layer);
   GDALDriver& driver = gdal::driver(driver_name);
@@ -150,6 +192,7 @@ void write_vector(const std::filesystem::path& path, const char* driver_name, co
       throw failure(fmt::format("'{}' cannot be written: {}", path.string(), errors.last()),
                     "a folder that exists and may be written to");
     for (const auto& layer : layers) add_layer(*set, layer, errors);
+    if (EQUAL(driver_name, "GPKG")) add_styles(*set, layers, errors);
     CPLErrorReset();
     set.reset();
     if (CPLGetLastErrorType() >= CE_Failure)

@@ -32,7 +32,8 @@ struct VectorLayer {
   GeometryKind geometry = GeometryKind::point;
   std::vector<std::vector<Eigen::Vector3d>> shapes;
   Table attributes;
-  std::string crs_wkt;  // empty when not known
+  std::string crs_wkt;    // empty when not known
+  std::string style_qml = {};  // how QGIS draws the layer of a GeoPackage; empty: as it likes
 };
 
 // A layer of points from a table with x_m, y_m and z_m (0 where it is absent or NaN). All columns are attributes.
@@ -40,13 +41,13 @@ struct VectorLayer {
 VectorLayer point_layer(std::string name, const Table& table, const std::string& crs_wkt,
                         const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-// Writes layers into one GeoPackage. A file of that name is replaced once the new one is whole. Columns keep their
+// Writes layers into one GeoPackage, with their styles in the table layer_styles, where QGIS looks for them. A file of that name is replaced once the new one is whole. Columns keep their
 // types; NaN and empty texts become NULL. Throws Error{bad_input} when shapes and rows differ in number or a shape has
 // too few vertices, Error{failed} when GDAL refuses.
 void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers);
 
 // Writes one layer as GeoJSON. With a CRS the coordinates are transformed to longitude and latitude, the only ones of
-// GeoJSON. Without one they are written as they are.
+// GeoJSON. Without one they are written as they are, which other programs take for degrees.
 void write_geojson(const std::filesystem::path& path, const VectorLayer& layer);
 
 }  // namespace bole::io

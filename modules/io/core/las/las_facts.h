@@ -15,6 +15,12 @@ inline constexpr std::string_view facts_user = "Bole";
 inline constexpr int facts_record = 1;
 inline constexpr std::size_t max_vlr_bytes = 65535;
 
+// What the GPS times of a cloud from a LAS file count from: "week" (seconds of the GPS week) or "standard" (seconds
+// since the GPS epoch less 1e9), as bit 0 of the global encoding says. A cloud with times and without this fact has
+// those of another clock.
+inline constexpr std::string_view gps_time_fact = "las_gps_time", gps_week = "week", gps_standard = "standard";
+inline constexpr unsigned standard_time_bit = 1, wkt_bit = 16;  // of the global encoding
+
 // Of a file without the record: none. A damaged record gives warnings.
 Facts read_facts(Bytes file, const LasInfo& info, std::vector<std::string>& warnings);
 

@@ -77,6 +77,16 @@ void read_extent(Bytes file, LasInfo& info) {
     throw bad_input(fmt::format("coordinate scale {} {} {} and offset {} {} {}", info.scale.x(), info.scale.y(),
                                 info.scale.z(), info.offset.x(), info.offset.y(), info.offset.z()),
                     "finite numbers, scales other than zero");
+  constexpr double largest_scale = 1000, smallest_scale = 1e-12;  // units of the file per step
+  const Eigen::Array3d size = info.scale.array().abs();
+  if (size.maxCoeff() > largest_scale || size.minCoeff() < smallest_scale)
+    throw bad_input(fmt::format("coordinate scale {} {} {}", info.scale.x(), info.scale.y(), info.scale.z()),
+                    fmt::format("scales from {} to {}", smallest_scale, largest_scale),
+                    "The header is damaged: copy the file again");
+  if (info.scale.minCoeff() < 0)
+    info.warnings.push_back(
+        fmt::format("the coordinate scale {} {} {} is negative: check that the cloud is not mirrored", info.scale.x(),
+                    info.scale.y(), info.scale.z()));
   info.max = {load<double>(h + 179), load<double>(h + 195), load<double>(h + 211)};
   info.min = {load<double>(h + 187), load<double>(h + 203), load<double>(h + 219)};
   if (!info.min.allFinite() || !info.max.allFinite() || (info.min.array() > info.max.array()).any())

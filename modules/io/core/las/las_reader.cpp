@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "io/core/bytes/mapped_file.h"
+#include "io/core/clouds/cloud_builder.h"
 #include "io/core/las/las_columns.h"
 #include "io/core/las/las_facts.h"
 #include "io/core/laz/laz_reader.h"
@@ -69,6 +70,16 @@ Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, co
   return read;
 }
 
+// Records behind those that the header counts are points that nobody would miss.
+void note_points_behind(const LasInfo& info, Report& findings) {
+  if (info.compressed || info.data_end <= info.data_offset) return;
+  const std::uint64_t room = (info.data_end - info.data_offset) / static_cast<std::uint64_t>(info.record_length);
+  if (room > info.points)
+    findings.find(Severity::look, "points_behind_header",
+                  fmt::format("the header counts {} points, the file has room for {}: those behind were not read",
+                              info.points, room));
+}
+
 std::vector<std::uint32_t> not_withheld(const PointCloud& cloud) {
   const auto& withheld = cloud.values<std::uint8_t>("withheld");
   std::vector<std::uint32_t> kept;
@@ -77,8 +88,17 @@ std::vector<std::uint32_t> not_withheld(const PointCloud& cloud) {
   return kept;
 }
 
+// The GPS time field was taken where no extra bytes of the name `time` stand for it.
+void take_time_kind(const LasInfo& info, PointCloud& cloud) {
+  const auto extra = std::ranges::find(info.extra_columns, arrays::time.name) != info.extra_columns.end();
+  const auto key = std::string(las::gps_time_fact);
+  cloud.facts.erase(key);
+  if (cloud.has(arrays::time) && !extra)
+    cloud.facts[key] = (info.global_encoding & las::standard_time_bit) != 0 ? las::gps_standard : las::gps_week;
+}
+
 PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, bool with_crs,
-                    std::vector<std::string>& warnings) {
+                    std::vector<std::string>& warnings, Report& findings) {
   const LasInfo info = las::parse_info(file, with_crs);
   warnings = info.warnings;
   std::vector<std::string> repeated;
@@ -90,9 +110,10 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   if (read.points == 0 && info.points > 0)
     throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points),
                     "a whole file", "Copy or download the file again");
-  if (read.points < info.points)
-    warnings.push_back(
-        fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
+  note_missing_points(
+      findings, info.points, read.points,
+      fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
+  note_points_behind(info, findings);
   bool exact = true;
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);
   if (!exact)
@@ -101,6 +122,7 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
         info.scale.minCoeff()));
   cloud.crs_wkt = info.crs_wkt;
   cloud.facts = las::read_facts(file, info, warnings);
+  take_time_kind(info, cloud);
   cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
   if (cloud.has("withheld")) {
     const std::vector<std::uint32_t> kept = not_withheld(cloud);
@@ -119,9 +141,11 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
 
 PointCloud read_las(Bytes file, const LasReadOptions& options, const Run& run, Report* report, bool with_crs) {
   std::vector<std::string> warnings;
-  PointCloud cloud = read_all(file, options, run, with_crs, warnings);
-  if (report != nullptr)
-    for (auto& text : warnings) report->warn(std::move(text));
+  Report findings;
+  PointCloud cloud = read_all(file, options, run, with_crs, warnings, findings);
+  if (report == nullptr) return cloud;
+  for (auto& finding : findings.findings) report->find(finding.severity, finding.code, finding.text);
+  for (auto& text : warnings) report->warn(std::move(text));
   return cloud;
 }
 

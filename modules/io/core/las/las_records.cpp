@@ -64,8 +64,8 @@ Grid choose_grid(const PointCloud& cloud, double scale_m) {
   return grid;
 }
 
-RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes)
-    : cloud_(cloud), grid_(grid), legacy_(legacy) {
+RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes, bool gps_time)
+    : cloud_(cloud), grid_(grid), legacy_(legacy), gps_time_(gps_time) {
   const bool colour = cloud.has(arrays::red) || cloud.has(arrays::green) || cloud.has(arrays::blue);
   const bool infrared = cloud.has(arrays::near_infrared);
   format_ = legacy ? (colour ? 3 : 1) : infrared ? 8 : colour ? 7 : 6;
@@ -73,7 +73,7 @@ RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool leg
   record_length_ = static_cast<std::size_t>(layout_.size);
   if (!extra_bytes) return;
   for (const auto& [name, column] : cloud.columns()) {
-    if (has_field(name, layout_)) continue;
+    if (has_field(name, layout_) && (gps_time || name != arrays::time.name)) continue;
     ExtraDimension dimension;
     dimension.name = name;
     dimension.type = sensor_axis(name) >= 0 ? ExtraType::f64 : extra_type(*column);
@@ -147,7 +147,7 @@ void RecordEncoder::encode(std::size_t first, std::size_t count, std::uint8_t* r
     encode_field<std::uint16_t>("point_source_id", fe::point_source_id, first, count, records);
   }
   encode_flags(first, count, records);
-  if (const auto* info = &arrays::time; cloud_.has(*info)) {
+  if (const auto* info = &arrays::time; gps_time_ && cloud_.has(*info)) {
     const Column& column = cloud_.column(info->name);
     for (std::size_t i = 0; i < count; ++i)
       store(records + i * record_length_ + static_cast<std::size_t>(layout_.time), column_value(column, first + i));

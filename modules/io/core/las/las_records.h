@@ -22,8 +22,9 @@ Grid choose_grid(const PointCloud& cloud, double scale_m);
 
 class RecordEncoder {
  public:
-  // `legacy`: formats 1 and 3, else 6 to 8.
-  RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes);
+  // `legacy`: formats 1 and 3, else 6 to 8. `gps_time`: the times of the cloud are GPS time; those of another clock go
+  // into extra bytes, since the field would declare them as GPS time.
+  RecordEncoder(const PointCloud& cloud, const Grid& grid, bool legacy, bool extra_bytes, bool gps_time);
 
   int point_format() const { return format_; }
   std::size_t record_length() const { return record_length_; }
@@ -54,6 +55,7 @@ class RecordEncoder {
   const PointCloud& cloud_;
   Grid grid_;
   bool legacy_;
+  bool gps_time_;
   int format_ = 6;
   PointLayout layout_;
   std::size_t record_length_ = 0;

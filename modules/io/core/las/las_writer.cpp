@@ -143,11 +143,11 @@ Vlrs make_vlrs(const PointCloud& cloud, const las::RecordEncoder& encoder, bool 
 }
 
 std::vector<std::uint8_t> make_header(const las::RecordEncoder& encoder, const Vlrs& vlrs, const Statistics& statistics,
-                                      std::uint64_t points, bool wkt) {
+                                      std::uint64_t points, unsigned encoding) {
   const bool legacy = !las::point_layout(encoder.point_format()).extended;
   std::vector<std::uint8_t> h(legacy ? 227 : 375);
   std::memcpy(h.data(), "LASF", 4);
-  store(&h[6], static_cast<std::uint16_t>(wkt ? 16 : 0));
+  store(&h[6], static_cast<std::uint16_t>(encoding));
   h[24] = 1;
   h[25] = legacy ? 2 : 4;
   store_text(&h[26], 32, "Bole");
@@ -193,13 +193,19 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
   if (legacy && cloud.size() > std::numeric_limits<std::uint32_t>::max())
     throw bad_input(fmt::format("{} points", cloud.size()), "at most 4294967295 for LAS 1.2", "Write LAS 1.4");
   std::vector<std::string> warnings;
-  las::RecordEncoder encoder(cloud, las::choose_grid(cloud, options.scale_m), legacy, options.extra_bytes);
+  const auto kind = cloud.facts.find(std::string(las::gps_time_fact));
+  const bool gps_time = kind != cloud.facts.end();
+  las::RecordEncoder encoder(cloud, las::choose_grid(cloud, options.scale_m), legacy, options.extra_bytes, gps_time);
+  if (cloud.has(arrays::time) && !gps_time && !options.extra_bytes)
+    warnings.emplace_back("the times are not GPS time, which is what a LAS field holds: they were not written");
   const Vlrs vlrs = make_vlrs(cloud, encoder, legacy, warnings);
-  const bool wkt = !legacy;  // required of formats 6 and up, also without a CRS
+  // The bit for WKT is required of formats 6 and up, also without a CRS.
+  const unsigned encoding =
+      (legacy ? 0 : las::wkt_bit) | (gps_time && kind->second == las::gps_standard ? las::standard_time_bit : 0);
 
   AtomicFile file(path);
   Statistics statistics;
-  write_bytes(file, make_header(encoder, vlrs, statistics, 0, wkt));
+  write_bytes(file, make_header(encoder, vlrs, statistics, 0, encoding));
   write_bytes(file, vlrs.bytes);
   constexpr std::size_t block = 1 << 14;
   std::vector<std::uint8_t> records;
@@ -215,7 +221,7 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, const
     run.report(static_cast<double>(begin + count) / static_cast<double>(cloud.size()), "writing points");
   }
   file.stream().seekp(0);
-  write_bytes(file, make_header(encoder, vlrs, statistics, cloud.size(), wkt));
+  write_bytes(file, make_header(encoder, vlrs, statistics, cloud.size(), encoding));
   file.commit();
   for (auto& text : encoder.warnings()) warnings.push_back(std::move(text));
   if (report != nullptr)

@@ -79,6 +79,11 @@ Kind udp_of(Bytes packet, Bytes& udp) {
 void PcapReader::Close::operator()(pcap* handle) const { pcap_close(handle); }
 
 PcapReader::PcapReader(const std::filesystem::path& path) {
+  // A pipe would make the opening wait for a writer, for ever.
+  std::error_code ignored;
+  const auto kind = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(kind) && !std::filesystem::is_regular_file(kind))
+    throw bad_input("'" + path.string() + "' is not a file", "a pcap file");
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (file == nullptr)
     throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
@@ -123,6 +128,7 @@ bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)
     if (outcome == PCAP_ERROR_BREAK) return false;  // the end
     if (outcome != 1) {
       trouble_ = pcap_geterr(handle_.get());
+      trouble_at_ = datagram.offset;
       return false;
     }
     const auto packet = ip_packet({data, header->caplen}, link_type_);

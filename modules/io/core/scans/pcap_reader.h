@@ -41,6 +41,7 @@ class PcapReader {
   std::int64_t skipped() const { return skipped_; }
   std::int64_t fragments() const { return fragments_; }
   const std::string& trouble() const { return trouble_; }  // empty when the file ended as it should
+  std::int64_t trouble_at() const { return trouble_at_; }  // the place of the first record that cannot be read
 
  private:
   struct Close {
@@ -52,6 +53,7 @@ class PcapReader {
   int link_type_ = 0;
   std::int64_t packets_ = 0, skipped_ = 0, fragments_ = 0;
   std::string trouble_;
+  std::int64_t trouble_at_ = 0;
 };
 
 }  // namespace bole::io

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "base/verdict.h"
 #include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
@@ -193,8 +194,8 @@ void VelodynePcapSource::index(const Run& run) {
   set_fact(facts_, indexer.follows_utc() ? Clock::utc : Clock::recorder);
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
   if (!reader_.trouble().empty())
-    report_.warn("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
-                 reader_.trouble() + "): the frames before that are read");
+    note_damage("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
+                reader_.trouble() + "): the frames before that are read");
   if (reader_.fragments() > 0)
     report_.warn(plural(reader_.fragments(), "fragmented IP packet") +
                  " skipped: capture again with a network MTU of at least 1248 bytes");
@@ -208,6 +209,16 @@ void VelodynePcapSource::index(const Run& run) {
     report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
                  " were skipped: choose one with the option port");
   report_.message = description();
+}
+
+// A recorder that was switched off cuts the last packet; more than that is a damaged file.
+void VelodynePcapSource::note_damage(const std::string& text) {
+  constexpr double whole_enough = 0.99;
+  const double bytes = file_bytes(path_);
+  const double share = bytes > 0 ? static_cast<double>(reader_.trouble_at()) / bytes : 1;
+  if (share >= whole_enough) return report_.find(Severity::look, "input_damaged", text);
+  report_.find(Severity::refused, finding_code::input_incomplete,
+               text + " (" + std::to_string(static_cast<int>(100 * share)) + " % of the file)");
 }
 
 // A full revolution, or less where the sensor masks a sector.

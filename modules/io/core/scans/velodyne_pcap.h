@@ -48,6 +48,7 @@ class VelodynePcapSource : public FrameSource {
   class Indexer;
 
   void index(const Run& run);
+  void note_damage(const std::string& text);
   double usual_turn_centideg() const;
   void drop_partial_ends();
   bool next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const;

@@ -166,6 +166,28 @@ std::pair<std::size_t, std::size_t> read_facts(Bytes file, Table& table) {
   }
 }
 
+// Spreadsheets take a text that begins so for a formula, and run it ("=cmd|...").
+bool starts_formula(std::string_view text) {
+  return !text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos;
+}
+
+std::string_view without_apostrophes(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of('\''), text.size()));
+  return text;
+}
+
+// A text that begins like a formula gets an apostrophe, which spreadsheets take as "this is text"; read_table() takes
+// it away again. One that has such apostrophes already gets another, so that every text comes back as it was.
+std::string harmless(const std::string& text) {
+  double ignored = 0;
+  if (!starts_formula(without_apostrophes(text)) || parse_number(std::string_view(text), ignored)) return text;
+  return "'" + text;
+}
+
+void drop_apostrophe(std::string& cell) {
+  if (cell.starts_with('\'') && starts_formula(without_apostrophes(cell))) cell.erase(0, 1);
+}
+
 void append_cell(std::string& out, const std::string& cell) {
   if (cell.find_first_of(",;\t\"\r\n") == std::string::npos && trimmed(cell) == cell && !cell.starts_with('#') &&
       !cell.starts_with(byte_order_mark)) {
@@ -193,6 +215,7 @@ Table read_table(Bytes file, const std::string& name, const Run& run) {
   CsvRecords records(text, delimiter, name, first_line);
   std::vector<std::string> names, cells;
   if (!records.next(names)) throw bad_input("'" + name + "' is empty", "a line with the names of the columns");
+  for (auto& n : names) drop_apostrophe(n);
   std::set<std::string> seen;
   for (const auto& n : names)
     if (!seen.insert(n).second || n.empty())
@@ -207,7 +230,10 @@ Table read_table(Bytes file, const std::string& name, const Run& run) {
       throw bad_input("'" + name + "' line " + std::to_string(records.line()) + " has " + std::to_string(cells.size()) +
                           (cells.size() == 1 ? " cell" : " cells"),
                       std::to_string(names.size()) + ", one per column");
-    for (std::size_t i = 0; i < cells.size(); ++i) columns[i].push_back(std::move(cells[i]));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      drop_apostrophe(cells[i]);
+      columns[i].push_back(std::move(cells[i]));
+    }
   }
   for (std::size_t i = 0; i < names.size(); ++i)
     table.set(names[i], typed(names[i], std::move(columns[i]), delimiter != ','));
@@ -224,7 +250,7 @@ std::string table_text(const Table& table, const Decimals& decimals) {
   std::string out;
   for (std::size_t c = 0; c < table.columns().size(); ++c) {
     if (c > 0) out += ',';
-    append_cell(out, table.columns()[c].name);
+    append_cell(out, harmless(table.columns()[c].name));
   }
   out += '\n';
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -232,7 +258,9 @@ std::string table_text(const Table& table, const Decimals& decimals) {
       const auto& name = table.columns()[c].name;
       const auto it = decimals.find(name);
       if (c > 0) out += ',';
-      const auto cell = table.text(name, row, it == decimals.end() ? -1 : it->second);
+      const bool is_text = std::holds_alternative<std::vector<std::string>>(table.columns()[c].values);
+      const auto text = table.text(name, row, it == decimals.end() ? -1 : it->second);
+      const auto cell = is_text ? harmless(text) : text;
       if (cell.empty() && table.columns().size() == 1)
         out += "\"\"";  // an empty line would not be a row
       else

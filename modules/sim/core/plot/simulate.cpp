@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "base/angles.h"
+#include "base/version.h"
 #include "sensor/core/sensor_model.h"
 #include "sim/core/field/vineyard.h"
 #include "sim/core/plot/build_scene.h"
@@ -48,7 +49,7 @@ std::vector<Eigen::Vector2d> read_way_points(const fs::path& file) {
 void write_recipe(const SimulationOptions& options, const PlotRecipe& recipe, const sensor::SensorModel& sensor,
                   const fs::path& file) {
   nlohmann::json json;
-  json["version"] = BOLE_VERSION;
+  json["version"] = version();
   json["plot"] = to_json(recipe);
   json["sensor"] = sensor.name;
   for (const auto& spec : option_table(&options).specs)

@@ -8,6 +8,7 @@
 
 #include "base/arrays.h"
 #include "base/no_number.h"
+#include "stems/core/edits/plot_numbers.h"
 #include "stems/core/edits/relabel_points.h"
 #include "stems/core/edits/table_rows.h"
 #include "stems/core/fit/circle_fit.h"
@@ -26,7 +27,12 @@ struct Conflict {
 class Editor {
  public:
   Editor(const EditInputs& inputs, const EditOptions& options, const Run& run)
-      : in_(inputs), o_(options), run_(run), stems_(*inputs.stems), sections_(sections_of(inputs)) {
+      : in_(inputs),
+        o_(options),
+        run_(run),
+        new_ids_(new_ids_of(inputs)),
+        stems_(renumbered(*inputs.stems, new_ids_)),
+        sections_(renumbered(sections_of(inputs), new_ids_)) {
     for (const char* needed : {"tree_id", "x_m", "y_m", "dbh_cm"})
       if (!stems_.has(needed))
         throw bad_input(fmt::format("a stem table without {}", needed), "tree_id, x_m, y_m, dbh_cm");
@@ -42,7 +48,7 @@ class Editor {
     }
     EditedStems out;
     out.stems = stems_.table(), out.sections = sections_.table(), out.log = log_.table();
-    if (in_.points != nullptr) out.points = relabel_points(*in_.points, relabels_, run_);
+    if (in_.points != nullptr) out.points = relabel_points(renumbered(*in_.points, new_ids_, run_), relabels_, run_);
     auto& r = report_;
     r.counts["edits"] = static_cast<std::int64_t>(edits.size());
     r.counts["applied"] = static_cast<std::int64_t>(edits.size()) - conflicts_;
@@ -61,6 +67,12 @@ class Editor {
     t.set("x_m", std::vector<double>{}), t.set("y_m", std::vector<double>{});
     for (const char* name : {"outcome", "message", "author", "time", "reason"}) t.set(name, std::vector<std::string>{});
     return t;
+  }
+
+  static NewIds new_ids_of(const EditInputs& inputs) {
+    for (const char* needed : {"tree_id", "x_m", "y_m", "dbh_cm"})
+      if (!inputs.stems->has(needed)) return {};
+    return inputs.plot != nullptr ? plot_first_ids(*inputs.stems, counting_rule(*inputs.plot)) : NewIds{};
   }
 
   static Table sections_of(const EditInputs& inputs) { return inputs.sections != nullptr ? *inputs.sections : Table(); }
@@ -117,6 +129,9 @@ class Editor {
         return decided(row, "accepted");
       case Action::reject:
         return decided(row, "rejected");
+      case Action::set_species:
+        stems_.want_texts("species");
+        return stems_.set(row, "species", edit.species);
       default:
         stems_.set(row, "note", edit.text);
     }
@@ -161,7 +176,10 @@ class Editor {
 
   void set_height(std::size_t row, double height_m) {
     stems_.want_numbers("height_m");
-    stems_.set(row, "height_m", height_m), stems_.set(row, "height_seen", std::int64_t{1});
+    stems_.set(row, "height_m", height_m);
+    stems_.set(row, "height_lower_bound_m", height_m);
+    stems_.set(row, "height_seen", std::int64_t{1});
+    stems_.set(row, "top", "given by hand");
   }
 
   // Sections of another diameter contradict the one that a person gives: they go.
@@ -224,11 +242,13 @@ class Editor {
   void split(const StemEdit& edit, std::size_t row) {
     Relabel step;
     step.from = static_cast<std::int32_t>(id_of(row));
-    const double ground = stems_.number(row, "z_m"), height = stems_.number(row, "height_m");
+    const double ground = stems_.number(row, "z_m"), height = stems_.number(row, "height_m"),
+                 bound = stems_.number(row, "height_lower_bound_m");
     const auto seen = stems_.integer(row, "height_seen");
     for (const auto& part : edit.into) {
       const auto added = new_stem(part.at, part.dbh_cm, fmt::format("split from {} by hand", id_of(row)));
       stems_.set(added, "z_m", ground), stems_.set(added, "height_m", height), stems_.set(added, "height_seen", seen);
+      stems_.set(added, "height_lower_bound_m", bound);
       step.to.push_back({static_cast<std::int32_t>(id_of(added)), part.at});
     }
     relabels_.push_back(step);
@@ -304,6 +324,7 @@ class Editor {
   const EditInputs& in_;
   const EditOptions& o_;
   const Run& run_;
+  NewIds new_ids_;
   TableRows stems_, sections_, log_{empty_log()};
   std::vector<Relabel> relabels_;
   Report report_;

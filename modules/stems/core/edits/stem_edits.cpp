@@ -11,8 +11,8 @@ namespace {
 using Action = StemEdit::Action;
 
 // In the order of StemEdit::Action.
-const std::array<EditAction, 10>& actions() {
-  static const std::array<EditAction, 10> table{{
+const std::array<EditAction, 11>& actions() {
+  static const std::array<EditAction, 11> table{{
       {"add", {"at"}, {"dbh_cm", "height_m"}},
       {"delete", {"at"}, {}},
       {"move", {"at", "to"}, {}},
@@ -23,6 +23,7 @@ const std::array<EditAction, 10>& actions() {
       {"accept", {"at"}, {}},
       {"reject", {"at"}, {}},
       {"note", {"at", "text"}, {}},
+      {"set_species", {"at", "species"}, {}},
   }};
   return table;
 }
@@ -48,6 +49,7 @@ void read_key(StemEdit& edit, const std::string& key, const EditJson& value) {
   if (key == "with")
     for (const auto& place : edit_list(value, key, 1)) edit.with.push_back(edit_place(place, key));
   if (key == "text") edit.text = edit_text(value, key);
+  if (key == "species") edit.species = edit_text(value, key);
 }
 
 EditJson object_of(const StemEdit& edit) {
@@ -59,6 +61,7 @@ EditJson object_of(const StemEdit& edit) {
   for (const auto& part : edit.into) o["into"].push_back({{"at", edit_json(part.at)}, {"dbh_cm", part.dbh_cm}});
   for (const auto& p : edit.with) o["with"].push_back(edit_json(p));
   if (edit.action == Action::note) o["text"] = edit.text;
+  if (edit.action == Action::set_species) o["species"] = edit.species;
   put_edit_record(o, edit);
   return o;
 }

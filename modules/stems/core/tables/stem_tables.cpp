@@ -2,10 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 #include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 
@@ -70,9 +70,11 @@ Table stem_table(const StemSurvey& survey) {
   numbers(t, "dbh_cm", stems, [](const Stem& s) { return 200 * s.radius; });
   numbers(t, "dbh_lo_cm", stems, [](const Stem& s) { return 200 * s.radius_low; });
   numbers(t, "dbh_hi_cm", stems, [](const Stem& s) { return 200 * s.radius_high; });
-  numbers(t, "height_m", stems,
-          [](const Stem& s) { return s.height_m > 0 ? s.height_m : std::numeric_limits<double>::quiet_NaN(); });
+  numbers(t, "height_m", stems, [](const Stem& s) { return s.height_seen ? s.height_m : no_number; });
+  numbers(t, "height_lower_bound_m", stems, [](const Stem& s) { return s.height_m > 0 ? s.height_m : no_number; });
   integers(t, "height_seen", stems, [](const Stem& s) { return s.height_seen; });
+  if (survey.tops.size() == stems.size())
+    texts(t, "top", survey.tops, [](TopVerdict v) { return std::string(choice_name(v)); });
   numbers(t, "lean_deg", stems, lean_deg);
   numbers(t, "lean_azimuth_deg", stems, lean_azimuth_deg);
   numbers(t, "taper_cm_per_m", stems, [](const Stem& s) { return -200 * s.taper; });

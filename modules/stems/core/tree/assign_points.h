@@ -1,10 +1,11 @@
-// Which tree every point belongs to, which points are bark, and how high the trees are.
+// Which tree every point near a stem belongs to, and which points are bark.
 #pragma once
 
 #include <vector>
 
 #include "base/run.h"
-#include "stems/core/detect/ray_test.h"
+#include "cloud/point_cloud.h"
+#include "stems/core/fit/fit_stem.h"
 
 namespace bole::stems {
 
@@ -13,18 +14,10 @@ struct PointLabels {
   std::vector<std::uint8_t> stem;     // 1: bark
 };
 
-// A point belongs to the nearest axis within the reach of its height: near the stem below, up to crown_radius from
-// search_top upwards. Bark lies within bark_tolerance of the fitted surface over the measured part of the stem.
+// A point belongs to the nearest axis within the reach of its height: near the stem below, up to 2.5 m (crown_radius
+// where that is less) from search_top upwards; grow_crowns() says more of the points above. Bark lies within
+// bark_tolerance of the fitted surface over the measured part of the stem.
 PointLabels assign_points(const std::vector<Stem>& stems, const PointCloud& points, const MeasureOptions& options,
                           const Run& run);
-
-// Sets height_m of each stem to its highest well-supported point above its ground.
-void measure_heights(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels, const Run& run);
-
-// Sets height_seen. With sensor positions: from some of the places that the tree was scanned from, the sensor would
-// have measured a return 1.5 m above the highest one too, so that the top ends there (crowns in between may still hide
-// more). Without (`sensor_of` empty): the tree reaches well above the lowest limbs at least.
-void judge_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
-                const SensorOf& sensor_of, const Run& run);
 
 }  // namespace bole::stems

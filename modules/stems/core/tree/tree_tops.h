@@ -1,0 +1,37 @@
+// How high the trees are, and whether their tops are in the cloud.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "base/report.h"
+#include "base/run.h"
+#include "stems/core/detect/ray_test.h"
+#include "stems/core/tree/grow_crowns.h"
+
+namespace bole::stems {
+
+// Why the height of a tree is a lower bound; seen: it is its height.
+enum class TopVerdict { seen, low, sparse, off_axis, overtopped, contested, at_edge, out_of_reach };
+constexpr std::array<std::string_view, 8> choice_names(TopVerdict) {
+  return {"seen",
+          "only the lower stem is in the cloud",
+          "few points at the top",
+          "the highest point stands far beside the stem",
+          "another tree reaches over the top",
+          "the top may be that of another tree",
+          "the tree stands at the edge of the cloud",
+          "the sensor could not see higher"};
+}
+
+// Sets height_m of each stem to the highest well-supported point of its tree above its ground, and height_seen where
+// that is its top. Without sensor positions (`sensor_of` empty) a top counts as seen when it is well supported by
+// points, stands over its stem, no other tree reaches over it or contests it, and it does not stand at the edge of the
+// cloud. With them it must also lie below what the sensor could have measured from where it saw the tree. The report
+// gets the counts by verdict. Returns the verdicts, by stem.
+std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
+                                     const CrownGrowth& growth, const SensorOf& sensor_of, const Run& run,
+                                     Report& report);
+
+}  // namespace bole::stems

@@ -1,0 +1,133 @@
+// Whose the points of the crowns are, and which tops count as seen.
+#include "stems/core/tree/tree_tops.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "base/arrays.h"
+
+namespace bole::stems {
+namespace {
+
+struct TrueTree {
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  double height = 0, crown_base = 0, crown_radius = 0;
+};
+
+struct Stand {
+  std::vector<Stem> stems;
+  PointCloud points;
+};
+
+// Bark up to the crown, leaves in a cone above it, and ground around.
+Stand stand_of(const std::vector<TrueTree>& trees) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(0, 1);
+  PointCloud::Positions all;
+  const auto add = [&](double x, double y, double z) {
+    all.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+  };
+  Stand stand;
+  for (const auto& t : trees) {
+    Stem s;
+    s.id = static_cast<int>(stand.stems.size()) + 1;
+    s.radius = 0.15;
+    s.breast_height = {t.at.x(), t.at.y(), 1.3};
+    for (double h = 0.5; h <= 2.5; h += 0.5) {
+      Section section;
+      section.height = h;
+      section.centre = {t.at.x(), t.at.y(), h};
+      section.used = section.curve = true;
+      s.sections.push_back(section);
+    }
+    stand.stems.push_back(s);
+    for (double z = 0.3; z < t.height - 0.5; z += 0.02) {
+      const double a = 2 * std::numbers::pi * u(random);
+      add(t.at.x() + 0.15 * std::cos(a), t.at.y() + 0.15 * std::sin(a), z);
+    }
+    for (int i = 0; i < 20000; ++i) {
+      const double up = 1 - std::sqrt(u(random)), r = (1 - up) * t.crown_radius * std::sqrt(u(random)),
+                   a = 2 * std::numbers::pi * u(random);
+      add(t.at.x() + r * std::cos(a), t.at.y() + r * std::sin(a), t.crown_base + up * (t.height - t.crown_base));
+    }
+  }
+  for (double x = -8; x < 12; x += 0.25)
+    for (double y = -8; y < 8; y += 0.25) add(x, y, 0);
+  std::vector<float> heights;
+  for (const auto& p : all) heights.push_back(p.z());
+  stand.points = PointCloud(std::move(all), {500000, 5300000, 200});
+  stand.points.set_column(arrays::height_above_ground, std::move(heights));
+  return stand;
+}
+
+struct Tops {
+  std::vector<TopVerdict> verdicts;
+  PointLabels labels;
+  Report report;
+};
+
+Tops tops_of(Stand& stand, const MeasureOptions& options = {}) {
+  Tops out;
+  out.labels = assign_points(stand.stems, stand.points, options, {});
+  const auto growth = grow_crowns(stand.stems, stand.points, options, {}, out.labels);
+  out.verdicts = measure_tops(stand.stems, stand.points, out.labels, growth, {}, {}, out.report);
+  return out;
+}
+
+TEST(TreeTops, NeighboursWhoseCrownsMeetKeepTheirOwnTops) {
+  auto stand = stand_of({{{0, 0}, 16, 6, 2}, {{3.2, 0}, 12, 5, 1.8}});
+  const auto tops = tops_of(stand);
+  EXPECT_THAT(tops.verdicts, testing::Each(TopVerdict::seen));
+  EXPECT_NEAR(stand.stems[0].height_m, 16, 0.3);
+  EXPECT_NEAR(stand.stems[1].height_m, 12, 0.3);
+  EXPECT_EQ(tops.report.counts.at("tops_seen"), 2);
+  // Nearly all leaves of each crown are its own.
+  int right = 0, wrong = 0;
+  for (std::size_t i = 0; i < stand.points.size(); ++i) {
+    const auto& p = stand.points.positions()[i];
+    if (p.z() < 6) continue;
+    const int true_id = (p.head<2>() - Eigen::Vector2f(3.2F, 0)).norm() < 1.0F ? 2 : p.head<2>().norm() < 1.0F ? 1 : 0;
+    if (true_id == 0) continue;
+    (tops.labels.tree_id[i] == true_id ? right : wrong) += 1;
+  }
+  EXPECT_GT(right, 50 * wrong);
+}
+
+// A thin tree right below the crown of a tall one: where its own crown ends cannot be told.
+TEST(TreeTops, ATreeInTheCrownOfAnotherIsNoHeight) {
+  auto stand = stand_of({{{0, 0}, 18, 5, 3}, {{0.8, 0}, 9, 6, 0.6}});
+  const auto tops = tops_of(stand);
+  EXPECT_EQ(tops.verdicts[0], TopVerdict::seen);
+  EXPECT_NEAR(stand.stems[0].height_m, 18, 0.3);
+  EXPECT_NE(tops.verdicts[1], TopVerdict::seen);
+  EXPECT_FALSE(stand.stems[1].height_seen);
+}
+
+TEST(TreeTops, ACloudOfLowerStemsHasNoTops) {
+  auto stand = stand_of({{{0, 0}, 4, 2, 0.5}});
+  EXPECT_EQ(tops_of(stand).verdicts[0], TopVerdict::low);
+}
+
+TEST(TreeTops, ATreeAtTheEdgeOfTheCloudMayBeCutOff) {
+  auto stand = stand_of({{{0, 0}, 16, 6, 2}});
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < stand.points.size(); ++i)
+    if (stand.points.positions()[i].x() < 0.2F) kept.push_back(i);
+  stand.points = stand.points.subset(kept);
+  EXPECT_EQ(tops_of(stand).verdicts[0], TopVerdict::at_edge);
+}
+
+TEST(TreeTops, NoTreeReachesBeyondTheCrownRadius) {
+  auto stand = stand_of({{{0, 0}, 16, 6, 4}});
+  MeasureOptions options;
+  options.crown_radius = 2;
+  const auto tops = tops_of(stand, options);
+  for (std::size_t i = 0; i < stand.points.size(); ++i)
+    if (tops.labels.tree_id[i] != 0) EXPECT_LT(stand.points.positions()[i].head<2>().norm(), 2 + 0.15 + 0.5);
+}
+
+}  // namespace
+}  // namespace bole::stems
