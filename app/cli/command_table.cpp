@@ -18,19 +18,19 @@ std::vector<std::string> split_choices(const std::string& type_name) {
   return choices;
 }
 
-OptionEntry entry_of(const CLI::Option& option) {
-  OptionEntry entry;
+ArgumentEntry entry_of(const CLI::Option& option) {
+  ArgumentEntry entry;
   const bool positional = option.get_positional();
   entry.flag = positional                     ? option.get_name(true)
                : !option.get_lnames().empty() ? "--" + option.get_lnames().front()
                                               : option.get_name();
-  const bool is_switch = option.get_expected_max() == 0 || option.get_type_size() == 0;
+  const bool is_switch = option.get_expected() == 0;
   if (!is_switch) entry.value = option.get_type_name().empty() ? "TEXT" : option.get_type_name();
   entry.value = entry.value.substr(0, entry.value.find(':'));  // the parser adds the words of its checks
   entry.choices = split_choices(entry.value);
   entry.help = option.get_description();
   entry.required = option.get_required();
-  entry.repeats = option.get_expected_max() > 1;
+  entry.repeats = option.get_allow_extra_args();
   return entry;
 }
 
@@ -65,7 +65,7 @@ std::vector<CommandEntry> command_table(const CLI::App& app) {
   return table;
 }
 
-std::vector<std::string> words_for(const CommandEntry& command, const OptionEntry& argument) {
+std::vector<std::string> words_for(const CommandEntry& command, const ArgumentEntry& argument) {
   if (!argument.choices.empty()) return argument.choices;
   if (argument.flag == "pipeline") return documents::shipped_pipelines();
   std::vector<std::string> words;

@@ -8,7 +8,7 @@
 
 namespace bole::cli {
 
-struct OptionEntry {
+struct ArgumentEntry {
   std::string flag;                  // "--out"; of a positional argument its name, "pipeline"
   std::string value;                 // "DIR"; empty: a switch
   std::vector<std::string> choices;  // words that it takes; empty: others
@@ -19,7 +19,7 @@ struct OptionEntry {
 struct CommandEntry {
   std::string name;  // "run", "evaluate stems"
   std::string help;
-  std::vector<OptionEntry> options, arguments;
+  std::vector<ArgumentEntry> options, arguments;
   std::vector<std::string> parts;  // of a command with commands of its own: their names
 };
 
@@ -27,6 +27,6 @@ struct CommandEntry {
 std::vector<CommandEntry> command_table(const CLI::App& app);
 
 // The words that an argument takes which the parser does not know: pipelines, stages.
-std::vector<std::string> words_for(const CommandEntry& command, const OptionEntry& argument);
+std::vector<std::string> words_for(const CommandEntry& command, const ArgumentEntry& argument);
 
 }  // namespace bole::cli

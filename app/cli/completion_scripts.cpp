@@ -103,7 +103,7 @@ std::string zsh_text(const std::string& help) {
   return text;
 }
 
-std::string zsh_action(const OptionEntry& entry, const std::vector<std::string>& words) {
+std::string zsh_action(const ArgumentEntry& entry, const std::vector<std::string>& words) {
   if (entry.value == "DIR") return "_files -/";
   if (!words.empty() && entry.choices.empty()) return fmt::format("{{_values word {}; _files}}", fmt::join(words, " "));
   if (!words.empty()) return fmt::format("({})", fmt::join(words, " "));

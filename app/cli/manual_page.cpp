@@ -24,26 +24,26 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-std::string argument_text(const OptionEntry& argument) {
+std::string argument_word(const ArgumentEntry& argument) {
   const std::string name = "\\fI" + roff(argument.flag) + "\\fR" + (argument.repeats ? " ..." : "");
   return argument.required ? name : "[" + name + "]";
 }
 
-std::string option_text(const OptionEntry& option) {
+std::string option_lines(const ArgumentEntry& option) {
   std::string text = ".TP\n\\fB" + roff(option.flag) + "\\fR";
   if (!option.value.empty()) text += " \\fI" + roff(option.value) + "\\fR";
   text += "\n" + roff(option.help) + (option.required ? " (required)" : "") + "\n";
   return text;
 }
 
-std::string command_text(const CommandEntry& command) {
+std::string command_lines(const CommandEntry& command) {
   std::string text = ".SS bole " + roff(command.name);
-  for (const auto& argument : command.arguments) text += " " + argument_text(argument);
+  for (const auto& argument : command.arguments) text += " " + argument_word(argument);
   text += command.options.empty() ? "\n" : " [options]\n";
   text += roff(command.help) + ".\n";
   for (const auto& argument : command.arguments)
     text += ".TP\n\\fI" + roff(argument.flag) + "\\fR\n" + roff(argument.help) + "\n";
-  for (const auto& option : command.options) text += option_text(option);
+  for (const auto& option : command.options) text += option_lines(option);
   return text;
 }
 
@@ -57,7 +57,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string exit_codes_text() {
   std::string text;
-  for (const auto& row : exit_codes()) text += fmt::format("  {}  {}\n", static_cast<int>(row.code), row.meaning);
+  for (const auto& row : exit_codes) text += fmt::format("  {}  {}\n", static_cast<int>(row.code), row.meaning);
   return text;
 }
 
@@ -69,9 +69,9 @@ std::string manual_page(const std::string& description, const std::vector<Comman
       "\\fIDIR\\fR\n";
   text += ".SH DESCRIPTION\n" + roff(description) + "\n";
   text += ".SH COMMANDS\n";
-  for (const auto& command : commands) text += command_text(command);
+  for (const auto& command : commands) text += command_lines(command);
   text += ".SH EXIT STATUS\n";
-  for (const auto& row : exit_codes())
+  for (const auto& row : exit_codes)
     text += fmt::format(".TP\n{}\n{}\n", static_cast<int>(row.code), roff(std::string(row.meaning)));
   text +=
       ".SH FILES\n.TP\n\\fIDIR\\fR/summary.json\nResults for programs: verdict (sign, look, refused), findings, "

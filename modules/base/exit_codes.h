@@ -1,7 +1,7 @@
 // The exit codes of the program: the one place where they are listed.
 #pragma once
 
-#include <span>
+#include <array>
 #include <string_view>
 
 namespace bole {
@@ -15,7 +15,15 @@ struct ExitCodeRow {
 };
 
 // For help, manual page and documentation.
-std::span<const ExitCodeRow> exit_codes();
+inline constexpr std::array exit_codes{
+    ExitCodeRow{ExitCode::done, "done: every output was written"},
+    ExitCodeRow{ExitCode::failed,
+                "failed: the work went wrong, an output could not be written, or an input could be "
+                "read in part only (--accept-partial)"},
+    ExitCodeRow{ExitCode::bad_input, "bad input: a command, file, option or pipeline cannot be used as it is"},
+    ExitCodeRow{ExitCode::cancelled, "cancelled on request: nothing was changed"},
+    ExitCodeRow{ExitCode::finished_early,
+                "finished early on request (first Ctrl-C): outputs were written, of a result that is not complete"}};
 
 }  // namespace base
 }  // namespace bole

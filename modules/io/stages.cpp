@@ -1,6 +1,7 @@
 // The stages of the module io: they read files into a pipeline.
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/clouds/memory_advice.h"
+#include "io/core/clouds/see_cloud.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/tables/table_file.h"
@@ -15,7 +16,7 @@ struct ReadScanOptions : FrameSourceOptions {
   std::string file;
 };
 
-struct ReadCloudOptions : CloudReadOptions {
+struct ReadCloudOptions : SeeCloudOptions {
   std::string file;
 };
 
@@ -92,7 +93,7 @@ pipeline::StageType read_scan() {
 
 pipeline::StageType read_cloud_stage() {
   static const std::string help = file_help("Point cloud", FileContent::cloud);
-  static const OptionTable table = with_file<ReadCloudOptions, CloudReadOptions>(help);
+  static const OptionTable table = with_file<ReadCloudOptions, SeeCloudOptions>(help);
   auto type = new_type("io.read_cloud", "vtkBoleReadCloud", "Read a point cloud");
   type.help =
       "Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are "
@@ -100,14 +101,16 @@ pipeline::StageType read_cloud_stage() {
       "arrays "
       "with Bole's names (intensity, time, ring, return_number, classification, red, ...); other fields keep their "
       "names. Points whose coordinates are not numbers are dropped and counted. A file that is cut off gives the "
-      "points it holds.";
+      "points it holds. The stage looks at the cloud and reports its kind, its density at breast height, the common "
+      "lean "
+      "of its stems, repeated points, and an axis or a unit that do not fit what stands in it.";
   type.source = "Bole";
   type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadCloudOptions>();
     pipeline::StageResult result;
-    auto reading = read_cloud(o.file, o, run);
+    auto reading = see_cloud(o.file, o, run).reading;
     if (auto advice = memory_advice(reading.cloud.size(), available_memory_bytes()); !advice.empty())
       reading.report.warn(std::move(advice));
     result.outputs.set("points", std::move(reading.cloud));

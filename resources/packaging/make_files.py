@@ -35,24 +35,7 @@ def write_compressed(path, text):
 
 
 def printed(bole, *arguments):
-    """What the program prints, or None where it has no such command."""
-    told = subprocess.run([bole, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL)
-    return told.stdout if told.returncode == 0 and told.stdout else None
-
-
-def as_roff(text):
-    return "\n".join(("\\&" if line[:1] in ".'" else "") + line.replace("\\", "\\e").replace("-", "\\-") for line in text.splitlines())
-
-
-def manual_from_help(bole, version):
-    """A manual page out of the help texts."""
-    top = printed(bole, "--help")
-    commands = re.findall(r"^  ([a-z][a-z-]*) {2,}\S", top.split("Subcommands:")[1], re.M)
-    page = f'.TH BOLE 1 "" "Bole {version}" "User commands"\n.SH NAME\nbole \\- LiDAR scans of a forest plot to a survey that can be signed\n'
-    page += ".SH SYNOPSIS\n.B bole\n.I COMMAND\n.RI [ OPTION ...]\n.SH COMMANDS\n.nf\n" + as_roff(top.split("Subcommands:")[1].strip("\n")) + "\n.fi\n"
-    for command in commands:
-        page += f".SH {command.upper()}\n.nf\n" + as_roff(printed(bole, command, "--help").strip("\n")) + "\n.fi\n"
-    return page
+    return subprocess.run([bole, *arguments], capture_output=True, text=True, stdin=subprocess.DEVNULL, check=True).stdout
 
 
 def debian_changelog(changes, version, maintainer):
@@ -80,13 +63,9 @@ def main():
     program, desktop = given.out / "program", given.out / "desktop"
     for folder in (program, desktop):
         shutil.rmtree(folder, ignore_errors=True)
-    write_compressed(program / "man/man1/bole.1.gz", printed(given.bole, "man") or manual_from_help(given.bole, given.version))
+    write_compressed(program / "man/man1/bole.1.gz", printed(given.bole, "man"))
     for shell, place in COMPLETIONS.items():
-        script = printed(given.bole, "completion", shell)
-        if script is None:
-            print(f"make_files.py: bole prints no completion for {shell}")
-        else:
-            write(program / place, script)
+        write(program / place, printed(given.bole, "completion", shell))
     changes = (given.source / "CHANGELOG.md").read_text(encoding="utf-8")
     write_compressed(program / "doc/bole/CHANGELOG.md.gz", changes)
     write_compressed(given.out / "changelog.gz", debian_changelog(changes, given.version, given.maintainer))

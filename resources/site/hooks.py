@@ -33,6 +33,11 @@ def on_config(config):
     for folder, name in (("stages", "Stages"), ("adr", "Decisions")):
         pages = sorted(p.name for p in (TOP / "docs" / folder).glob("*.md") if p.name != "README.md")
         section(config.nav, name).extend(f"{folder}/{page}" for page in pages)
+    # A new page for people is in the site before somebody gives it its place in mkdocs.yml.
+    listed = repr(config.nav)
+    for folder, name in (("user", "Surveying"), ("dev", "Development")):
+        pages = (f"{folder}/{p.name}" for p in sorted((TOP / "docs" / folder).glob("*.md")))
+        section(config.nav, name).extend(page for page in pages if page not in listed)
     section(config.nav, "Modules").extend({p.parent.name: f"code/{p.as_posix()}"} for p in readmes())
     return config
 

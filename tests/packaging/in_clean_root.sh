@@ -8,7 +8,7 @@ cd "$work"
 step() { echo "== $*"; }
 
 step "bole --version"
-bole --version || bole version # the flag is newer than the command
+bole --version
 
 step "libraries are found beside one another, at the level of this processor"
 LD_DEBUG=files bole version 2>&1 | sed -n 's/.*calling init: //p' | grep -E 'lib(bole_|vtkBole)' | xargs realpath | sort > libraries.txt
@@ -32,11 +32,7 @@ for result in report.html summary.json plot.gpkg dem.tif survey.xlsx; do [ -s su
 python3 -c 'import json; s = json.load(open("survey/summary.json")); print("verdict:", s["verdict"])'
 
 step "a finished cloud"
-if bole --help | grep -q "^  survey "; then
-  bole survey survey/cloud.las --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
-else
-  bole run /usr/share/bole/pipelines/stem_map_from_cloud.json --set scan.file=survey/cloud.las --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
-fi
+bole survey survey/cloud.las --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
 [ -s cloud/report.html ]
 
 step "python3 -c 'import bole'"
@@ -59,8 +55,9 @@ code=0
 xvfb-run -a -s "-screen 0 1400x900x24" timeout 20 bole-desktop survey/cloud.las > desktop.log 2>&1 || code=$?
 [ $code -eq 124 ] || { cat desktop.log; echo "bole-desktop ended with $code and did not stay open"; exit 1; }
 
-step "man page and desktop files"
+step "man pages, completion and desktop files"
 [ -s /usr/share/man/man1/bole.1.gz ] && [ -s /usr/share/man/man1/bole-desktop.1.gz ]
+bash -c '. /usr/share/bash-completion/completions/bole; complete -p bole'
 grep -q '^Exec=bole-desktop' /usr/share/applications/bole-desktop.desktop
 [ -s /usr/share/icons/hicolor/scalable/apps/bole.svg ]
 [ "$(file -b --mime-type /usr/share/icons/hicolor/48x48/apps/bole.png)" = image/png ]

@@ -21,6 +21,7 @@ BELOW = {
     "vtkbridge": {"base", "cloud", "pipeline"},
     "render": {"base", "cloud"},
     "report": {"base", "cloud", "pipeline", "render", "io"},
+    "documents": {"base", "cloud", "pipeline", "io"},
 }
 for domain in DOMAIN:
     BELOW[domain] = {"base", "cloud", "sensor", "geo"}

@@ -1,12 +1,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/option.h"
+#include "base/verdict.h"
 #include "commands.h"
-#include "io/core/clouds/cloud_reader.h"
+#include "io/core/clouds/see_cloud.h"
+#include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_source.h"
 
@@ -18,7 +23,37 @@ using nlohmann::ordered_json;
 void add_report(ordered_json& json, const Report& report) {
   for (const auto& [name, count] : report.counts) json["counts"][name] = count;
   for (const auto& [name, fact] : report.facts) json["facts"][name] = fact;
-  if (!report.warnings.empty()) json["warnings"] = report.warnings;
+  for (const auto& [name, metric] : report.metrics) json["metrics"][name] = metric.value;
+  // A finding is a warning too; each is given once.
+  ordered_json warnings = ordered_json::array();
+  for (const auto& text : report.warnings)
+    if (std::ranges::find(report.findings, text, &Finding::text) == report.findings.end()) warnings.push_back(text);
+  if (!warnings.empty()) json["warnings"] = warnings;
+  for (const auto& f : report.findings)
+    json["findings"].push_back({{"severity", severity_name(f.severity)}, {"code", f.code}, {"text", f.text}});
+}
+
+// The axes, one by one: how many stems stand along them, and how much of what lies across them looks like ground.
+ordered_json describe_sight(const FirstSight& sight) {
+  ordered_json json;
+  json["kind"] = choice_name(sight.kind);
+  if (sight.points == 0) return json;
+  json["extent_m"] = {sight.extent_m.x(), sight.extent_m.y(), sight.extent_m.z()};
+  constexpr std::array names{"x", "y", "z"};
+  for (std::size_t axis = 0; axis < names.size(); ++axis) {
+    const auto& e = sight.along[axis];
+    json["along"][names[axis]] = {{"stems", e.stems}, {"stem_m", e.stem_metres}, {"ground_seen", e.ground_seen}};
+  }
+  json["up"] = sight.up ? names[static_cast<std::size_t>(*sight.up)] : "not decided by the cloud";
+  json["top_height_m"] = sight.top_height_m;
+  if (std::isfinite(sight.stem_diameter_m)) json["stem_diameter_m"] = sight.stem_diameter_m;
+  if (std::isfinite(sight.lean_error_deg)) {
+    json["common_lean_deg"] = sight.lean_deg;
+    json["common_lean_error_deg"] = sight.lean_error_deg;
+  }
+  if (sight.doubled_by_m > 0) json["doubled_by_m"] = sight.doubled_by_m;
+  if (sight.normalised) json["normalised"] = "z is the height above ground: the lowest points lie at 0";
+  return json;
 }
 
 ordered_json describe_recording(const std::filesystem::path& path) {
@@ -42,7 +77,8 @@ ordered_json describe_recording(const std::filesystem::path& path) {
 }
 
 ordered_json describe_cloud(const std::filesystem::path& path) {
-  const auto reading = io::read_cloud(path);
+  const auto seen = io::see_cloud(path);
+  const auto& reading = seen.reading;
   const auto& cloud = reading.cloud;
   ordered_json json{
       {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
@@ -58,16 +94,20 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   }
   ordered_json columns = ordered_json::object();
   for (const auto& [name, column] : cloud.columns()) {
+    // In memory the sensor's place is relative to the origin, as the points are.
+    const int axis = io::axis_of_sensor(name);
+    const double origin = axis < 0 ? 0 : cloud.origin[axis];
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      const double value = column_value(*column, i);
+      const double value = origin + column_value(*column, i);
       low = std::min(low, value);
       high = std::max(high, value);
     }
     columns[name] = {{"type", array_type_name(column_type(*column))}, {"min", low}, {"max", high}};
   }
   json["arrays"] = columns;
-  if (!cloud.crs_wkt.empty()) json["crs"] = cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','));
+  json["crs"] = cloud.crs_wkt.empty() ? "none" : cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','));
+  json["sight"] = describe_sight(seen.sight);
   add_report(json, reading.report);
   return json;
 }
@@ -79,7 +119,11 @@ std::string text_of(const ordered_json& json, int indent = -1) {
 
 void print_text(const ordered_json& json, int depth = 0) {
   for (const auto& [key, value] : json.items()) {
-    if (value.is_object() && !value.contains("type")) {
+    if (key == "findings") {
+      for (const auto& f : value)
+        fmt::print("{:>{}}{:<22} {} [{}]\n", "", 2 * depth, f["severity"].get<std::string>(),
+                   f["text"].get<std::string>(), f["code"].get<std::string>());
+    } else if (value.is_object() && !value.contains("type")) {
       fmt::print("{:>{}}{}\n", "", 2 * depth, key);
       print_text(value, depth + 1);
     } else {

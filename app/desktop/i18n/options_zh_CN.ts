@@ -1294,12 +1294,16 @@
             <translation>要读取的点云:LAZ、LAS、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
         </message>
         <message>
-            <source>Unit of the coordinates in the file.</source>
-            <translation>文件中坐标的单位。</translation>
+            <source>Unit of the coordinates in the file. auto: metre, unless the coordinate system of the file or the stems in it show another one for certain.</source>
+            <translation>文件中坐标的单位。自动(auto):米,除非文件的坐标系或其中的树干确切表明是其他单位。</translation>
         </message>
         <message>
-            <source>Axis of the file that points up. It is z in most files, and y in most files from phones and cameras.</source>
-            <translation>文件中向上的坐标轴。多数文件为 z,手机和相机生成的文件多为 y。</translation>
+            <source>Axis of the file that points up. It is z in most files, and y in most files from phones and cameras. auto: z, unless the stems show for certain that it is another one.</source>
+            <translation>文件中向上的坐标轴。多数文件为 z,手机和相机生成的文件多为 y。自动(auto):z,除非树干确切表明是其他轴。</translation>
+        </message>
+        <message>
+            <source>Turn a cloud that is not level. stems: until the mean direction of the stems is vertical; none: leave it as it is.</source>
+            <translation>调平倾斜的点云。树干(stems):旋转到树干的平均方向竖直;无(none):保持原样。</translation>
         </message>
         <message>
             <source>Coordinate system of the file. global: projected coordinates; plot: x to the east and y to the north of the plot centre.</source>
@@ -2194,8 +2198,12 @@
             <translation>单次测距的标准差;点云(cloud):按点云所给。传感器噪声较大时,它会提高 max_sigma。</translation>
         </message>
         <message>
-            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more.</source>
-            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度。射线模型也会看到裂缝,因此将此深度加到半径上:光滑树皮 0,中等树皮 1 mm,松树或栎树更大。</translation>
+            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. A convention: the points do not show it. 0: diameters of the mean bark; medium bark 1 mm, pine or oak more.</source>
+            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度;射线模型将其加到半径上。这是约定,点云并不显示它。0:平均树皮处的直径;中等树皮 1 mm,松树或栎树更大。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of bark_relief: how far the bark may be from the convention. The intervals allow for it.</source>
+            <translation>bark_relief 的标准差:树皮可能偏离约定的程度。区间已将其计入。</translation>
         </message>
         <message>
             <source>Estimate the mean range error from all stems and remove it. It comes from the lasers, or from poses that lie too close to the stems.</source>
@@ -2206,8 +2214,8 @@
             <translation>已检校传感器测距偏移的标准差。估计值据此向零正则化;值越大,越由单木决定。</translation>
         </message>
         <message>
-            <source>Standard deviation of the range error that all points of a stem share, fissures of the bark included. A larger value widens the intervals.</source>
-            <translation>同一单木所有点共有的测距误差的标准差,包括树皮裂缝。值越大,区间越宽。</translation>
+            <source>Standard deviation of the range error that all points of a stem share. A larger value widens the intervals.</source>
+            <translation>同一单木所有点共有的测距误差的标准差。值越大,区间越宽。</translation>
         </message>
         <message>
             <source>A pause of this length between returns from a stem starts a new pass of the walk.</source>

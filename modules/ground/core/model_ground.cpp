@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/angles.h"
+#include "cloud/first_sight.h"
 #include "ground/core/fill_holes.h"
 #include "ground/core/heights.h"
 #include "ground/core/low_points.h"
@@ -95,13 +96,18 @@ GroundModel level_ground(const PointCloud& cloud, const GridShape& shape, const 
   return model;
 }
 
+// A tree that was cut out has no ground around its foot.
+bool is_single_tree(const PointCloud& cloud) {
+  return fact_text(cloud.facts, facts::kind) == choice_name(CloudKind::single_tree);
+}
+
 }  // namespace
 
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
   run.report(0.0, "Sorting points into cells");
   const GridShape shape = grid_over(cloud, options.cell);
   const PointGrid grid(cloud, shape, run);
-  if (options.method == GroundMethod::lowest) return level_ground(cloud, shape, options, run);
+  if (options.method == GroundMethod::lowest || is_single_tree(cloud)) return level_ground(cloud, shape, options, run);
 
   run.report(0.35, "Finding ground");
   const auto candidates =

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/statistics.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
@@ -28,7 +29,9 @@ constexpr double all_round_rad = 6.0;
 constexpr double min_drift_to_align_m = 0.01;
 constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
-constexpr int min_sighting = 20;                   // points of a pass that tell where it sees a stem
+constexpr double cap_by_noise = 1.25, max_learnt_noise_m = 0.035;  // of the residuals' scale
+constexpr double high_noise_m = 0.02;
+constexpr int min_sighting = 20;  // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -61,6 +64,7 @@ class Survey {
     options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
     auto priors = search();
     for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
+    learn_noise();
     if (priors.learnt) refit_all(priors);
     accept();
     label();
@@ -80,6 +84,18 @@ class Survey {
     retry_displaced(priors);
     learn(priors);
     return priors;
+  }
+
+  // Ranges may scatter by more than the sensor is said to: a scale that is capped too low takes the rims of the scatter
+  // for outliers.
+  void learn_noise() {
+    std::vector<double> noise;
+    for (const auto& s : fitted_)
+      if (s.along_rays && !objection(s, options_)) noise.push_back(s.noise_m);
+    if (noise.empty()) return;
+    noise_m_ = upper_median(std::move(noise));
+    options_.max_sigma = std::max(options_.max_sigma, cap_by_noise * std::min(noise_m_, max_learnt_noise_m));
+    out_.report.metrics["range_noise_seen"] = {100 * noise_m_, Unit::centimetre};
   }
 
   // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
@@ -398,7 +414,47 @@ class Survey {
                          100 * moved_m_));
     }
     if (to_check > 0)
-      r.warn(fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
+      r.find(Severity::look, "stems_to_check",
+             fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
+    find_sparse(r);
+    if (noise_m_ > high_noise_m)
+      r.find(Severity::look, "noise_high",
+             fmt::format("ranges scatter by {:.1f} cm on the bark: diameters are uncertain by +-{:.1f} cm, half of the "
+                         "stems by more. Scan more slowly or from nearer, or check the poses",
+                         100 * noise_m_, half_interval_cm()));
+    if (!out_.stems.empty() && fits_along_rays(rays_, options_)) tell_bark(r);
+  }
+
+  double half_interval_cm() const {
+    std::vector<double> half;
+    for (const auto& s : out_.stems) half.push_back(100 * (s.radius_high - s.radius_low));
+    return half.empty() ? 0 : upper_median(std::move(half));
+  }
+
+  // Stems of so few points have a circle, but no diameter that may be signed.
+  void find_sparse(Report& r) const {
+    std::vector<int> few;
+    for (const auto& s : out_.stems)
+      if (s.inliers < points_for_a_diameter) few.push_back(s.inliers);
+    if (few.empty()) return;
+    std::ranges::sort(few);
+    const bool most = 2 * few.size() > out_.stems.size();
+    r.find(most ? Severity::refused : Severity::look, "stems_sparse",
+           fmt::format("{} for diameters here: {} points on the bark of a stem needed, {} found in the middle of {} of "
+                       "{} stems. Use the cloud before it was thinned, or scan from nearer",
+                       most ? "too sparse" : "some stems are too sparse", points_for_a_diameter, few[few.size() / 2],
+                       few.size(), out_.stems.size()));
+  }
+
+  void tell_bark(Report& r) const {
+    const double sd_mm = 1e3 * options_.bark_relief_sd, added_mm = 2e3 * options_.bark_relief;
+    r.find(Severity::note, "bark_convention",
+           added_mm > 0 ? fmt::format("{:.1f} mm are added to every diameter for the fissures of the bark "
+                                      "(bark_relief), a convention; the intervals allow for +-{:.1f} mm",
+                                      added_mm, 2 * 1.96 * sd_mm)
+                        : fmt::format("diameters are those of the mean bark: a tape over rough bark reads more. The "
+                                      "intervals allow for +-{:.1f} mm; set bark_relief where the bark is known",
+                                      2 * 1.96 * sd_mm));
   }
 
   std::string no_stems() const {
@@ -425,6 +481,7 @@ class Survey {
   PointCloud points_;  // with the passes brought together
   std::vector<PassAlignment> alignments_;
   double moved_m_ = 0;  // by which they were
+  double noise_m_ = 0;  // scatter of ranges on the bark, middle of the stems; 0: not known
   const Raster& dem_;
   const Trajectory* trajectory_;
   MeasureOptions options_;

@@ -135,7 +135,15 @@ const OptionTable& option_table(const MeasureOptions*) {
                             {0, 0.03},
                             Tier::advanced,
                             "Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds "
-                            "it to the radius. Smooth bark 0, medium bark 1 mm, pine or oak more."},
+                            "it to the radius. A convention: the points do not show it. 0: diameters of the mean bark; "
+                            "medium bark 1 mm, pine or oak more."},
+          Option<S, double>{"bark_relief_sd",
+                            &S::bark_relief_sd,
+                            Unit::metre,
+                            {0, 0.03},
+                            Tier::advanced,
+                            "Standard deviation of bark_relief: how far the bark may be from the convention. The "
+                            "intervals allow for it."},
           Option<S, bool>{"estimate_range_offset", &S::estimate_range_offset, Tier::expert,
                           "Estimate the mean range error from all stems and remove it. It comes from the lasers, or "
                           "from poses that lie too close to the stems."},
@@ -151,8 +159,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                             Unit::metre,
                             {0, 0.05},
                             Tier::expert,
-                            "Standard deviation of the range error that all points of a stem share, fissures of the "
-                            "bark included. A larger value widens the intervals."},
+                            "Standard deviation of the range error that all points of a stem share. A larger value "
+                            "widens the intervals."},
           Option<S, double>{"pass_gap",
                             &S::pass_gap,
                             Unit::second,
@@ -187,7 +195,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                             "Points closer to the fitted surface than this are marked as bark."},
           OnlyIf{"model",
                  {"auto", "ray"},
-                 {"ray_gate", "beam_divergence", "beam_aperture", "bark_relief", "estimate_range_offset"}},
+                 {"ray_gate", "beam_divergence", "beam_aperture", "bark_relief", "bark_relief_sd",
+                  "estimate_range_offset"}},
           OnlyIf{"estimate_range_offset", {"true"}, {"range_offset_sd"}},
       },
       [](const S& s) {

@@ -39,9 +39,10 @@ struct MeasureOptions {
   double max_sigma = 0.025;
   double ray_gate = 0.95;
   std::optional<double> beam_divergence_mrad, beam_aperture, range_noise;  // without a value: as the cloud says
-  double bark_relief = 0.0015;
+  double bark_relief = 0;
+  double bark_relief_sd = 0.0005;
   bool estimate_range_offset = true;
-  double range_offset_sd = 0.001;
+  double range_offset_sd = 0.0004;
   double range_bias = 0.0004;
   double pass_gap = 10;
   double max_range = 20;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/statistics.h"
-#include "survey/core/robust.h"
+#include "cloud/robust_mean.h"
 
 namespace bole::survey {
 namespace {

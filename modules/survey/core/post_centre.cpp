@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/statistics.h"
-#include "survey/core/robust.h"
+#include "cloud/robust_mean.h"
 
 namespace bole::survey {
 namespace {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <map>
 
-#include "survey/core/robust.h"
-#include "survey/core/voxels.h"
+#include "cloud/robust_mean.h"
+#include "cloud/voxels.h"
 
 namespace bole::survey {
 namespace {

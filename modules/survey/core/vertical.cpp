@@ -9,9 +9,9 @@
 
 #include "base/angles.h"
 #include "base/transform.h"
+#include "cloud/robust_mean.h"
+#include "cloud/stem_axes.h"
 #include "survey/core/ground_plane.h"
-#include "survey/core/robust.h"
-#include "survey/core/stem_axes.h"
 
 namespace bole::survey {
 namespace {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 
+#include "cloud/first_sight.h"
 #include "synthetic/terrain.h"
 
 namespace bole::ground {
@@ -243,6 +244,10 @@ TEST(ModelGround, ATreeWithoutGroundStandsOnItsLowestPoints) {
   EXPECT_NEAR(model.height_above_ground[2000], 4.0, 0.02);
   EXPECT_NEAR(model.dem.sample(500000, 5000000), 300.0, 0.02);
   EXPECT_EQ(model.report.warnings.size(), 1u);
+  // A cloud that says it is a single tree needs no option.
+  auto told = tree;
+  set_fact(told.facts, facts::kind, choice_name(CloudKind::single_tree));
+  EXPECT_EQ(model_ground(told, {}, {}).height_above_ground, model.height_above_ground);
 }
 
 }  // namespace

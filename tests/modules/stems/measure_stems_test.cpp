@@ -11,7 +11,9 @@
 #include <stop_token>
 
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/fit/stem_quality.h"
 #include "stems/core/sensor_facts.h"
+#include "synthetic/foreign_scanner.h"
 #include "synthetic/stem_cloud.h"
 
 namespace bole::stems {
@@ -397,6 +399,124 @@ TEST(MeasureStems, WhatTheCloudSaysGoesWithTheTables) {
     EXPECT_EQ(pose_origin(table.facts), PoseOrigin::given);
   }
   EXPECT_EQ(survey.points.facts, cloud.points.facts);
+}
+
+// The same stand somewhere else: everything moves, in the float32 offsets of the cloud.
+StemCloud moved(const StemCloud& cloud, const Eigen::Vector3f& by) {
+  StemCloud out = cloud;
+  auto positions = cloud.points.positions();
+  for (auto& p : positions) p += by;
+  out.points.set_positions(std::move(positions));
+  const auto add = [&](const ArrayInfo& info, float d) {
+    auto values = cloud.points.values<float>(info);
+    for (auto& v : values) v += d;
+    out.points.set_column(info, std::move(values));
+  };
+  add(arrays::sensor_x, by.x()), add(arrays::sensor_y, by.y()), add(arrays::sensor_z, by.z());
+  out.dem.origin += by.head<2>().cast<double>();
+  for (auto& z : out.dem.values) z += by.z();
+  return out;
+}
+
+TEST(MeasureStems, StemsDoNotDependOnWhereTheCloudLies) {
+  auto o = coarse();
+  o.shrub_points = 20000, o.outlier_share = 0.05;
+  auto cloud = make_stem_cloud(random_stand(9, 0.08, 0.45, 3), o);
+  // Coordinates of files lie on a lattice: many points lie on borders of cells.
+  auto positions = cloud.points.positions();
+  for (auto& p : positions) p = (1000 * p).array().round() / 1000;
+  cloud.points.set_positions(std::move(positions));
+  const auto here = measure(cloud);
+  for (const Eigen::Vector3f& by :
+       {Eigen::Vector3f(0.1F, 0.07F, 0), Eigen::Vector3f(0, 0, 300), Eigen::Vector3f(-3.33F, 17.01F, 0.5F)}) {
+    const auto there = measure(moved(cloud, by));
+    ASSERT_EQ(there.stems.size(), here.stems.size());
+    for (std::size_t i = 0; i < here.stems.size(); ++i) {
+      const auto &a = here.stems[i], &b = there.stems[i];
+      EXPECT_LT((b.breast_height - a.breast_height - by.cast<double>()).norm(), 0.001) << i;
+      EXPECT_NEAR(200 * b.radius, 200 * a.radius, 0.05) << i;
+      EXPECT_EQ(b.quality, a.quality) << i;
+    }
+  }
+}
+
+TEST(MeasureStems, FewPointsMakeNoGoodStem) {
+  const auto whole = make_stem_cloud(random_stand(4, 0.2, 0.3, 5), coarse());
+  std::vector<std::uint32_t> few;
+  std::mt19937 random(3);
+  for (std::uint32_t i = 0; i < whole.points.size(); ++i)
+    if (random() % 40 == 0) few.push_back(i);
+  auto cloud = whole;
+  cloud.points = whole.points.subset(few);
+  MeasureOptions options;
+  options.min_section_points = 4;
+  const auto survey = measure(cloud, options);
+  ASSERT_FALSE(survey.stems.empty());
+  for (const auto& s : survey.stems) {
+    EXPECT_NE(s.quality, "good") << s.inliers;
+    EXPECT_THAT(s.reasons, testing::Contains(testing::HasSubstr("few points")));
+  }
+  Stem s = survey.stems[0];
+  s.inliers = points_for_a_diameter - 1;
+  judge(s, usual_breast_height_m);
+  EXPECT_EQ(s.quality, "poor");
+  EXPECT_EQ(s.state, "check");
+}
+
+TEST(MeasureStems, ABushyFootAndSlashAreOneStem) {
+  synthetic::TrueStem s;
+  s.dbh = 0.25;
+  auto cloud = make_stem_cloud({s}, coarse());
+  std::mt19937 random(11);
+  std::normal_distribution<float> leaf(0, 0.25F), slash(0, 0.12F);
+  std::uniform_real_distribution<float> along(-1.5F, 1.5F), unit(0, 1);
+  auto positions = cloud.points.positions();
+  auto height = cloud.points.values<float>(arrays::height_above_ground),
+       x = cloud.points.values<float>(arrays::sensor_x), y = cloud.points.values<float>(arrays::sensor_y),
+       z = cloud.points.values<float>(arrays::sensor_z), range = cloud.points.values<float>(arrays::range);
+  auto time = cloud.points.values<double>(arrays::time);
+  const auto add = [&](const Eigen::Vector3f& p) {
+    const Eigen::Vector3f sensor(4, 1, 1.6F);
+    positions.push_back(p), height.push_back(p.z()), x.push_back(sensor.x()), y.push_back(sensor.y()),
+        z.push_back(sensor.z());
+    range.push_back((p - sensor).norm()), time.push_back(3);
+  };
+  for (int i = 0; i < 3000; ++i) {  // shoots round the foot, and branches on the ground beside it
+    if (const Eigen::Vector3f p(leaf(random), leaf(random), 1.1F * unit(random)); p.head<2>().norm() > 0.14F) add(p);
+    const float t = along(random);
+    add({0.6F + 0.3F * t + 0.2F * slash(random), t, 0.15F + std::abs(slash(random))});
+  }
+  cloud.points.set_positions(std::move(positions));
+  cloud.points.set_column(arrays::height_above_ground, std::move(height)),
+      cloud.points.set_column(arrays::range, std::move(range));
+  cloud.points.set_column(arrays::sensor_x, std::move(x)), cloud.points.set_column(arrays::sensor_y, std::move(y));
+  cloud.points.set_column(arrays::sensor_z, std::move(z)), cloud.points.set_column(arrays::time, std::move(time));
+  const auto survey = measure(cloud);
+  ASSERT_EQ(survey.stems.size(), 1U);
+  EXPECT_NEAR(200 * survey.stems[0].radius, 25, 0.6);
+}
+
+// A scanner that shares nothing with the fit but the laws of light, and is noisier than it says.
+TEST(MeasureStems, AForeignScannerIsMeasuredAsWellAsByCircles) {
+  synthetic::ForeignOptions o;
+  o.noise = 0.025, o.voxel = 0, o.column = 0.015, o.side = 3, o.seed = 7;
+  const auto cloud = synthetic::ForeignScanner(o).scan();
+  const auto survey = measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, {}, {});
+  ASSERT_EQ(survey.stems.size(), cloud.stems.size());
+  double bias = 0, square = 0;
+  int held = 0;
+  for (const auto& t : cloud.stems) {
+    const Eigen::Vector2d at = t.base + 1.3 * t.slope;
+    const auto it = std::ranges::min_element(survey.stems, {},
+                                             [&](const Stem& s) { return (s.breast_height.head<2>() - at).norm(); });
+    const double error = 200 * it->radius - 100 * t.dbh, n = static_cast<double>(cloud.stems.size());
+    bias += error / n, square += error * error / n;
+    held += t.dbh >= 2 * it->radius_low && t.dbh <= 2 * it->radius_high;
+  }
+  EXPECT_LT(std::abs(bias), 0.3);
+  EXPECT_LT(std::sqrt(square), 0.6);
+  EXPECT_GE(held, 8);
+  EXPECT_THAT(survey.report.findings, testing::Contains(testing::Field(&Finding::code, "noise_high")));
 }
 
 TEST(Slice, KeepsTheLayerAndNamesItsHeight) {

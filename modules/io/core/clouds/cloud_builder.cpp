@@ -1,10 +1,11 @@
 #include "io/core/clouds/cloud_builder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -185,9 +186,7 @@ void note_missing_points(Report& report, std::uint64_t declared, std::uint64_t p
   if (present >= declared) return;
   constexpr double whole_enough = 0.99;
   const double share = static_cast<double>(present) / static_cast<double>(declared);
-  char percent[16];
-  std::snprintf(percent, sizeof percent, "%.3g", 100 * share);
-  const auto told = text + " (" + percent + " %)";
+  const auto told = fmt::format("{} ({:.3g} %)", text, 100 * share);
   if (share >= whole_enough)
     report.find(Severity::look, "input_damaged", told);
   else

@@ -208,6 +208,16 @@ Entries beam_entries() {
                         Tier::expert,
                         "Surfaces in one beam closer together than this give one range between them."},
       Option<S, bool>{"bark", &S::bark, Tier::expert, "Bark with fissures. Otherwise stems are smooth."},
+      Option<S, bool>{"bark_facets", &S::bark_facets, Tier::expert,
+                      "Bark in plates that lie at different depths, in place of smooth fissures."},
+      Option<S, double>{"noise_growth",
+                        &S::noise_growth,
+                        Unit::none,
+                        {0, 5},
+                        Tier::expert,
+                        "Share by which the range noise grows at grazing incidence and for beams that mostly miss: 1 "
+                        "doubles it."},
+      OnlyIf{"bark", {"true"}, {"bark_facets"}},
   };
 }
 
@@ -291,8 +301,8 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
 
   const auto start = std::chrono::steady_clock::now();
   const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s);
-  const BeamParameters beam{options.noise,      options.divergence,   options.dropouts,
-                            options.laser_bias, options.pulse_length, options.bark};
+  const BeamParameters beam{options.noise,        options.divergence, options.dropouts,    options.laser_bias,
+                            options.pulse_length, options.bark,       options.bark_facets, options.noise_growth};
   Disturbance disturbance({options.gap_at, options.gap, radians(options.blind_sector), options.rain, options.companion,
                            options.sensor_height, options.noise},
                           sensor, walk, seed);

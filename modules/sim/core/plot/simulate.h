@@ -33,6 +33,8 @@ struct SimulationOptions {
   double laser_bias = 0.004;
   double pulse_length = 0.40;
   bool bark = true;
+  bool bark_facets = false;
+  double noise_growth = 0;
 
   double turn_on_spot = 0;
   double gap_at = 0;

@@ -37,6 +37,17 @@ double bark_relief(const Eigen::Vector3d& p, int tree_id) {
   return n * n;
 }
 
+// The same where the bark breaks into plates: each some 2 cm wide and 7 cm high, as deep as it likes.
+double bark_facet(const Eigen::Vector3d& p, int tree_id) {
+  const auto cell = [](double v, double size) { return static_cast<float>(std::floor(v / size)); };
+  return value_noise(cell(p.x(), 0.02), cell(p.y(), 0.02), cell(p.z(), 0.07), static_cast<std::uint32_t>(tree_id));
+}
+
+// Grazing surfaces draw an echo out in time, and a beam that mostly misses gives a faint one.
+double growth_of_noise(double cos_incidence, double share) {
+  return std::max(1 - cos_incidence, 1 - std::min(1.0, 2 * share));
+}
+
 }  // namespace
 
 Beam::Beam(const sensor::SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene,
@@ -80,7 +91,13 @@ Beam::Return Beam::strongest(const RayHit hits[rays]) const {
     const double range = sum > 0 ? moment / sum : 0;
     if (sum > 0 && sum / (range * range) > best_energy) {
       best_energy = sum / (range * range);
-      best = {range, best_energy / rays, brightness / rays, retro / rays, bark / sum, cosine / sum};
+      best = {range,
+              best_energy / rays,
+              brightness / rays,
+              retro / rays,
+              bark / sum,
+              cosine / sum,
+              static_cast<double>(next - first) / rays};
     }
     first = next;
   }
@@ -130,10 +147,12 @@ sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_
     int tree = 0;
     for (const auto& hit : hits)
       if (hit.bark_depth_m > 0) tree = hit.tree_id;
-    r.range_m +=
-        r.bark_depth_m * bark_relief(T.translation() + r.range_m * axis, tree) / std::max(0.25, r.cos_incidence);
+    const Eigen::Vector3d at = T.translation() + r.range_m * axis;
+    const double relief = parameters_.bark_facets ? bark_facet(at, tree) : bark_relief(at, tree);
+    r.range_m += r.bark_depth_m * relief / std::max(0.25, r.cos_incidence);
   }
-  const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength));
+  const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength)) *
+                       (1 + parameters_.noise_growth * growth_of_noise(r.cos_incidence, r.share));
   const double range = r.range_m + laser.bias_m + sigma * random.bounded_normal(4);
   return {static_cast<float>(range), intensity(r, random)};
 }

@@ -18,6 +18,8 @@ struct BeamParameters {
   double laser_bias_m = 0.004;   // standard deviation of the constant range error of a laser
   double pulse_length_m = 0.40;  // surfaces closer together than this give one blended return
   bool bark = true;              // fissures of the bark
+  bool bark_facets = false;      // plates of bark at steps, in place of smooth fissures
+  double noise_growth = 0;       // added share of the range scatter at grazing incidence and for a beam mostly beside
 };
 
 class Beam {
@@ -29,7 +31,8 @@ class Beam {
 
  private:
   struct Return {
-    double range_m = 0, signal = 0, brightness = 0, retro_share = 0, bark_depth_m = 0, cos_incidence = 1;
+    double range_m = 0, signal = 0, brightness = 0, retro_share = 0, bark_depth_m = 0, cos_incidence = 1,
+           share = 1;  // of the beam that met the surface
   };
   Return strongest(const RayHit hits[RayBundle::size]) const;
   std::uint8_t intensity(const Return& r, Random& random) const;

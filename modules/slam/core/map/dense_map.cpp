@@ -25,6 +25,7 @@ void keep_every_second(std::vector<T>& v) {
 
 DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
     : settings_(settings),
+      columns_(settings.voxel),
       counters_(settings.expected_points == 0
                     ? max_counters
                     : std::clamp(std::bit_ceil(4 * settings.expected_points), min_counters, max_counters)) {
@@ -43,10 +44,9 @@ DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
   keyframe_.reserve(room);
 }
 
-bool DenseMapBuilder::admit(const Eigen::Vector3f& position, std::int32_t pass) {
-  const Eigen::Vector3d in_voxels = position.cast<double>() / settings_.voxel;
-  const std::uint64_t h =
-      mix_bits(grid_key(in_voxels) ^ (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
+bool DenseMapBuilder::admit(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor, std::int32_t pass) {
+  const std::uint64_t h = mix_bits(columns_.key(position.cast<double>(), sensor.cast<double>()) ^
+                                   (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
   const std::size_t mask = counters_.size() - 1;
   std::uint8_t &a = counters_[h & mask], &b = counters_[(h >> 32) & mask];
   if (std::min(a, b) >= settings_.points_per_voxel) return false;
@@ -97,7 +97,7 @@ void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::in
   for (std::size_t i = 0; i < n; ++i) {
     if (!usable_[i]) continue;
     ++offered_;
-    if (!admit(in_map_[i], pass) || !survives(serial_++)) continue;
+    if (!admit(in_map_[i], sensor_[i], pass) || !survives(serial_++)) continue;
     if (positions_.size() >= settings_.max_points) halve();
     positions_.push_back(in_map_[i]);
     time_.push_back(frame.start_time_s + frame.time_offset_s[i]);

@@ -6,20 +6,21 @@
 
 #include "cloud/point_cloud.h"
 #include "cloud/scan_frame.h"
+#include "slam/core/map/view_column.h"
 #include "slam/core/odometry/motion.h"
 
 namespace bole::slam {
 
 struct DenseMapSettings {
   double min_range = 0.8, max_range = 25;
-  double voxel = 0.015;
-  int points_per_voxel = 1;  // of each pass
+  double voxel = 0.015;      // width of the columns across the view (view_column.h)
+  int points_per_voxel = 1;  // of each pass and direction of view
   std::size_t max_points = 20'000'000;
   std::size_t expected_points = 0;  // expected number of returns, for the size of the filter; 0: unknown
 };
 
-// Thins with a counting filter of fixed size instead of a set of voxels: two hashed counters per voxel and pass, of
-// which the lower one counts. The memory does not grow with the walk. A voxel that shares both counters with others
+// Thins with a counting filter of fixed size instead of a set of columns: two hashed counters per column and pass, of
+// which the lower one counts. The memory does not grow with the walk. A column that shares both counters with others
 // loses points (1 in 100 when the filter is 10 % full). When max_points is reached, every second point is dropped, and
 // so are those added later.
 class DenseMapBuilder {
@@ -37,11 +38,12 @@ class DenseMapBuilder {
   PointCloud take();
 
  private:
-  bool admit(const Eigen::Vector3f& position, std::int32_t pass);
+  bool admit(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor, std::int32_t pass);
   bool survives(std::uint64_t serial) const;
   void halve();
 
   const DenseMapSettings settings_;
+  const ViewColumns columns_;
   std::vector<std::uint8_t> counters_;
   PointCloud::Positions positions_;
   std::vector<double> time_;

@@ -16,6 +16,14 @@ namespace {
 
 // A small generator with a fixed sequence on every platform (splitmix64).
 struct Random {
+  // Of a place, by the voxel of the thinned layer that it lies in: what is tried there does not depend on what the
+  // cloud holds elsewhere.
+  static Random at(const StemLayer& grid, const Voxel& v, int slab) {
+    const auto ix = static_cast<std::uint64_t>(std::floor((v.x - grid.corner.x()) / thin_voxel_m)),
+               iy = static_cast<std::uint64_t>(std::floor((v.y - grid.corner.y()) / thin_voxel_m));
+    return {(((iy << 24) ^ ix) << 8) + static_cast<std::uint64_t>(slab)};
+  }
+
   std::uint64_t state;
   std::uint64_t next() {
     std::uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
@@ -256,8 +264,7 @@ std::vector<SlabCircle> seek_in_row(const StemLayer& grid, const SlabGrid& slab,
     for (const float reach : reaches) near.emplace_back(slab, x, y, reach);
     const auto stride = (last - first + max_seeds - 1) / max_seeds;
     for (auto k = first; k < last; k += stride) {
-      auto circle = best_circle_at(slab, near, slab[k], options,
-                                   Random{(static_cast<std::uint64_t>(k) << 8) + static_cast<std::uint64_t>(number)});
+      auto circle = best_circle_at(slab, near, slab[k], options, Random::at(grid, slab[k], number));
       if (circle.score <= 0 || circle.arc_rad < radians(options.min_arc_deg)) continue;
       circle.slab = number;
       found.push_back(circle);

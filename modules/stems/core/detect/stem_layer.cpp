@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace bole::stems {
@@ -21,6 +22,21 @@ std::vector<std::uint32_t> indices_between(const PointCloud& points, float botto
   return kept;
 }
 
+// Where the cells begin: at the least coordinates of the whole cloud, so that they lie the same on the stems wherever
+// the cloud is moved to, and whatever the ground says of points at the edge of the layer. Coordinates of files lie on a
+// lattice, of a millimetre or a part of it; a little off it no point lies on the border of two cells, where rounding
+// would decide.
+Eigen::Vector2d anchor_of(const PointCloud& points, const Run& run) {
+  constexpr double off_lattice_m = 0.000037;
+  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity());
+  const auto& positions = points.positions();
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if ((i & 0xfffffU) == 0) run.check_cancel();
+    if (positions[i].allFinite()) low = low.cwiseMin(positions[i].head<2>());
+  }
+  return low.cast<double>().array() - off_lattice_m;
+}
+
 }  // namespace
 
 int StemLayer::cell_x(double x) const { return static_cast<int>(std::clamp((x - corner.x()) / cell_m, 0.0, nx - 1.0)); }
@@ -37,8 +53,9 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
     return kept[k];
   };
   for (const auto i : kept) low = low.cwiseMin(positions[i].head<2>()), high = high.cwiseMax(positions[i].head<2>());
-  layer.corner = low.cast<double>();
-  const Eigen::Vector2d extent = (high - low).cast<double>();
+  const Eigen::Vector2d anchor = anchor_of(points, run);
+  layer.corner = anchor.array() + ((low.cast<double>() - anchor).array() / layer.cell_m).floor() * layer.cell_m;
+  const Eigen::Vector2d extent = high.cast<double>() - layer.corner;
   // A stray point far away must not cost memory: cells grow until the grid is small.
   while ((std::floor(extent.x() / layer.cell_m) + 1) * (std::floor(extent.y() / layer.cell_m) + 1) >
          static_cast<double>(max_cells))

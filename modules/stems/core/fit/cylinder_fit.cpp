@@ -67,7 +67,7 @@ class JointFit {
         drift_(pass_of_view_, options.drift),
         information_(information_share()) {}
 
-  bool solve(TaperedCylinder& c, double& scale) {
+  bool solve(TaperedCylinder& c, double& scale, double& found_scale) {
     double damping = 1e-4;
     evaluate(c, values_);
     for (int i = 0; i < 40; ++i) {
@@ -94,6 +94,7 @@ class JointFit {
       }
       const double found = robust_scale(scale);
       if (!std::isfinite(found)) return false;
+      found_scale = found;
       const double shrunk =
           std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma, 0.75 * scale));
       const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
@@ -329,7 +330,8 @@ void JointFit::describe(CylinderFit& fit) const {
   const bool section_wins = first(4, 4) >= second(4, 4);
   const Eigen::MatrixXd& worse = section_wins ? first : second;
   fit.blocks = static_cast<int>(section_wins ? by_section.size() : by_bearing.size());
-  fit.radius_sd_m = std::sqrt(std::max(0.0, worse(4, 4)));
+  // Few residuals scatter by chance less than their noise allows: what the noise alone leaves unknown is the least.
+  fit.radius_sd_m = std::sqrt(std::max({0.0, worse(4, 4), inverse(4, 4)}));
   fit.position_sd_m = std::sqrt(std::max({0.0, worse(0, 0), worse(1, 1)}));
   if (options_.along_rays) {
     // What the prior of the offset has added to the estimate is taken out again.
@@ -405,7 +407,7 @@ std::optional<CylinderFit> fit_tapered_cylinder(const std::vector<BarkPoint>& po
   CylinderFit fit;
   fit.cylinder = start, fit.along_rays = options.along_rays;
   fit.sigma_m = std::max(start_error_m / 2, options.max_sigma);
-  if (!joint.solve(fit.cylinder, fit.sigma_m)) return std::nullopt;
+  if (!joint.solve(fit.cylinder, fit.sigma_m, fit.noise_m)) return std::nullopt;
   joint.describe(fit);
   if (fit.inliers < 12) return std::nullopt;
   return fit;

@@ -74,7 +74,8 @@ struct RangeOffsetEvidence {
 
 struct CylinderFit {
   TaperedCylinder cylinder;
-  double sigma_m = 0;        // robust scale of the residuals
+  double sigma_m = 0;        // robust scale of the residuals, capped
+  double noise_m = 0;        // the same as found
   double radius_sd_m = 0;    // standard deviation of the radius, correlated residuals allowed for
   double position_sd_m = 0;  // of the axis point, larger axis
   int blocks = 0;            // groups of residuals that count as independent

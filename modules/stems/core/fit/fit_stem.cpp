@@ -37,6 +37,15 @@ double blur_sd(double range_offset_m) {
   return unknown_share * std::max(0.0, std::abs(range_offset_m) - max_offset_of_a_good_map_m);
 }
 
+// Stems are not round: what is seen of one tells the mean of all sides only so well.
+double unseen_shape_sd(double radius_m, double arc_rad) {
+  constexpr double out_of_round = 0.02;  // spread of the radius between sides, relative
+  return out_of_round * radius_m * std::max(0.0, 1 - arc_rad / (2 * std::numbers::pi));
+}
+
+// Without rays a wide beam and noise across the bark make circles too wide, by more where points scatter more.
+double unknown_beam_sd(double sigma_m) { return 0.12 * sigma_m; }
+
 // Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
 // leaves; what lies inside had to pass through bark.
 class ContraryArc {
@@ -108,6 +117,7 @@ class StemFitter {
     const auto points = used_points(attempt, max_first_points);
     fit = surface_fit(attempt, points);
     if (!fit) return no_cylinder();
+    if (!fits_along_rays(rays_, options_)) settle(attempt, *fit);  // rays have a second look
     if (auto better = ray_fit(points, fit->cylinder)) fit = std::move(better);
     result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
     return result;
@@ -115,18 +125,53 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) const {
     StemFitResult result;
-    const double radius = before.radius - (before.along_rays ? options_.bark_relief : 0);
-    const auto attempt = prepare({before.breast_height, before.direction, radius, before.taper});
-    if (!has_sections(attempt, result)) return result;
-    const auto points = used_points(attempt, max_fit_points);
-    auto fit =
-        before.along_rays ? ray_fit(points, {0, 0, 0, 0, radius, before.taper, {}}) : surface_fit(attempt, points);
-    if (!fit) return no_cylinder();
-    result.stem = describe(attempt, *fit, line_of(attempt.axes, fit->cylinder));
+    AxisLine axis{before.breast_height, before.direction,
+                  before.radius - (before.along_rays ? options_.bark_relief : 0), before.taper};
+    for (int round = 0; round < max_rounds; ++round) {
+      const auto attempt = prepare(axis);
+      if (!has_sections(attempt, result)) break;
+      const auto points = used_points(attempt, max_fit_points);
+      const auto fit =
+          before.along_rays ? ray_fit(points, {0, 0, 0, 0, axis.radius, axis.taper, {}}) : surface_fit(attempt, points);
+      if (!fit) break;
+      const double radius = axis.radius;
+      axis = line_of(attempt.axes, fit->cylinder);
+      result.stem = describe(attempt, *fit, axis);
+      if (settled(*fit, radius)) break;
+    }
+    if (!result.stem && result.rejected.empty()) return no_cylinder();
+    if (result.stem) result.rejected.clear();
     return result;
   }
 
  private:
+  // Which points take part depends on the fit before: only where both agree does the stem no longer depend on where the
+  // search found it.
+  static constexpr int max_rounds = 4;
+  static bool settled(const CylinderFit& fit, double radius_before) {
+    constexpr double still_m = 5e-5;
+    return std::hypot(fit.cylinder.x, fit.cylinder.y) < still_m &&
+           std::abs(fit.cylinder.radius - radius_before) < still_m;
+  }
+
+  // Repeats a fit until it no longer moves; what wanders off stays as it was.
+  void settle(Attempt& attempt, CylinderFit& fit) const {
+    constexpr double wandered_m = 0.01;
+    Attempt last = attempt;
+    CylinderFit now = fit;
+    for (int round = 0; round < max_rounds; ++round) {
+      const double radius = now.cylinder.radius;
+      last = prepare(line_of(last.axes, now.cylinder));
+      if (last.line.sections < attempt.line.sections) return;
+      auto next = surface_fit(last, used_points(last, max_first_points));
+      if (!next || std::abs(next->cylinder.radius - fit.cylinder.radius) > wandered_m) return;
+      now = std::move(*next);
+      if (!settled(now, radius)) continue;
+      attempt = std::move(last), fit = std::move(now);
+      return;
+    }
+  }
+
   double ground_at(const AxisLine& axis) const {
     double z = candidate_.ground_z;
     for (int i = 0; i < 3; ++i) {
@@ -229,7 +274,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   Stem s;
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
-  s.along_rays = fit.along_rays;
+  s.along_rays = fit.along_rays, s.noise_m = fit.noise_m;
   s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
@@ -267,7 +312,10 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   }
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
-  const double sd = std::hypot(fit.radius_sd_m, options_.range_bias, blur_sd(fit.cylinder.range_offset)),
+  const double shared = std::hypot(options_.range_bias, options_.bark_relief_sd, blur_sd(fit.cylinder.range_offset)),
+               unseen = std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
+                                   fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),
+               sd = std::hypot(fit.radius_sd_m, shared, unseen),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
   s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;

@@ -11,8 +11,9 @@
 
 namespace bole::stems {
 namespace {
-constexpr int max_doubts = 4;          // a fit with as many is no stem
-constexpr double max_widening = 0.02;  // of the radius per metre: 4 cm of diameter
+constexpr int max_doubts = 4;                                // a fit with as many is no stem
+constexpr int enough_per_section = 15, few_per_section = 6;  // points on the bark
+constexpr double max_widening = 0.02;                        // of the radius per metre: 4 cm of diameter
 constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
 
 // Heights of the nearest used sections below and above.
@@ -36,6 +37,7 @@ bool certainly_stands(const Stem& s) {
 void judge(Stem& s, double breast_height_m) {
   s.reasons.clear();
   int doubts = 0, blurs = 0;  // whether it is a stem; how well its bark is mapped
+  int sparse = 0;             // how little is known of its diameter
   const auto fault = [&](int weight, std::string text) { doubts += weight, s.reasons.push_back(std::move(text)); };
   const auto blur = [&](int weight, std::string text) { blurs += weight, s.reasons.push_back(std::move(text)); };
   const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * deg_per_rad;
@@ -45,6 +47,12 @@ void judge(Stem& s, double breast_height_m) {
     fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
   if (half_cm > std::max(1.0, 16 * s.radius))
     blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  else if (half_cm > std::max(1.0, 8 * s.radius))  // no reason to give the stem up
+    ++sparse, s.reasons.push_back(fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  if (const int each = s.inliers / std::max(1, s.sections_used);
+      s.inliers < points_for_a_diameter || each < enough_per_section)
+    sparse += s.inliers < points_for_a_diameter || each < few_per_section ? 2 : 1,
+        s.reasons.push_back(fmt::format("few points: {} on the bark, {} in each section", s.inliers, each));
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
     fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
   else if (const auto [below, above] = sections_beside(s, breast_height_m); above - below > widest_gap_m)
@@ -69,7 +77,7 @@ void judge(Stem& s, double breast_height_m) {
     s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
   s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
   // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
-  const int faults = doubts + blurs + (s.taper > max_widening ? 1 : 0);
+  const int faults = doubts + blurs + sparse + (s.taper > max_widening ? 1 : 0);
   s.quality = faults == 0 ? "good" : faults == 1 ? "fair" : "poor";
   s.state = faults >= 2 ? "check" : "auto";
 }

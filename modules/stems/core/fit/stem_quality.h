@@ -8,6 +8,9 @@
 
 namespace bole::stems {
 
+// Fewer points on the bark of a stem, all sections together, do not make a diameter that may be signed.
+inline constexpr int points_for_a_diameter = 40;
+
 // Sets quality (good, fair, poor), reasons and state (auto, check).
 void judge(Stem& stem, double breast_height_m);
 

@@ -1,4 +1,4 @@
-#include "survey/core/stem_axes.h"
+#include "cloud/stem_axes.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -8,10 +8,11 @@
 
 #include "base/statistics.h"
 #include "base/transform.h"
-#include "survey/core/robust.h"
-#include "survey/core/voxels.h"
+#include "cloud/robust_mean.h"
+#include "cloud/voxels.h"
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 constexpr double thin_cell_m = 0.05;
@@ -231,4 +232,5 @@ std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points,
   return out;
 }
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole

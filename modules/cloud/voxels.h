@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 
 // A cube's integer coordinates as one number that sorts by z, then y, then x. Coordinates beyond +-2^20 cells are
 // clamped.
@@ -23,4 +24,5 @@ inline std::uint64_t voxel_key(const Eigen::Vector3d& p, double cell_m) {
 // order of their first key. `keys` ascend without repeats.
 std::vector<std::uint32_t> connected_groups(const std::vector<std::uint64_t>& keys);
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole

@@ -1,9 +1,10 @@
-#include "survey/core/voxels.h"
+#include "cloud/voxels.h"
 
 #include <algorithm>
 #include <numeric>
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 namespace {
 
 class Groups {
@@ -47,4 +48,5 @@ std::vector<std::uint32_t> connected_groups(const std::vector<std::uint64_t>& ke
   return number;
 }
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole

@@ -7,7 +7,8 @@
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 
 struct StemAxis {
   Eigen::Vector3d direction;  // unit, upwards
@@ -25,4 +26,5 @@ std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run);
 std::vector<StemAxis> find_stem_axes(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& up,
                                      double max_angle_rad, const Run& run);
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole

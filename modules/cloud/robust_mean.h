@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 
 struct RobustMean {
   Eigen::VectorXd mean;
@@ -18,4 +19,5 @@ struct RobustMean {
 RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
                        double min_sigma);
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole

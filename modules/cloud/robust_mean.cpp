@@ -1,4 +1,4 @@
-#include "survey/core/robust.h"
+#include "cloud/robust_mean.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,8 @@
 
 #include "base/statistics.h"
 
-namespace bole::survey {
+namespace bole {
+inline namespace cloud {
 
 RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::vector<double>& weights,
                        double min_sigma) {
@@ -46,4 +47,5 @@ RobustMean robust_mean(const std::vector<Eigen::VectorXd>& samples, const std::v
   return out;
 }
 
-}  // namespace bole::survey
+}  // namespace cloud
+}  // namespace bole
