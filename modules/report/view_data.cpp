@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cloud/breast_height.h"
+#include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
 #include "render/scene/map_figure.h"
 #include "render/scene/stem_shapes.h"
@@ -28,8 +29,7 @@ json stems_json(const SurveyData& d, const Eigen::Vector3d& origin) {
   const auto& t = *d.stems;
   const auto x = numbers_or_nan(t, "x_m"), y = numbers_or_nan(t, "y_m"), z = numbers_or_nan(t, "z_m"),
              dbh = numbers_or_nan(t, "dbh_cm"), lo = numbers_or_nan(t, "dbh_lo_cm"),
-             hi = numbers_or_nan(t, "dbh_hi_cm"), height = numbers_or_nan(t, "height_m"),
-             seen = numbers_or_nan(t, "height_seen");
+             hi = numbers_or_nan(t, "dbh_hi_cm"), height = known_heights(t), seen = numbers_or_nan(t, "height_seen");
   const auto quality = texts_or_empty(t, "quality"), state = texts_or_empty(t, "state"),
              why = texts_or_empty(t, "reasons");
   const auto look = trees_to_look_at(d).rows;

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "cloud/stem_rows.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
@@ -25,7 +26,7 @@ struct Curve {
 };
 
 std::vector<Tree> trees_of(const Table& stems) {
-  const auto dbh = numbers_or_nan(stems, "dbh_cm"), height = numbers_or_nan(stems, "height_m"),
+  const auto dbh = numbers_or_nan(stems, "dbh_cm"), height = known_heights(stems),
              seen = numbers_or_nan(stems, "height_seen");
   const auto quality = texts_or_empty(stems, "quality");
   std::vector<Tree> trees;
