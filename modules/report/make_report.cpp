@@ -1,19 +1,17 @@
 #include "report/make_report.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
-#include <ctime>
-
 #include "base/atomic_file.h"
 #include "base/verdict.h"
 #include "base/version.h"
 #include "render/offscreen/offscreen.h"
 #include "report/core/page_warnings.h"
 #include "report/core/report_page.h"
+#include "report/core/survey_facts.h"
+#include "report/core/tally_page.h"
 #include "report/exports.h"
 #include "report/report_writer.h"
 #include "report/survey_figures.h"
+#include "report/view_data.h"
 
 namespace bole::report {
 namespace {
@@ -21,12 +19,15 @@ namespace {
 class PlotReport {
  public:
   PlotReport(const DataSet& inputs, const ReportOptions& options, const Run& run)
-      : writer_(run), data_(survey_data(inputs)), o_(options), run_(run) {}
+      : writer_(run), data_(survey_data(inputs)), o_(options), drawn_(drawing_options(options)), run_(run) {}
 
   pipeline::StageResult write() {
     write_exports(run_.part(0, 0.3));
     if (o_.figures) write_figures(run_.part(0.3, 0.95));
-    if (o_.page) writer_.write("report.html", [&](const auto& path) { write_page(path); });
+    if (o_.page) {
+      if (data_.kept_stems().rows() > 0) writer_.write("tally.html", [&](const auto& path) { write_tally(path); });
+      writer_.write("report.html", [&](const auto& path) { write_page(path); });
+    }
     run_.report(1, "report");
     auto result = writer_.finish();
     result.report.counts["figures"] = static_cast<std::int64_t>(writer_.pictures().size());
@@ -58,7 +59,9 @@ class PlotReport {
   }
 
   void write_figures(const Run& run) {
-    const auto plans = survey_figures(data_, o_, run);
+    auto plans = survey_figures(data_, drawn_, run);
+    if (o_.figure_set == FigureSet::page)
+      std::erase_if(plans, [](const FigurePlan& plan) { return !plan.on_page && !plan.asked_for; });
     const bool renders = can_render();
     double all = 0, done = 0;
     for (const auto& plan : plans) all += plan.share();
@@ -73,7 +76,8 @@ class PlotReport {
   void save(const FigurePlan& plan) {
     for (const auto& figure : plan.make()) {
       if (writer_.ends_early()) return;
-      writer_.save(figure, {.dpi = plan.dpi > 0 ? plan.dpi : o_.dpi,
+      writer_.save(figure, {.dpi = plan.dpi > 0 ? plan.dpi : drawn_.dpi,
+                            .for_print = o_.figure_set == FigureSet::all,
                             .vectors = o_.vector_figures,
                             .on_page = o_.page && plan.on_page,
                             .as_pixels = plan.kind != FigureKind::chart,
@@ -83,40 +87,34 @@ class PlotReport {
 
   void write_page(const std::filesystem::path& path) {
     ReportContent content{.title = o_.title,
-                          .facts = facts(),
                           .data = data_,
                           .pictures = writer_.pictures(),
                           .warnings = page_warnings(run_.record.get(), writer_.report()),
                           .record = run_.record,
                           .versions = {{"Bole", std::string(version())}},
-                          .files = writer_.files()};
+                          .files = writer_.files(),
+                          .view_data = view_data_json(data_, run_)};
     for (auto& library : library_versions()) content.versions.push_back(std::move(library));
     write_text_file(path, report_html(content, writer_.report()));
   }
 
-  std::vector<std::pair<std::string, std::string>> facts() const {
-    std::vector<std::pair<std::string, std::string>> all{{"Plot", describe(data_.rule.area)}, {"Axes", axes_text()}};
-    if (run_.record != nullptr && !run_.record->document.empty()) all.emplace_back("Pipeline", run_.record->document);
-    all.emplace_back("Made on", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr))));
-    return all;
+  void write_tally(const std::filesystem::path& path) {
+    write_text_file(path, tally_html(o_.title, survey_facts(data_, run_.record.get(), writer_.report()), data_));
   }
 
-  std::string axes_text() const {
-    switch (data_.axes) {
-      case Axes::plot:
-        return "plot (x east, y north, origin at the centre target)";
-      case Axes::map:
-        return "map (levelled, origin and heading where the walk began)";
-      case Axes::global:
-        return "projected coordinates";
-      default:
-        return std::string(axes_name(data_.axes));
-    }
+  // A page needs fewer pixels and points than paper.
+  static ReportOptions drawing_options(ReportOptions o) {
+    constexpr int page_points = 400'000;
+    if (o.figure_set == FigureSet::all) return o;
+    o.dpi = page_dpi;
+    if (!o.hero) o.point_budget = std::min(o.point_budget, page_points);
+    return o;
   }
 
   ReportWriter writer_;
   SurveyData data_;
   const ReportOptions& o_;
+  const ReportOptions drawn_;
   const Run& run_;
 };
 

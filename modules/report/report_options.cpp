@@ -12,7 +12,8 @@ const OptionTable& option_table(const ReportOptions*) {
                         {60, 800},
                         Tier::basic,
                         "Width of the large figures; charts are a little less than half as wide."},
-      Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG figures."},
+      Option<S, double>{
+          "dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG figures for printing."},
       Option<S, int>{"point_budget",
                      &S::point_budget,
                      Unit::none,
@@ -28,14 +29,19 @@ const OptionTable& option_table(const ReportOptions*) {
       Option<S, bool>{"tables", &S::tables, Tier::basic,
                       "Write stems.csv and the other tables, trajectory.tum, dem.tif and plot.gpkg."},
       Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write cloud.las."},
-      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures and write them as PNG."},
+      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures."},
+      Option<S, FigureSet>{
+          "figure_set", &S::figure_set, Tier::basic,
+          "page: the figures of report.html; all: also other views of the map and the slice sheet, each "
+          "figure as PNG, SVG and PDF for printing (takes much longer)."},
       Option<S, bool>{"hero", &S::hero, Tier::expert,
                       "Draw figures/hero.png too, a picture for a title page: the fitted stems and the walk on a dark "
                       "ground, 1600 pixels wide."},
       Option<S, bool>{"vector_figures", &S::vector_figures, Tier::advanced,
                       "Write charts and plans as SVG and PDF too."},
       Option<S, bool>{"page", &S::page, Tier::basic, "Write report.html."},
-      OnlyIf{"figures", {"true"}, {"figure_width", "dpi", "point_budget", "backend", "hero", "vector_figures"}},
+      OnlyIf{"figures", {"true"}, {"figure_set", "figure_width", "backend", "hero"}},
+      OnlyIf{"figure_set", {"all"}, {"dpi", "point_budget", "vector_figures"}},
   });
   return table;
 }

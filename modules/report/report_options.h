@@ -1,11 +1,18 @@
 // What the report stage can be told.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "base/option.h"
 
 namespace bole::report {
+
+// page: those of report.html, as they stand there. all: also further views of the map and the slice sheet, every figure
+// as PNG at full resolution, SVG and PDF.
+enum class FigureSet { page, all };
+constexpr std::array<std::string_view, 2> choice_names(FigureSet) { return {"page", "all"}; }
 
 struct ReportOptions {
   std::string title = "Forest plot survey";
@@ -16,6 +23,7 @@ struct ReportOptions {
   bool tables = true;
   bool cloud = true;
   bool figures = true;
+  FigureSet figure_set = FigureSet::page;
   bool hero = false;
   bool vector_figures = true;
   bool page = true;

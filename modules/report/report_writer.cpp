@@ -7,12 +7,6 @@
 #include "base/verdict.h"
 
 namespace bole::report {
-namespace {
-
-constexpr double page_dpi = 160;  // of pixels inside report.html: sharp on a screen, small enough to mail
-
-}  // namespace
-
 ReportWriter::ReportWriter(const Run& run) : run_(run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
@@ -55,12 +49,17 @@ void ReportWriter::put(const std::string& file, const std::string& bytes) {
 void ReportWriter::save(const render::Figure& figure, const FigureOutput& output) {
   run_.check_cancel();
   const std::string file = "figures/" + figure.name;
-  const bool vector_on_page = figure.vector && output.on_page && !output.as_pixels;
-  const std::string png = render::figure_png(figure, output.dpi);
-  put(file + ".png", png);
-  std::string svg;
-  if (vector_on_page || (figure.vector && output.vectors)) svg = render::figure_svg(figure);
-  if (figure.vector && output.vectors) {
+  const bool chart = figure.vector && !output.as_pixels, vector_on_page = chart && output.on_page;
+  std::string png, svg;
+  if (vector_on_page || (figure.vector && output.for_print && output.vectors)) svg = render::figure_svg(figure);
+  if (output.for_print || !chart) {
+    png = render::figure_png(figure, output.dpi);
+    put(file + ".png", png);
+  } else {
+    if (svg.empty()) svg = render::figure_svg(figure);
+    put(file + ".svg", svg);
+  }
+  if (figure.vector && output.for_print && output.vectors) {
     put(file + ".svg", svg);
     put(file + ".pdf", render::figure_pdf(figure));
   }

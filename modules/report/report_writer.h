@@ -14,9 +14,13 @@
 
 namespace bole::report {
 
+// Of pixels inside a page: sharp on a screen, small enough to mail.
+inline constexpr double page_dpi = 160;
+
 struct FigureOutput {
   double dpi = 300;        // of the PNG
-  bool vectors = true;     // SVG and PDF files too, where the figure can be vector
+  bool for_print = true;   // false: one file, as the page has it: SVG of a chart, else PNG
+  bool vectors = true;     // for print: SVG and PDF files too, where the figure can be vector
   bool on_page = true;     // kept for the page
   bool as_pixels = false;  // on the page even where the figure could be vector
   bool wide = true;        // on the page: over its whole width

@@ -48,6 +48,7 @@ void register_result_names() {
                               "stems.vtp",
                               "strays.csv",
                               "survey.xlsx",
+                              "tally.html",
                               "trajectory.tum"});
 }
 
@@ -59,15 +60,17 @@ void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
-  type.version = 3;
+  type.version = 4;
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
-      "stems as solids (OBJ, PLY, VTP), figures as PNG, SVG and PDF, and report.html, one page that holds everything: "
-      "values of the plot, trees to check, figures, comparison with a reference, the stem table, and how it was made "
-      "with every option and the time and memory of each stage. Inputs that are not connected are left out.";
+      "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
+      "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
+      "stem "
+      "table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every "
+      "option and the time and memory of each stage. Inputs that are not connected are left out.";
   type.source = "Bole";
   type.inputs = survey_ports();
   type.options = &option_table(static_cast<const ReportOptions*>(nullptr));

@@ -6,6 +6,7 @@
 #include "base/option_text.h"
 #include "cloud/known_facts.h"
 #include "cloud/stem_rows.h"
+#include "cloud/table_columns.h"
 
 namespace bole::report {
 namespace {
@@ -89,6 +90,15 @@ bool SurveyData::poses_given() const {
 }
 
 Table SurveyData::kept_stems() const { return stems->subset(kept_rows(*stems)); }
+
+Table SurveyData::stems_in_plot() const {
+  const Table kept = kept_stems();
+  const auto x = numbers_or_nan(kept, "x_m"), y = numbers_or_nan(kept, "y_m");
+  std::vector<std::size_t> inside;
+  for (std::size_t i = 0; i < kept.rows(); ++i)
+    if (rule.area.contains(x[i], y[i])) inside.push_back(i);
+  return kept.subset(inside);
+}
 
 double SurveyData::class_width_cm() const {
   constexpr double usual = 4;

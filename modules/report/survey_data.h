@@ -44,6 +44,8 @@ struct SurveyData {
   bool poses_given() const;
   // Those that a person did not reject: what figures and meshes show.
   Table kept_stems() const;
+  // Of these, those in the plot.
+  Table stems_in_plot() const;
   // Of diameter classes: that of the plot values, 4 cm where they are not connected.
   double class_width_cm() const;
   std::string crs_wkt() const;  // of the stems; empty where their axes are not global

@@ -21,9 +21,10 @@ struct FigurePlan {
   std::string name;                                   // for messages
   std::function<std::vector<render::Figure>()> make;  // one, or the pages of a sheet
   FigureKind kind = FigureKind::chart;
-  bool wide = true;     // over the whole page of the report
-  bool on_page = true;  // in report.html too
-  double dpi = 0;       // of the PNG; 0: that of the options
+  bool wide = true;        // over the whole page of the report
+  bool on_page = true;     // in report.html; the others are drawn only where all figures are asked for
+  double dpi = 0;          // of the PNG; 0: that of the options
+  bool asked_for = false;  // by an option of its own: drawn whatever the set of figures
 
   double share() const;  // of the time that all figures take, roughly
 };

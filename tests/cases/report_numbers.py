@@ -20,8 +20,9 @@ import pathlib
 import re
 import sys
 
-# Parts of the page that hold no results: the script and the style, captions (they say how a figure is drawn), names of files.
-EXCLUDED = {"script", "style", "figcaption", "code"}
+# Parts of the page that hold no results: the script and the style, drawings and captions (ticks, tree numbers, how a figure is drawn),
+# names of files.
+EXCLUDED = {"script", "style", "svg", "figcaption", "code"}
 
 # Numbers that belong to a definition, and the day of the run.
 PHRASES = [
@@ -30,6 +31,7 @@ PHRASES = [
     r"π/4",
     r"\bn − 1\b",
     r"\(1: as expected\)",  # what sigma0 should be
+    r"\b3-D\b",
     r"\d{4}-\d\d-\d\d(T[\d:.]+Z?)?",  # days and times of day
 ]
 
@@ -44,6 +46,9 @@ TABLES = {
     ("From (s)", "To (s)"): "loops.csv",
 }
 
+# Elements outside tables that tell about single stems, by their class: their numbers may stand in this file too.
+LISTS = {"look": "stems.csv", "uncounted": "stems.csv"}
+
 NUMBER = re.compile(r"(?<![\w.])[-+−]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 TO_UNITS = {"m": (1, 100, 1000)}
 
@@ -55,16 +60,19 @@ def numbers_in(text):
 
 
 class Page(html.parser.HTMLParser):
-    """The visible texts of a page: `texts` outside tables, `tables` as lists of rows of cells, the first row the headings."""
+    """The visible texts of a page: `texts` outside tables, each with the file of its list or None, `tables` as lists of rows of cells,
+    the first row the headings."""
 
     def __init__(self):
         super().__init__()
-        self.texts, self.tables, self._open, self._cell = [], [], [], None
+        self.texts, self.tables, self._open, self._lists, self._cell = [], [], [], [], None
 
     def handle_starttag(self, tag, attributes):
-        if tag in {"meta", "img", "br"}:
+        if tag in {"meta", "img", "br", "input"}:
             return
         self._open.append(tag)
+        classes = (dict(attributes).get("class") or "").split()
+        self._lists.append(next((LISTS[c] for c in classes if c in LISTS), None))
         if tag == "table":
             self.tables.append([])
         elif tag == "tr":
@@ -74,8 +82,10 @@ class Page(html.parser.HTMLParser):
 
     def handle_endtag(self, tag):
         if tag in self._open:
-            while self._open.pop() != tag:
-                pass
+            while True:
+                self._lists.pop()
+                if self._open.pop() == tag:
+                    break
         if tag in {"td", "th"}:
             self.tables[-1][-1].append(self._cell)
             self._cell = None
@@ -86,7 +96,7 @@ class Page(html.parser.HTMLParser):
         if self._cell is not None:
             self._cell += data
         elif data.strip():
-            self.texts.append(data.strip())
+            self.texts.append((data.strip(), next((name for name in self._lists if name), None)))
 
 
 class Known:
@@ -108,6 +118,16 @@ class Known:
         # Half a digit, and what binary fractions add to it where the value lies in the middle.
         reach = 0.5 * 10.0**-decimals * (1 + 1e-9)
         return any(abs(value - float(printed)) <= reach for value in self.values)
+
+
+class AnyOf:
+    """Whether one of several holds a number."""
+
+    def __init__(self, holders):
+        self.holders = holders
+
+    def holds(self, printed):
+        return any(holder.holds(printed) for holder in self.holders)
 
 
 def add_json(known, node, unit=""):
@@ -176,8 +196,9 @@ def check(page_text, out, summary):
             if not holder.holds(number):
                 missing.append(f"{number} in '{where}'")
 
-    for text in page.texts:
-        look(text, text[:90], known)
+    for text, name in page.texts:
+        holders = [known] + ([known_of_table(out, name)] if name else [])
+        look(text, text[:90], AnyOf(holders))
     for table in page.tables:
         heading = tuple(table[0][:2])
         holder = known_of_table(out, TABLES[heading]) if heading in TABLES else known

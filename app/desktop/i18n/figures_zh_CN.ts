@@ -64,7 +64,7 @@
             <translation>离地高度 (m)</translation>
         </message>
         <message>
-            <source>Way (m)</source>
+            <source>Distance walked (m)</source>
             <translation>路程 (m)</translation>
         </message>
         <message>

@@ -341,6 +341,10 @@
             <translation>写出点云</translation>
         </message>
         <message>
+            <source>Figure set</source>
+            <translation>图件范围</translation>
+        </message>
+        <message>
             <source>Figures</source>
             <translation>图件</translation>
         </message>
@@ -1402,8 +1406,8 @@
             <translation>大图的宽度;图表宽度略小于其一半。</translation>
         </message>
         <message>
-            <source>Resolution of the PNG figures.</source>
-            <translation>PNG 图件的分辨率。</translation>
+            <source>Resolution of the PNG figures for printing.</source>
+            <translation>用于印刷的 PNG 图件的分辨率。</translation>
         </message>
         <message>
             <source>Points drawn at most in each map; the cloud is thinned evenly in space.</source>
@@ -1422,8 +1426,12 @@
             <translation>写出 cloud.las。</translation>
         </message>
         <message>
-            <source>Draw the figures and write them as PNG.</source>
-            <translation>绘制图件并写成 PNG。</translation>
+            <source>Draw the figures.</source>
+            <translation>绘制图件。</translation>
+        </message>
+        <message>
+            <source>page: the figures of report.html; all: also other views of the map and the slice sheet, each figure as PNG, SVG and PDF for printing (takes much longer).</source>
+            <translation>page:report.html 中的图件;all:另有点云图的其他视图和横切面图集,每幅图件均写成 PNG、SVG 和 PDF 供印刷(耗时长得多)。</translation>
         </message>
         <message>
             <source>Draw figures/hero.png too, a picture for a title page: the fitted stems and the walk on a dark ground, 1600 pixels wide.</source>

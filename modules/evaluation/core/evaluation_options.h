@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 6> choice_names(PublishedPlot) {
 struct EvaluationOptions {
   double match_distance_m = 0.5;
   double dbh_gate_cm = 15;
-  double class_width_cm = 5, distance_step_m = 5;
+  double class_width_cm = 4, distance_step_m = 5;
   AlignStems align_stems = AlignStems::none;
   std::string columns, rows, reference_columns, reference_rows;
   AlignTrajectory align_trajectory = AlignTrajectory::se3;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/option.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
@@ -126,7 +127,8 @@ void draw_boxes(Canvas& canvas, const std::vector<ErrorClass>& classes, double c
     draw_box(canvas, frame, x, classes[i].errors);
     const auto foot = frame.map(x, y.lo);
     canvas.line(foot, {foot.x(), foot.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({foot.x(), foot.y() + 2}, fixed(classes[i].lo_cm, 0) + "–" + fixed(classes[i].lo_cm + class_cm, 0),
+    canvas.text({foot.x(), foot.y() + 2},
+                number_text(classes[i].lo_cm) + "–" + number_text(classes[i].lo_cm + class_cm),
                 TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
     canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(classes[i].errors.size()),
                 TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::top));
@@ -145,7 +147,7 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
                hi = static_cast<double>(counts.rbegin()->first + 1) * class_cm;
   const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3},
                     {lo - 0.3 * class_cm, hi + 0.3 * class_cm},
-                    {0, std::max(nice_interval({0, 1.05 * most}, 5).hi, 2.0)}};
+                    {0, std::max(nice_interval({0, 1.2 * most}, 5).hi, 2.0)}};
   AxesStyle axes{"DBH (cm)", "Stems"};
   axes.x_axis = false;
   draw_grid(canvas, frame, axes);
@@ -153,19 +155,24 @@ void draw_histogram(Canvas& canvas, const std::vector<double>& dbh, double class
     const double x = static_cast<double>(k) * class_cm;
     const auto a = frame.map(x + 0.04 * class_cm, n), b = frame.map(x + 0.96 * class_cm, 0);
     canvas.rectangle({a.x(), a.y(), b.x(), b.y()}, mix(ink::paper, ink::primary, 0.75));
-    canvas.text({(a.x() + b.x()) / 2, a.y() - 0.9}, std::to_string(n),
-                TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::baseline));
+  }
+  const double mean = dbh.empty() ? 0 : sum / static_cast<double>(dbh.size());
+  if (!dbh.empty()) canvas.line(frame.map(mean, 0), frame.map(mean, frame.y.hi), Stroke{ink::accent, 0.3, {1.4, 1.0}});
+  for (const auto& [k, n] : counts) {
+    const auto top = frame.map((static_cast<double>(k) + 0.5) * class_cm, n);
+    TextStyle count{6.5, ink::muted};
+    count.halo_mm = 0.5;  // over the line of the mean
+    canvas.text({top.x(), top.y() - 0.9}, std::to_string(n), count.aligned(HAlign::centre, VAlign::baseline));
   }
   const auto classes = static_cast<int>(std::lround((hi - lo) / class_cm));
   const int every = std::max(1, static_cast<int>(std::ceil(7.0 * classes / frame.box.width())));
   for (int i = 0; i <= classes; i += every) {
     const auto p = frame.map(lo + i * class_cm, 0);
     canvas.line(p, {p.x(), p.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({p.x(), p.y() + 2}, fixed(lo + i * class_cm, 0), TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
+    canvas.text({p.x(), p.y() + 2}, number_text(lo + i * class_cm),
+                TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
   }
   if (!dbh.empty()) {
-    const double mean = sum / static_cast<double>(dbh.size());
-    canvas.line(frame.map(mean, 0), frame.map(mean, frame.y.hi), Stroke{ink::accent, 0.3, {1.4, 1.0}});
     const bool left = mean > (frame.x.lo + frame.x.hi) / 2;
     TextStyle style{7, ink::accent};
     style.halo_mm = 0.4;
@@ -235,13 +242,14 @@ Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
 Figure dbh_histogram(const std::vector<double>& dbh_cm, double width_mm, double class_cm) {
   std::vector<double> finite;
   std::copy_if(dbh_cm.begin(), dbh_cm.end(), std::back_inserter(finite), [](double d) { return std::isfinite(d); });
-  Figure figure{"dbh_histogram",
-                "Diameter distribution",
-                "Stems per class of diameter at breast height (classes of " + fixed(class_cm, 0) + " cm).",
-                width_mm,
-                0.66 * width_mm,
-                true,
-                {}};
+  Figure figure{
+      "dbh_histogram",
+      "Diameter distribution",
+      "Stems per class of diameter at breast height (classes of " + number_text(class_cm) + " cm); dashed: their mean.",
+      width_mm,
+      0.66 * width_mm,
+      true,
+      {}};
   figure.draw = [finite = std::move(finite), class_cm](Canvas& canvas) { draw_histogram(canvas, finite, class_cm); };
   return figure;
 }

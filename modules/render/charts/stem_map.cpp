@@ -1,9 +1,8 @@
 #include "render/charts/stem_map.h"
 
 #include <algorithm>
-#include <limits>
 
-#include "render/charts/columns.h"
+#include "render/charts/stem_map_content.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 #include "render/draw/labels.h"
@@ -11,119 +10,18 @@
 namespace bole::render {
 namespace {
 
-struct Stem {
-  Eigen::Vector2d at;
-  double dbh_m = 0;
-  std::string id;
-  Color color;
-  bool is_false = false;
-};
-
-struct Mark {
-  Eigen::Vector2d at;
-  std::string name;
-};
-
-struct Content {
-  std::vector<Stem> stems;
-  std::vector<Mark> missed, targets;
-  std::vector<Eigen::Vector2d> path, outline;
-  bool compared = false, north_known = true;
-};
-
 constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11,
                  furniture_mm = 12;
 constexpr double min_radius_mm = 0.45;  // a stem stays visible on a small map
 
-void take_stems(const Table& table, Content& content) {
-  const auto x = table.numbers("x_m"), y = table.numbers("y_m"), dbh = numbers_or_nan(table, "dbh_cm");
-  const auto quality = texts_or_empty(table, "quality");
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
-    content.stems.push_back({{x[i], y[i]},
-                             std::isfinite(dbh[i]) ? dbh[i] / 100 : 0.1,
-                             table.has("tree_id") ? table.text("tree_id", i, 0) : std::to_string(i + 1),
-                             quality_color(quality[i])});
-  }
-}
-
-void take_matches(const Table& table, Content& content) {
-  content.compared = true;
-  const auto kind = texts_or_empty(table, "kind");
-  const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m"),
-             ref_x = numbers_or_nan(table, "ref_x_m"), ref_y = numbers_or_nan(table, "ref_y_m");
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (kind[i] == "missed" && std::isfinite(ref_x[i]) && std::isfinite(ref_y[i]))
-      content.missed.push_back({{ref_x[i], ref_y[i]}, table.has("ref_id") ? table.text("ref_id", i, 0) : ""});
-    if (kind[i] != "false") continue;
-    for (auto& stem : content.stems)
-      if ((stem.at - Eigen::Vector2d(x[i], y[i])).norm() < 1e-3) stem.is_false = true;
-  }
-}
-
-// A path with a point at most every `step_m`.
-std::vector<Eigen::Vector2d> thinned_path(const Trajectory& trajectory, double step_m) {
-  std::vector<Eigen::Vector2d> path;
-  for (const auto& pose : trajectory.poses) {
-    const Eigen::Vector2d p = pose.T_target_sensor.translation().head<2>();
-    if (path.empty() || (p - path.back()).norm() >= step_m) path.push_back(p);
-  }
-  return path;
-}
-
-Content content_of(const StemMapData& data) {
-  Content content;
-  content.north_known = data.north_known;
-  content.outline = data.area.outline();
-  if (data.stems != nullptr) take_stems(*data.stems, content);
-  if (data.matches != nullptr) take_matches(*data.matches, content);
-  if (data.trajectory != nullptr) content.path = thinned_path(*data.trajectory, 0.05);
-  if (data.targets != nullptr) {
-    const auto x = data.targets->numbers("x_m"), y = data.targets->numbers("y_m");
-    const auto name = texts_or_empty(*data.targets, "name");
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (std::isfinite(x[i]) && std::isfinite(y[i])) content.targets.push_back({{x[i], y[i]}, name[i]});
-  }
-  return content;
-}
-
-Frame frame_of(const Content& content, double width_mm) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  Eigen::Vector2d lo(inf, inf), hi(-inf, -inf);
-  const auto include = [&](const Eigen::Vector2d& p) { lo = lo.cwiseMin(p), hi = hi.cwiseMax(p); };
-  for (const auto& p : content.outline) include(p);
-  if (content.outline.empty())
-    for (const auto& s : content.stems) include(s.at);
-  for (const auto& m : content.missed) include(m.at);
-  for (const auto& m : content.targets) include(m.at);
-  if (content.stems.empty() && content.outline.empty())
-    for (const auto& p : content.path) include(p);
-  if (!(lo.x() <= hi.x())) lo = {-1, -1}, hi = {1, 1};
-  const double pad = (content.outline.empty() ? 0.03 : 0.06) * std::max((hi - lo).maxCoeff(), 2.0) + 0.3;
-  lo.array() -= pad;
-  hi.array() += pad;
-  // A long strip is widened, so that the sheet keeps a readable shape.
-  const double min_height = 0.3 * (hi.x() - lo.x()), max_height = 1.35 * (hi.x() - lo.x());
-  const double middle = (lo.y() + hi.y()) / 2;
-  if (hi.y() - lo.y() < min_height) lo.y() = middle - min_height / 2, hi.y() = middle + min_height / 2;
-  if (hi.y() - lo.y() > max_height) {
-    const double half = (hi.y() - lo.y()) / 1.35 / 2, x = (lo.x() + hi.x()) / 2;
-    lo.x() = x - half;
-    hi.x() = x + half;
-  }
-  const double w = width_mm - margin_left - margin_right;
-  const double h = w * (hi.y() - lo.y()) / (hi.x() - lo.x());
-  return {{margin_left, margin_top, margin_left + w, margin_top + h}, {lo.x(), hi.x()}, {lo.y(), hi.y()}};
-}
-
-void draw_stem(Canvas& canvas, const Frame& frame, const Stem& stem) {
+void draw_stem(Canvas& canvas, const Frame& frame, const MapStem& stem) {
   const auto p = frame.map(stem.at.x(), stem.at.y());
   const double r = std::max(min_radius_mm, stem.dbh_m / 2 * frame.mm_per_unit_x());
   canvas.circle(p, r, stem.color.with_alpha(0.85), Stroke{mix(stem.color, ink::text, 0.5), 0.15});
   if (stem.is_false) canvas.cross(p, r + 0.9, Stroke{ink::accent, 0.35});
 }
 
-void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
+void draw_labels(Canvas& canvas, const Frame& frame, const StemMapContent& content) {
   const double size_pt = content.stems.size() > 250 ? 4.5 : content.stems.size() > 120 ? 5.2 : 6;
   TextStyle style{size_pt, ink::text};
   style.halo_mm = 0.3;
@@ -152,11 +50,12 @@ void draw_labels(Canvas& canvas, const Frame& frame, const Content& content) {
   }
 }
 
-std::vector<LegendEntry> legend_of(const Content& content) {
+std::vector<LegendEntry> legend_of(const StemMapContent& content) {
   std::vector<LegendEntry> entries{{Symbol::disc, ink::good, "stem, good fit"},
                                    {Symbol::disc, ink::fair, "fair"},
                                    {Symbol::disc, ink::poor, "poor"}};
-  if (std::none_of(content.stems.begin(), content.stems.end(), [](const Stem& s) { return s.color.r != ink::muted.r; }))
+  if (std::none_of(content.stems.begin(), content.stems.end(),
+                   [](const MapStem& s) { return s.color.r != ink::muted.r; }))
     entries = {{Symbol::disc, ink::muted, "stem"}};
   if (content.compared) {
     entries.push_back({Symbol::ring, ink::accent, "missed"});
@@ -168,7 +67,7 @@ std::vector<LegendEntry> legend_of(const Content& content) {
   return entries;
 }
 
-void draw(Canvas& canvas, const Content& content, const Frame& frame) {
+void draw(Canvas& canvas, const StemMapContent& content, const Frame& frame) {
   AxesStyle axes;
   axes.x_label = content.north_known ? "East (m)" : "x (m)";
   axes.y_label = content.north_known ? "North (m)" : "y (m)";
@@ -201,10 +100,10 @@ void draw(Canvas& canvas, const Content& content, const Frame& frame) {
 }  // namespace
 
 Figure stem_map(const StemMapData& data, double width_mm) {
-  auto content = content_of(data);
-  const auto frame = frame_of(content, width_mm);
+  auto content = stem_map_content(data);
+  const auto frame = stem_map_frame(content, {margin_left, margin_top}, width_mm - margin_left - margin_right);
   const auto all = content.stems.size();
-  std::erase_if(content.stems, [&](const Stem& s) {
+  std::erase_if(content.stems, [&](const MapStem& s) {
     return s.at.x() < frame.x.lo || s.at.x() > frame.x.hi || s.at.y() < frame.y.lo || s.at.y() > frame.y.hi;
   });
   Figure figure;

@@ -1,5 +1,6 @@
 #include "render/charts/trajectory_charts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -160,7 +161,7 @@ void draw_errors(Canvas& canvas, const ErrorCurve& e, double top_mm) {
       {axis_space_left_mm, top_mm + 2, canvas.width_mm() - 3, top_mm + error_height_mm - axis_space_below_mm - 6},
       x,
       y};
-  AxesStyle axes{"Way (m)", "Error (cm)"};
+  AxesStyle axes{"Distance walked (m)", "Error (cm)"};
   axes.x_ticks = 8;
   axes.y_ticks = 5;
   draw_grid(canvas, frame, axes);
@@ -187,9 +188,27 @@ void draw_errors(Canvas& canvas, const ErrorCurve& e, double top_mm) {
 constexpr const char* overlay_caption =
     "The estimated path over the reference, from above; lines join the two places of each revisit that closed a loop.";
 constexpr const char* error_caption =
-    "Distance between estimate and reference at equal times along the way, its horizontal and its vertical part.";
+    "Distance between estimate and reference at equal times along the walk, its horizontal and its vertical part.";
 
 }  // namespace
+
+Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference) {
+  Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(estimate.poses.size())), to = from;
+  Eigen::Index n = 0;
+  if (reference.poses.size() > 1)
+    for (const auto& pose : estimate.poses)
+      if (covers(reference, pose.time_s)) {
+        from.col(n) = pose.T_target_sensor.translation();
+        to.col(n++) = reference.at(pose.time_s).translation();
+      }
+  Trajectory aligned = estimate;
+  if (n < 3) return aligned;
+  Pose motion = Pose::Identity();
+  motion.matrix() = Eigen::umeyama(from.leftCols(n), to.leftCols(n), false);
+  for (auto& pose : aligned.poses) pose.T_target_sensor = motion * pose.T_target_sensor;
+  aligned.axes = reference.axes;
+  return aligned;
+}
 
 Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm) {
   check(comparison);

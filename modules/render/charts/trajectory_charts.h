@@ -15,6 +15,10 @@ struct TrajectoryComparison {
   const Table* loops = nullptr;
 };
 
+// The estimate laid over the reference by the rigid motion that makes the distances at equal times least (Umeyama 1991
+// without scale): what absolute trajectory errors are stated after. As it is where fewer than three times are common.
+Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference);
+
 // From above. Throws Error{bad_input} when a trajectory has fewer than two poses, as do the others.
 Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm);
 

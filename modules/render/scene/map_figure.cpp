@@ -24,8 +24,7 @@ namespace bole::render {
 namespace {
 
 constexpr double mm_per_inch = 25.4;
-constexpr int supersampling = 2;  // each pixel is the mean of so many squared
-constexpr double side_mm = 19;    // the legend's column
+constexpr double side_mm = 19;  // the legend's column
 
 struct Extent {
   Eigen::Vector3d lo, hi;
@@ -74,6 +73,27 @@ void thin_crowns(const PointCloud& cloud, double share, std::vector<std::uint32_
   });
 }
 
+void cut_above(const PointCloud& cloud, double max_height_m, std::vector<std::uint32_t>& indices) {
+  if (!cloud.has(arrays::height_above_ground) || !std::isfinite(max_height_m)) return;
+  const auto& height = cloud.values<float>(arrays::height_above_ground);
+  std::erase_if(indices, [&](std::uint32_t i) { return height[i] > max_height_m; });
+}
+
+// The stem up to a height above its foot.
+void cut_above(double max_height_m, StemShape& stem) {
+  const double top_z = stem.axis.front().z() + max_height_m;
+  for (std::size_t i = 1; i < stem.axis.size(); ++i) {
+    const auto &a = stem.axis[i - 1], &b = stem.axis[i];
+    if (b.z() <= top_z) continue;
+    const double t = std::clamp((top_z - a.z()) / std::max(b.z() - a.z(), 1e-9), 0.0, 1.0);
+    stem.radius_m[i] = std::lerp(stem.radius_m[i - 1], stem.radius_m[i], t);
+    stem.axis[i] = a + t * (b - a);
+    stem.axis.resize(i + 1);
+    stem.radius_m.resize(i + 1);
+    return;
+  }
+}
+
 Extent extent_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices, const Window& window) {
   std::vector<float> z;
   const std::size_t step = std::max<std::size_t>(1, indices.size() / 50000);
@@ -99,11 +119,12 @@ std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View&
 }
 
 // Means of squares of pixels, rows turned to run from the top.
-Image shrunk(vtkUnsignedCharArray* rgb, int width, int height) {
+Image shrunk(vtkUnsignedCharArray* rgb, int width, int height, int samples) {
+  const auto supersampling = static_cast<unsigned>(samples);
   Image image{width, height,
               std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
   const auto* source = rgb->GetPointer(0);
-  const std::size_t row = 3 * static_cast<std::size_t>(width) * supersampling;
+  const std::size_t row = std::size_t{3} * static_cast<std::size_t>(width) * supersampling;
   auto* target = image.rgba.data();
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -134,13 +155,15 @@ void add_actors(vtkRenderer* renderer, const MapData& data, const MapOptions& op
   if (options.view == MapView::oblique) {
     auto grid = grid_actor({e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}, e.lo.z(), view.grid_step_m, origin,
                            options.dark ? hex(0x3b4750) : hex(0xb9c2c8));
-    grid->GetProperty()->SetLineWidth(static_cast<float>(supersampling * options.dpi / 150));
+    grid->GetProperty()->SetLineWidth(static_cast<float>(options.supersampling * options.dpi / 150));
     renderer->AddActor(grid);
   }
   // Marks keep a size on the picture, whatever the plot's.
   const double span_m = (e.hi - e.lo).head<2>().maxCoeff();
   if (!view.stems.empty()) {
-    renderer->AddActor(stems_actor(view.stems, origin, false));
+    auto stems = stems_actor(view.stems, origin, false);
+    if (options.view == MapView::top) stems->GetProperty()->LightingOff();  // seen along the light nothing is shaded
+    renderer->AddActor(stems);
     renderer->AddActor(breast_height_actor(view.stems, origin, std::max(0.04, span_m / 250)));
   }
   if (options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1)
@@ -159,6 +182,7 @@ double point_size_px(const View& view, double width_px) {
 std::pair<Image, Projection> render(const MapData& data, const MapOptions& options, const View& view) {
   const int width = std::max(1, static_cast<int>(std::lround(view.box.width() / mm_per_inch * options.dpi))),
             height = std::max(1, static_cast<int>(std::lround(view.box.height() / mm_per_inch * options.dpi)));
+  const int supersampling = options.supersampling;
   const Eigen::Vector3d origin = view.extent.centre();
   vtkNew<vtkRenderer> renderer;
   const Color ground = ground_color(options);
@@ -187,7 +211,19 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())},
                  window_depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling,
                  shading);
-  return {shrunk(rgb, width, height), projection};
+  return {shrunk(rgb, width, height, supersampling), projection};
+}
+
+// Of an oblique picture as wide as the box: less than the box has where the scene is flat.
+double needed_height_mm(const PointCloud& cloud, const MapOptions& options, const View& view) {
+  const double aspect = view.box.width() / view.box.height();
+  const Eigen::Vector3d size = view.extent.hi - view.extent.lo;
+  const auto outline = outline_points(cloud, view, view.extent.centre());
+  vtkNew<vtkCamera> camera;
+  aim_obliquely(camera, Eigen::Vector3d::Zero(), size, aspect, outline, options.from_azimuth_deg,
+                options.elevation_deg);
+  const Box seen = rectangle_on_view(view_matrix(camera, aspect), outline);
+  return view.box.height() * std::clamp(1.04 * seen.height() / 2, 0.4, 1.0);
 }
 
 void round_colors(Image& image, int step) {
@@ -234,16 +270,21 @@ void draw_map_axes(Canvas& canvas, const Drawing& d) {
   draw_axes(canvas, {{a.x(), b.y(), b.x(), a.y()}, {e.lo.x(), e.hi.x()}, {e.lo.y(), e.hi.y()}}, axes);
 }
 
+// The legend's column from top to bottom: colour bar, up to three entries, north arrow, scale bar.
+constexpr double furniture_below_bar_mm = 54, min_bar_mm = 16, max_bar_mm = 36;
+
+double bar_mm(double height_mm) { return std::clamp(height_mm - furniture_below_bar_mm, min_bar_mm, max_bar_mm); }
+
 void draw_furniture(Canvas& canvas, const Drawing& d) {
   d.options.view == MapView::top ? draw_map_axes(canvas, d) : draw_grid_labels(canvas, d);
   const double x = canvas.width_mm() - side_mm + 3;
   const auto& c = d.view.coloring;
   double y = 8;
   if (c.by == PointColor::height || c.by == PointColor::intensity) {
-    draw_color_bar(canvas, {x, y, x + 3, y + 36},
+    draw_color_bar(canvas, {x, y, x + 3, y + bar_mm(canvas.height_mm())},
                    c.by == PointColor::height ? ColorMap::viridis() : ColorMap::cividis(), c.range,
                    c.by == PointColor::height ? "Height (m)" : "Intensity");
-    y += 44;
+    y += bar_mm(canvas.height_mm()) + 8;
   }
   std::vector<LegendEntry> entries;
   if (d.has_stems) {
@@ -274,10 +315,19 @@ std::string caption_of(const Drawing& d) {
   return std::string(d.options.view == MapView::top ? "The map from above" : "The map seen obliquely") +
          ", points coloured by " + by +
          (d.has_stems ? ", with the fitted stems in place of the points on their bark" : "") +
-         (d.has_walk ? " and the walk of the scanner" : "") + "; coordinates in metres.";
+         (d.has_walk ? " and the walk of the scanner" : "") +
+         (std::isfinite(d.options.max_height_m)
+              ? ", cut " + number_text(d.options.max_height_m) + " m above ground so that crowns hide nothing"
+              : "") +
+         "; coordinates in metres.";
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> map_window_points(const MapData& data, std::size_t budget, const Run& run) {
+  if (data.points == nullptr || data.points->empty()) return {};
+  return thin_for_drawing(*data.points, window_of(data), budget, run);
+}
 
 MapPoints choose_map_points(const MapData& data, std::size_t budget, const Run& run) {
   constexpr double bark_m = 0.035;  // thickness of what lies on a stem
@@ -302,7 +352,12 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   view.indices = chosen.all;
   view.drawn = options.stems ? chosen.off_stems : chosen.all;
   if (options.crown_share < 1) thin_crowns(*data.points, options.crown_share, view.drawn);
+  cut_above(*data.points, options.max_height_m, view.indices);
+  cut_above(*data.points, options.max_height_m, view.drawn);
+  if (view.indices.empty()) throw bad_input("no point lies below the height of the cut", "a higher cut");
   if (options.stems) view.stems = stems_within(data, window);
+  if (std::isfinite(options.max_height_m))
+    for (auto& stem : view.stems) cut_above(options.max_height_m, stem);
   view.extent = extent_of(*data.points, view.indices, window);
   view.coloring = coloring_for(*data.points, view.indices, options.color);
   view.grid_step_m = grid_step(view.extent);
@@ -315,7 +370,9 @@ Figure map_figure(const MapData& data, const MapOptions& options, double width_m
   const double inner_mm = picture_mm - left_mm - edge_mm;
   const double inner_height_mm = from_above ? inner_mm * std::clamp(size.y() / size.x(), 0.3, 1.3) : 0.62 * picture_mm;
   view.box = {left_mm, edge_mm, left_mm + inner_mm, edge_mm + inner_height_mm};
-  const double height_mm = view.box.y1 + below_mm + edge_mm;
+  if (!from_above && options.furniture) view.box.y1 = edge_mm + needed_height_mm(*data.points, options, view);
+  const double height_mm =
+      std::max(view.box.y1 + below_mm + edge_mm, options.furniture ? furniture_below_bar_mm + min_bar_mm : 0.0);
   drawing->options = options;
   drawing->north_known = data.north_known;
   drawing->has_walk = options.walk && data.trajectory != nullptr && data.trajectory->poses.size() > 1;

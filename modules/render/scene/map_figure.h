@@ -1,6 +1,8 @@
 // The 3-D map of a survey as a figure: points, fitted stems, the walk, a metre grid, legend and north.
 #pragma once
 
+#include <limits>
+
 #include "base/run.h"
 #include "cloud/plot_area.h"
 #include "cloud/point_cloud.h"
@@ -28,6 +30,10 @@ struct MapData {
   const MapPoints* chosen = nullptr;  // from choose_map_points(); null: chosen anew for each map
 };
 
+// Those of them that lie in the window of the map, with points on stems: what a view draws that shows both. Empty where
+// there are none. Throws Error{cancelled}.
+std::vector<std::uint32_t> map_window_points(const MapData& data, std::size_t budget, const Run& run = {});
+
 // Throws Error{bad_input} without points, Error{cancelled}.
 MapPoints choose_map_points(const MapData& data, std::size_t budget, const Run& run = {});
 
@@ -43,8 +49,10 @@ struct MapOptions {
   bool walk = true;
   bool dark = false;       // light drawing on a dark ground, for screens
   double crown_share = 1;  // of the points higher than 4 m above ground, so many are drawn
-  bool furniture = true;   // legend, grid labels, north arrow
-  int color_step = 1;      // colours are rounded to multiples of it, of 255: a greater step makes a smaller file
+  double max_height_m = std::numeric_limits<double>::infinity();  // above ground: higher points are not drawn
+  bool furniture = true;                                          // legend, grid labels, north arrow
+  int supersampling = 2;                                          // each pixel is the mean of so many squared
+  int color_step = 1;  // colours are rounded to multiples of it, of 255: a greater step makes a smaller file
   double dpi = 300;
 };
 

@@ -1,14 +1,20 @@
 #include "render/scene/thin.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <functional>
 
 namespace bole::render {
 namespace {
 
 constexpr double min_voxel_m = 0.01;
 constexpr std::size_t poll_every = 0x40000;  // points between two looks at the cancel flag
-constexpr unsigned table_bits = 28;  // 32 MiB: among 3 M kept points about one in a hundred is lost to a collision
+constexpr std::size_t candidates_per_point =
+    8;                                         // of the cloud, for each point that is wanted: evenly through its order
+constexpr std::size_t share_sample = 100'000;  // points that tell how much of the cloud lies in the window
+constexpr unsigned min_table_bits = 20, max_table_bits = 28;  // of the occupied voxels
+constexpr std::size_t slots_per_point = 64;                   // about one point in a hundred is lost to a collision
 
 std::uint64_t scrambled(std::uint64_t v) {
   v ^= v >> 30, v *= 0xbf58476d1ce4e5b9ULL;
@@ -19,6 +25,8 @@ std::uint64_t scrambled(std::uint64_t v) {
 // Keeps the first point of every voxel. Occupied voxels are bits at their hash.
 std::vector<std::uint32_t> one_per_voxel(const PointCloud& cloud, const std::vector<std::uint32_t>& indices,
                                          double voxel_m, const Run& run) {
+  const auto table_bits = std::clamp(static_cast<unsigned>(std::bit_width(slots_per_point * indices.size())),
+                                     min_table_bits, max_table_bits);
   std::vector<std::uint64_t> occupied(std::size_t{1} << (table_bits - 6));
   std::vector<std::uint32_t> kept;
   const float per_metre = static_cast<float>(1 / voxel_m);
@@ -38,6 +46,18 @@ std::vector<std::uint32_t> one_per_voxel(const PointCloud& cloud, const std::vec
     kept.push_back(i);
   }
   return kept;
+}
+
+// Of a large cloud not every point is looked at: some for each that is wanted are enough for an even choice.
+std::size_t candidate_step(std::size_t points, std::size_t budget, const std::function<bool(std::size_t)>& shown) {
+  const std::size_t wanted = candidates_per_point * std::max<std::size_t>(budget, 1);
+  if (points <= wanted) return 1;
+  std::size_t sampled = 0, inside = 0;
+  for (std::size_t i = 0; i < points; i += std::max<std::size_t>(1, points / share_sample), ++sampled)
+    inside += shown(i) ? 1 : 0;
+  const double share = static_cast<double>(inside) / static_cast<double>(std::max<std::size_t>(sampled, 1));
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(share * static_cast<double>(points) / static_cast<double>(wanted)));
 }
 
 }  // namespace
@@ -61,10 +81,14 @@ Window middle_window(const PointCloud& cloud, double share) {
 std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Window& window, std::size_t budget,
                                             const Run& run) {
   std::vector<std::uint32_t> kept;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (i % poll_every == 0) run.check_cancel();
-    if (const auto p = cloud.position(i); p.allFinite() && window.contains(p))
-      kept.push_back(static_cast<std::uint32_t>(i));
+  const auto shown = [&](std::size_t i) {
+    const auto p = cloud.position(i);
+    return p.allFinite() && window.contains(p);
+  };
+  const std::size_t step = candidate_step(cloud.size(), budget, shown);
+  for (std::size_t i = 0, k = 0; i < cloud.size(); i += step, ++k) {
+    if (k % poll_every == 0) run.check_cancel();
+    if (shown(i)) kept.push_back(static_cast<std::uint32_t>(i));
   }
   // Points lie on surfaces: their number goes with the square of the voxel size.
   for (double voxel_m = min_voxel_m; kept.size() > budget && voxel_m < 100;) {

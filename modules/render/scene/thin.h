@@ -22,8 +22,8 @@ struct Window {
 Window middle_window(const PointCloud& cloud, double share = 0.98);
 
 // Indices, ascending, of at most about `budget` finite points within the window: one per voxel of the smallest size
-// that keeps the budget, so that places that were scanned often are not drawn denser than others. Deterministic. Throws
-// Error{cancelled}.
+// that keeps the budget, so that places that were scanned often are not drawn denser than others. Of a cloud that is
+// much larger than the budget only every n-th point is looked at. Deterministic. Throws Error{cancelled}.
 std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Window& window, std::size_t budget,
                                             const Run& run = {});
 

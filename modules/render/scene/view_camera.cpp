@@ -9,7 +9,13 @@
 namespace bole::render {
 namespace {
 
-// The view's rectangle around the points, in -1 to 1.
+void place(vtkCamera* camera, const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
+  camera->SetPosition(position.x(), position.y(), position.z());
+  camera->SetFocalPoint(target.x(), target.y(), target.z());
+}
+
+}  // namespace
+
 Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Vector3d>& points) {
   Box box{1e9, 1e9, -1e9, -1e9};
   for (const auto& p : points) {
@@ -19,13 +25,6 @@ Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Ve
   }
   return box;
 }
-
-void place(vtkCamera* camera, const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetFocalPoint(target.x(), target.y(), target.z());
-}
-
-}  // namespace
 
 Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect) {
   auto* m = camera->GetCompositeProjectionTransformMatrix(aspect, -1, 1);

@@ -24,6 +24,9 @@ struct Projection {
 // Width over height of the view is `aspect`.
 Eigen::Matrix4d view_matrix(vtkCamera* camera, double aspect);
 
+// The view's rectangle around points, in -1 to 1, rows upwards.
+Box rectangle_on_view(const Eigen::Matrix4d& matrix, const std::vector<Eigen::Vector3d>& points);
+
 // Straight down, y up on the sheet, parallel, so that `size` (metres) fills the view.
 void aim_from_above(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect);
 

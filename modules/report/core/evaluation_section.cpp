@@ -56,24 +56,39 @@ const std::vector<Group>& groups() {
        {{"height_trees", "Trees whose top was seen", 0},
         {"height_bias", "Height bias", 2},
         {"height_rmse", "Height RMSE", 2}}},
-      {"Trajectory",
-       {{"poses", "Poses compared", 0},
-        {"length", "Length of the walk", 1},
-        {"ate_rmse", "Absolute trajectory error (ATE), RMSE", 3},
-        {"rotation_error_rmse", "Rotation error, RMSE", 3},
-        {"rpe_translation_rmse", "Relative pose error (RPE), translation RMSE", 3},
-        {"rpe_rotation_rmse", "Relative pose error (RPE), rotation RMSE", 3},
-        {"end_error", "Error at the end", 3},
-        {"drift", "Drift of the end by length", 3}}},
+      {"Alignment of the trees before the comparison",
+       {{"align_turn", "Turned by", 2}, {"align_shift_x", "Moved in x", 3}, {"align_shift_y", "Moved in y", 3}}},
   };
   return all;
 }
 
+const Group& walk_group() {
+  static const Group group{
+      "Path of the scanner",
+      {{"poses", "Poses compared", 0},
+       {"length", "Length of the walk", 1},
+       {"ate_rmse", "Absolute trajectory error (ATE) after alignment, RMSE", 3},
+       {"rotation_error_rmse", "Rotation error, RMSE", 3},
+       {"rpe_translation_rmse", "Relative pose error (RPE) over a step of time, translation, RMSE", 3},
+       {"rpe_rotation_rmse", "The same, rotation, RMSE", 3},
+       {"rpe_distance_translation_rmse", "Relative pose error (RPE) over a distance walked, translation, RMSE", 3},
+       {"rpe_distance_rotation_rmse", "The same, rotation, RMSE", 3},
+       {"kitti_segments", "Segments compared as KITTI does", 0},
+       {"kitti_translation", "Mean error over these segments, translation", 3},
+       {"kitti_rotation", "Mean error over these segments, rotation", 3},
+       {"end_error", "Error at the end of the walk, its beginning laid over the reference", 3},
+       {"drift", "The same by the length walked", 3}}};
+  return group;
+}
+
 // Families of measures that fold away, as one row each: name_ending.
-constexpr std::array<Display, 4> spreads{{{"ate", "Absolute trajectory error", 3},
-                                          {"rotation_error", "Rotation error", 3},
-                                          {"rpe_translation", "Relative pose error, translation", 3},
-                                          {"rpe_rotation", "Relative pose error, rotation", 3}}};
+constexpr std::array<Display, 6> spreads{
+    {{"ate", "Absolute trajectory error after alignment", 3},
+     {"rotation_error", "Rotation error", 3},
+     {"rpe_translation", "Relative pose error over a step of time, translation", 3},
+     {"rpe_rotation", "Relative pose error over a step of time, rotation", 3},
+     {"rpe_distance_translation", "Relative pose error over a distance, translation", 3},
+     {"rpe_distance_rotation", "Relative pose error over a distance, rotation", 3}}};
 constexpr std::array<Display, 5> spread_columns{{{"rmse", "RMSE", 3},
                                                  {"mean", "Mean", 3},
                                                  {"median", "Median", 3},
@@ -101,12 +116,16 @@ class Section {
     for (std::size_t i = 0; i < measures_.size(); ++i) at_.try_emplace(measures_[i].name, i);
   }
 
-  std::string html() {
-    std::string main, folded;
+  std::string trees_html() {
+    std::string main;
     for (const auto& group : groups()) main += group_html(group);
-    folded += classes_html("dbh_", "By diameter class", "DBH (cm)") +
-              classes_html("distance_", "By distance from the centre of the plot", "Distance (m)") + spreads_html();
-    return main + others_html() + folded;
+    return main + classes_html("dbh_", "By diameter class", "DBH (cm)") +
+           classes_html("distance_", "By distance from the centre of the plot", "Distance (m)");
+  }
+
+  std::string walk_html() {
+    for (const auto& group : groups()) group_html(group);  // what they tell is no other measure
+    return group_html(walk_group()) + others_html() + spreads_html();
   }
 
  private:
@@ -209,8 +228,10 @@ class Section {
 
 }  // namespace
 
-std::string evaluation_html(const Table& summary, bool poses_given) {
-  return summary.rows() == 0 ? std::string() : Section(summary, poses_given).html();
+std::string evaluation_html(const Table& summary) { return Section(summary, false).trees_html(); }
+
+std::string walk_evaluation_html(const Table& summary, bool poses_given) {
+  return Section(summary, poses_given).walk_html();
 }
 
 }  // namespace bole::report

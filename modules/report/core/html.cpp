@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/markup.h"
+#include "report/core/terms.h"
 
 namespace bole::report {
 
@@ -27,13 +28,16 @@ std::string data_uri(std::string_view media_type, std::string_view bytes) {
 std::string HtmlTable::html() const {
   std::string out = sortable ? "<table class=\"sortable\">\n<thead><tr>" : "<table>\n<thead><tr>";
   for (const auto& c : columns)
-    out += std::string("<th") + (c.number ? " class=\"n\"" : "") + ">" + escaped(c.title) + "</th>";
+    out += std::string("<th") + (c.number ? " class=\"n\"" : "") + ">" + explained(c.title) + "</th>";
   out += "</tr></thead>\n<tbody>\n";
-  for (const auto& row : rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < columns.size(); ++i)
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto& row = rows[r];
+    out += r < trees.size() ? "<tr data-tree=\"" + escaped(trees[r]) + "\">" : std::string("<tr>");
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::string cell = i < row.size() ? row[i] : std::string();
       out += std::string("<td") + (columns[i].number ? " class=\"n\"" : "") + ">" +
-             (i < row.size() ? escaped(row[i]) : std::string()) + "</td>";
+             (i == 0 ? explained(cell) : escaped(cell)) + "</td>";
+    }
     out += "</tr>\n";
   }
   return out + "</tbody>\n</table>\n";
@@ -48,8 +52,11 @@ std::string paragraph(const std::string& text, const std::string& css) {
 }
 
 std::string folded(const std::string& title, const HtmlTable& table) {
-  if (table.rows.empty()) return {};
-  return "<details><summary>" + escaped(title) + "</summary>\n" + table.html() + "</details>\n";
+  return table.rows.empty() ? std::string() : folded(title, table.html());
+}
+
+std::string folded(const std::string& title, const std::string& body) {
+  return "<details><summary>" + escaped(title) + "</summary>\n" + body + "</details>\n";
 }
 
 }  // namespace bole::report

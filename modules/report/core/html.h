@@ -20,6 +20,7 @@ struct HtmlTable {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;  // plain text
   bool sortable = false;
+  std::vector<std::string> trees = {};  // of each row where the rows are trees: what links them with the other views
   std::string html() const;
 };
 
@@ -31,5 +32,7 @@ std::string paragraph(const std::string& text, const std::string& css = {});
 
 // A table that opens by a click on its title; empty for a table without rows.
 std::string folded(const std::string& title, const HtmlTable& table);
+// The same with any HTML as its body.
+std::string folded(const std::string& title, const std::string& body);
 
 }  // namespace bole::report

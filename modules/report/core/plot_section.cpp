@@ -35,28 +35,12 @@ std::string classes_html(const Table& classes, bool per_ha, bool with_heights) {
 
 }  // namespace
 
-std::string value_cards(const SurveyData& data) {
-  if (data.plot_values == nullptr) return {};
-  const PlotValues v(*data.plot_values);
-  const auto card = [](const std::string& value, const std::string& unit, const std::string& name) {
-    return "<div class=\"card\"><b>" + escaped(value) + "</b> <span>" + escaped(unit) + "</span><br>" + escaped(name) +
-           "</div>\n";
-  };
-  std::string out = "<div class=\"cards\">\n" + card(v.count("stems"), "", "stems");
-  if (v.given("area"))
-    out += card(v.text("stem_density", 0), "1/ha", "stem density") +
-           card(v.text("basal_area_per_ha", 1), "m²/ha", "basal area");
-  out += card(v.text("mean_dbh", 1), "cm", "mean DBH") +
-         card(v.text("quadratic_mean_dbh", 1), "cm", "quadratic mean diameter");
-  return out + "</div>\n";
-}
-
 std::string plot_section(const SurveyData& data) {
   if (data.plot_values == nullptr)
     return section("plot", "The plot",
                    paragraph("There are no values of the plot: the stage inventory.plot_values is not part of this "
                              "pipeline. Add it and connect its plot_values, diameter_classes and height_curve to the "
-                             "report.",
+                             "report, or start from one of the pipelines that come with Bole.",
                              "note"));
   const PlotValues values(*data.plot_values);
   const bool bounded = values.given("area");
@@ -66,8 +50,8 @@ std::string plot_section(const SurveyData& data) {
   std::string body;
   if (!bounded)
     body = paragraph(
-        "No plot boundary is set, so there are no values per hectare. Where the plot is known, set shape and width "
-        "and length (or radius) of the stage survey.plot and connect its plot to inventory.plot_values.",
+        "No plot boundary is set, so there are no values per hectare. Where the plot is known, give its shape and its "
+        "width and length, or its radius (stage survey.plot: plot.shape=circle plot.radius=...).",
         "note");
   body += table.html();
   if (data.diameter_classes != nullptr)

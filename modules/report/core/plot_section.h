@@ -7,9 +7,6 @@
 
 namespace bole::report {
 
-// The first values as cards; empty where no plot values are connected.
-std::string value_cards(const SurveyData& data);
-
 // The table of values and the diameter classes. Without plot values it names the stage that makes them.
 std::string plot_section(const SurveyData& data);
 

@@ -4,7 +4,7 @@
 
 #include "base/markup.h"
 #include "report/core/html.h"
-#include "report/core/page_style.h"
+#include "report/core/page_resources.h"
 
 namespace bole::report {
 namespace {
@@ -38,9 +38,7 @@ std::string table_html(const PageTable& p) {
 }  // namespace
 
 std::string simple_page_html(const SimplePage& page) {
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(page.title) +
-                    "</title>\n<style>" + std::string(page_style) + "</style></head>\n<body><main>\n<h1>" +
-                    escaped(page.title) + "</h1>\n";
+  std::string out = page_head(page.title, "page.css") + "<main>\n<h1>" + escaped(page.title) + "</h1>\n";
   for (const auto& p : page.paragraphs) out += "<p>" + escaped(p) + "</p>\n";
   for (const auto& t : page.tables) out += table_html(t);
   if (!page.pictures.empty()) out += "<h2>Figures</h2>\n<div class=\"figures\">\n";
@@ -53,7 +51,7 @@ std::string simple_page_html(const SimplePage& page) {
     for (const auto& w : page.warnings) out += "<li>" + escaped(w) + "</li>\n";
     out += "</ul>\n";
   }
-  return out + "</main><script>" + std::string(page_script) + "</script></body></html>\n";
+  return out + "</main>\n" + page_script("tables.js") + "</body></html>\n";
 }
 
 }  // namespace bole::report

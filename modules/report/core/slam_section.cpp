@@ -20,11 +20,11 @@ struct Part {
 // Those that take their time for each frame, in the order of the work.
 constexpr std::array<Part, 9> parts{{{"read_per_frame", "Reading"},
                                      {"features_per_frame", "Features"},
-                                     {"guess_per_frame", "First guess"},
+                                     {"guess_per_frame", "Prediction of the motion"},
                                      {"registration_per_frame", "Registration"},
-                                     {"observability_per_frame", "Open motions"},
+                                     {"observability_per_frame", "Check of what each scan determines"},
                                      {"local_map_per_frame", "Local map"},
-                                     {"loops_per_frame", "Loops and pose graph"},
+                                     {"loops_per_frame", "Loop closures and pose graph"},
                                      {"adjustment_per_frame", "Final adjustment"},
                                      {"map_per_frame", "Dense map"}}};
 
@@ -37,12 +37,12 @@ struct Measure {
 };
 
 constexpr std::array<Measure, 7> measures{
-    {{"overlap", "Points that agree with the map, mean of the frames", "%", 1, 1},
+    {{"overlap", "Points of a frame that agree with the map, mean", "%", 1, 1},
      {"registration_rms", "Residual of the registration", "cm", 1, 100},
-     {"sigma0", "σ₀ of the adjustment, mean of the frames (1: as expected)", "", 2, 1},
+     {"sigma0", "Residuals of the adjustment by their expected size, mean (1: as expected)", "", 2, 1},
      {"pose_sigma", "Standard deviation of a position in its adjustment", "mm", 1, 1},
-     {"weakest_observability", "Least observability of a motion", "", 1, 1},
-     {"loop_correction_rms", "Correction of the path by the loops, RMS", "cm", 1, 100},
+     {"weakest_observability", "Direction of motion that the scans determine least", "", 1, 1},
+     {"loop_correction_rms", "Correction of the path by the loop closures, RMS", "cm", 1, 100},
      {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100}}};
 
 class Section {
@@ -63,28 +63,28 @@ class Section {
   }
 
   std::string frames() const {
-    HtmlTable table{{{"Frames and loops"}, {"This run", true}, {"Unit"}}, {}, false};
+    HtmlTable table{{{"Frames and loop closures"}, {"This run", true}, {"Unit"}}, {}, false};
     const auto add = [&](const char* title, const std::string& value) {
       if (!value.empty()) table.rows.push_back({title, value, ""});
     };
     add("Frames mapped", count("frames"));
-    add("Frames that failed", count("frames_failed"));
+    add("Frames that could not be registered", count("frames_failed"));
     if (const auto it = r_.facts.find("lost_at_frame"); it != r_.facts.end()) add("Track lost at frame", it->second);
-    add("Key frames", count("keyframes"));
-    add("Revisits tried", count("loop_candidates"));
-    add("Loops closed", count("loops"));
-    if (count("loops_by_context") != "0") add("of these found by appearance", count("loops_by_context"));
-    if (count("loops") != "0") add("Loops that the pose graph doubts", count("doubted_loops"));
+    add("Keyframes", count("keyframes"));
+    add("Places seen again that were tried as loop closures", count("loop_candidates"));
+    add("Loop closures accepted", count("loops"));
+    if (count("loops_by_context") != "0") add("Of these found by appearance", count("loops_by_context"));
+    if (count("loops") != "0") add("Loop closures that contradict others", count("doubted_loops"));
     for (const auto& m : measures)
       if (const auto* found = metric(m.metric); found != nullptr)
         table.rows.push_back({m.title + limit(m.metric), render::fixed(m.factor * found->value, m.decimals), m.unit});
     return table.html() + failed_frames();
   }
 
-  // " (below 2.3: open)": the limit that the stage itself used, where it names it.
+  // " (below 2.3: not determined)": the limit that the stage itself used, where it names it.
   std::string limit(std::string_view name) const {
     const auto* open_below = name == "weakest_observability" ? metric("open_below") : nullptr;
-    return open_below == nullptr ? std::string() : " (below " + number_text(open_below->value) + ": open)";
+    return open_below == nullptr ? std::string() : " (below " + number_text(open_below->value) + ": not determined)";
   }
 
   // The frames that did not agree with the map, by their time.
@@ -118,7 +118,7 @@ class Section {
     if (loops_ == nullptr || loops_->rows() == 0) return {};
     HtmlTable table{{{"From (s)", true},
                      {"To (s)", true},
-                     {"Way between (m)", true},
+                     {"Distance walked between (m)", true},
                      {"Correction (cm)", true},
                      {"Overlap", true},
                      {"Found by"}},
@@ -134,7 +134,7 @@ class Section {
       table.rows.push_back({render::fixed(from[i] - start, 1), render::fixed(to[i] - start, 1),
                             render::fixed(way[i], 1), render::fixed(100 * correction[i], 1),
                             render::fixed(overlap[i], 2), by[i]});
-    return folded_and_counted("Loops", table);
+    return folded_and_counted("Loop closures", table);
   }
 
   static std::string folded_and_counted(const std::string& title, const HtmlTable& table) {

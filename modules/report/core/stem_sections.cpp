@@ -8,6 +8,7 @@
 #include "cloud/table_columns.h"
 #include "render/draw/axes.h"
 #include "report/core/html.h"
+#include "report/core/look_list.h"
 
 namespace bole::report {
 namespace {
@@ -48,6 +49,7 @@ HtmlTable stem_table(const Table& stems, const std::vector<std::size_t>& rows) {
     std::vector<std::string> cells;
     for (const auto& c : used) cells.push_back(stem_cell(stems, c, seen[i], i));
     table.rows.push_back(std::move(cells));
+    table.trees.push_back(tree_name(stems, i));
   }
   return table;
 }
@@ -69,56 +71,53 @@ std::string outside_note(std::size_t outside, const std::pair<std::string, std::
                    "note");
 }
 
+// "trees 3, 7 and 9"
+std::string trees_text(const std::vector<std::string>& names) {
+  std::string text = names.size() == 1 ? "tree " : "trees ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
 // Which of the stems listed count in no value of the plot, and why.
 std::string uncounted_note(const SurveyData& d, const std::vector<std::size_t>& rows) {
   const auto counted = counted_rows(*d.stems, d.rule);
-  std::string ids;
-  for (const auto i : rows)
-    if (!std::binary_search(counted.begin(), counted.end(), i))
-      ids += (ids.empty() ? "" : ", ") +
-             (d.stems->has("tree_id") ? d.stems->text("tree_id", i, 0) : std::to_string(i + 1));
-  if (ids.empty()) return {};
-  const std::string thin = d.rule.min_dbh_cm > 0 ? "thinner than " + render::fixed(d.rule.min_dbh_cm, 1) + " cm, " : "";
-  return paragraph("Counted in no value of the plot (" + thin + "without DBH, or rejected by hand): " + ids + ".",
-                   "note");
-}
-
-// Whether a person has looked at the stem and said what it is.
-bool decided(const std::string& state) { return state == "accepted" || state == "edited" || state == "rejected"; }
-
-// The tables are written in ASCII; the page is not.
-std::string typeset(std::string text) {
-  const auto replace = [&](std::string_view from, std::string_view to) {
-    for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
+  const auto state = texts_or_empty(*d.stems, "state");
+  const auto dbh = numbers_or_nan(*d.stems, "dbh_cm");
+  std::vector<std::string> rejected, unknown, thin;
+  for (const auto i : rows) {
+    if (std::binary_search(counted.begin(), counted.end(), i)) continue;
+    auto& why = state[i] == "rejected" ? rejected : std::isfinite(dbh[i]) ? thin : unknown;
+    why.push_back(tree_name(*d.stems, i));
+  }
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& names, const std::string& why) {
+    if (!names.empty()) text += (text.empty() ? "" : "; ") + trees_text(names) + " (" + why + ")";
   };
-  replace("+-", "±");
-  replace(" deg", "°");
-  return text;
+  add(thin, "thinner than " + render::fixed(d.rule.min_dbh_cm, 1) + " cm");
+  add(unknown, "without a diameter");
+  add(rejected, "rejected by hand");
+  if (text.empty()) return {};
+  return paragraph("Listed here, but not part of the values of the plot: " + text + ".", "note uncounted");
 }
 
 std::string trees_to_check(const SurveyData& d, Report& told) {
   if (d.stems == nullptr) return {};
-  const auto state = texts_or_empty(*d.stems, "state"), quality = texts_or_empty(*d.stems, "quality"),
-             reasons = texts_or_empty(*d.stems, "reasons");
-  const auto dbh = numbers_or_nan(*d.stems, "dbh_cm"), x = numbers_or_nan(*d.stems, "x_m"),
-             y = numbers_or_nan(*d.stems, "y_m");
-  HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why it should be checked"}}, {}, true};
-  std::size_t outside = 0;
-  for (std::size_t i = 0; i < d.stems->rows(); ++i) {
-    if (decided(state[i]) || (state[i] != "check" && quality[i] != "poor")) continue;
-    if (!d.rule.area.contains(x[i], y[i]))
-      ++outside;
-    else
-      table.rows.push_back({d.stems->has("tree_id") ? d.stems->text("tree_id", i, 0) : std::to_string(i + 1),
-                            render::fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
+  const auto look = trees_to_look_at(d);
+  const auto quality = texts_or_empty(*d.stems, "quality"), reasons = texts_or_empty(*d.stems, "reasons");
+  const auto dbh = numbers_or_nan(*d.stems, "dbh_cm");
+  HtmlTable table{{{"Tree", true}, {"DBH (cm)", true}, {"Quality"}, {"Why"}}, {}, true};
+  for (const auto i : look.rows) {
+    table.trees.push_back(tree_name(*d.stems, i));
+    table.rows.push_back({table.trees.back(), render::fixed(dbh[i], 1), quality[i], typeset(reasons[i])});
   }
   told.counts["trees_to_check"] = std::ssize(table.rows);
-  told.counts["trees_to_check_outside"] = static_cast<std::int64_t>(outside);
+  told.counts["trees_to_check_outside"] = static_cast<std::int64_t>(look.outside);
+  told.counts["stems_in_plot"] = static_cast<std::int64_t>(look.in_plot);
   std::string body;
   if (!table.rows.empty())
-    body = "<h3>Trees to check (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
-  return body + outside_note(outside, {"stem to check", "stems to check"}, "stems.csv");
+    body = "<h3>Trees to look at in the plot (" + std::to_string(table.rows.size()) + ")</h3>\n" + table.html();
+  return body + outside_note(look.outside, {"stem to look at", "stems to look at"}, "stems.csv");
 }
 
 std::string rejected_candidates(const SurveyData& d, Report& told) {
@@ -160,6 +159,16 @@ std::string edits_by_hand(const SurveyData& d, Report& told) {
   return "<h3>Edits by hand (" + std::to_string(d.edits->rows()) + ")</h3>\n" + table.html();
 }
 
+// Fields that narrow the table down; the script of the page works them.
+std::string table_tools() {
+  return "<p class=\"tools screen\"><label>Find <input id=\"find\" type=\"search\" placeholder=\"tree or "
+         "reason\"/></label> "
+         "<label>Quality <select id=\"quality\"><option value=\"\">all</option><option>good</option>"
+         "<option>fair</option><option>poor</option></select></label> "
+         "<label><input id=\"only-look\" type=\"checkbox\"/> only trees to look at</label> "
+         "<output id=\"shown\"></output></p>\n";
+}
+
 }  // namespace
 
 std::string stems_section(const SurveyData& d, Report& told) {
@@ -172,22 +181,26 @@ std::string stems_section(const SurveyData& d, Report& told) {
   told.counts["stems_listed"] = std::ssize(rows);
   told.counts["stems_outside"] = std::ssize(seen) - std::ssize(rows);
   return section("stems", "Stems",
-                 paragraph(text, "note") + paragraph("A click on a heading sorts.", "note screen") +
-                     stem_table(*d.stems, rows).html() + uncounted_note(d, rows) +
+                 paragraph(text, "note") +
+                     paragraph("A click on a heading sorts, a click on a row shows the tree in the plan, in its slice "
+                               "and in the 3-D view.",
+                               "note screen") +
+                     table_tools() + "<div class=\"scroll\">\n" + stem_table(*d.stems, rows).html() + "</div>\n" +
+                     uncounted_note(d, rows) +
                      outside_note(d.stems->rows() - rows.size(), {"stem", "stems"}, "stems.csv"));
 }
 
 std::string check_section(const SurveyData& d, const std::vector<std::string>& warnings, Report& told) {
-  std::string body;
+  std::string body = trees_to_check(d, told);
+  body += edits_by_hand(d, told);
   if (!warnings.empty()) {
-    body += "<ul>\n";
-    for (const auto& w : warnings) body += "<li>" + escaped(w) + "</li>\n";
+    body += "<h3>Notes of the stages (" + std::to_string(warnings.size()) + ")</h3>\n<ul class=\"notes\">\n";
+    told.counts["warnings_listed"] = std::ssize(warnings);
+    for (const auto& w : warnings) body += "<li>" + escaped(typeset(w)) + "</li>\n";
     body += "</ul>\n";
   }
-  body += trees_to_check(d, told);
-  body += edits_by_hand(d, told);
   body += rejected_candidates(d, told);
-  if (body.empty()) body = paragraph("Nothing: no warnings, no tree asks to be checked.");
+  if (body.empty()) body = paragraph("Nothing: no warnings, and no tree asks for a look.");
   return section("check", "What to look at", body);
 }
 

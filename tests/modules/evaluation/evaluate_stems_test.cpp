@@ -97,8 +97,8 @@ TEST(EvaluateStems, GatesAndClasses) {
   const auto e = evaluate_stems(trees({{0.2, 0, 12.5}, {0.1, 0, 30}}), reference, {}, plot);
   EXPECT_THAT(e.matches.numbers("dbh_error_cm"),
               testing::UnorderedElementsAre(testing::DoubleNear(0.5, 1e-9), testing::DoubleNear(-1, 1e-9)));
-  EXPECT_NEAR(value(e.summary, "dbh_10_to_15_cm_bias"), 0.5, 1e-12);
-  EXPECT_NEAR(value(e.summary, "dbh_30_to_35_cm_trees"), 1, 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_12_to_16_cm_bias"), 0.5, 1e-12);
+  EXPECT_NEAR(value(e.summary, "dbh_28_to_32_cm_trees"), 1, 1e-12);
   EXPECT_NEAR(value(e.summary, "distance_0_to_5_m_completeness"), 100, 1e-12);
   EvaluationOptions tight;
   tight.match_distance_m = 0.05;
