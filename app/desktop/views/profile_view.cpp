@@ -4,14 +4,10 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "look/pixels.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
-namespace {
-
-constexpr double mm_per_px = 25.4 / 96;
-
-}  // namespace
 
 ProfileView::ProfileView(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
   setMinimumSize(140, 200);

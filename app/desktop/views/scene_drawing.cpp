@@ -6,9 +6,9 @@
 namespace bole::desktop {
 
 void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
-            double mm_per_px) {
+            double sheet_mm_per_px) {
   const auto sheet = [&](const Eigen::Vector2d& px) {
-    return Eigen::Vector2d(px.x() * mm_per_px, furniture.height_mm - px.y() * mm_per_px);
+    return Eigen::Vector2d(px.x() * sheet_mm_per_px, furniture.height_mm - px.y() * sheet_mm_per_px);
   };
   for (const auto& line : drawing.lines) {
     for (std::size_t k = 0; k + 1 < line.size(); ++k)

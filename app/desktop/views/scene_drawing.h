@@ -22,9 +22,9 @@ struct SceneDrawing {
   bool warning = false;  // something is doubtful here
 };
 
-// Projects a drawing and adds it; `mm_per_px` of the view's pixels.
+// Projects a drawing and adds it; `sheet_mm_per_px` of the view's pixels.
 void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
-            double mm_per_px);
+            double sheet_mm_per_px);
 
 struct Grip {
   std::string layer;

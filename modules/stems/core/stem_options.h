@@ -40,7 +40,7 @@ struct MeasureOptions {
   double ray_gate = 0.95;
   std::optional<double> beam_divergence_mrad, beam_aperture, range_noise;  // without a value: as the cloud says
   double bark_relief = 0;
-  double bark_relief_sd = 0.0005;
+  double bark_relief_sd = 0.0008;
   bool estimate_range_offset = true;
   double range_offset_sd = 0.0004;
   double range_bias = 0.0004;
