@@ -19,7 +19,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr std::size_t keyframes_per_block = 32;
-constexpr std::size_t max_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
+constexpr std::size_t max_map_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
 constexpr double sensor_height_m = 1.5;      // about: the ground lies below the path
 constexpr double top_m = 8;                  // above the ground, where the colours end
 constexpr double ground_below_m = 0.4;       // the ground is not known yet, only the height of the sensor
@@ -151,7 +151,7 @@ void WalkLayers::set_block(std::size_t block, const LiveMap& map) {
 
 void WalkLayers::show_live(LiveMap& map, bool frame) {
   std::size_t first = map.take_first_changed();
-  if (const auto step = map.points() / max_points + 1; step > step_) {
+  if (const auto step = map.points() / max_map_points + 1; step > step_) {
     step_ = step;
     first = 0;
   }
@@ -183,7 +183,7 @@ void WalkLayers::show_survey(const Survey& survey, const Table* loops) {
   if (survey.points && !survey.points->empty()) {
     origin_ = survey.points->origin;
     std::vector<std::uint32_t> thinned;
-    const std::size_t step = survey.points->size() / max_points + 1;
+    const std::size_t step = survey.points->size() / max_map_points + 1;
     for (std::size_t i = 0; i < survey.points->size(); i += step) thinned.push_back(static_cast<std::uint32_t>(i));
     blocks_.resize(1);
     set(blocks_[0],
