@@ -8,6 +8,7 @@
 
 #include "base/arrays.h"
 #include "base/error.h"
+#include "cloud/plot_area.h"
 
 namespace bole::stems {
 namespace {

@@ -125,8 +125,10 @@ TEST(TreeTops, NoTreeReachesBeyondTheCrownRadius) {
   MeasureOptions options;
   options.crown_radius = 2;
   const auto tops = tops_of(stand, options);
-  for (std::size_t i = 0; i < stand.points.size(); ++i)
-    if (tops.labels.tree_id[i] != 0) EXPECT_LT(stand.points.positions()[i].head<2>().norm(), 2 + 0.15 + 0.5);
+  for (std::size_t i = 0; i < stand.points.size(); ++i) {
+    if (tops.labels.tree_id[i] == 0) continue;
+    EXPECT_LT(stand.points.positions()[i].head<2>().norm(), 2 + 0.15 + 0.5);
+  }
 }
 
 }  // namespace
