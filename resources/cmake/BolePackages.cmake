@@ -1,11 +1,12 @@
 # The target `package`: the Debian packages bole (program, libraries, resources, pipelines), bole-desktop and python3-bole.
 # docs/dev/packaging.md tells how they are made and tested.
 #
-# The packages run on every x86-64 processor. A build for a higher level (BOLE_ARCH, x86-64-v3 by default) therefore makes them from a
-# second build in build/package, compiled for the baseline, and adds its own libraries below where the level pays; the dynamic
-# loader takes those on processors that have it (glibc-hwcaps).
+# A build for a higher level than the baseline (BOLE_ARCH, x86-64-v3 by default) gives packages for processors of that level, which refuse to be
+# installed on others. With BOLE_BASELINE_PACKAGES it makes packages for every x86-64 processor: from a second build in build/package,
+# compiled for the baseline, with its own libraries below added where the level pays; the dynamic loader takes those on
+# processors that have it (glibc-hwcaps).
 set(BOLE_HOT_MODULES cloud ground sim slam stems survey) # never base, which finds the resources by its own place
-option(BOLE_BASELINE_PACKAGES "Packages for every x86-64 processor; OFF: of this build as it is, for processors of its level alone" ON)
+option(BOLE_BASELINE_PACKAGES "Packages for every x86-64 processor, by a second build; OFF: of this build as it is, for processors of its level alone" OFF)
 set(BOLE_HWCAPS_BUILD "" CACHE PATH "Folder of a build for a higher level, whose libraries the packages take in beside those of this build")
 set(BOLE_PACKAGE_DIR "${CMAKE_BINARY_DIR}" CACHE PATH "Where the packages are written")
 set(BOLE_PACKAGE_MAINTAINER "Bole maintainers <maintainers@bole.invalid>" CACHE STRING "Who makes the packages: name and address")
