@@ -9,13 +9,13 @@ add_custom_target(lint COMMAND ${lint} VERBATIM USES_TERMINAL)
 if(TARGET bole AND BOLE_VTK)
   add_custom_target(docs COMMAND bole stages --markdown --out ${CMAKE_SOURCE_DIR}/docs/stages VERBATIM COMMENT "Printing docs/stages")
 
-  # demo: a small plot from packets to report, results in out/demo.
+  # demo: a small plot from packets to report, results in out/demo. The bark of the simulated trees is known: 1 mm of mean relief.
   set(demo ${CMAKE_SOURCE_DIR}/out/demo)
   add_custom_target(
     demo
     COMMAND bole simulate --plot demo --seed 1 --out ${demo}/scan
     COMMAND bole run ${CMAKE_SOURCE_DIR}/pipelines/forest_plot.json --out ${demo} --set scan.file=${demo}/scan/walk.pcap --set reference_trees.file=${demo}/scan/trees.csv
-            --set reference_path.file=${demo}/scan/trajectory.tum --set plot.width=16 --set plot.length=16
+            --set reference_path.file=${demo}/scan/trajectory.tum --set plot.width=16 --set plot.length=16 --set stems.bark_relief=0.001
     VERBATIM USES_TERMINAL)
 endif()
 
