@@ -140,7 +140,7 @@ class Program(unittest.TestCase):
         self.run_pipeline()
         self.assertIn("survey.xlsx", self.names(self.folder / "o"))
         self.assertEqual(self.run_pipeline("--set", "report.tables=false").returncode, DONE)
-        self.assertEqual(self.names(self.folder / "o"), ["report.html", "summary.json"])
+        self.assertEqual(self.names(self.folder / "o"), ["report.html", "summary.json", "tally.html"])
 
     def test_foreign_files_are_never_written_over(self):
         out = self.folder / "o"

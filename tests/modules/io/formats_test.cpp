@@ -104,7 +104,7 @@ TEST(Formats, TheEndingDecidesWhereTheContentDoesNot) {
 
 TEST(Formats, ABinaryFileIsAFrameOnlyWhereItsNumbersAre) {
   std::vector<float> points;
-  for (int i = 0; i < 400; ++i) points.push_back(static_cast<float>(i % 97) - 40);
+  for (int i = 0; i < 400; ++i) points.push_back(i % 4 == 3 ? 0.5F : static_cast<float>(i % 97) - 40);
   EXPECT_EQ(format_of(frame_of(points), "a.bin"), "KITTI frame");
   EXPECT_EQ(format_of(frame_of(points) + "cut", "a.bin"), "none");  // not whole points
   EXPECT_EQ(format_of(std::string(1600, 'x'), "a.bin"), "none");    // letters: numbers of 1e19

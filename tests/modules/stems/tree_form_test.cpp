@@ -291,7 +291,7 @@ TEST(StemCurve, FollowsTheStemAboveTheLayerItWasFoundIn) {
 Stem clear_stem() {
   Stem s;
   s.radius = 0.15, s.radius_low = 0.148, s.radius_high = 0.152, s.arc_rad = s.unbroken_arc_rad = 6.2;
-  s.sections_used = 12, s.lowest = 0.6, s.highest = 2.0, s.rays_known = true, s.ray_through = 0.02;
+  s.sections_used = 12, s.inliers = 1200, s.lowest = 0.6, s.highest = 2.0, s.rays_known = true, s.ray_through = 0.02;
   for (int i = 0; i < 12; ++i) {
     Section section;
     section.centre.setZero(), section.height = 0.7 + 0.1 * i, section.used = true;

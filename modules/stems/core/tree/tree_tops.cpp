@@ -13,6 +13,8 @@ namespace {
 constexpr double bin_m = 0.5, widest_gap_m = 3, tip_m = 1.0;
 constexpr double bare_stem_m = 5;  // what is lower is a stem without its crown
 constexpr double beyond_m = 1.5;   // above a top the sensor must reach this far
+// A straight edge of the cloud through the top leaves half of its surroundings empty, in cells a little less.
+constexpr double max_empty_beside = 0.4;
 constexpr double beside_m = 1.0;   // what is so near the top and higher reaches over it ...
 constexpr double overhang_m = 0.3; // ... by more than this
 constexpr std::uint32_t min_bin_points = 3, min_tip_points = 8;
@@ -216,7 +218,7 @@ TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bo
   const Eigen::Vector2d beside = top.at - TreeAxis(s).at(z);
   if (top.height_m < bare_stem_m) return TopVerdict::low;
   if (!in_reach) return TopVerdict::out_of_reach;
-  if (canopy.empty_share(top.at, beside_m) > 0.5) return TopVerdict::at_edge;
+  if (canopy.empty_share(top.at, beside_m) > max_empty_beside) return TopVerdict::at_edge;
   if (beside.norm() > s.radius + std::max(max_off_axis_m, max_off_axis_share * top.height_m))
     return TopVerdict::off_axis;
   if (top.lead_m < min_overtopped_lead_m && canopy.highest(top.at, beside_m) > z + overhang_m)
