@@ -79,7 +79,7 @@ double duplicated_share(const PointCloud& cloud) {
     if (const auto key = mixed(p); key % one_in == 0) keys.push_back(key);
   if (keys.empty()) return 0;
   std::ranges::sort(keys);
-  const auto places = std::ranges::distance(keys.begin(), std::ranges::unique(keys).begin());
+  const auto places = std::distance(keys.begin(), std::unique(keys.begin(), keys.end()));
   return 1 - static_cast<double>(places) / static_cast<double>(keys.size());
 }
 

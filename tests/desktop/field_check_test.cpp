@@ -136,6 +136,7 @@ class FieldCheckTest : public QObject {
     // Step 5.
     window.properties().findChild<QPushButton*>("defaults")->click();
     QCoreApplication::processEvents();
+    set("bark_relief", 0.0015);
     run();
     QCOMPARE(errors().bias_cm, with_beam.bias_cm);
     window.properties().set_tier(Tier::basic);

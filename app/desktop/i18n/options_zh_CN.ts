@@ -1027,6 +1027,10 @@
             <translation>树皮裂缝深度</translation>
         </message>
         <message>
+            <source>Bark relief sd</source>
+            <translation>树皮起伏标准差</translation>
+        </message>
+        <message>
             <source>Estimate range offset</source>
             <translation>估计测距偏移</translation>
         </message>
@@ -2751,6 +2755,14 @@
         <message>
             <source>published</source>
             <translation>已发表</translation>
+        </message>
+        <message>
+            <source>page</source>
+            <translation>仅页面</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <translation>全部</translation>
         </message>
     </context>
 </TS>
