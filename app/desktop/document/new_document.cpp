@@ -99,8 +99,7 @@ pipeline::PipelineDocument sample_document(const QString& folder, const Run& run
   document.set("reference_trees.file", file("trees.csv"));
   document.set("plot.width", "12");
   document.set("plot.length", "12");
-  document.set("slam.map_max_range", "12");     // the plot, not the forest around it
-  document.set("stems.bark_relief", "0.0015");  // the bark of simulated trees is known
+  document.set("slam.map_max_range", "12");  // the plot, not the forest around it
   return document;
 }
 
