@@ -36,7 +36,7 @@ void register_stages(pipeline::StageRegistry& registry) {
                "pose (SPEC A7); empty with a given trajectory.",
        .arrays = {}},
       {.name = "loops", .kind = DataKind::table, .help = "Accepted loop closures, by their times.", .arrays = {}}};
-  type.version = 3;
+  type.version = 4;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.in_force = [](const OptionSet& options) {
     const SlamOptions filled = filled_in(options.as<SlamOptions>());

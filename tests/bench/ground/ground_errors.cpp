@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "bench/run_tool.h"
 #include "ground/core/model_ground.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/las/las_reader.h"
@@ -117,11 +117,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return bole::run_tool(run, argc, argv); }

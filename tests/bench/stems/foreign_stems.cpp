@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "bench/run_tool.h"
 #include "stems/core/fit/circle_fit.h"
 #include "stems/core/measure_stems.h"
 #include "synthetic/foreign_scanner.h"
@@ -22,7 +22,11 @@ using namespace bole;
 struct Errors {
   double n = 0, sum = 0, square = 0, held = 0, width = 0, standard = 0;
   void add(double error, double low = 0, double high = 0) {
-    n += 1, sum += error, square += error * error, held += low <= 0 && high >= 0, width += 0.5 * (high - low);
+    n += 1;
+    sum += error;
+    square += error * error;
+    held += low <= 0 && high >= 0;
+    width += 0.5 * (high - low);
     if (high > low) standard += std::pow(1.96 * error / (0.5 * (high - low)), 2);
   }
   void print(const std::string& name) const {
@@ -156,11 +160,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return bole::run_tool(run, argc, argv); }

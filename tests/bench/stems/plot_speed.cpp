@@ -12,7 +12,6 @@
 
 #include <chrono>
 #include <condition_variable>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <mutex>
@@ -22,6 +21,7 @@
 #include <thread>
 #include <utility>
 
+#include "bench/run_tool.h"
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"
 #include "io/core/clouds/cloud_reader.h"
@@ -219,11 +219,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return bole::run_tool(run, argc, argv); }

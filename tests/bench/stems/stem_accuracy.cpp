@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <random>
 #include <set>
 
 #include "base/statistics.h"
+#include "bench/run_tool.h"
 #include "cloud/raster.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/gdal/gdal_writer.h"
@@ -253,11 +253,4 @@ int run(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return 2;
-  }
-}
+int main(int argc, char** argv) { return bole::run_tool(run, argc, argv); }

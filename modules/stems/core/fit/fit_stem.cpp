@@ -167,7 +167,8 @@ class StemFitter {
       if (!next || std::abs(next->cylinder.radius - fit.cylinder.radius) > wandered_m) return;
       now = std::move(*next);
       if (!settled(now, radius)) continue;
-      attempt = std::move(last), fit = std::move(now);
+      attempt = std::move(last);
+      fit = std::move(now);
       return;
     }
   }
@@ -274,7 +275,8 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   Stem s;
   s.candidate = candidate_;
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
-  s.along_rays = fit.along_rays, s.noise_m = fit.noise_m;
+  s.along_rays = fit.along_rays;
+  s.noise_m = fit.noise_m;
   s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;

@@ -47,12 +47,15 @@ void judge(Stem& s, double breast_height_m) {
     fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
   if (half_cm > std::max(1.0, 16 * s.radius))
     blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
-  else if (half_cm > std::max(1.0, 8 * s.radius))  // no reason to give the stem up
-    ++sparse, s.reasons.push_back(fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  else if (half_cm > std::max(1.0, 8 * s.radius)) {  // no reason to give the stem up
+    ++sparse;
+    s.reasons.push_back(fmt::format("wide interval: +-{:.1f} cm", half_cm));
+  }
   if (const int each = s.inliers / std::max(1, s.sections_used);
-      s.inliers < points_for_a_diameter || each < enough_per_section)
-    sparse += s.inliers < points_for_a_diameter || each < few_per_section ? 2 : 1,
-        s.reasons.push_back(fmt::format("few points: {} on the bark, {} in each section", s.inliers, each));
+      s.inliers < points_for_a_diameter || each < enough_per_section) {
+    sparse += s.inliers < points_for_a_diameter || each < few_per_section ? 2 : 1;
+    s.reasons.push_back(fmt::format("few points: {} on the bark, {} in each section", s.inliers, each));
+  }
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
     fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
   else if (const auto [below, above] = sections_beside(s, breast_height_m); above - below > widest_gap_m)
