@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/option_text.h"
+#include "cloud/height_facts.h"
 
 namespace bole {
 inline namespace cloud {
@@ -27,9 +28,10 @@ void check(const Facts& facts, const FactInfo& info) {
 }  // namespace
 
 std::span<const FactInfo* const> known_facts() {
-  static constexpr std::array all{&facts::sensor, &facts::beam_divergence, &facts::beam_aperture, &facts::range_noise,
-                                  &facts::clock,  &facts::poses,           &facts::breast_height, &facts::axes,
-                                  &facts::crs};
+  static constexpr std::array all{
+      &facts::sensor, &facts::beam_divergence, &facts::beam_aperture,    &facts::range_noise, &facts::clock,
+      &facts::poses,  &facts::breast_height,   &facts::height_reference, &facts::terrain,     &facts::axes,
+      &facts::crs};
   return all;
 }
 

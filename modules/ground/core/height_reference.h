@@ -1,0 +1,27 @@
+// Whether z of a cloud is the height above ground already.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cloud/point_cloud.h"
+#include "ground/core/columns.h"
+#include "ground/core/low_points.h"
+
+namespace bole::ground {
+
+struct HeightReference {
+  bool above_ground = false;  // z is height, for certain
+  std::string evidence;       // in words; empty where it is not
+  bool level_cut = false;     // all structures begin at one level above 0, and no ground was seen below them
+  double cut_z = 0;           // that level, as z of the cloud
+};
+
+// A cloud is normalised when it says so (fact height_reference), or when the ground that it shows, or where it shows
+// none the feet of its upright structures, lies at z = 0 all over: no block of it higher or lower, and nothing below.
+// Terrain that is as level as that and lies at z = 0 gives the same heights. Clouds with estimated or given poses come
+// from a survey of our own and are never taken for normalised without the fact.
+HeightReference height_reference(const PointCloud& cloud, const std::vector<LowPoint>& candidates,
+                                 const std::vector<UprightColumn>& columns);
+
+}  // namespace bole::ground
