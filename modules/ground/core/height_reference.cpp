@@ -13,14 +13,13 @@
 namespace bole::ground {
 namespace {
 
-constexpr double place_m = 2.0;        // one low point of each place counts
-constexpr double block_m = 8.0;        // places whose median must lie at 0 together
-constexpr double max_block_m = 0.04;   // median of a block of ground
-constexpr double max_ground_m = 0.10;  // of nine places in ten
-constexpr double max_foot_m = 0.15;    // feet are seen less sharply: bark, grass
-constexpr double max_below_m = 0.30;   // lower points are strays
+constexpr double place_m = 2.0;    // one low point of each place counts
+constexpr double block_m = 8.0;    // places whose median must lie at 0 together
+constexpr double exact_m = 0.001;  // as ground points of normalised clouds lie at 0
+constexpr double min_exact_share = 0.05;
+constexpr double max_foot_m = 0.15;   // feet are seen less sharply: bark, grass
+constexpr double max_below_m = 0.30;  // lower points are strays
 constexpr double max_stray_share = 0.001;
-constexpr std::size_t min_places = 12;
 constexpr std::size_t min_feet = 5;
 constexpr double min_extent_m = 4.0;
 
@@ -83,25 +82,46 @@ std::size_t count_below(const PointCloud& cloud, double z) {
   return n;
 }
 
-bool ground_at_zero(const std::vector<Eigen::Vector3d>& places) {
-  return places.size() >= min_places && extent(places) >= min_extent_m &&
-         share(count_within(places, -max_ground_m, max_ground_m), places.size()) >= 0.9 &&
-         all_blocks_level(places, 0, max_block_m);
+// Ground points at z = 0 to the millimetre and nothing below: no terrain that was measured is like that.
+bool ground_at_zero(const PointCloud& cloud) {
+  std::size_t zero = 0, below = 0;
+  for (const auto& p : cloud.positions()) {
+    const double z = static_cast<double>(p.z()) + cloud.origin.z();
+    zero += std::abs(z) <= exact_m ? 1 : 0;
+    below += z < -exact_m ? 1 : 0;
+  }
+  return share(zero, cloud.size()) >= min_exact_share && share(below, cloud.size()) <= max_stray_share;
 }
 
-bool feet_at_zero(const std::vector<Eigen::Vector3d>& feet) {
-  return feet.size() >= min_feet && extent(feet) >= min_extent_m &&
-         share(count_within(feet, -max_foot_m, max_foot_m), feet.size()) >= 0.8 &&
-         all_blocks_level(feet, 0, max_foot_m);
+// Whether the cloud ends below as if cut with a knife: as many points in its lowest centimetre as 5 cm above. Ground
+// has a tail of noise and relief below, or, where it has none, most of its points in that centimetre.
+struct LowerEdge {
+  double z = 0;
+  bool sharp = false;
+};
+
+LowerEdge lower_edge(const PointCloud& cloud) {
+  std::vector<float> z;
+  for (const auto& p : cloud.positions())
+    if (p.allFinite()) z.push_back(p.z());
+  LowerEdge out;
+  if (z.empty()) return out;
+  const auto rank = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 10000);
+  std::nth_element(z.begin(), rank, z.end());
+  const double lowest = static_cast<double>(*rank);
+  const auto count = [&](double low) {
+    return static_cast<double>(std::count_if(z.begin(), z.end(), [&](float at) {
+      return static_cast<double>(at) >= lowest + low && static_cast<double>(at) < lowest + low + 0.01;
+    }));
+  };
+  const double first = count(0), above = count(0.05);
+  out.z = lowest + cloud.origin.z();
+  out.sharp = first >= 0.5 * above && first <= 3 * above && above > 0;
+  return out;
 }
 
-// Feet within 5 cm of one level, and few places beside them that hold anything as low.
-bool cut_level(const Evidence& seen, HeightReference& out) {
-  if (seen.feet.size() < min_feet || extent(seen.feet) < min_extent_m) return false;
-  std::vector<double> z;
-  for (const auto& f : seen.feet) z.push_back(f.z());
-  const double level = upper_median(z);
-  if (share(count_within(seen.feet, level - 0.05, level + 0.05), seen.feet.size()) < 0.8) return false;
+// Of the places without a foot, how many hold something within 0.2 m of `level`.
+double low_share(const Evidence& seen, double level) {
   std::size_t bare = 0, low = 0;
   for (const auto& p : seen.places) {
     if (std::any_of(seen.feet.begin(), seen.feet.end(),
@@ -110,8 +130,20 @@ bool cut_level(const Evidence& seen, HeightReference& out) {
     ++bare;
     low += p.z() < level + 0.2 ? 1 : 0;
   }
-  if (bare < min_feet || share(low, bare) > 0.3) return false;
-  out.level_cut = true, out.cut_z = level;
+  return share(low, bare);
+}
+
+bool feet_at_zero(const std::vector<Eigen::Vector3d>& feet) {
+  return feet.size() >= min_feet && extent(feet) >= min_extent_m &&
+         share(count_within(feet, -max_foot_m, max_foot_m), feet.size()) >= 0.8 &&
+         all_blocks_level(feet, 0, max_foot_m);
+}
+
+// Most feet stand on the edge itself.
+bool cut_level(const Evidence& seen, const LowerEdge& edge, HeightReference& out) {
+  if (!edge.sharp || seen.feet.size() < min_feet || extent(seen.feet) < min_extent_m) return false;
+  if (share(count_within(seen.feet, edge.z - 0.05, edge.z + max_foot_m), seen.feet.size()) < 0.6) return false;
+  out.level_cut = true, out.cut_z = edge.z;
   return true;
 }
 
@@ -128,17 +160,17 @@ HeightReference height_reference(const PointCloud& cloud, const std::vector<LowP
   const auto seen = gather(cloud, candidates, columns);
   const bool nothing_below =
       static_cast<double>(count_below(cloud, -max_below_m)) <= max_stray_share * static_cast<double>(cloud.size());
-  if (nothing_below && ground_at_zero(seen.places)) {
+  const auto edge = lower_edge(cloud);
+  const bool ground_seen = !edge.sharp && low_share(seen, 0) > 0.3;
+  if (ground_at_zero(cloud)) {
     out.above_ground = true;
-    out.evidence = fmt::format("the ground lies within {:.2f} m of z = 0 in {:.0f} % of {} places", max_ground_m,
-                               100 * share(count_within(seen.places, -max_ground_m, max_ground_m), seen.places.size()),
-                               seen.places.size());
-  } else if (nothing_below && feet_at_zero(seen.feet)) {
+    out.evidence = "its ground points lie at z = 0 exactly";
+  } else if (nothing_below && !ground_seen && feet_at_zero(seen.feet)) {
     out.above_ground = true;
     out.evidence = fmt::format("{} of {} upright structures begin within {:.2f} m of z = 0",
                                count_within(seen.feet, -max_foot_m, max_foot_m), seen.feet.size(), max_foot_m);
   } else {
-    cut_level(seen, out);
+    cut_level(seen, edge, out);
   }
   return out;
 }
