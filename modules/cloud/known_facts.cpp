@@ -9,6 +9,7 @@
 #include "base/option.h"
 #include "base/option_text.h"
 #include "cloud/first_sight.h"
+#include "cloud/height_facts.h"
 
 namespace bole {
 inline namespace cloud {
@@ -29,8 +30,8 @@ void check(const Facts& facts, const FactInfo& info) {
 
 std::span<const FactInfo* const> known_facts() {
   static constexpr std::array all{
-      &facts::sensor, &facts::beam_divergence, &facts::beam_aperture, &facts::range_noise, &facts::clock,
-      &facts::poses,  &facts::breast_height,   &facts::kind,          &facts::axes,        &facts::crs};
+      &facts::sensor, &facts::beam_divergence, &facts::beam_aperture,    &facts::range_noise, &facts::clock, &facts::poses,
+      &facts::breast_height, &facts::kind, &facts::height_reference, &facts::terrain, &facts::axes, &facts::crs};
   return all;
 }
 

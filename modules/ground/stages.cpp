@@ -1,4 +1,5 @@
 // Registers the stages of the module ground.
+#include "cloud/height_facts.h"
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"
 #include "pipeline/stage.h"
@@ -12,6 +13,7 @@ pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options,
   PointCloud points = cloud;
   points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
   points.set_column(arrays::classification, std::move(model.classification));
+  set_fact(points.facts, facts::terrain, choice_name(model.source));
   pipeline::StageResult result;
   result.outputs.set("slope", slope_deg(model.dem));
   result.outputs.set("canopy", canopy_height(points, model.dem, model.dem.cell_m, run));
@@ -30,7 +32,8 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.vtk_class = "vtkBoleGroundModel";
   type.title = "Model the ground";
   type.help =
-      "Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest "
+      "Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The "
+      "lowest "
       "groups of points of small cells are taken into a triangulation step by step; "
       "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
       "middle of the band and not along its lower edge or the top of the grass. "

@@ -39,6 +39,13 @@ class Terrain {
            r_.undulation_m * (std::sin(2 * std::numbers::pi * x / 9.0) * std::cos(2 * std::numbers::pi * y / 13.0));
   }
 
+  // Where the stems of the last cloud stand.
+  std::vector<Eigen::Vector2d> stems() const {
+    std::vector<Eigen::Vector2d> out;
+    for (const auto& s : stems_) out.emplace_back(s.x, s.y);
+    return out;
+  }
+
   // Points in random order; `labels` (when given) gets 2 for ground, 7 for low outliers, 1 for the rest.
   PointCloud cloud(std::vector<int>* labels = nullptr) {
     make_objects();

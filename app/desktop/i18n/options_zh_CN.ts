@@ -1238,12 +1238,12 @@
             <translation>北坐标等于北偏移值处的纬度。</translation>
         </message>
         <message>
-            <source>tin: terrain from the ground points; lowest: a level plane at the lowest points, for a tree that was cut out without ground.</source>
-            <translation>三角网(tin):由地面点建立地形;最低点(lowest):取过最低点的水平面,用于裁出时不带地面的单株树。</translation>
+            <source>tin: terrain from the ground points; lowest: a level plane at the lowest points, for a tree that was cut out without ground; normalised: z is the height above ground already. auto: normalised where that is certain, else tin.</source>
+            <translation>三角网(tin):由地面点建立地形;最低点(lowest):取过最低点的水平面,用于裁出时不带地面的单株树;已归一化(normalised):z 已是离地高度。自动:能确定点云已归一化时取归一化,否则取三角网。</translation>
         </message>
         <message>
-            <source>Cell size of the terrain model.</source>
-            <translation>地形模型的格网大小。</translation>
+            <source>Cell size of the terrain model. auto: 0.25 m, more for sparse clouds; whatever else is auto follows the density likewise.</source>
+            <translation>地形模型的格网大小。自动:0.25 米,稀疏点云取更大的值;其他取自动的参数同样随点云密度而定。</translation>
         </message>
         <message>
             <source>Cell size in which the lowest point starts the ground. Make it larger than the largest object that hides the ground (shrub, boulder, building).</source>
@@ -2458,6 +2458,10 @@
         <message>
             <source>lowest</source>
             <translation>最低点</translation>
+        </message>
+        <message>
+            <source>normalised</source>
+            <translation>已归一化</translation>
         </message>
         <message>
             <source>metre</source>

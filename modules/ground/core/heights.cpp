@@ -20,9 +20,9 @@ std::vector<float> heights_above(const PointCloud& cloud, const Raster& dem, con
 }
 
 std::vector<std::uint8_t> classify(const PointCloud& cloud, const std::vector<float>& height_above_ground,
-                                   const GroundOptions& options) {
+                                   const GroundScales& scales) {
   constexpr std::uint8_t unassigned = 1, ground = 2, low_noise = 7;
-  const std::vector<std::uint8_t>* before = options.keep_classes && cloud.has(arrays::classification)
+  const std::vector<std::uint8_t>* before = scales.keep_classes && cloud.has(arrays::classification)
                                                 ? &cloud.values<std::uint8_t>(arrays::classification)
                                                 : nullptr;
   std::vector<std::uint8_t> out(cloud.size());
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> classify(const PointCloud& cloud, const std::vector<fl
     if (kept != 0 && kept != unassigned && kept != ground && kept != low_noise)
       out[i] = kept;
     else
-      out[i] = std::abs(h) <= options.tolerance ? ground : h < -options.noise_depth ? low_noise : unassigned;
+      out[i] = std::abs(h) <= scales.tolerance ? ground : h < -scales.noise_depth ? low_noise : unassigned;
   }
   return out;
 }

@@ -10,6 +10,10 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
+// Heights of files are multiples of a millimetre or of a part of it: a limit between them holds wherever the cloud
+// lies.
+constexpr double off_the_multiples_m = 0.00037;
+
 struct Group {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   std::size_t end = 0;  // rank by height of the first point above it
@@ -52,10 +56,11 @@ class GroupFinder {
     const auto by_height = grid_.points(cells_[k]);
     const auto z = [&](std::size_t rank) { return static_cast<double>(cloud_.positions()[by_height[rank]].z()); };
     const std::size_t n = by_height.size(), needed = n < 6 ? 1 : std::clamp<std::size_t>(n / 20, 2, 5);
+    const double thickness = limits_.thickness_m + off_the_multiples_m;
     Group group;
-    while (begin + needed <= n && z(begin + needed - 1) - z(begin) > limits_.thickness_m) ++begin;
+    while (begin + needed <= n && z(begin + needed - 1) - z(begin) > thickness) ++begin;
     if (begin + needed > n) return group;
-    for (group.end = begin; group.end < n && z(group.end) - z(begin) <= limits_.thickness_m; ++group.end)
+    for (group.end = begin; group.end < n && z(group.end) - z(begin) <= thickness; ++group.end)
       group.mean += cloud_.positions()[by_height[group.end]].cast<double>();
     group.mean /= static_cast<double>(group.end - begin);
     group.found = true;

@@ -1,7 +1,9 @@
 // From a cloud to a terrain model with heights above it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "base/report.h"
@@ -12,16 +14,25 @@
 
 namespace bole::ground {
 
+// What the terrain was made of: ground that was seen, feet of stems where none was, the lowest points of the cloud, or
+// the heights of a normalised cloud.
+enum class TerrainSource { ground, feet, lowest, normalised };
+constexpr std::array<std::string_view, 4> choice_names(TerrainSource) {
+  return {"ground", "feet", "lowest", "normalised"};
+}
+
 struct GroundModel {
   Raster dem;     // "elevation_m"; NaN further than fill_distance_m from any ground point
   Raster filled;  // "filled": 1 where the DEM was filled, 0 where it was measured, NaN where it is NaN
   std::vector<float> height_above_ground;    // per point, metres; NaN off the DEM
   std::vector<std::uint8_t> classification;  // per point, ASPRS
+  TerrainSource source = TerrainSource::ground;
   Report report;
 };
 
 // z of `cloud` points up. Throws Error{bad_input} for a cloud without finite points or of too great an extent,
-// Error{failed} when no ground is found.
+// Error{failed} when no ground is found. What speaks against
+// the terrain is a finding of the report.
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run);
 
 }  // namespace bole::ground

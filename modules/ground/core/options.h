@@ -2,27 +2,22 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "base/option.h"
 
 namespace bole::ground {
 
-enum class GroundMethod { tin, lowest };
-constexpr std::array<std::string_view, 2> choice_names(GroundMethod) { return {"tin", "lowest"}; }
+enum class GroundMethod { tin, lowest, normalised };
+constexpr std::array<std::string_view, 3> choice_names(GroundMethod) { return {"tin", "lowest", "normalised"}; }
 
 struct GroundOptions {
-  GroundMethod method = GroundMethod::tin;
-  double cell = 0.25;
-  double seed = 4.0;
+  // What is left open follows the cloud: the method its heights, the lengths its density (scales.h).
+  std::optional<GroundMethod> method;
+  std::optional<double> cell, seed;
   double max_slope_deg = 50.0;
-  double max_angle_deg = 15.0;
-  double max_distance = 0.6;
-  double roughness = 0.10;
-  double band = 0.30;
-  double tolerance = 0.15;
-  double noise_depth = 0.30;
-  double fill_distance = 10.0;
+  std::optional<double> max_angle_deg, max_distance, roughness, band, tolerance, noise_depth, fill_distance;
   bool keep_classes = true;
 };
 

@@ -33,6 +33,20 @@ Box bounding_box(const PointCloud::Positions& positions) {
 
 }  // namespace
 
+namespace {
+
+// Coordinates of files are multiples of a millimetre or of a part of it. A border between cells that avoids them is not
+// crossed when rounding moves a point.
+constexpr double off_the_multiples_m = 0.00037;
+
+}  // namespace
+
+bool fits_grid(const PointCloud& cloud, double cell_m) {
+  const Box box = bounding_box(cloud.positions());
+  const Eigen::Vector2d cells = ((box.high - box.low).cast<double>() / cell_m).array() + 1;
+  return cells.x() * cells.y() <= static_cast<double>(max_cells);
+}
+
 GridShape grid_over(const PointCloud& cloud, double cell_m) {
   const Box box = bounding_box(cloud.positions());
   if (!(box.low.x() <= box.high.x()))
@@ -40,22 +54,15 @@ GridShape grid_over(const PointCloud& cloud, double cell_m) {
                     "at least one");
   GridShape shape;
   shape.cell_m = cell_m;
-  double cells[2];
-  for (int k = 0; k < 2; ++k) {
-    const double low =
-        std::floor((cloud.origin[k] + static_cast<double>(box.low[k])) / cell_m) * cell_m - cloud.origin[k];
-    shape.corner[k] = low;
-    cells[k] = std::floor((static_cast<double>(box.high[k]) - low) / cell_m) + 1;
-  }
-  if (!(cells[0] * cells[1] <= static_cast<double>(max_cells))) {
-    const Eigen::Vector2f extent = box.high - box.low;
-    throw bad_input("the cloud covers " + number_text(std::round(static_cast<double>(extent.x()))) + " by " +
-                        number_text(std::round(static_cast<double>(extent.y()))) + " m: too many cells of " +
-                        number_text(cell_m) + " m",
+  shape.corner = box.low.cast<double>().array() - off_the_multiples_m;
+  const Eigen::Vector2d extent = (box.high - box.low).cast<double>(),
+                        cells = ((extent.array() + off_the_multiples_m) / cell_m).floor() + 1;
+  if (!(cells.x() * cells.y() <= static_cast<double>(max_cells)))
+    throw bad_input("the cloud covers " + number_text(std::round(extent.x())) + " by " +
+                        number_text(std::round(extent.y())) + " m: too many cells of " + number_text(cell_m) + " m",
                     "at most 100 million cells",
                     "Crop the cloud (one stray point far away is enough to widen it) or raise cell");
-  }
-  shape.nx = static_cast<int>(cells[0]), shape.ny = static_cast<int>(cells[1]);
+  shape.nx = static_cast<int>(cells.x()), shape.ny = static_cast<int>(cells.y());
   return shape;
 }
 

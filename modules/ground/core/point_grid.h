@@ -27,9 +27,11 @@ struct GridShape {
   Eigen::Vector2d centre(int ix, int iy) const { return corner + cell_m * Eigen::Vector2d(ix + 0.5, iy + 0.5); }
 };
 
-// The smallest grid of that cell size over all finite points, its corner on a multiple of the cell size in the cloud's
-// coordinates. Throws Error{bad_input} when no point is finite or the grid would have more than 100 million cells.
+// The smallest grid of that cell size over all finite points. Its corner is that of the points (and not a multiple of
+// the cell size), so that a cloud that is moved takes its grid along and gets the same terrain. Throws Error{bad_input}
+// when no point is finite or the grid would have more than 100 million cells.
 GridShape grid_over(const PointCloud& cloud, double cell_m);
+bool fits_grid(const PointCloud& cloud, double cell_m);  // not too many cells
 
 // For each cell the indices of its points, by ascending z (then x, y, index). Points with a coordinate that is not
 // finite are in no cell. Memory: 4 bytes per point and per cell, and another 4 bytes per point while it is built.

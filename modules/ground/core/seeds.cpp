@@ -33,14 +33,14 @@ void for_each_near(const GridShape& shape, int ix, int iy, const F& f) {
 
 class SeedFinder {
  public:
-  SeedFinder(const std::vector<LowPoint>& candidates, const SeedLimits& limits)
+  SeedFinder(const std::vector<LowPoint>& candidates, const std::vector<char>& excluded, const SeedLimits& limits)
       : candidates_(candidates),
         limits_(limits),
         keys_(candidates, limits.cell_m),
         by_height_(keys_.cells()),
         rank_(keys_.cells(), 0) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      by_height_[keys_.key(i)].push_back(static_cast<std::uint32_t>(i));
+      if (!excluded[i]) by_height_[keys_.key(i)].push_back(static_cast<std::uint32_t>(i));
     for (auto& cell : by_height_)
       std::stable_sort(cell.begin(), cell.end(), [&](std::uint32_t a, std::uint32_t b) {
         return candidates[a].position.z() < candidates[b].position.z();
@@ -144,8 +144,9 @@ CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m) {
         static_cast<std::uint32_t>(shape_.index(shape_.column(p.position.x()), shape_.row(p.position.y()))));
 }
 
-std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits) {
-  return SeedFinder(candidates, limits).find();
+std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const std::vector<char>& excluded,
+                                      const SeedLimits& limits) {
+  return SeedFinder(candidates, excluded, limits).find();
 }
 
 std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m,

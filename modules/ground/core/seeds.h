@@ -32,8 +32,9 @@ struct SeedLimits {
 
 // Indices of the lowest candidate per cell, except those that lie below most neighbours more steeply than the terrain
 // can fall (low noise: the next lowest is tried), and those that rise more steeply than it can above two neighbours or
-// more. Small islands of seeds (far returns from crowns, strays) are left out.
-std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const SeedLimits& limits);
+// more. Small islands of seeds (far returns from crowns, strays) are left out, and candidates marked in `excluded`.
+std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, const std::vector<char>& excluded,
+                                      const SeedLimits& limits);
 
 // 1 for each candidate that lies above two or more places within `limits.cell_m` more steeply than the terrain can
 // rise: the ground is seen beside it, so it is not ground (slope-based filter, Vosselman 2000). Of each place (an

@@ -22,8 +22,8 @@ struct NearGround {
 class TerrainFitter {
  public:
   TerrainFitter(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior,
-                const GroundOptions& options)
-      : cloud_(cloud), grid_(grid), shape_(grid.shape()), prior_(prior), options_(options) {}
+                const GroundScales& scales)
+      : cloud_(cloud), grid_(grid), shape_(grid.shape()), prior_(prior), scales_(scales) {}
 
   // Fits rows [first, last) of cells.
   void fit_rows(int first, int last, std::vector<float>& height, std::vector<float>& sigma) const {
@@ -40,8 +40,8 @@ class TerrainFitter {
         gather(ix, iy, low, high, near, window);
         const bool own = !near[local(ix, iy - low)].empty();
         if (window.empty() || (!own && !surrounded(window))) continue;
-        const auto fit = fit_ground_band(window, options_.band);
-        if (fit.height > options_.roughness) continue;  // only leaves, stones or bark are seen here
+        const auto fit = fit_ground_band(window, scales_.band);
+        if (fit.height > scales_.roughness) continue;  // only leaves, stones or bark are seen here
         height[cell] = prior_[cell] + static_cast<float>(fit.height);
         sigma[cell] = static_cast<float>(fit.sigma);
       }
@@ -70,7 +70,7 @@ class TerrainFitter {
     const auto cell = shape_.index(ix, iy);
     if (std::isnan(prior_[cell])) return;
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const auto band = static_cast<float>(options_.band);
+    const auto band = static_cast<float>(scales_.band);
     const auto& positions = cloud_.positions();
     for (const auto i : grid_.points(cell)) {
       const auto& p = positions[i];
@@ -87,7 +87,7 @@ class TerrainFitter {
               std::vector<BandPoint>& window) const {
     window.clear();
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
-    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(options_.band);
+    const float base = prior_[shape_.index(ix, iy)], band = static_cast<float>(scales_.band);
     for (int jy = std::max(low, iy - 1); jy <= std::min(high - 1, iy + 1); ++jy)
       for (int jx = std::max(0, ix - 1); jx <= std::min(shape_.nx - 1, ix + 1); ++jx)
         for (const auto& p : near[local(jx, jy - low)]) {
@@ -109,18 +109,18 @@ class TerrainFitter {
   const PointGrid& grid_;
   const GridShape& shape_;
   const std::vector<float>& prior_;
-  const GroundOptions& options_;
+  const GroundScales& scales_;
 };
 
 }  // namespace
 
 TerrainFit fit_terrain(const PointCloud& cloud, const PointGrid& grid, const std::vector<float>& prior,
-                       const GroundOptions& options, const Run& run) {
+                       const GroundScales& scales, const Run& run) {
   const auto& shape = grid.shape();
   TerrainFit out;
   out.height.assign(shape.cells(), std::numeric_limits<float>::quiet_NaN());
   std::vector<float> sigma(shape.cells(), 0);
-  const TerrainFitter fitter(cloud, grid, prior, options);
+  const TerrainFitter fitter(cloud, grid, prior, scales);
   tbb::parallel_for(tbb::blocked_range<int>(0, shape.ny, 8), [&](const auto& range) {
     run.check_cancel();
     fitter.fit_rows(range.begin(), range.end(), out.height, sigma);

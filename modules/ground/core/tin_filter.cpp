@@ -5,6 +5,7 @@
 
 #include "base/angles.h"
 #include "ground/core/local_plane.h"
+#include "ground/core/raised_objects.h"
 #include "ground/core/seeds.h"
 
 namespace bole::ground {
@@ -12,25 +13,30 @@ namespace {
 
 class TinFilter {
  public:
-  TinFilter(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
-            const Run& run)
+  TinFilter(const std::vector<LowPoint>& candidates, const std::vector<std::uint32_t>& pinned, const GridShape& shape,
+            const GroundScales& scales, const Run& run)
       : candidates_(candidates),
         shape_(shape),
-        options_(options),
+        scales_(scales),
         run_(run),
         candidate_at_(shape.cells(), none),
-        accepted_(candidates.size(), 0) {
+        accepted_(candidates.size(), 0),
+        pinned_(candidates.size(), 0) {
+    for (const auto i : pinned) pinned_[i] = 1;
     for (std::size_t i = 0; i < candidates.size(); ++i)
       candidate_at_[candidates[i].cell] = static_cast<std::uint32_t>(i);
   }
 
   GroundSurface filter() {
-    const SeedLimits limits{options_.seed, std::tan(options_.max_slope_deg * rad_per_deg), options_.roughness};
-    above_ground_ = stands_above_ground(candidates_, limits, 2 * options_.cell, run_);
-    for (const auto i : find_seeds(candidates_, limits)) accepted_[i] = above_ground_[i] ? 0 : 1;
+    const SeedLimits limits{scales_.seed, std::tan(scales_.max_slope_deg * rad_per_deg), scales_.roughness};
+    above_ground_ = stands_above_ground(candidates_, limits, 2 * scales_.cell, run_);
+    find_raised();
+    for (const auto i : find_seeds(candidates_, above_ground_, limits)) accepted_[i] = 1;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (pinned_[i]) accepted_[i] = 1;
     prune();
-    const double finest = std::max(2 * options_.cell, options_.seed / 64);
-    for (double cell = options_.seed / 2; cell >= finest * 0.99; cell /= 2) {
+    const double finest = std::max(2 * scales_.cell, scales_.seed / 64);
+    for (double cell = scales_.seed / 2; cell >= finest * 0.99; cell /= 2) {
       densify(cell);
       prune();
     }
@@ -39,12 +45,23 @@ class TinFilter {
       throw bad_input("only " + std::to_string(surface_.measured) + " ground points were found among " +
                         std::to_string(candidates_.size()) + " candidates",
                     "at least three, not on one line",
-                    "Check that the cloud has ground points and its z axis points up, lower seed_m, or set "
-                    "method=lowest for a tree that was cut out without ground");
+                    "Check that the cloud has ground points and its z axis points up, lower seed, or set "
+                    "method=lowest for a tree that was cut out without ground, method=normalised where z is the "
+                    "height above ground already");
     return std::move(surface_);
   }
 
  private:
+  // Objects of the size of buildings. Dense clouds are scanned from the ground: what hides it is small there, and
+  // boulders and banks have steps of their own.
+  void find_raised() {
+    constexpr double min_cell_m = 0.5;
+    if (shape_.cell_m < min_cell_m) return;
+    const auto raised = raised_objects(candidates_, shape_, {scales_.max_distance, 0.7, scales_.roughness}, run_);
+    for (std::size_t i = 0; i < raised.size(); ++i)
+      if (raised[i]) above_ground_[i] = 1;
+  }
+
   void triangulate() {
     run_.check_cancel();
     surface_ = {};
@@ -53,7 +70,7 @@ class TinFilter {
       if (accepted_[i])
         surface_.points.push_back(candidates_[i].position), vertex_of_.push_back(static_cast<std::uint32_t>(i));
     surface_.measured = surface_.points.size();
-    for (const auto& p : surrounding_points(surface_.points, options_.seed)) surface_.points.push_back(p);
+    for (const auto& p : surrounding_points(surface_.points, scales_.seed)) surface_.points.push_back(p);
     surface_.triangles = delaunay(surface_.points);
     triangles_at_ = triangles_at_vertices(surface_.triangles, surface_.points.size());
   }
@@ -103,10 +120,10 @@ class TinFilter {
 
   const std::vector<LowPoint>& candidates_;
   const GridShape& shape_;
-  const GroundOptions& options_;
+  const GroundScales& scales_;
   const Run& run_;
   std::vector<std::uint32_t> candidate_at_;  // of each cell, or none
-  std::vector<char> accepted_, above_ground_;
+  std::vector<char> accepted_, pinned_, above_ground_;
   std::vector<std::uint32_t> vertex_of_;  // candidate of each measured vertex
   GroundSurface surface_;
   Neighbourhood triangles_at_;
@@ -114,9 +131,9 @@ class TinFilter {
 
 bool TinFilter::close(const Eigen::Vector3d& p, const TrianglePlane& plane, double nearest_vertex_m) const {
   const double distance = std::abs(p.z() - plane.at(p.x(), p.y())) / std::sqrt(1 + plane.gradient.squaredNorm());
-  if (distance <= options_.roughness) return true;
-  return distance <= options_.max_distance &&
-         distance <= std::sin(options_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
+  if (distance <= scales_.roughness) return true;
+  return distance <= scales_.max_distance &&
+         distance <= std::sin(scales_.max_angle_deg * rad_per_deg) * nearest_vertex_m;
 }
 
 bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const TrianglePlane& plane) const {
@@ -129,7 +146,7 @@ bool TinFilter::fits(const Eigen::Vector3d& p, const Triangle& triangle, const T
   if (!opposite) return false;
   const TrianglePlane mirrored(surface_.points[(*opposite)[0]], surface_.points[(*opposite)[1]],
                                surface_.points[(*opposite)[2]]);
-  if (mirrored.degenerate || mirrored.gradient.norm() > std::tan(options_.max_slope_deg * rad_per_deg) ||
+  if (mirrored.degenerate || mirrored.gradient.norm() > std::tan(scales_.max_slope_deg * rad_per_deg) ||
       !close(p, mirrored, distance))
     return false;
   // Upwards only over long triangles and from the plane of one as large as the step: objects are as steep as brows, but
@@ -190,11 +207,11 @@ std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
 bool TinFilter::prune_once() {
   const auto around = neighbourhood(surface_.triangles, surface_.points.size());
   std::vector<double> excess(surface_.points.size(), 0.0);
-  const double bend = std::tan(options_.max_angle_deg * rad_per_deg);
+  const double bend = std::tan(scales_.max_angle_deg * rad_per_deg);
   for (std::size_t v = 0; v < surface_.measured; ++v) {
     const auto fit = plane_through_neighbours(surface_.points, around.of(v), surface_.points[v]);
-    if (!fit.valid) continue;
-    const double most = options_.roughness + std::min(bend * fit.mean_distance, options_.max_distance);
+    if (!fit.valid || pinned_[vertex_of_[v]]) continue;
+    const double most = scales_.roughness + std::min(bend * fit.mean_distance, scales_.max_distance);
     excess[v] = std::max(0.0, std::abs(fit.residual) / most - 1.0);
   }
   bool removed = false;
@@ -210,9 +227,9 @@ bool TinFilter::prune_once() {
 
 }  // namespace
 
-GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
-                         const Run& run) {
-  return TinFilter(candidates, shape, options, run).filter();
+GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const std::vector<std::uint32_t>& pinned,
+                         const GridShape& shape, const GroundScales& scales, const Run& run) {
+  return TinFilter(candidates, pinned, shape, scales, run).filter();
 }
 
 }  // namespace bole::ground

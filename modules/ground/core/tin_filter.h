@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ground/core/low_points.h"
-#include "ground/core/options.h"
+#include "ground/core/scales.h"
 #include "ground/core/triangulation.h"
 
 namespace bole::ground {
@@ -23,9 +23,9 @@ struct GroundSurface {
 // candidates that lie close to the triangle below them in distance and angle join it, or close to the triangle mirrored
 // at the nearest vertex (Axelsson's mirror point: that is how it grows over edges and the brows of slopes). After each
 // level vertices that stand out of their neighbours leave again: unlike the original, a wrong seed (canopy, deep noise)
-// is not kept for good. `shape` is the grid the candidates were found in. Throws Error{failed} when fewer than three
-// seeds are left.
-GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const GridShape& shape, const GroundOptions& options,
-                         const Run& run);
+// is not kept for good. `pinned` candidates are ground and stay. `shape` is the grid the candidates were found in.
+// Throws Error{failed} when fewer than three seeds are left.
+GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const std::vector<std::uint32_t>& pinned,
+                         const GridShape& shape, const GroundScales& scales, const Run& run);
 
 }  // namespace bole::ground

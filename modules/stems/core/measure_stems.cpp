@@ -16,6 +16,7 @@
 #include "stems/core/fit/pass_alignment.h"
 #include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/stem_quality.h"
+#include "stems/core/ground_check.h"
 #include "stems/core/sensor_facts.h"
 #include "stems/core/tree/assign_points.h"
 #include "stems/core/tree/crown_form.h"
@@ -316,6 +317,7 @@ class Survey {
       for (auto& s : out_.stems) restore_spread(s);
     for (auto& s : out_.stems)
       if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
+    check_ground(out_.stems, points_, breast_height_, run_, out_.report);
     number();
   }
 

@@ -47,42 +47,49 @@ FilterErrors filter_errors(const std::string& file, GroundOptions options, std::
   const std::string data_folder = std::string(BOLE_SHARED_DATA_DIR) + "/" + (folder); \
   BOLE_NEEDS_REAL(data_folder)
 
-GroundOptions airborne() {
-  GroundOptions o;
-  o.cell = 1, o.seed = 24, o.max_distance = 1.4, o.max_angle_deg = 10, o.roughness = 0.2, o.band = 0.5,
-  o.tolerance = 0.4, o.fill_distance = 40;
-  return o;
-}
-
+// All with the defaults: one set of parameters that follows the density of the cloud. Axelsson's filter, tuned for each
+// sample, has totals of 4.78 % (31) and 2.72 % (51) in Sithole and Vosselman (2004).
 TEST(RealClouds, IsprsSample31BuildingsAndSteps) {
   NEED_FOLDER("isprs_filter");
-  const auto e = filter_errors(data_folder + "/samp31_ref.las", airborne());
-  EXPECT_LT(e.total, 2);
+  EXPECT_LT(filter_errors(data_folder + "/samp31_ref.las", {}).total, 3);
 }
 
 TEST(RealClouds, IsprsSample51ForestOnSlopes) {
   NEED_FOLDER("isprs_filter");
-  const auto e = filter_errors(data_folder + "/samp51_ref.las", airborne());
-  EXPECT_LT(e.total, 3.5);
+  EXPECT_LT(filter_errors(data_folder + "/samp51_ref.las", {}).total, 2.7);
 }
 
 TEST(RealClouds, BorealForestFromTheAir) {
   NEED_FOLDER("als_ground");
-  auto o = airborne();
-  o.seed = 10;
-  const auto e = filter_errors(data_folder + "/Topography.laz", o, 9);
+  const auto e = filter_errors(data_folder + "/Topography.laz", {}, 9);
   // The reference holds one low point in four only; sparse hilltops below crowns are lost (type I).
-  EXPECT_LT(e.type_1, 18);
+  EXPECT_LT(e.type_1, 15);
   EXPECT_LT(e.total, 20);
 }
 
 TEST(RealClouds, MixedConiferFromTheAir) {
   NEED_FOLDER("als_ground");
-  auto o = airborne();
-  o.seed = 10;
-  const auto e = filter_errors(data_folder + "/MixedConifer.laz", o);
+  GroundOptions tin;
+  tin.method = GroundMethod::tin;
+  const auto e = filter_errors(data_folder + "/MixedConifer.laz", tin);
   EXPECT_LT(e.type_1, 1);
-  EXPECT_LT(e.total, 10);  // low herbs within tolerance_m count as type II
+  EXPECT_LT(e.total, 10);  // low herbs within the tolerance count as type II
+}
+
+TEST(RealClouds, NormalisedCloudsAreKnownAndOthersAreNot) {
+  const std::string data = BOLE_SHARED_DATA_DIR;
+  BOLE_NEEDS_REAL(data + "/als_ground/MixedConifer.laz");
+  BOLE_NEEDS_REAL(data + "/tls_simulated_boles/model_boles.laz");
+  BOLE_NEEDS_REAL(data + "/tls_pine_plot/pine_plot.laz");
+  BOLE_NEEDS_REAL(data + "/tls_spanner/TLS_Clip.laz");
+  for (const auto& [file, source] : {std::pair{"/als_ground/MixedConifer.laz", TerrainSource::normalised},
+                                     std::pair{"/tls_simulated_boles/model_boles.laz", TerrainSource::normalised},
+                                     std::pair{"/als_ground/Topography.laz", TerrainSource::ground},
+                                     std::pair{"/tls_pine_plot/pine_plot.laz", TerrainSource::ground},
+                                     std::pair{"/tls_spanner/TLS_Clip.laz", TerrainSource::ground}}) {
+    const auto model = model_ground(io::read_las(data + file), {}, bole::Run{});
+    EXPECT_EQ(model.source, source) << file << ": " << model.report.message;
+  }
 }
 
 TEST(RealClouds, PlantationFromTheGround) {

@@ -1,0 +1,171 @@
+#include "stems/core/ground_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "cloud/height_facts.h"
+#include "cloud/point_cloud.h"
+
+namespace bole::stems {
+namespace {
+
+constexpr double look_around_m = 1.0;  // beside the bark: ground as near as this tells where the foot is
+constexpr double bark_m = 0.08;        // points as near to the surface are bark
+constexpr double lowest_m = -3.0;      // of the heights that are looked at
+constexpr double bin_m = 0.1;
+constexpr std::size_t bins = 60;         // from lowest_m upwards
+constexpr std::size_t max_gap_bins = 3;  // of the bark, down from the lowest section
+constexpr double max_depth_m = 0.30;     // of bark below the terrain
+constexpr double max_start_m = 0.50;     // of bark above a terrain that was not seen
+constexpr double ground_m = 0.15;        // a point as near to the terrain is ground, in a cloud without classes
+constexpr int min_ground_points = 5;
+constexpr double tile_m = 2.0;
+
+// What the cloud shows about one foot.
+struct Foot {
+  int ground_points = 0;  // beside the stem
+  std::array<int, bins> bark{};
+};
+
+class FeetFinder {
+ public:
+  FeetFinder(const std::vector<Stem>& stems, const PointCloud& points)
+      : stems_(stems), points_(points), feet_(stems.size()) {
+    for (std::size_t k = 0; k < stems.size(); ++k) {
+      const Eigen::Vector2d at = axis_at(stems[k], stems[k].ground_z);
+      const double reach = stems[k].radius + look_around_m;
+      for (int ty = tile(at.y() - reach); ty <= tile(at.y() + reach); ++ty)
+        for (int tx = tile(at.x() - reach); tx <= tile(at.x() + reach); ++tx) stems_at_[{tx, ty}].push_back(k);
+    }
+  }
+
+  std::vector<Foot> find(const Run& run) {
+    const auto& height = points_.values<float>(arrays::height_above_ground);
+    const auto* classes =
+        points_.has(arrays::classification) ? &points_.values<std::uint8_t>(arrays::classification) : nullptr;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      if (i % (std::size_t{1} << 20) == 0) run.check_cancel();
+      const auto h = static_cast<double>(height[i]);
+      if (!(h >= lowest_m && h < lowest_m + bin_m * bins)) continue;
+      const bool ground = classes ? (*classes)[i] == 2 : std::abs(h) <= ground_m;
+      look(points_.positions()[i].cast<double>(), h, ground);
+    }
+    return std::move(feet_);
+  }
+
+ private:
+  static int tile(double x) { return static_cast<int>(std::floor(x / tile_m)); }
+
+  static Eigen::Vector2d axis_at(const Stem& s, double z) {
+    return (s.breast_height + (z - s.breast_height.z()) / s.direction.z() * s.direction).head<2>();
+  }
+
+  void look(const Eigen::Vector3d& p, double h, bool ground) {
+    const auto it = stems_at_.find({tile(p.x()), tile(p.y())});
+    if (it == stems_at_.end()) return;
+    for (const auto k : it->second) {
+      const double beside = (p.head<2>() - axis_at(stems_[k], p.z())).norm() - stems_[k].radius;
+      if (std::abs(beside) <= bark_m)
+        ++feet_[k].bark[std::min(bins - 1, static_cast<std::size_t>((h - lowest_m) / bin_m))];
+      else if (ground && beside > 0 && beside <= look_around_m)
+        ++feet_[k].ground_points;
+    }
+  }
+
+  const std::vector<Stem>& stems_;
+  const PointCloud& points_;
+  std::vector<Foot> feet_;
+  std::map<std::pair<int, int>, std::vector<std::size_t>> stems_at_;
+};
+
+// Where the bark ends below the lowest section that was fitted, height above the terrain. A bin counts when it holds a
+// tenth of what those of the fitted stem hold.
+double bark_begins(const Foot& foot, const Stem& stem) {
+  const auto bin = [](double h) {
+    return static_cast<std::size_t>(std::clamp((h - lowest_m) / bin_m, 0.0, static_cast<double>(bins - 1)));
+  };
+  const std::size_t top = bin(std::max(stem.lowest, 0.0)), high = std::min(bins, bin(stem.highest) + 1);
+  double usual = 0;
+  for (std::size_t b = top; b < high; ++b) usual += foot.bark[b];
+  usual /= static_cast<double>(std::max<std::size_t>(1, high - top));
+  const int enough = std::max(2, static_cast<int>(0.1 * usual));
+  std::size_t lowest = top, gap = 0;
+  for (std::size_t b = top; b-- > 0 && gap <= max_gap_bins;) {
+    if (foot.bark[b] >= enough)
+      lowest = b, gap = 0;
+    else
+      ++gap;
+  }
+  return lowest_m + bin_m * static_cast<double>(lowest);
+}
+
+enum class Fault { none, below, in_air, filled };
+
+void lower(Stem& s, int steps, std::string reason) {
+  s.reasons.push_back(std::move(reason));
+  if (steps == 1 && s.quality == "good") {
+    s.quality = "fair";
+  } else {
+    s.quality = "poor";
+    s.state = "check";
+  }
+}
+
+Fault check_foot(Stem& s, const Foot& foot, double breast_height_m) {
+  const double begins = bark_begins(foot, s);
+  if (begins < -max_depth_m) {
+    lower(s, 2,
+          fmt::format("goes on {:.1f} m below the terrain: the ground is wrong here, {:.1f} m is not breast height",
+                      -begins, breast_height_m));
+    return Fault::below;
+  }
+  if (foot.ground_points >= min_ground_points) return Fault::none;
+  if (begins > max_start_m) {
+    lower(s, 2,
+          fmt::format("begins {:.1f} m above a terrain that was not seen here: breast height is uncertain", begins));
+    return Fault::in_air;
+  }
+  lower(s, 1, fmt::format("no ground seen within {:.0f} m: the terrain is interpolated here", look_around_m));
+  return Fault::filled;
+}
+
+}  // namespace
+
+void check_ground(std::vector<Stem>& stems, const PointCloud& points, double breast_height_m, const Run& run,
+                  Report& report) {
+  if (stems.empty()) return;
+  const auto feet = FeetFinder(stems, points).find(run);
+  // Heights above z = 0 or above the lowest points need no ground, and without the fact nobody looked for it.
+  const auto terrain = fact_text(points.facts, facts::terrain);
+  const bool needs_ground = terrain == "ground" || terrain == "feet";
+  std::map<Fault, std::size_t> found;
+  for (std::size_t k = 0; k < stems.size(); ++k) {
+    Foot foot = feet[k];
+    if (!needs_ground) foot.ground_points = min_ground_points;
+    ++found[check_foot(stems[k], foot, breast_height_m)];
+  }
+  const auto tell = [&](Fault fault, Severity most, const char* code, const char* words, const char* remedy) {
+    const auto n = found[fault];
+    report.counts[code] = static_cast<std::int64_t>(n);
+    if (n == 0) return;
+    const bool refused = most == Severity::refused && 2 * n >= stems.size();
+    report.find(refused ? Severity::refused : Severity::look, code,
+                fmt::format("{} of {} stems {}: {}", n, stems.size(), words, remedy));
+  };
+  tell(
+      Fault::below, Severity::refused, "points_below_terrain", "go on well below the terrain",
+      "the terrain is not the ground there, breast height is too high. Set ground.method=normalised if z is the height "
+      "above ground, else lower ground.max_slope or give the cloud with its ground");
+  tell(Fault::in_air, Severity::refused, "stems_begin_in_air", "begin in the air and no ground was seen below them",
+       "breast height is uncertain. Give the cloud with its ground, or scan from more sides");
+  tell(Fault::filled, Severity::look, "terrain_filled_under_stems", "stand where no ground was seen within 1 m",
+       "breast height hangs on an interpolated terrain. Compare the heights of these feet with the plot");
+}
+
+}  // namespace bole::stems
