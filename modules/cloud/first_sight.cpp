@@ -301,28 +301,24 @@ void see_doubled_walls(const std::vector<RoughCircle>& circles, FirstSight& out)
   if (cosines.size() < min_circles) return;
   const double b = median(std::move(cosines)), c = median(std::move(sines));
   const double step_m = std::sqrt(8 * std::hypot(b, c)), direction = 0.5 * std::atan2(c, b);
-  double second = 0, fourth = 0, flank = 0;
-  std::size_t faces = 0, flanks = 0;
+  std::vector<double> faces, flanks;  // distances from the circles
   for (const auto& circle : circles)
     for (const auto& p : circle.points) {
       const Eigen::Vector2d off = p - circle.centre;
       const double along = std::abs(std::cos(std::atan2(off.y(), off.x()) - direction));
-      const double square = std::pow(off.norm() - circle.radius_m, 2);
-      if (along > 0.8) {
-        second += square;
-        fourth += square * square;
-        ++faces;
-      } else if (along < 0.3) {
-        flank += square;
-        ++flanks;
-      }
+      const double distance = std::abs(off.norm() - circle.radius_m);
+      if (distance > step_m) continue;  // no bark
+      if (along > 0.8) faces.push_back(distance);
+      if (along < 0.3) flanks.push_back(distance);
     }
-  if (faces < min_pooled || flanks < min_pooled) return;
-  second /= static_cast<double>(faces);
-  fourth /= static_cast<double>(faces);
-  flank /= static_cast<double>(flanks);
-  constexpr double min_step_m = 0.02, two_groups = 2.3, times_flanks = 1.7;  // a bell has 3, two thin groups have 1
-  if (step_m < min_step_m || fourth > two_groups * second * second || second < times_flanks * flank) return;
+  constexpr double min_step_m = 0.02;
+  if (step_m < min_step_m || faces.size() < min_pooled || flanks.size() < min_pooled) return;
+  // Between two walls there is little: one bell has 0.3 and more of its points there.
+  constexpr double times_flanks = 1.5, middle_of_step = 0.2, max_in_middle = 0.22;
+  const auto in_middle = std::ranges::count_if(faces, [&](double d) { return d < middle_of_step * step_m; });
+  const double middle_share = static_cast<double>(in_middle) / static_cast<double>(faces.size());
+  const double ratio = median(std::move(faces)) / median(std::move(flanks));
+  if (middle_share > max_in_middle || ratio < times_flanks) return;
   out.doubled_by_m = step_m;
   out.doubled_bearing_deg = std::fmod(90 - degrees(direction) + 360, 180);
 }

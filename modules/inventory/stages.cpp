@@ -39,11 +39,14 @@ void judge_doubtful(const PlotValues& v, Report& report) {
   report.counts["stems_sound"] = static_cast<std::int64_t>(v.sound.stems);
   report.counts["stems_to_check"] = static_cast<std::int64_t>(v.to_check);
   if (!many_to_check(v)) return;
-  report.find(Severity::look, "stems_to_check",
+  const bool most = most_to_check(v);
+  report.find(most ? Severity::refused : Severity::look, "stems_to_check",
               fmt::format("{} of the {} stems that count are to be checked: the basal area is {} without and {} with "
-                          "them. Look at their slices (column 'reasons' of the stem table), then accept, resize or "
-                          "reject them",
-                          v.to_check, v.stems, sound_basal_area(v), whole_basal_area(v)));
+                          "them. {} (column 'reasons' of the stem table), then accept, resize or reject them",
+                          v.to_check, v.stems, sound_basal_area(v), whole_basal_area(v),
+                          most ? "If most have one reason, look for its cause in the cloud (registration, wind, unit, "
+                                 "density); else look at their slices"
+                               : "Look at their slices"));
 }
 
 pipeline::StageResult run_plot_values(const DataSet& inputs, const OptionSet& set, const Run&) {

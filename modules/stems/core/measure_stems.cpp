@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/statistics.h"
+#include "base/verdict.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
@@ -32,6 +33,8 @@ constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double cap_by_noise = 1.25, max_learnt_noise_m = 0.035;  // of the residuals' scale
 constexpr double high_noise_m = 0.02;
+constexpr double blurred_m = 0.017;
+constexpr std::size_t min_stems_for_blur = 3;
 constexpr int min_sighting = 20;  // points of a pass that tell where it sees a stem
 
 template <class T>
@@ -415,15 +418,13 @@ class Survey {
       r.warn(fmt::format("passes of the walk disagree by {:.1f} cm: they were brought together by the stems",
                          100 * moved_m_));
     }
-    if (to_check > 0)
-      r.find(Severity::look, "stems_to_check",
-             fmt::format("{} of {} stems need a look: see the column 'reasons'", to_check, out_.stems.size()));
     find_sparse(r);
     if (noise_m_ > high_noise_m)
       r.find(Severity::look, "noise_high",
              fmt::format("ranges scatter by {:.1f} cm on the bark: diameters are uncertain by +-{:.1f} cm, half of the "
                          "stems by more. Scan more slowly or from nearer, or check the poses",
                          100 * noise_m_, half_interval_cm()));
+    find_blurred(r);
     if (!out_.stems.empty() && fits_along_rays(rays_, options_)) tell_bark(r);
   }
 
@@ -446,6 +447,19 @@ class Survey {
                        "{} stems. Use the cloud before it was thinned, or scan from nearer",
                        most ? "too sparse" : "some stems are too sparse", points_for_a_diameter, few[few.size() / 2],
                        few.size(), out_.stems.size()));
+  }
+
+  // One stem may be rough. Where most are, something is wrong with the cloud.
+  void find_blurred(Report& r) const {
+    std::vector<double> scatter;
+    for (const auto& s : out_.stems) scatter.push_back(s.sigma_m);
+    if (scatter.size() < min_stems_for_blur) return;
+    const double usual = upper_median(std::move(scatter));
+    if (usual <= blurred_m || has_finding(r, "noise_high")) return;
+    r.find(Severity::look, "bark_blurred",
+           fmt::format("the points scatter by {:.1f} cm on the bark (median of {} stems): registrations or passes that "
+                       "do not meet, wind, a noisy sensor, or coordinates in feet. Diameters are of all that together",
+                       100 * usual, out_.stems.size()));
   }
 
   void tell_bark(Report& r) const {
