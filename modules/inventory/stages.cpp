@@ -39,7 +39,7 @@ void judge_doubtful(const PlotValues& v, Report& report) {
   report.counts["stems_sound"] = static_cast<std::int64_t>(v.sound.stems);
   report.counts["stems_to_check"] = static_cast<std::int64_t>(v.to_check);
   if (!many_to_check(v)) return;
-  const bool most = most_to_check(v);
+  const bool most = mostly_to_check(v);
   report.find(most ? Severity::refused : Severity::look, "stems_to_check",
               fmt::format("{} of the {} stems that count are to be checked: the basal area is {} without and {} with "
                           "them. {} (column 'reasons' of the stem table), then accept, resize or reject them",

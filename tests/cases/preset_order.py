@@ -19,12 +19,12 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = ["loam", "forest", "best"]
 
 # How many times as large a figure of one preset must be as that of the next. Seen on seeds 1 and 2: path 3.0 to 3.7 and 4.0 to 4.4 times,
-# wall 1.33 and 1.19; on seed 1 DBH 1.4 and 2.2 (maps that are thinned along the view make the thick walls of loam less harmful). The
-# margins leave a third, or half of what a figure is larger.
+# wall 1.33 and 1.19; on seed 1 DBH 1.14 and 2.1 (the robust fit forgives nearly all of the thick walls of loam, so that between loam and
+# forest only the order is guarded). The margins leave a third, or half of what a figure is larger.
 FACTORS = {
     "ate_cm": {"loam": 2.0, "forest": 2.6},
     "wall_mm": {"loam": 1.2, "forest": 1.08},
-    "dbh_rmse_cm": {"loam": 1.2, "forest": 1.3},
+    "dbh_rmse_cm": {"loam": 1.0, "forest": 1.3},
 }
 
 

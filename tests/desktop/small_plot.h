@@ -24,7 +24,7 @@ inline void write_cloud(const std::string& path) {
 inline void write_pipeline(const std::string& path) {
   std::ofstream(path) << R"({"title": "Test", "stages": [
     {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
-    {"id": "ground", "type": "ground.model", "inputs": {"points": "scan.points"}},
+    {"id": "ground", "type": "ground.model", "options": {"method": "tin"}, "inputs": {"points": "scan.points"}},
     {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
     {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
     {"id": "edit", "type": "stems.edit", "inputs": {"stems": "stems.stems", "sections": "stems.sections", "points": "stems.points", "slice": "slice.slice"}}]})";

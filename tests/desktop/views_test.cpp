@@ -235,7 +235,7 @@ class ViewsTest : public QObject {
     for (int k = 0; k < 5; ++k) QVERIFY(scene.draw_moving_frame() > 0);
     QVERIFY(!scene.refined());
     QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
-    QVERIFY(scene.drawn_points() > 50'000);
+    QVERIFY2(scene.drawn_points() > 50'000, qPrintable(QString::number(scene.drawn_points())));
     for (const auto& array : scene.colorable()) {
       scene.color_by(array);
       QCOMPARE(scene.paint().array, array);

@@ -136,7 +136,7 @@ bool many_to_check(const PlotValues& v) {
                             v.basal_area_m2 - v.sound.basal_area_m2 >= least(v.basal_area_m2));
 }
 
-bool most_to_check(const PlotValues& v) { return v.to_check > 0 && v.sound.basal_area_m2 < 0.5 * v.basal_area_m2; }
+bool mostly_to_check(const PlotValues& v) { return v.to_check > 0 && v.sound.basal_area_m2 < 0.5 * v.basal_area_m2; }
 
 bool enough_tops(std::size_t seen, std::size_t stems) {
   return seen > 0 && (seen == stems || (seen >= 5 && 5 * seen >= stems));

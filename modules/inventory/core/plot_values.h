@@ -74,7 +74,7 @@ bool enough_tops(std::size_t seen, std::size_t stems);
 inline constexpr double considerable_share = 0.1;
 bool many_to_check(const PlotValues& values);
 // More than half of the basal area: what is left does not describe the plot.
-bool most_to_check(const PlotValues& values);
+bool mostly_to_check(const PlotValues& values);
 
 // `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen, quality and state where known. A stem is to be checked
 // where its state is "check" or its quality "poor" and no person has decided on it. Breast height is that of the table

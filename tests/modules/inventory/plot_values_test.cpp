@@ -64,7 +64,7 @@ TEST(PlotValues, StemsToCheckStandApart) {
   EXPECT_NEAR(m.sound.basal_area_m2, m.basal_area_m2 * 21 / 30, 1e-12);
   EXPECT_NEAR(m.sound.quadratic_mean_dbh_cm, std::sqrt(2100.0 / 3), 1e-12);
   EXPECT_TRUE(many_to_check(m));
-  EXPECT_FALSE(most_to_check(m));
+  EXPECT_FALSE(mostly_to_check(m));
   const auto table = plot_value_table(m, {});
   EXPECT_EQ(value(table, "stems"), 4);
   EXPECT_EQ(value(table, "stems_sound"), 3);
@@ -75,7 +75,7 @@ TEST(PlotValues, StemsToCheckStandApart) {
   EXPECT_FALSE(many_to_check(plot_values(accepted, rectangle)));
   auto doubtful = stems();
   doubtful.set("state", std::vector<std::string>(7, "check"));
-  EXPECT_TRUE(most_to_check(plot_values(doubtful, rectangle)));
+  EXPECT_TRUE(mostly_to_check(plot_values(doubtful, rectangle)));
   // A poor stem counts as one to check unless a person decided.
   accepted.set("quality", std::vector<std::string>{"good", "poor", "poor", "poor", "good", "good", "good"});
   EXPECT_EQ(plot_values(accepted, rectangle).to_check, 1U);
