@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "base/verdict.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
@@ -449,13 +448,13 @@ class Survey {
                        few.size(), out_.stems.size()));
   }
 
-  // One stem may be rough. Where most are, something is wrong with the cloud.
+  // One stem may be rough. Where most are, something is wrong with the cloud. Along known rays noise is told apart.
   void find_blurred(Report& r) const {
     std::vector<double> scatter;
     for (const auto& s : out_.stems) scatter.push_back(s.sigma_m);
-    if (scatter.size() < min_stems_for_blur) return;
+    if (scatter.size() < min_stems_for_blur || fits_along_rays(rays_, options_)) return;
     const double usual = upper_median(std::move(scatter));
-    if (usual <= blurred_m || has_finding(r, "noise_high")) return;
+    if (usual <= blurred_m) return;
     r.find(Severity::look, "bark_blurred",
            fmt::format("the points scatter by {:.1f} cm on the bark (median of {} stems): registrations or passes that "
                        "do not meet, wind, a noisy sensor, or coordinates in feet. Diameters are of all that together",
