@@ -90,7 +90,10 @@ void Interrupts::watch(const std::stop_token& stop, First first) {
       cancel_now();
     } else if (signal_number == SIGINT && !finish_.stop_requested()) {
       finish_.request_stop();
-      fmt::print(stderr, "\nFinishing with what there is so far; interrupt again to cancel.\n");
+      fmt::print(
+          stderr,
+          "\nFinishing with what there is so far. A stage that cannot end early runs to its end; interrupt again "
+          "to cancel.\n");
     } else if (signal_number == SIGINT) {
       cancel_now();
     }

@@ -20,8 +20,7 @@ std::vector<Eigen::Vector3d> in_space(const std::vector<Eigen::Vector2d>& outlin
 }
 
 io::VectorLayer boundary_layer(const PlotArea& area, const std::string& crs_wkt) {
-  io::VectorLayer layer{
-      "plot", io::GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt, boundary_style()};
+  io::VectorLayer layer{"plot", io::GeometryKind::polygon, {in_space(area.outline())}, {}, crs_wkt, boundary_style()};
   layer.attributes.set("area_m2", std::vector<double>{area.area_m2()});
   return layer;
 }
@@ -68,6 +67,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("plot_values.csv", d.plot_values);
   add_table("diameter_classes.csv", d.diameter_classes);
   add_table("height_curve.csv", d.height_curve);
+  add_table("tree_values.csv", d.tree_values);
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
   add_table("matches.csv", d.matches);

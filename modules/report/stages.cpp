@@ -49,7 +49,8 @@ void register_result_names() {
                               "strays.csv",
                               "survey.xlsx",
                               "tally.html",
-                              "trajectory.tum"});
+                              "trajectory.tum",
+                              "tree_values.csv"});
 }
 
 }  // namespace
@@ -64,7 +65,8 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
-      "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, loops.csv, odometry.csv, cloud.las, "
+      "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
+      "odometry.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "

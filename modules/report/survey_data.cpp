@@ -29,6 +29,7 @@ const std::vector<Input>& survey_inputs() {
       {"plot_values", &S::plot_values, "Values of the plot, from inventory.plot_values."},
       {"diameter_classes", &S::diameter_classes, "Values by diameter class, from inventory.plot_values."},
       {"height_curve", &S::height_curve, "Height curve, from inventory.plot_values."},
+      {"tree_values", &S::tree_values, "Height and volume of each tree, from inventory.plot_values."},
       {"points", &S::points, "The map, coloured by height_above_ground, intensity and tree_id where it has them."},
       {"slice", &S::slice, "Points around breast height, for the slice sheet."},
       {"dem", &S::dem, "Terrain model."},

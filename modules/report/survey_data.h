@@ -19,6 +19,7 @@ struct SurveyData {
   const Table* plot_values = nullptr;
   const Table* diameter_classes = nullptr;
   const Table* height_curve = nullptr;
+  const Table* tree_values = nullptr;
   const PointCloud* points = nullptr;
   const PointCloud* slice = nullptr;
   const Raster* dem = nullptr;

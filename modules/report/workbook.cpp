@@ -169,6 +169,7 @@ void write_workbook(const std::filesystem::path& path, const SurveyData& data, c
     if (data.height_curve != nullptr && data.height_curve->rows() > 0)
       add_table(book, "Height curve", data.height_curve);
     add_table(book, "Trees", data.stems);
+    add_table(book, "Tree values", data.tree_values);
     run.check_cancel();
     add_table(book, "Sections", data.sections);
     add_table(book, "Rejected", data.rejected);

@@ -54,6 +54,15 @@ class Program(unittest.TestCase):
         self.assertEqual((entry["arrays"]["intensity"]["min"], entry["arrays"]["intensity"]["max"]), (10, 20))
         self.assertIn("points                 2", self.bole("info", cloud).stdout)
 
+    def test_info_goes_on_after_a_file_that_cannot_be_read(self):
+        good, bad = self.write("a.xyz", "1 2 3\n4 5 6\n"), self.write("b.las", "a letter")
+        done = self.bole("info", "--json", good, bad, good)
+        self.assertEqual(done.returncode, BAD_INPUT)
+        first, second, third = json.loads(done.stdout)
+        self.assertEqual((first["points"], third["points"]), (2, 2))
+        self.assertIn("b.las", second["error"])
+        self.assertIn("b.las", done.stderr)
+
     def test_info_of_a_recording(self):
         frames = self.folder / "frames"
         frames.mkdir()

@@ -145,11 +145,19 @@ void add_info(Program& program) {
   command->add_option("files", args->files, "Scans and point clouds: " + io::format_list(io::scans_and_clouds))
       ->required();
   command->add_flag("--json", args->json, "Print JSON");
-  command->callback([args] {
+  command->callback([args, &program] {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
-      const bool scan = io::require_format(file).content() == io::FileContent::scan;
-      all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+      try {
+        const bool scan = io::require_format(file).content() == io::FileContent::scan;
+        all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+      } catch (const Error& e) {
+        if (e.kind() == ErrorKind::cancelled || args->files.size() == 1) throw;
+        fmt::print(stderr, "bole: {}\n", e.what());
+        program.exit_code = std::max(program.exit_code, e.exit_code());
+        all.push_back({{"file", file}, {"error", e.what()}});
+        continue;
+      }
       if (args->json) continue;
       print_text(all.back());
       fmt::print("\n");

@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// Heights of files are multiples of a millimetre or of a part of it: a limit between them holds wherever the cloud
-// lies.
-constexpr double off_the_multiples_m = 0.00037;
-
 struct Group {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   std::size_t end = 0;  // rank by height of the first point above it

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/angles.h"
+#include "base/statistics.h"
 #include "cloud/first_sight.h"
 #include "cloud/height_facts.h"
 #include "ground/core/columns.h"
@@ -25,6 +26,8 @@ namespace {
 
 // Low noise per ground point. Clouds whose ground was seen have less than 0.02.
 constexpr double max_noise_share = 0.5;
+// The height of cover_above(). Plots of the real clouds have up to 0.01, slash and litter 0.09 and more.
+constexpr double max_cover_m = 0.05;
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 Raster make_raster(const PointCloud& cloud, const GridShape& shape, const char* quantity) {
@@ -226,8 +229,17 @@ class TinTerrain {
   std::vector<std::size_t> foot_cells_;
 };
 
+// Median height of the points near the terrain. Ground that is seen lies about zero and outnumbers what grows on it.
+double cover_above(const std::vector<float>& heights) {
+  constexpr float near_m = 0.35F;
+  std::vector<double> low;
+  for (const float h : heights)
+    if (std::abs(h) < near_m) low.push_back(static_cast<double>(h));
+  return low.empty() ? 0 : upper_median(std::move(low));
+}
+
 // What a person must know before the terrain is used.
-void judge_terrain(const HeightReference& reference, Report& report) {
+void judge_terrain(const HeightReference& reference, const std::vector<float>& heights, Report& report) {
   const auto ground = report.counts["ground_points"], noise = report.counts["low_noise_points"];
   if (static_cast<double>(noise) > max_noise_share * static_cast<double>(ground))
     report.find(Severity::refused, "ground_more_noise_than_ground",
@@ -235,6 +247,13 @@ void judge_terrain(const HeightReference& reference, Report& report) {
                             "method=normalised if z is the height above ground, method=lowest for a tree that was cut "
                             "out without ground, or give the cloud with its ground",
                             noise, ground));
+  if (const double cover_m = cover_above(heights); cover_m > max_cover_m)
+    report.find(
+        Severity::look, "ground_covered",
+        fmt::format("half of the points near the terrain lie {:.0f} cm above it or higher: litter, herbs, slash, or "
+                    "passes that do not meet. Breast height may be too high by as much. Compare some stems with "
+                    "the plot",
+                    100 * cover_m));
   if (reference.level_cut)
     report.find(Severity::refused, "stems_cut_off",
                 fmt::format("all stems begin at z = {:.2f} m and no ground was seen: the cloud was cut there. Set "
@@ -263,7 +282,7 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
     return normalised_ground(cloud, shape, scales, reference.evidence, run);
 
   auto model = TinTerrain(cloud, grid, scales, run).model(candidates, columns);
-  judge_terrain(reference, model.report);
+  judge_terrain(reference, model.height_above_ground, model.report);
   run.report(1.0, "Terrain model done");
   return model;
 }

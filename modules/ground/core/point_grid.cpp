@@ -33,14 +33,6 @@ Box bounding_box(const PointCloud::Positions& positions) {
 
 }  // namespace
 
-namespace {
-
-// Coordinates of files are multiples of a millimetre or of a part of it. A border between cells that avoids them is not
-// crossed when rounding moves a point.
-constexpr double off_the_multiples_m = 0.00037;
-
-}  // namespace
-
 bool fits_grid(const PointCloud& cloud, double cell_m) {
   const Box box = bounding_box(cloud.positions());
   const Eigen::Vector2d cells = ((box.high - box.low).cast<double>() / cell_m).array() + 1;

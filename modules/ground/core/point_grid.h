@@ -33,6 +33,10 @@ struct GridShape {
 GridShape grid_over(const PointCloud& cloud, double cell_m);
 bool fits_grid(const PointCloud& cloud, double cell_m);  // not too many cells
 
+// Coordinates of files are multiples of a millimetre or of a part of it. A border or limit that avoids them is not
+// crossed when a moved cloud is rounded anew.
+inline constexpr double off_the_multiples_m = 0.00037;
+
 // For each cell the indices of its points, by ascending z (then x, y, index). Points with a coordinate that is not
 // finite are in no cell. Memory: 4 bytes per point and per cell, and another 4 bytes per point while it is built.
 class PointGrid {

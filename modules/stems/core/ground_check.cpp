@@ -164,8 +164,14 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
       "above ground, else lower ground.max_slope or give the cloud with its ground");
   tell(Fault::in_air, Severity::refused, "stems_begin_in_air", "begin in the air and no ground was seen below them",
        "breast height is uncertain. Give the cloud with its ground, or scan from more sides");
-  tell(Fault::filled, Severity::look, "terrain_filled_under_stems", "stand where no ground was seen within 1 m",
-       "breast height hangs on an interpolated terrain. Compare the heights of these feet with the plot");
+  // Between seen ground a terrain can be filled in. Where feet are all there is, nobody knows what is missing of them.
+  const bool feet_alone = terrain == "feet";
+  tell(Fault::filled, feet_alone ? Severity::refused : Severity::look, "terrain_filled_under_stems",
+       "stand where no ground was seen within 1 m",
+       feet_alone
+           ? "breast height counts from where these stems begin in the cloud, which may be above the ground. Give "
+             "the cloud with its ground, or set ground.method=normalised if z is the height above ground"
+           : "breast height hangs on an interpolated terrain. Compare the heights of these feet with the plot");
 }
 
 }  // namespace bole::stems

@@ -12,6 +12,7 @@
 
 #include "base/statistics.h"
 #include "cloud/large_cloud.h"
+#include "stems/core/bark_findings.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
 #include "stems/core/fit/project_priors.h"
@@ -31,10 +32,7 @@ constexpr double min_drift_to_align_m = 0.01;
 constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double cap_by_noise = 1.25, max_learnt_noise_m = 0.035;  // of the residuals' scale
-constexpr double high_noise_m = 0.02;
-constexpr double blurred_m = 0.017;
-constexpr std::size_t min_stems_for_blur = 3;
-constexpr int min_sighting = 20;  // points of a pass that tell where it sees a stem
+constexpr int min_sighting = 20;                                   // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
@@ -398,9 +396,9 @@ class Survey {
 
   void summarise() {
     auto& r = out_.report;
-    r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size()),
+    r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size());
     r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
-    r.counts["candidates"] = static_cast<std::int64_t>(tried_),
+    r.counts["candidates"] = static_cast<std::int64_t>(tried_);
     r.counts["circles"] = static_cast<std::int64_t>(circles_);
     r.facts["axes"] = axes_name(points_.axes);
     r.facts["fit"] = fits_along_rays(rays_, options_) ? "along rays" : "surface distance";
@@ -411,65 +409,13 @@ class Survey {
       r.warn(
           "model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, "
           "sensor_z, or time with a trajectory");
-    if (out_.stems.empty()) r.warn(no_stems());
+    if (out_.stems.empty()) r.find(Severity::look, "no_stems", no_stems());
     if (moved_m_ > 0) {
       r.metrics["passes_moved"] = {100 * moved_m_, Unit::centimetre};
       r.warn(fmt::format("passes of the walk disagree by {:.1f} cm: they were brought together by the stems",
                          100 * moved_m_));
     }
-    find_sparse(r);
-    if (noise_m_ > high_noise_m)
-      r.find(Severity::look, "noise_high",
-             fmt::format("ranges scatter by {:.1f} cm on the bark: diameters are uncertain by +-{:.1f} cm, half of the "
-                         "stems by more. Scan more slowly or from nearer, or check the poses",
-                         100 * noise_m_, half_interval_cm()));
-    find_blurred(r);
-    if (!out_.stems.empty() && fits_along_rays(rays_, options_)) tell_bark(r);
-  }
-
-  double half_interval_cm() const {
-    std::vector<double> half;
-    for (const auto& s : out_.stems) half.push_back(100 * (s.radius_high - s.radius_low));
-    return half.empty() ? 0 : upper_median(std::move(half));
-  }
-
-  // Stems of so few points have a circle, but no diameter that may be signed.
-  void find_sparse(Report& r) const {
-    std::vector<int> few;
-    for (const auto& s : out_.stems)
-      if (s.inliers < points_for_a_diameter) few.push_back(s.inliers);
-    if (few.empty()) return;
-    std::ranges::sort(few);
-    const bool most = 2 * few.size() > out_.stems.size();
-    r.find(most ? Severity::refused : Severity::look, "stems_sparse",
-           fmt::format("{} for diameters here: {} points on the bark of a stem needed, {} found in the middle of {} of "
-                       "{} stems. Use the cloud before it was thinned, or scan from nearer",
-                       most ? "too sparse" : "some stems are too sparse", points_for_a_diameter, few[few.size() / 2],
-                       few.size(), out_.stems.size()));
-  }
-
-  // One stem may be rough. Where most are, something is wrong with the cloud. Along known rays noise is told apart.
-  void find_blurred(Report& r) const {
-    std::vector<double> scatter;
-    for (const auto& s : out_.stems) scatter.push_back(s.sigma_m);
-    if (scatter.size() < min_stems_for_blur || fits_along_rays(rays_, options_)) return;
-    const double usual = upper_median(std::move(scatter));
-    if (usual <= blurred_m) return;
-    r.find(Severity::look, "bark_blurred",
-           fmt::format("the points scatter by {:.1f} cm on the bark (median of {} stems): registrations or passes that "
-                       "do not meet, wind, a noisy sensor, or coordinates in feet. Diameters are of all that together",
-                       100 * usual, out_.stems.size()));
-  }
-
-  void tell_bark(Report& r) const {
-    const double sd_mm = 1e3 * options_.bark_relief_sd, added_mm = 2e3 * options_.bark_relief;
-    r.find(Severity::note, "bark_convention",
-           added_mm > 0 ? fmt::format("{:.1f} mm are added to every diameter for the fissures of the bark "
-                                      "(bark_relief), a convention; the intervals allow for +-{:.1f} mm",
-                                      added_mm, 2 * 1.96 * sd_mm)
-                        : fmt::format("diameters are those of the mean bark: a tape over rough bark reads more. The "
-                                      "intervals allow for +-{:.1f} mm; set bark_relief where the bark is known",
-                                      2 * 1.96 * sd_mm));
+    judge_bark(out_.stems, options_, fits_along_rays(rays_, options_), noise_m_, r);
   }
 
   std::string no_stems() const {

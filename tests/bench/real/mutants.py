@@ -6,7 +6,8 @@
 SCAN is the folder of `bole simulate --plot demo --seed 1 --out SCAN`. The cloud is the map with true poses
 (`bole run pipelines/forest_plot.json --set scan.file=SCAN/walk.pcap --set slam.trajectory=SCAN/trajectory.tum`), made here unless --cloud names it, cut to the
 plot and a margin of 2 m, x, y and z alone, 1 point in --every. The mutants: ground cut away, heights in place of elevations, both, one point in 50, tilted by 5
-deg, two registrations 5 cm apart, y up, feet, millimetres, every point twice, a tree cut out.
+deg, two registrations 5 cm apart, y up, feet, millimetres, few ground points, litter, slash over hidden ground, stems seen from one side, every point
+twice, a tree cut out.
 
 A row is right when nine trees of ten that the cloud shows are found, sound or not, the diameters of the sound ones have a bias of at most 0.6 cm and an RMSE of at most 1.2 cm, and the
 ground from which breast height counts (z_m) is right to 0.10 m (median over the trees). Where it is not, the verdict must be refused, or look with a finding about the mutant. Else the row is SILENTLY
@@ -112,6 +113,19 @@ def mutants(points, terrain, trees):
     yield Mutant("x up", points[:, [2, 1, 0]] * [1, 1, -1], ("up_axis",))
     yield Mutant("feet", points / FOOT, ("unit",))
     yield Mutant("millimetres", points * 1000, ("unit",))
+    low = height < 0.25
+    few = points[~low | (random.random(len(points)) < 0.01)]
+    yield Mutant("1 ground point in 100", few, ("ground", "terrain", "breast", "air"))
+    litter = points.copy()
+    litter[low, 2] += random.random(low.sum()) * 0.3
+    yield Mutant("litter 30 cm deep", litter, ("ground", "terrain", "breast", "litter"))
+    slash = points[random.random(len(points)) < 0.15] * [1, 1, 0]
+    slash[:, :2] += random.normal(0, 0.3, (len(slash), 2))
+    slash[:, 2] = terrain.at(slash[:, 0], slash[:, 1]) + 0.6 * random.random(len(slash)) ** 2
+    yield Mutant("slash over hidden ground", numpy.concatenate([points[height > 0.1], slash]), ("ground", "terrain", "breast", "litter"))
+    nearest = numpy.argmin([numpy.hypot(points[:, 0] - t["x"], points[:, 1] - t["y"]) for t in trees], axis=0)
+    beside = points[:, 0] - numpy.array([t["x"] for t in trees])[nearest]
+    yield Mutant("seen from one side", points[low | (beside > 0.01)], ("check", "side", "arc", "sparse"))
     yield Mutant("every point twice", numpy.concatenate([points, points]), ("duplicated",))
     yield Mutant("a tree cut out", points[(near < 0.5) & (height > 0.05)], ("single_tree", "ground", "terrain"), only=best)
 

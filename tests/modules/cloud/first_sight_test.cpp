@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <random>
 
 #include "base/angles.h"
 #include "synthetic/stand_cloud.h"
@@ -73,6 +74,19 @@ TEST(FirstSight, TwoWallsOfTheStemsAreSeen) {
   const auto sight = first_sight(PointCloud(points));
   EXPECT_NEAR(sight.doubled_by_m, 0.05, 0.01);
   EXPECT_NEAR(sight.doubled_bearing_deg, 90, 8);
+}
+
+TEST(FirstSight, TwoWallsAreSeenAmongTwigs) {
+  StandOptions noisy;
+  noisy.noise = 0.012;
+  auto points = stand_cloud(noisy).positions();
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> twig(-0.3F, 0.3F);
+  for (std::size_t i = 0, n = points.size(); i < n; i += 8)
+    points.push_back(points[i] + Eigen::Vector3f(twig(random), twig(random), twig(random)));
+  EXPECT_EQ(first_sight(PointCloud(points)).doubled_by_m, 0);
+  for (std::size_t i = 0; i < points.size(); i += 2) points[i] += Eigen::Vector3f(0.05F, 0, 0);
+  EXPECT_NEAR(first_sight(PointCloud(points)).doubled_by_m, 0.05, 0.015);
 }
 
 TEST(FirstSight, SparseStemsAreCounted) {

@@ -188,6 +188,18 @@ TEST(GroundEvidence, AGroundThatIsSeenNeedsNoFeet) {
   }
 }
 
+TEST(GroundEvidence, ThickLitterIsTold) {
+  Terrain terrain(stand());
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> litter(0, 0.35F);
+  const auto m = model(changed(terrain, [&](Eigen::Vector3f& p, float, int label) {
+    if (label == 2) p.z() += litter(random);
+    return true;
+  }));
+  ASSERT_TRUE(finding(m.report, "ground_covered"));
+  EXPECT_EQ(finding(m.report, "ground_covered")->severity, Severity::look);
+}
+
 TEST(GroundEvidence, ALevelCutIsRefused) {
   Terrain terrain(stand());
   const auto cloud = changed(terrain, [](Eigen::Vector3f& p, float h, int) {

@@ -266,7 +266,8 @@ TEST(ReadText, ADeclaredNumberOfPointsIsCompared) {
 }
 
 TEST(ReadCloud, CoordinatesBeyondTheEarthAreRefused) {
-  EXPECT_THAT(error_of([] { read("1 2 3\n1e30 2 3\n", "a.xyz"); }), HasSubstr("of 2 points lie more than 100 000 km from the origin"));
+  EXPECT_THAT(error_of([] { read("1 2 3\n1e30 2 3\n", "a.xyz"); }),
+              HasSubstr("1 of 2 points lie more than 100 000 km from the origin"));
   std::string text;
   for (int i = 0; i < 200; ++i) text += "500000.5 5600000 120\n";
   EXPECT_TRUE(has_finding(read(text + "1e12 2 3\n", "a.xyz").report, "implausible_coordinates"));

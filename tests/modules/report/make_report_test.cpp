@@ -44,6 +44,7 @@ void add_plot_values(DataSet& inputs, const inventory::PlotValueOptions& options
   inputs.set("plot_values", inventory::plot_value_table(values, options));
   inputs.set("diameter_classes", inventory::class_table(values));
   inputs.set("height_curve", inventory::height_curve_table(values));
+  inputs.set("tree_values", inventory::tree_value_table(values, inputs.table("stems")));
 }
 
 DataSet inputs_of(const testing_data::SmallSurvey& s) {
@@ -121,6 +122,7 @@ TEST_F(MakeReport, WritesEverything) {
                            "plot_values.csv",
                            "diameter_classes.csv",
                            "height_curve.csv",
+                           "tree_values.csv",
                            "matches.csv",
                            "trajectory.tum",
                            "cloud.las",

@@ -84,6 +84,17 @@ TEST(GroundCheck, WithoutGroundTheTerrainIsInterpolated) {
   EXPECT_EQ(std::ranges::count(survey.stems, "good", &Stem::quality), 0);
 }
 
+// A cloud that was cut above the ground: as many feet as one likes do not tell by how much.
+TEST(GroundCheck, FeetAloneAreNoGroundToSignOn) {
+  auto cloud = stand(0, 0, false);
+  set_fact(cloud.points.facts, facts::terrain, "feet");
+  const auto survey = measure(cloud);
+  const auto* told = finding(survey.report, "terrain_filled_under_stems");
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->severity, Severity::refused);
+  EXPECT_THAT(told->text, HasSubstr("Give the cloud with its ground"));
+}
+
 TEST(GroundCheck, StemsWithoutFeetBeginInTheAir) {
   const auto survey = measure(stand(0.8, 0, false));
   const auto* told = finding(survey.report, "stems_begin_in_air");

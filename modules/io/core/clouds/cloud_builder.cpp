@@ -19,6 +19,7 @@ namespace {
 
 // Coordinates beyond this are stored as offsets from an origin, because float32 resolves only nearer ones to 0.1 mm.
 constexpr double near_m = 1000;
+constexpr double farthest_m = 1e8;  // noise read as coordinates chooses no origin
 constexpr double origin_step_m = 100;
 constexpr std::size_t points_for_origin = 4096;
 
@@ -263,7 +264,9 @@ struct CloudBuilder::Parts {
     if (first.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
-      for (const auto& p : first) values.push_back(p[axis]);
+      for (const auto& p : first)
+        if (std::abs(p[axis]) <= farthest_m) values.push_back(p[axis]);
+      if (values.empty()) continue;
       const double middle = median(std::move(values));
       if (std::abs(middle) > near_m) origin[axis] = origin_step_m * std::nearbyint(middle / origin_step_m);
     }

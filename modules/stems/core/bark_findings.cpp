@@ -1,0 +1,85 @@
+#include "stems/core/bark_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/statistics.h"
+#include "stems/core/fit/stem_quality.h"
+
+namespace bole::stems {
+namespace {
+
+constexpr double high_noise_m = 0.02;
+constexpr double blurred_m = 0.017;
+constexpr std::size_t min_stems_for_blur = 3;
+
+template <class Value>
+double usual(const std::vector<Stem>& stems, const Value& value) {
+  std::vector<double> all;
+  for (const auto& s : stems) all.push_back(value(s));
+  return all.empty() ? 0 : upper_median(std::move(all));
+}
+
+// Stems of so few points have a circle, but no diameter that may be signed.
+void find_sparse(const std::vector<Stem>& stems, Report& report) {
+  std::vector<int> few;
+  for (const auto& s : stems)
+    if (s.inliers < points_for_a_diameter) few.push_back(s.inliers);
+  if (few.empty()) return;
+  std::ranges::sort(few);
+  const bool most = 2 * few.size() > stems.size();
+  report.find(
+      most ? Severity::refused : Severity::look, "stems_sparse",
+      fmt::format("{} for diameters here: {} points on the bark of a stem needed, {} found in the middle of {} of "
+                  "{} stems. Use the cloud before it was thinned, or scan from nearer",
+                  most ? "too sparse" : "some stems are too sparse", points_for_a_diameter, few[few.size() / 2],
+                  few.size(), stems.size()));
+}
+
+void find_noise(const std::vector<Stem>& stems, double noise_m, Report& report) {
+  if (noise_m <= high_noise_m) return;
+  const double half_cm = usual(stems, [](const Stem& s) { return 100 * (s.radius_high - s.radius_low); });
+  report.find(Severity::look, "noise_high",
+              fmt::format("ranges scatter by {:.1f} cm on the bark: diameters are uncertain by +-{:.1f} cm, half of "
+                          "the stems by more. Scan more slowly or from nearer, or check the poses",
+                          100 * noise_m, half_cm));
+}
+
+// One stem may be rough. Where most are, something is wrong with the cloud.
+void find_blurred(const std::vector<Stem>& stems, Report& report) {
+  const double scatter_m = usual(stems, [](const Stem& s) { return s.sigma_m; });
+  if (stems.size() < min_stems_for_blur || scatter_m <= blurred_m) return;
+  report.find(Severity::look, "bark_blurred",
+              fmt::format("the points scatter by {:.1f} cm on the bark (median of {} stems): registrations or passes "
+                          "that do not meet, wind, a noisy sensor, or coordinates in feet. Diameters are of all that "
+                          "together",
+                          100 * scatter_m, stems.size()));
+}
+
+void tell_bark(const MeasureOptions& options, Report& report) {
+  const double sd_mm = 1e3 * options.bark_relief_sd, added_mm = 2e3 * options.bark_relief;
+  report.find(Severity::note, "bark_convention",
+              added_mm > 0 ? fmt::format("{:.1f} mm are added to every diameter for the fissures of the bark "
+                                         "(bark_relief), a convention; the intervals allow for +-{:.1f} mm",
+                                         added_mm, 2 * 1.96 * sd_mm)
+                           : fmt::format("diameters are those of the mean bark: a tape over rough bark reads more. The "
+                                         "intervals allow for +-{:.1f} mm; set bark_relief where the bark is known",
+                                         2 * 1.96 * sd_mm));
+}
+
+}  // namespace
+
+void judge_bark(const std::vector<Stem>& stems, const MeasureOptions& options, bool along_rays, double noise_m,
+                Report& report) {
+  if (stems.empty()) return;
+  find_sparse(stems, report);
+  find_noise(stems, noise_m, report);
+  if (along_rays)
+    tell_bark(options, report);  // noise along known rays is told apart from the bark
+  else
+    find_blurred(stems, report);
+}
+
+}  // namespace bole::stems
