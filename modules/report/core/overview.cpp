@@ -17,6 +17,7 @@ namespace bole::report {
 namespace {
 
 constexpr std::size_t max_pictured = 4;  // of the trees to look at; the others follow in a table below
+constexpr const char* not_given = "not given";
 
 std::string facts_html(const std::vector<std::pair<std::string, std::string>>& facts) {
   std::string out = "<dl class=\"facts\">\n";
@@ -94,6 +95,8 @@ class Cards {
 
   std::string html() const {
     std::vector<Card> cards{volume(), basal_area(), stems(), diameter(), height()};
+    // The first card is the largest: what is known comes first.
+    std::ranges::stable_partition(cards, [](const Card& c) { return c.value != not_given; });
     std::string out = "<div class=\"cards\">\n";
     for (const auto& c : cards) out += card_html(c);
     return out + "</div>\n";
@@ -128,7 +131,7 @@ class Cards {
   Card volume() const {
     const char* measure = bounded_ ? "volume_per_ha" : "volume";
     if (v_.given(measure)) return card("Stem volume", measure, bounded_ ? 0 : 2, bounded_ ? "m³/ha" : "m³");
-    return {"not given", "", "", "Stem volume",
+    return {not_given, "", "", "Stem volume",
             v_.value("stems") == 0 ? "no stems"
                                    : "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems"};
   }
@@ -159,7 +162,7 @@ class Cards {
     if (v_.given("lorey_height"))
       return {v_.text("lorey_height", 1), "", "m", "Lorey's height",
               "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems"};
-    return {"not given", "", "", "Height",
+    return {not_given, "", "", "Height",
             "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems"};
   }
 
