@@ -15,8 +15,8 @@ constexpr double bare_stem_m = 5;  // what is lower is a stem without its crown
 constexpr double beyond_m = 1.5;   // above a top the sensor must reach this far
 // A straight edge of the cloud through the top leaves half of its surroundings empty, in cells a little less.
 constexpr double max_empty_beside = 0.4;
-constexpr double beside_m = 1.0;   // what is so near the top and higher reaches over it ...
-constexpr double overhang_m = 0.3; // ... by more than this
+constexpr double beside_m = 1.0;    // what is so near the top and higher reaches over it ...
+constexpr double overhang_m = 0.3;  // ... by more than this
 constexpr std::uint32_t min_bin_points = 3, min_tip_points = 8;
 // Lead of the own way to the top over that of the next tree. On simulated stands heights of trees with less are off by
 // metres, those with more by half a metre, whether something reaches over them or not.
@@ -91,9 +91,10 @@ class CanopyTop {
 };
 
 struct Top {
-  double height_m = 0;                                 // above the stem's ground
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();        // of the highest point
-  std::uint32_t tip_points = 0;                        // within tip_m below it
+  double height_m = 0;                                      // above the stem's ground
+  double own_m = 0;                                         // likewise, of points that no other tree can claim
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();             // of the highest point
+  std::uint32_t tip_points = 0;                             // within tip_m below it
   double lead_m = std::numeric_limits<double>::infinity();  // median over the tip
 };
 
@@ -120,34 +121,58 @@ void for_each_labelled(const std::vector<Stem>& stems, const PointCloud& points,
   }
 }
 
+// Whether a point stands above its stem: tops do, whatever the crown reaches out to.
+bool over_stem(const Stem& s, const Eigen::Vector3d& p, double height_m) {
+  const Eigen::Vector2d beside = p.head<2>() - TreeAxis(s).at(p.z());
+  return beside.norm() <= s.radius + std::max(max_off_axis_m, max_off_axis_share * height_m);
+}
+
+struct Bin {
+  std::uint32_t points = 0;
+  double highest = 0;
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+
+  void add(double h, const Eigen::Vector3f& p) {
+    ++points;
+    if (h <= highest) return;
+    highest = h;
+    at = p.head<2>().cast<double>();
+  }
+};
+using Bins = std::vector<Bin>;
+
+// The highest bin that holds enough, upwards until a gap that no tree has; null where none does.
+const Bin* top_bin(const Bins& bins) {
+  const Bin* top = nullptr;
+  double gap = 0;
+  for (const auto& bin : bins) {
+    if (bin.points >= min_bin_points) {
+      top = &bin;
+      gap = 0;
+    } else if ((gap += bin_m) > widest_gap_m && top) {
+      break;
+    }
+  }
+  return top;
+}
+
 std::vector<Top> find_tops(const std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
                            const CrownGrowth& growth, const Run& run) {
-  struct Bin {
-    std::uint32_t points = 0;
-    double highest = 0;
-    Eigen::Vector2d at = Eigen::Vector2d::Zero();
-  };
-  std::vector<std::vector<Bin>> bins(stems.size(), std::vector<Bin>(static_cast<std::size_t>(tallest_m / bin_m)));
+  const Bins empty(static_cast<std::size_t>(tallest_m / bin_m));
+  std::vector<Bins> all(stems.size(), empty), own(stems.size(), empty);
   for_each_labelled(stems, points, labels, run, [&](std::size_t k, std::size_t i, double h) {
-    auto& bin = bins[k][static_cast<std::size_t>(h / bin_m)];
-    ++bin.points;
-    if (h > bin.highest) {
-      bin.highest = h;
-      bin.at = points.positions()[i].head<2>().cast<double>();
-    }
+    const auto bin = static_cast<std::size_t>(h / bin_m);
+    all[k][bin].add(h, points.positions()[i]);
+    if (!(growth.lead_m[i] < min_overtopped_lead_m) && over_stem(stems[k], points.positions()[i].cast<double>(), h))
+      own[k][bin].add(h, points.positions()[i]);
   });
   std::vector<Top> tops(stems.size());
-  for (std::size_t k = 0; k < stems.size(); ++k) {  // upwards until a gap that no tree has
-    double gap = 0;
-    for (const auto& bin : bins[k]) {
-      if (bin.points >= min_bin_points) {
-        tops[k].height_m = bin.highest;
-        tops[k].at = bin.at;
-        gap = 0;
-      } else if ((gap += bin_m) > widest_gap_m && tops[k].height_m > 0) {
-        break;
-      }
+  for (std::size_t k = 0; k < stems.size(); ++k) {
+    if (const auto* top = top_bin(all[k])) {
+      tops[k].height_m = top->highest;
+      tops[k].at = top->at;
     }
+    if (const auto* top = top_bin(own[k])) tops[k].own_m = top->highest;
   }
   std::vector<std::vector<double>> leads(stems.size());
   for_each_labelled(stems, points, labels, run, [&](std::size_t k, std::size_t i, double h) {
@@ -215,17 +240,20 @@ std::vector<char> tops_in_reach(const std::vector<Stem>& stems, const std::vecto
 
 TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bool in_reach) {
   const double z = s.ground_z + top.height_m;
-  const Eigen::Vector2d beside = top.at - TreeAxis(s).at(z);
   if (top.height_m < bare_stem_m) return TopVerdict::low;
   if (!in_reach) return TopVerdict::out_of_reach;
   if (canopy.empty_share(top.at, beside_m) > max_empty_beside) return TopVerdict::at_edge;
-  if (beside.norm() > s.radius + std::max(max_off_axis_m, max_off_axis_share * top.height_m))
-    return TopVerdict::off_axis;
+  if (!over_stem(s, {top.at.x(), top.at.y(), z}, top.height_m)) return TopVerdict::off_axis;
   if (top.lead_m < min_overtopped_lead_m && canopy.highest(top.at, beside_m) > z + overhang_m)
     return TopVerdict::overtopped;
   if (top.lead_m < min_lead_m) return TopVerdict::contested;
   if (top.tip_points < min_tip_points) return TopVerdict::sparse;
   return TopVerdict::seen;
+}
+
+// Only what no other tree can claim bounds the height from below.
+bool may_be_anothers(TopVerdict verdict) {
+  return verdict == TopVerdict::off_axis || verdict == TopVerdict::overtopped || verdict == TopVerdict::contested;
 }
 
 }  // namespace
@@ -240,8 +268,8 @@ std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud&
   const CanopyTop canopy(points, run);
   for (std::size_t k = 0; k < stems.size(); ++k) {
     auto& s = stems[k];
-    s.height_m = tops[k].height_m;
     verdicts.push_back(verdict_of(s, tops[k], canopy, in_reach[k] != 0));
+    s.height_m = may_be_anothers(verdicts.back()) ? tops[k].own_m : tops[k].height_m;
     s.height_seen = verdicts.back() == TopVerdict::seen;
   }
   report.counts["tops_seen"] = std::ranges::count(verdicts, TopVerdict::seen);
