@@ -97,20 +97,18 @@ pipeline::StageType edit_stage() {
   t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
-      "Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject, note and set_species, "
+      "Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject, note and "
+      "set_species, "
       "each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied "
       "again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed. "
       "Where a plot is connected, its trees get the ids from 1 on and the others follow.";
   t.source = "Bole";
-  t.inputs = {{"stems", DataKind::table, "Stems as measured.", false, {}},
-              {"sections", DataKind::table, "Circles along the stems.", true, {}},
-              {"points", DataKind::cloud, "The cloud with tree ids.", true, {arrays::tree_id}},
-              {"slice", DataKind::cloud, "Points at breast height: an added stem is fitted to them.", true, {}},
-              {"plot",
-               DataKind::table,
-               "Which trees count, from survey.plot: their ids come first, from 1 on.",
-               true,
-               {}}};
+  t.inputs = {
+      {"stems", DataKind::table, "Stems as measured.", false, {}},
+      {"sections", DataKind::table, "Circles along the stems.", true, {}},
+      {"points", DataKind::cloud, "The cloud with tree ids.", true, {arrays::tree_id}},
+      {"slice", DataKind::cloud, "Points at breast height: an added stem is fitted to them.", true, {}},
+      {"plot", DataKind::table, "Which trees count, from survey.plot: their ids come first, from 1 on.", true, {}}};
   t.version = 2;
   t.outputs = {{"stems", DataKind::table, "Stems after the edits.", false, {}},
                {"sections", DataKind::table, "Circles along the stems that are left.", false, {}},

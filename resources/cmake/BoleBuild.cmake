@@ -49,7 +49,13 @@ if(BOLE_ARCH AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   target_compile_options(bole_build INTERFACE -march=${BOLE_ARCH})
 endif()
 # Wider vectors must not change Eigen's alignment, or objects shared with PCL and Ceres, which are built for the baseline, would be laid out differently.
-target_compile_definitions(bole_build INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+set(BOLE_EIGEN_LAYOUT EIGEN_MAX_ALIGN_BYTES=16)
+if(NOT BOLE_ARCH)
+  # With wider vectors Eigen takes memory by an allocator of its own whatever that says, for the baseline it takes malloc. In the packages libraries of both kinds
+  # give matrices to one another, and what one takes the other frees.
+  list(APPEND BOLE_EIGEN_LAYOUT EIGEN_MALLOC_ALREADY_ALIGNED=0)
+endif()
+target_compile_definitions(bole_build INTERFACE ${BOLE_EIGEN_LAYOUT})
 target_link_libraries(bole_build INTERFACE fmt::fmt) # all agree on how it is linked, since it is in the precompiled headers
 if(BOLE_SANITIZE)
   # Without the second a finding of the undefined-behaviour sanitizer is printed and the test passes.
@@ -82,7 +88,7 @@ function(bole_module name)
   list(TRANSFORM arg_DEPENDS PREPEND bole::)
   target_link_libraries(bole_${name} PUBLIC Eigen3::Eigen ${arg_DEPENDS} ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:bole_build>)
   # Headers of ours use Eigen: whoever includes them must agree on its alignment.
-  target_compile_definitions(bole_${name} PUBLIC EIGEN_MAX_ALIGN_BYTES=16)
+  target_compile_definitions(bole_${name} PUBLIC ${BOLE_EIGEN_LAYOUT})
   if(arg_OPTIONS)
     target_compile_options(bole_${name} PRIVATE ${arg_OPTIONS})
     bole_precompile(bole_${name} OWN)

@@ -69,7 +69,8 @@ class ColumnFinder {
       const std::size_t first = std::min(begin + 2, end - 1);
       const double foot = z(points[first]), top = z(points[end - 1]);
       if (end - begin >= min_points && top - foot >= min_height_m) {
-        out.foot = foot, out.top = top;
+        out.foot = foot;
+        out.top = top;
         out.points = count_between(cell, foot + window_low_m, foot + window_high_m);
         std::size_t k = begin;
         for (; k < end && z(points[k]) <= foot + 0.1; ++k)

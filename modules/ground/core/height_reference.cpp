@@ -30,21 +30,15 @@ double share(std::size_t part, std::size_t of) {
   return of == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(of);
 }
 
-template <class Points, class Position>
-std::map<std::pair<int, int>, std::vector<double>> heights_by_block(const Points& points, double size,
-                                                                    const Position& position) {
-  std::map<std::pair<int, int>, std::vector<double>> out;
-  for (const auto& p : points) {
-    const Eigen::Vector3d at = position(p);
-    out[{static_cast<int>(std::floor(at.x() / size)), static_cast<int>(std::floor(at.y() / size))}].push_back(at.z());
-  }
-  return out;
+std::pair<int, int> square_of(const Eigen::Vector3d& p, double size_m) {
+  return {static_cast<int>(std::floor(p.x() / size_m)), static_cast<int>(std::floor(p.y() / size_m))};
 }
 
 // Share of the blocks, of those with three points or more, where `rank` of the points lies at 0.
 double level_share(const std::vector<Eigen::Vector3d>& points, double rank, double tolerance) {
+  std::map<std::pair<int, int>, std::vector<double>> by_block;
+  for (const auto& p : points) by_block[square_of(p, block_m)].push_back(p.z());
   std::size_t blocks = 0, level = 0;
-  auto by_block = heights_by_block(points, block_m, [](const auto& p) { return p; });
   for (auto& [block, heights] : by_block) {
     if (heights.size() < 3) continue;
     const auto at = heights.begin() + static_cast<std::ptrdiff_t>(rank * static_cast<double>(heights.size()));
@@ -57,7 +51,10 @@ double level_share(const std::vector<Eigen::Vector3d>& points, double rank, doub
 
 double extent(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector2d low = points.front().head<2>(), high = low;
-  for (const auto& p : points) low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
+  for (const auto& p : points) {
+    low = low.cwiseMin(p.head<2>());
+    high = high.cwiseMax(p.head<2>());
+  }
   return (high - low).maxCoeff();
 }
 
@@ -77,9 +74,7 @@ Evidence gather(const PointCloud& cloud, const std::vector<LowPoint>& candidates
   const Eigen::Vector3d lift(0, 0, cloud.origin.z());
   std::map<std::pair<int, int>, Eigen::Vector3d> lowest;
   for (const auto& c : candidates) {
-    const std::pair key(static_cast<int>(std::floor(c.position.x() / place_m)),
-                        static_cast<int>(std::floor(c.position.y() / place_m)));
-    const auto [it, fresh] = lowest.try_emplace(key, c.position);
+    const auto [it, fresh] = lowest.try_emplace(square_of(c.position, place_m), c.position);
     if (!fresh && c.position.z() < it->second.z()) it->second = c.position;
   }
   for (const auto& [key, p] : lowest) out.places.push_back(p + lift);
@@ -160,7 +155,8 @@ bool feet_at_zero(const std::vector<Eigen::Vector3d>& feet) {
 bool cut_level(const Evidence& seen, const LowerEdge& edge, HeightReference& out) {
   if (!edge.sharp || seen.feet.size() < min_feet || extent(seen.feet) < min_extent_m) return false;
   if (share(count_within(seen.feet, edge.z - 0.05, edge.z + max_foot_m), seen.feet.size()) < 0.6) return false;
-  out.level_cut = true, out.cut_z = edge.z;
+  out.level_cut = true;
+  out.cut_z = edge.z;
   return true;
 }
 
@@ -170,7 +166,8 @@ HeightReference height_reference(const PointCloud& cloud, const std::vector<LowP
                                  const std::vector<UprightColumn>& columns) {
   HeightReference out;
   if (fact_text(cloud.facts, facts::height_reference) == "ground") {
-    out.above_ground = true, out.evidence = "the cloud says so (height_reference)";
+    out.above_ground = true;
+    out.evidence = "the cloud says so (height_reference)";
     return out;
   }
   if (fact_text(cloud.facts, facts::poses)) return out;

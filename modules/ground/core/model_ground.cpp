@@ -184,7 +184,8 @@ class TinTerrain {
       feet_.erase(std::unique(feet_.begin(), feet_.end()), feet_.end());
       if (feet_.size() == before) return;
       auto footed = with_feet(candidates, columns, feet_, shape_, 2 * scales_.seed);
-      candidates = std::move(footed.candidates), pinned = std::move(footed.feet);
+      candidates = std::move(footed.candidates);
+      pinned = std::move(footed.feet);
     }
     prior_ = surface_heights(tin_ground(candidates, pinned, shape_, scales_, run_), shape_);
   }

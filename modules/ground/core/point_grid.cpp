@@ -54,7 +54,8 @@ GridShape grid_over(const PointCloud& cloud, double cell_m) {
                         number_text(std::round(extent.y())) + " m: too many cells of " + number_text(cell_m) + " m",
                     "at most 100 million cells",
                     "Crop the cloud (one stray point far away is enough to widen it) or raise cell");
-  shape.nx = static_cast<int>(cells.x()), shape.ny = static_cast<int>(cells.y());
+  shape.nx = static_cast<int>(cells.x());
+  shape.ny = static_cast<int>(cells.y());
   return shape;
 }
 

@@ -65,7 +65,8 @@ std::vector<char> raised_objects(const std::vector<LowPoint>& candidates, const 
       const int steps = falling[g] + rising[g];
       if (raised[g] || g == terrain || cells[g] * shape.cell_m * shape.cell_m > limits.max_area_m2) continue;
       if (falling[g] < min_falling_share * steps || falling[g] < min_falling_rim * std::sqrt(cells[g])) continue;
-      raised[g] = 1, found = true;
+      raised[g] = 1;
+      found = true;
     }
     if (!found) break;
   }

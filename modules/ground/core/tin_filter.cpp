@@ -43,11 +43,11 @@ class TinFilter {
     triangulate();
     if (surface_.measured < 3 || surface_.triangles.empty())
       throw bad_input("only " + std::to_string(surface_.measured) + " ground points were found among " +
-                        std::to_string(candidates_.size()) + " candidates",
-                    "at least three, not on one line",
-                    "Check that the cloud has ground points and its z axis points up, lower seed, or set "
-                    "method=lowest for a tree that was cut out without ground, method=normalised where z is the "
-                    "height above ground already");
+                          std::to_string(candidates_.size()) + " candidates",
+                      "at least three, not on one line",
+                      "Check that the cloud has ground points and its z axis points up, lower seed, or set "
+                      "method=lowest for a tree that was cut out without ground, method=normalised where z is the "
+                      "height above ground already");
     return std::move(surface_);
   }
 

@@ -238,8 +238,8 @@ TEST(GroundEvidence, MovingTheCloudMovesTheTerrainAndNothingElse) {
   });
   const auto here = model(cloud);
   const Eigen::Vector3d origin(481200, 3812900, 300);  // readers keep what is large apart from the float32 positions
-  for (const Eigen::Vector3d& local : {Eigen::Vector3d(0.1, 0.07, 0), Eigen::Vector3d(0, 0, 0.41),
-                                       Eigen::Vector3d(-13.37, 4.21, -7.7)}) {
+  for (const Eigen::Vector3d& local :
+       {Eigen::Vector3d(0.1, 0.07, 0), Eigen::Vector3d(0, 0, 0.41), Eigen::Vector3d(-13.37, 4.21, -7.7)}) {
     const Eigen::Vector3d shift = origin + local;
     auto positions = cloud.positions();
     for (auto& p : positions) p = ((p.cast<double>() + local) * 1000).array().round().matrix().cast<float>() / 1000;

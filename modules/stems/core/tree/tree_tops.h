@@ -27,10 +27,10 @@ constexpr std::array<std::string_view, 8> choice_names(TopVerdict) {
 
 // Sets height_m of each stem to the highest well-supported point of its tree above its ground, and height_seen where
 // that is its top. Where the highest point may be that of another tree, height_m is that of the points that stand over
-// the stem and that no other tree can claim: a lower bound. Without sensor positions (`sensor_of` empty) a top counts as seen when it is well supported by
-// points, stands over its stem, no other tree reaches over it or contests it, and it does not stand at the edge of the
-// cloud. With them it must also lie below what the sensor could have measured from where it saw the tree. The report
-// gets the counts by verdict. Returns the verdicts, by stem.
+// the stem and that no other tree can claim: a lower bound. Without sensor positions (`sensor_of` empty) a top counts
+// as seen when it is well supported by points, stands over its stem, no other tree reaches over it or contests it, and
+// it does not stand at the edge of the cloud. With them it must also lie below what the sensor could have measured from
+// where it saw the tree. The report gets the counts by verdict. Returns the verdicts, by stem.
 std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
                                      const CrownGrowth& growth, const SensorOf& sensor_of, const Run& run,
                                      Report& report);
