@@ -9,6 +9,7 @@
 
 #include "base/run.h"
 #include "cloud/facts.h"
+#include "cloud/inertial.h"
 
 namespace bole {
 inline namespace cloud {
@@ -28,6 +29,10 @@ struct ScanFrame {
   void clear() { positions.clear(), time_offset_s.clear(), ring.clear(), intensity.clear(), return_number.clear(); }
 };
 
+// How the beams of a scanner cover its field of view. lines: each laser draws the same line in every revolution.
+// rosette: the beams never repeat their path, and have no rings (Livox).
+enum class ScanPattern { lines, rosette };
+
 // Frames in order of time. Reading is by index and cheapest in order; a source may be read from one thread at a time.
 class FrameSource {
  public:
@@ -36,7 +41,10 @@ class FrameSource {
   // Fills `frame` (its memory is re-used). Throws Error{bad_input} naming the frame when it cannot be decoded.
   virtual void read(std::size_t index, ScanFrame& frame) const = 0;
   virtual double frame_time_s(std::size_t index) const = 0;  // start of the frame
-  virtual int rings() const = 0;
+  virtual int rings() const = 0;                             // 1 for a rosette
+  virtual ScanPattern pattern() const { return ScanPattern::lines; }
+  // The inertial unit of the same recording, or null. Lives as long as the source.
+  virtual const InertialRecord* inertial() const { return nullptr; }
   // Elevation of each ring in radians, lowest first; empty when not known.
   virtual std::vector<double> ring_elevations_rad() const { return {}; }
   virtual std::string sensor_model() const = 0;  // "vlp32c", ...; "unknown" when not known

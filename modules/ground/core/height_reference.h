@@ -17,9 +17,10 @@ struct HeightReference {
   double cut_z = 0;           // that level, as z of the cloud
 };
 
-// A cloud is normalised when it says so (fact height_reference), when its ground points lie at z = 0 exactly, or when
-// it shows no ground and the feet of its upright structures lie at z = 0 all over, with nothing below. Clouds with
-// estimated or given poses come from a survey of our own and are never taken for normalised without the fact.
+// A cloud is normalised when it says so (fact height_reference), when its ground points lie at z = 0 exactly, when
+// its ground is level over 30 m or more and ends at z = 0, or when it shows no ground and the feet of its upright
+// structures lie at z = 0 all over, with nothing below. Clouds with estimated or given poses come from a survey of our
+// own and are never taken for normalised without the fact.
 HeightReference height_reference(const PointCloud& cloud, const std::vector<LowPoint>& candidates,
                                  const std::vector<UprightColumn>& columns);
 

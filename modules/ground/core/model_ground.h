@@ -1,25 +1,17 @@
 // From a cloud to a terrain model with heights above it.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "base/report.h"
 #include "base/run.h"
+#include "cloud/height_facts.h"
 #include "cloud/point_cloud.h"
 #include "cloud/raster.h"
 #include "ground/core/options.h"
 
 namespace bole::ground {
-
-// What the terrain was made of: ground that was seen, feet of stems where none was, the lowest points of the cloud, or
-// the heights of a normalised cloud.
-enum class TerrainSource { ground, feet, lowest, normalised };
-constexpr std::array<std::string_view, 4> choice_names(TerrainSource) {
-  return {"ground", "feet", "lowest", "normalised"};
-}
 
 struct GroundModel {
   Raster dem;     // "elevation_m"; NaN further than fill_distance_m from any ground point

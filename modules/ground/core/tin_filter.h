@@ -24,7 +24,7 @@ struct GroundSurface {
 // at the nearest vertex (Axelsson's mirror point: that is how it grows over edges and the brows of slopes). After each
 // level vertices that stand out of their neighbours leave again: unlike the original, a wrong seed (canopy, deep noise)
 // is not kept for good. `pinned` candidates are ground and stay. `shape` is the grid the candidates were found in.
-// Throws Error{failed} when fewer than three seeds are left.
+// Throws Error{bad_input} when fewer than three seeds are left.
 GroundSurface tin_ground(const std::vector<LowPoint>& candidates, const std::vector<std::uint32_t>& pinned,
                          const GridShape& shape, const GroundScales& scales, const Run& run);
 

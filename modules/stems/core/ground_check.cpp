@@ -11,6 +11,7 @@
 
 #include "cloud/height_facts.h"
 #include "cloud/point_cloud.h"
+#include "stems/core/tree/tree_axis.h"
 
 namespace bole::stems {
 namespace {
@@ -35,10 +36,10 @@ struct Foot {
 
 class FeetFinder {
  public:
-  FeetFinder(const std::vector<Stem>& stems, const PointCloud& points)
-      : stems_(stems), points_(points), feet_(stems.size()) {
+  FeetFinder(const std::vector<Stem>& stems, const PointCloud& points) : points_(points), feet_(stems.size()) {
     for (std::size_t k = 0; k < stems.size(); ++k) {
-      const Eigen::Vector2d at = axis_at(stems[k], stems[k].ground_z);
+      axes_.emplace_back(stems[k]);
+      const Eigen::Vector2d at = axes_.back().at(stems[k].ground_z);
       const double reach = stems[k].radius + look_around_m;
       for (int ty = tile(at.y() - reach); ty <= tile(at.y() + reach); ++ty)
         for (int tx = tile(at.x() - reach); tx <= tile(at.x() + reach); ++tx) stems_at_[{tx, ty}].push_back(k);
@@ -62,15 +63,11 @@ class FeetFinder {
  private:
   static int tile(double x) { return static_cast<int>(std::floor(x / tile_m)); }
 
-  static Eigen::Vector2d axis_at(const Stem& s, double z) {
-    return (s.breast_height + (z - s.breast_height.z()) / s.direction.z() * s.direction).head<2>();
-  }
-
   void look(const Eigen::Vector3d& p, double h, bool ground) {
     const auto it = stems_at_.find({tile(p.x()), tile(p.y())});
     if (it == stems_at_.end()) return;
     for (const auto k : it->second) {
-      const double beside = (p.head<2>() - axis_at(stems_[k], p.z())).norm() - stems_[k].radius;
+      const double beside = (p.head<2>() - axes_[k].at(p.z())).norm() - axes_[k].radius;
       if (std::abs(beside) <= bark_m)
         ++feet_[k].bark[std::min(bins - 1, static_cast<std::size_t>((h - lowest_m) / bin_m))];
       else if (ground && beside > 0 && beside <= look_around_m)
@@ -78,7 +75,7 @@ class FeetFinder {
     }
   }
 
-  const std::vector<Stem>& stems_;
+  std::vector<TreeAxis> axes_;
   const PointCloud& points_;
   std::vector<Foot> feet_;
   std::map<std::pair<int, int>, std::vector<std::size_t>> stems_at_;
@@ -143,7 +140,8 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
   const auto feet = FeetFinder(stems, points).find(run);
   // Heights above z = 0 or above the lowest points need no ground, and without the fact nobody looked for it.
   const auto terrain = fact_text(points.facts, facts::terrain);
-  const bool needs_ground = terrain == "ground" || terrain == "feet";
+  const bool feet_alone = terrain == choice_name(TerrainSource::feet);
+  const bool needs_ground = feet_alone || terrain == choice_name(TerrainSource::ground);
   std::map<Fault, std::size_t> found;
   for (std::size_t k = 0; k < stems.size(); ++k) {
     Foot foot = feet[k];
@@ -165,7 +163,6 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
   tell(Fault::in_air, Severity::refused, "stems_begin_in_air", "begin in the air and no ground was seen below them",
        "breast height is uncertain. Give the cloud with its ground, or scan from more sides");
   // Between seen ground a terrain can be filled in. Where feet are all there is, nobody knows what is missing of them.
-  const bool feet_alone = terrain == "feet";
   tell(Fault::filled, feet_alone ? Severity::refused : Severity::look, "terrain_filled_under_stems",
        "stand where no ground was seen within 1 m",
        feet_alone

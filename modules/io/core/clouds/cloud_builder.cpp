@@ -19,7 +19,6 @@ namespace {
 
 // Coordinates beyond this are stored as offsets from an origin, because float32 resolves only nearer ones to 0.1 mm.
 constexpr double near_m = 1000;
-constexpr double farthest_m = 1e8;  // noise read as coordinates chooses no origin
 constexpr double origin_step_m = 100;
 constexpr std::size_t points_for_origin = 4096;
 

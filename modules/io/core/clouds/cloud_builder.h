@@ -10,6 +10,9 @@
 
 namespace bole::io {
 
+// Nothing on earth is further away than this from the origin of its coordinates: noise read as numbers.
+inline constexpr double farthest_m = 1e8;
+
 // How the values of a field are stored in the file. `text`: the file does not declare a type. packed_rgb: 0x00RRGGBB
 // (PCD).
 enum class SourceType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64, text, packed_rgb };

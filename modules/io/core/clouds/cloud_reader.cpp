@@ -1,6 +1,7 @@
 #include "io/core/clouds/cloud_reader.h"
 
 #include "base/error.h"
+#include "io/core/clouds/cloud_builder.h"
 #include "io/core/formats.h"
 
 namespace bole::io {
@@ -53,11 +54,11 @@ namespace {
 // Noise read as numbers reaches 1e38; the unit of a file may be another than metres. Nothing on earth is further away
 // than this from the origin of its coordinates.
 void check_coordinates(CloudReading& reading) {
-  constexpr double far_m = 1e8, doubtful_share = 0.01;
+  constexpr double doubtful_share = 0.01;
   const auto& cloud = reading.cloud;
   std::size_t far = 0;
   for (const auto& p : cloud.positions())
-    if (!((p.cast<double>() + cloud.origin).cwiseAbs().maxCoeff() <= far_m)) ++far;
+    if (!((p.cast<double>() + cloud.origin).cwiseAbs().maxCoeff() <= farthest_m)) ++far;
   if (far == 0) return;
   const auto found =
       std::to_string(far) + " of " + std::to_string(cloud.size()) + " points lie more than 100 000 km from the origin";
