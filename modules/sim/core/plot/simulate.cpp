@@ -16,6 +16,7 @@
 #include "sim/core/plot/recipe_fields.h"
 #include "sim/core/plot/truth.h"
 #include "sim/core/walk/disturbance.h"
+#include "sim/core/walk/imu.h"
 #include "sim/core/walk/route.h"
 #include "sim/core/walk/scan.h"
 #include "sim/core/walk/scan_writer.h"
@@ -66,6 +67,16 @@ void write_truth(const SimulationOptions& options, const Forest& forest, const V
   write_csv(sapling_table(vegetation.saplings), dir / "saplings.csv");
   write_csv(target_table(forest), dir / "targets.csv");
   write_dem(forest.terrain.raster(forest.half_side_m() + 4, options.dem_cell), dir / "dem.tif");
+}
+
+void write_inertial(const SimulationOptions& options, const Walk& walk, const fs::path& dir) {
+  if (options.imu == ImuGrade::none) return;
+  auto record = simulate_imu([&](double t) { return walk.pose(t); }, walk.duration_s(), simulation_epoch_s,
+                             {errors_of(options.imu), options.imu_rate, options.imu_time_offset},
+                             static_cast<std::uint64_t>(options.seed));
+  record.name = "simulated " + std::string(choice_name(options.imu)) + " unit";
+  if (!options.imu_mount_known) record.T_sensor_imu.reset();
+  write_imu(record, dir / "imu.csv");
 }
 
 Report report_of(const PlotRecipe& recipe, const Forest& forest, const PlotScene& scene, const RayScene& rays,
@@ -244,6 +255,30 @@ Entries disturbance_entries() {
   };
 }
 
+Entries imu_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, ImuGrade>{"imu", &S::imu, Tier::basic,
+                          "Inertial unit carried with the sensor and written to imu.csv: none, or with the noise and "
+                          "the biases of a consumer, industrial or tactical unit."},
+      Option<S, double>{"imu_rate",
+                        &S::imu_rate,
+                        Unit::hertz,
+                        {20, 2000},
+                        Tier::advanced,
+                        "Samples of the inertial unit per second."},
+      Option<S, double>{"imu_time_offset",
+                        &S::imu_time_offset,
+                        Unit::second,
+                        {-0.5, 0.5},
+                        Tier::expert,
+                        "Time by which the clock of the inertial unit is ahead of that of the scanner."},
+      Option<S, bool>{"imu_mount_known", &S::imu_mount_known, Tier::expert,
+                      "Write into imu.csv how the unit is mounted in the sensor."},
+      Unless{"imu", {"none"}, {"imu_rate", "imu_time_offset", "imu_mount_known"}},
+  };
+}
+
 Entries truth_entries() {
   using S = SimulationOptions;
   return {
@@ -262,8 +297,8 @@ Entries truth_entries() {
 const OptionTable& option_table(const SimulationOptions*) {
   static const OptionTable table = [] {
     Entries all;
-    for (const auto& part :
-         {plot_and_sensor_entries(), walk_entries(), beam_entries(), disturbance_entries(), truth_entries()})
+    for (const auto& part : {plot_and_sensor_entries(), walk_entries(), beam_entries(), disturbance_entries(),
+                             imu_entries(), truth_entries()})
       all.insert(all.end(), part.begin(), part.end());
     return make_option_table<SimulationOptions>(std::move(all));
   }();
@@ -297,6 +332,7 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const RayScene rays(scene.model);
   write_truth(options, forest, scene.vegetation, out_dir);
   write_tum(walk.trajectory(options.trajectory_rate, simulation_epoch_s), out_dir / "trajectory.tum");
+  write_inertial(options, walk, out_dir);
   write_recipe(options, recipe, sensor, out_dir / "recipe.json");
 
   const auto start = std::chrono::steady_clock::now();

@@ -22,7 +22,8 @@ enum class Stream : std::uint64_t {
   laser_bias,
   archetype,
   disturbance,
-  vineyard
+  vineyard,
+  imu
 };
 
 class Random : public bole::Random {
