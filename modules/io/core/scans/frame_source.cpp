@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/inertial_file.h"
 
 namespace bole::io {
 
@@ -19,6 +20,13 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, "
                                  "hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit."},
+          Option<S, std::string>{"imu",
+                                 &S::imu,
+                                 TextKind::input_path_or_name,
+                                 {},
+                                 Tier::basic,
+                                 "Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one "
+                                 "that comes with the scan; none leaves it out."},
           Option<S, double>{"min_range",
                             &S::min_range,
                             Unit::metre,
@@ -82,7 +90,8 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
     throw bad_input("'" + path.string() + "' is a single frame", "the folder that holds the frames",
                     "Give the folder as the scan, or read the file as a cloud");
   const auto& format = require_format(FileContent::scan, path);
-  return std::get<ScanAccess>(format.access).open(path, options, run, report);
+  return with_inertial_file(std::get<ScanAccess>(format.access).open(path, options, run, report), path, options.imu,
+                            run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
