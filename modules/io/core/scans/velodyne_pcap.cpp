@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/verdict.h"
+#include "io/core/scans/capture_damage.h"
 #include "io/core/scans/pcap_reader.h"
 #include "io/core/scans/sensor_facts.h"
 
@@ -191,12 +191,7 @@ void VelodynePcapSource::index(const Run& run) {
   facts_ = sensor_facts(decoder_->model());
   set_fact(facts_, indexer.follows_utc() ? Clock::utc : Clock::recorder);
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
-  if (!reader_->trouble().empty())
-    note_damage("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
-                reader_->trouble() + "): the frames before that are read");
-  if (reader_->fragments() > 0)
-    report_.warn(plural(reader_->fragments(), "fragmented IP packet") +
-                 " skipped: capture again with a network MTU of at least 1248 bytes");
+  note_damage(*reader_, data_packets, report_);
   if (indexer.lost > 0)
     report_.warn("about " + plural(indexer.lost, "packet") + " lost of " + std::to_string(data_packets + indexer.lost));
   if (indexer.out_of_order > 0) report_.warn(plural(indexer.out_of_order, "packet") + " out of order");
@@ -207,16 +202,6 @@ void VelodynePcapSource::index(const Run& run) {
     report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
                  " were skipped: choose one with the option port");
   report_.message = description();
-}
-
-// A recorder that was switched off cuts the last packet; more than that is a damaged file.
-void VelodynePcapSource::note_damage(const std::string& text) {
-  constexpr double whole_enough = 0.99;
-  const double end = reader_->end();
-  const double share = end > 0 ? static_cast<double>(reader_->trouble_at()) / end : 1;
-  if (share >= whole_enough) return report_.find(Severity::look, "input_damaged", text);
-  report_.find(Severity::refused, finding_code::input_incomplete,
-               text + " (" + std::to_string(static_cast<int>(100 * share)) + " % of the file)");
 }
 
 // A full revolution, or less where the sensor masks a sector.

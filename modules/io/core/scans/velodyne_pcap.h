@@ -14,9 +14,9 @@
 
 namespace bole::io {
 
-// The packets are read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are decoded
-// when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the recording is
-// interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
+// The packets are read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are
+// decoded when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the
+// recording is interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
 class VelodynePcapSource : public FrameSource {
  public:
   // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
@@ -52,7 +52,6 @@ class VelodynePcapSource : public FrameSource {
   class Indexer;
 
   void index(const Run& run);
-  void note_damage(const std::string& text);
   double usual_turn_centideg() const;
   void drop_partial_ends();
   bool next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const;
