@@ -67,14 +67,27 @@ std::string normalised_evidence(const PointCloud& cloud) {
   }
 }
 
+// Of the middle frame, in the axes of the sensor.
+ordered_json describe_bounds(const ScanFrame& frame) {
+  if (frame.positions.empty()) return ordered_json::array();
+  Eigen::Vector3f low = frame.positions.front(), high = low;
+  for (const auto& p : frame.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+}
+
 ordered_json describe_recording(const std::filesystem::path& path) {
   Report report;
   const auto source = io::open_frame_source(path, {}, {}, report);
   ordered_json json{{"file", path.string()},
                     {"kind", "recording"},
+                    {"format", io::require_format(path).name},
                     {"description", source->description()},
                     {"sensor", source->sensor_model()},
                     {"rings", source->rings()},
+                    {"pattern", source->pattern() == ScanPattern::rosette ? "rosette" : "lines"},
                     {"frames", source->size()}};
   if (source->size() > 0) {
     ScanFrame frame;
@@ -82,7 +95,13 @@ ordered_json describe_recording(const std::filesystem::path& path) {
     json["start_s"] = source->frame_time_s(0);
     json["duration_s"] = source->frame_time_s(source->size() - 1) - source->frame_time_s(0);
     json["points_in_middle_frame"] = frame.size();
+    json["bounds"] = describe_bounds(frame);
   }
+  if (const auto* inertial = source->inertial())
+    json["inertial"] = {{"name", inertial->name},
+                        {"samples", inertial->samples.size()},
+                        {"start_s", inertial->samples.front().time_s},
+                        {"duration_s", inertial->samples.back().time_s - inertial->samples.front().time_s}};
   add_report(json, report);
   return json;
 }

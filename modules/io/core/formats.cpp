@@ -13,6 +13,7 @@
 #include "io/core/clouds/text_reader.h"
 #include "io/core/las/las_writer.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/ouster_capture.h"
 #include "io/core/scans/velodyne_pcap.h"
 #include "io/core/tables/nmea_reader.h"
 #include "io/core/tables/table_file.h"
@@ -103,6 +104,13 @@ std::vector<Format> make_formats() {
                   .fuzz_target = "pcd"});
 
   // Scans and clouds whose ending decides where the content does not.
+  rows.push_back(
+      {.name = "Ouster capture",
+       .note = "with the JSON file of the sensor",
+       .endings = {".pcap", ".pcapng"},
+       .matches = [](const Candidate& c) { return is_capture(c.bytes) && looks_like_ouster_capture(c.bytes); },
+       .access = ScanAccess{open_ouster_capture},
+       .fuzz_target = "ouster"});
   rows.push_back({.name = "Velodyne capture",
                   .endings = {".pcap", ".pcapng", ".cap"},
                   .matches =
@@ -122,11 +130,12 @@ std::vector<Format> make_formats() {
                   .matches = [](const Candidate& c) { return is_ending(c, {".ptx"}) && looks_like_ptx(c.bytes); },
                   .access = CloudAccess{.read = read_ptx},
                   .fuzz_target = "ptx"});
-  rows.push_back({.name = "KITTI frame",
-                  .endings = {".bin"},
-                  .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && looks_like_kitti_frame(c.bytes); },
-                  .access = CloudAccess{.read = read_kitti_frame},
-                  .fuzz_target = "kitti_frame"});
+  rows.push_back(
+      {.name = "KITTI frame",
+       .endings = {".bin"},
+       .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && looks_like_kitti_frame(c.bytes); },
+       .access = CloudAccess{.read = read_kitti_frame},
+       .fuzz_target = "kitti_frame"});
   rows.push_back({.name = "CSV",
                   .endings = {".csv"},
                   .matches = [](const Candidate& c) { return is_ending(c, {".csv"}) && is_text(c.bytes); },
@@ -225,8 +234,9 @@ const Format* first_match(const Candidate& candidate, bool folder, std::span<con
     if (starts_with(file, foreign.magic))
       throw bad_input("this is " + std::string(foreign.name), list, std::string(foreign.remedy));
   if (name.extension() == ".bin")
-    throw bad_input("this is no KITTI frame (" + std::to_string(file.size()) + " bytes): a .bin file holds nothing but "
-                    "points of four 32-bit numbers, within 2 km of the sensor",
+    throw bad_input("this is no KITTI frame (" + std::to_string(file.size()) +
+                        " bytes): a .bin file holds nothing but "
+                        "points of four 32-bit numbers, within 2 km of the sensor",
                     list);
   throw bad_input("the format of this file is not known (" + std::to_string(file.size()) + " bytes, ending '" +
                       name.extension().string() + "')",
