@@ -1342,6 +1342,14 @@
             <translation>忽略距离小于此值的回波(它们打在操作员或外壳上)。</translation>
         </message>
         <message>
+            <source>Topic of a ROS bag that holds the scan. Empty takes the only one; bole info lists the topics.</source>
+            <translation>ROS bag 中包含扫描数据的话题。留空则取唯一的一个;bole info 会列出所有话题。</translation>
+        </message>
+        <message>
+            <source>Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one that comes with the scan; none leaves it out.</source>
+            <translation>惯性单元:ROS bag 的话题,或文件 (.csv, .txt)。留空则取随扫描数据一起的那个;none 表示不使用。</translation>
+        </message>
+        <message>
             <source>Returns farther than this are ignored.</source>
             <translation>忽略距离大于此值的回波。</translation>
         </message>

@@ -19,6 +19,20 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, "
                                  "hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit."},
+          Option<S, std::string>{"topic",
+                                 &S::topic,
+                                 TextKind::plain,
+                                 {},
+                                 Tier::basic,
+                                 "Topic of a ROS bag that holds the scan. Empty takes the only one; bole info lists "
+                                 "the topics."},
+          Option<S, std::string>{"imu",
+                                 &S::imu,
+                                 TextKind::input_path_or_name,
+                                 {},
+                                 Tier::basic,
+                                 "Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one "
+                                 "that comes with the scan; none leaves it out."},
           Option<S, double>{"min_range",
                             &S::min_range,
                             Unit::metre,
