@@ -1334,8 +1334,8 @@
             <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
-            <source>Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit.</source>
-            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vlp32c、hdl32e、hdl64e_s2 或 os1_64,或含有您所用设备各光束的 JSON 文件。</translation>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a JSON file with the beams of your own unit.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或含有您所用设备各光束的 JSON 文件。</translation>
         </message>
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>

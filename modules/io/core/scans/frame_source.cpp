@@ -17,8 +17,8 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  TextKind::input_path_or_name,
                                  {},
                                  Tier::basic,
-                                 "Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, "
-                                 "hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit."},
+                                 "Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, "
+                                 "pandar_xt32 or mid360, or a JSON file with the beams of your own unit."},
           Option<S, std::string>{"topic",
                                  &S::topic,
                                  TextKind::plain,

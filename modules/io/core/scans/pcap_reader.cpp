@@ -88,6 +88,8 @@ PcapReader::PcapReader(const std::filesystem::path& path) {
   if (file == nullptr)
     throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
                     "a pcap file that exists and may be read");
+  const auto bytes = std::filesystem::file_size(path, ignored);
+  bytes_ = ignored ? 0 : static_cast<double>(bytes);
   open(file, path.string());
 }
 
@@ -95,6 +97,7 @@ PcapReader::PcapReader(Bytes capture, const std::string& name) {
   std::FILE* file =
       capture.empty() ? nullptr : ::fmemopen(const_cast<std::uint8_t*>(capture.data()), capture.size(), "rb");
   if (file == nullptr) throw bad_input("'" + name + "' is empty", "a pcap or pcapng capture");
+  bytes_ = static_cast<double>(capture.size());
   open(file, name);
 }
 
