@@ -1330,8 +1330,8 @@
             <translation>文本文件开头要跳过的行数。</translation>
         </message>
         <message>
-            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap) or folder of frames (.bin, .pcd).</source>
-            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap) 或帧文件夹 (.bin, .pcd)。</translation>
+            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
+            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
             <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a JSON file with the beams of your own unit.</source>

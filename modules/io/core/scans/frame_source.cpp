@@ -96,7 +96,12 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
     throw bad_input("'" + path.string() + "' is a single frame", "the folder that holds the frames",
                     "Give the folder as the scan, or read the file as a cloud");
   const auto& format = require_format(FileContent::scan, path);
-  return std::get<ScanAccess>(format.access).open(path, options, run, report);
+  const auto& access = std::get<ScanAccess>(format.access);
+  if (!options.topic.empty() && !access.has_topics)
+    throw bad_input(
+        "the option topic is set, and '" + path.string() + "' (" + std::string(format.name) + ") has no topics",
+        "a ROS bag", "Leave topic empty");
+  return access.open(path, options, run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,
