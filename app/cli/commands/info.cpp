@@ -12,6 +12,7 @@
 #include "base/verdict.h"
 #include "commands.h"
 #include "ground/core/model_ground.h"
+#include "io/core/bags/bag_topics.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
@@ -106,6 +107,30 @@ ordered_json describe_recording(const std::filesystem::path& path) {
   return json;
 }
 
+// The topics of a bag, and its scan where it is clear which topic that is.
+ordered_json describe_bag(const std::filesystem::path& path) {
+  ordered_json topics = ordered_json::object();
+  for (const auto& t : io::describe_topics(*io::open_bag(path))) {
+    ordered_json topic{{"type", t.topic.type},
+                       {"messages", t.topic.messages},
+                       {"start_s", 1e-9 * static_cast<double>(t.topic.first_ns)},
+                       {"duration_s", 1e-9 * static_cast<double>(t.topic.last_ns - t.topic.first_ns)},
+                       {"read_as", t.use.empty() ? "nothing" : t.use}};
+    if (!t.fields.empty()) topic["fields"] = t.fields;
+    topics[t.topic.name] = std::move(topic);
+  }
+  ordered_json json;
+  try {
+    json = describe_recording(path);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::bad_input) throw;
+    json = {
+        {"file", path.string()}, {"kind", "recording"}, {"format", io::require_format(path).name}, {"scan", e.what()}};
+  }
+  json["topics"] = std::move(topics);
+  return json;
+}
+
 ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto seen = io::see_cloud(path);
   const auto& reading = seen.reading;
@@ -181,8 +206,11 @@ void add_info(Program& program) {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
       try {
-        const bool scan = io::require_format(file).content() == io::FileContent::scan;
-        all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+        const auto& format = io::require_format(file);
+        const auto* scan = std::get_if<io::ScanAccess>(&format.access);
+        all.push_back(scan == nullptr    ? describe_cloud(file)
+                      : scan->has_topics ? describe_bag(file)
+                                         : describe_recording(file));
       } catch (const Error& e) {
         if (e.kind() == ErrorKind::cancelled || args->files.size() == 1) throw;
         fmt::print(stderr, "bole: {}\n", e.what());
