@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
+#include "cloud/known_facts.h"
 #include "commands.h"
 #include "ground/core/model_ground.h"
 #include "io/core/bags/bag_topics.h"
@@ -135,8 +136,18 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto seen = io::see_cloud(path);
   const auto& reading = seen.reading;
   const auto& cloud = reading.cloud;
-  ordered_json json{
-      {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
+  ordered_json json{{"file", path.string()},
+                    {"kind", "cloud"},
+                    {"format", io::require_format(path).name},
+                    {"points", cloud.size()},
+                    {"sensor", fact_text(cloud.facts, facts::sensor).value_or("unknown")}};
+  // As the option `bounds` takes them.
+  const auto& low_corner = seen.bounds.min();
+  const auto& high_corner = seen.bounds.max();
+  if (!seen.bounds.isEmpty())
+    json["bounds"] = {low_corner.x(),  low_corner.y(),  low_corner.z(),
+                      high_corner.x(), high_corner.y(), high_corner.z()};
+  json["axes"] = axes_name(cloud.axes);
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
     for (const auto& p : cloud.positions()) {

@@ -13,10 +13,14 @@
 #include "io/core/clouds/ply_reader.h"
 #include "io/core/clouds/ptx_reader.h"
 #include "io/core/clouds/text_reader.h"
+#include "io/core/copc/copc_nodes.h"
+#include "io/core/e57/e57_pages.h"
+#include "io/core/e57/e57_reader.h"
 #include "io/core/las/las_writer.h"
 #include "io/core/scans/frame_folder.h"
 #include "io/core/scans/ouster_capture.h"
 #include "io/core/scans/velodyne_pcap.h"
+#include "io/core/tables/named_trajectory.h"
 #include "io/core/tables/nmea_reader.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
@@ -88,6 +92,11 @@ std::vector<Format> make_formats() {
   std::vector<Format> rows;
 
   // Scans and clouds that are known by their first bytes.
+  rows.push_back({.name = "COPC",
+                  .endings = {".copc.laz"},
+                  .matches = [](const Candidate& c) { return is_laz(c.bytes) && copc::looks_like_copc(c.bytes); },
+                  .access = CloudAccess{.read = read_las_cloud},
+                  .fuzz_target = "copc"});
   rows.push_back({.name = "LAZ",
                   .endings = {".laz"},
                   .matches = [](const Candidate& c) { return is_laz(c.bytes); },
@@ -100,6 +109,11 @@ std::vector<Format> make_formats() {
                                         .write = [](const fs::path& path, const PointCloud& cloud,
                                                     const Run& run) { write_las(path, cloud, {}, run); }},
                   .fuzz_target = "las"});
+  rows.push_back({.name = "E57",
+                  .endings = {".e57"},
+                  .matches = [](const Candidate& c) { return e57::looks_like_e57(c.bytes); },
+                  .access = CloudAccess{.read = read_e57},
+                  .fuzz_target = "e57"});
   rows.push_back({.name = "PLY",
                   .endings = {".ply"},
                   .matches = [](const Candidate& c) { return looks_like_ply(c.bytes); },
@@ -217,6 +231,21 @@ std::vector<Format> make_formats() {
                   .access = TrackAccess{read_column_track},
                   .fuzz_target = "track"});
   rows.push_back(
+      {.name = "SBET",
+       .note = "binary, longitude and latitude",
+       .endings = {".out", ".sbet"},
+       .matches = [](const Candidate& c) { return !is_text(c.bytes) && looks_like_sbet(c.bytes); },
+       .access = TrajectoryAccess{.read = [](Bytes file, const std::string& name) { return read_sbet(file, name); }},
+       .fuzz_target = "trajectory"});
+  rows.push_back(
+      {.name = "named",
+       .note = "columns with a header line: GeoSLAM, HDMapping, CSV",
+       .endings = {".txt", ".csv", ".traj"},
+       .matches = [](const Candidate& c) { return looks_like_named_trajectory(c.bytes); },
+       .access = TrajectoryAccess{.read = [](Bytes file,
+                                             const std::string& name) { return read_named_trajectory(file, name); }},
+       .fuzz_target = "trajectory"});
+  rows.push_back(
       {.name = "TUM",
        .note = "time tx ty tz qx qy qz qw",
        .endings = {".tum", ".txt"},
@@ -240,12 +269,10 @@ std::vector<Format> make_formats() {
 struct ForeignFile {
   std::string_view magic, name, remedy;
 };
-constexpr std::array foreign_files{
-    ForeignFile{"ASTM-E57"sv, "an E57 file", "Export it as LAS or PLY from the scanner's program or CloudCompare"},
-    ForeignFile{"PK\x03\x04"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"\x1F\x8B"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"7z\xBC\xAF"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"\x89HDF"sv, "an HDF5 file", "Export it as LAS or PLY"}};
+constexpr std::array foreign_files{ForeignFile{"PK\x03\x04"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"\x1F\x8B"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"7z\xBC\xAF"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"\x89HDF"sv, "an HDF5 file", "Export it as LAS or PLY"}};
 
 std::string article(std::string_view noun) { return "a " + std::string(noun); }
 
