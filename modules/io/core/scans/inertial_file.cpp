@@ -317,14 +317,12 @@ fs::path inertial_file_beside(const fs::path& scan) {
 
 std::shared_ptr<const FrameSource> with_inertial_file(std::shared_ptr<const FrameSource> source, const fs::path& scan,
                                                       const std::string& imu, const Run& run, Report& report) {
-  if (imu == "none") {
-    if (!source->inertial()) return source;
-    return std::make_shared<WithInertial>(std::move(source), std::nullopt);
-  }
+  if (imu == "none") return std::make_shared<WithInertial>(std::move(source), std::nullopt);
   std::error_code ignored;
   if (imu.empty()) {
-    const auto found = source->inertial() ? fs::path() : inertial_file_beside(scan);
-    if (found.empty()) return source;
+    // Sources are not asked without need: a bag reads its unit only then.
+    const auto found = inertial_file_beside(scan);
+    if (found.empty() || source->inertial()) return source;
     Report of_file;
     try {
       auto record = read_inertial(found, of_file, run);
