@@ -1355,16 +1355,24 @@
             <translation>文本文件开头要跳过的行数。</translation>
         </message>
         <message>
-            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap) or folder of frames (.bin, .pcd).</source>
-            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap) 或帧文件夹 (.bin, .pcd)。</translation>
+            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
+            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
-            <source>Sensor model: auto (from the packets), a name such as vlp16, vlp32c, hdl32e, hdl64e_s2 or os1_64, or a JSON file with the beams of your own unit.</source>
-            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vlp32c、hdl32e、hdl64e_s2 或 os1_64,或含有您所用设备各光束的 JSON 文件。</translation>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a JSON file with the beams of your own unit.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或含有您所用设备各光束的 JSON 文件。</translation>
         </message>
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>
             <translation>忽略距离小于此值的回波(它们打在操作员或外壳上)。</translation>
+        </message>
+        <message>
+            <source>Topic of a ROS bag that holds the scan. Empty takes the only one; bole info lists the topics.</source>
+            <translation>ROS bag 中包含扫描数据的话题。留空则取唯一的一个;bole info 会列出所有话题。</translation>
+        </message>
+        <message>
+            <source>Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one that comes with the scan; none leaves it out.</source>
+            <translation>惯性单元:ROS bag 的话题,或文件 (.csv, .txt)。留空则取随扫描数据一起的那个;none 表示不使用。</translation>
         </message>
         <message>
             <source>Returns farther than this are ignored.</source>

@@ -4,6 +4,8 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "io/core/bags/bag.h"
+#include "io/core/bags/bag_source.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/clouds/kitti_frame.h"
 #include "io/core/clouds/las_cloud.h"
@@ -16,6 +18,7 @@
 #include "io/core/e57/e57_reader.h"
 #include "io/core/las/las_writer.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/ouster_capture.h"
 #include "io/core/scans/velodyne_pcap.h"
 #include "io/core/tables/named_trajectory.h"
 #include "io/core/tables/nmea_reader.h"
@@ -61,6 +64,12 @@ bool is_text(Bytes file) {
 
 bool is_ending(const Candidate& c, std::initializer_list<std::string_view> endings) {
   return std::ranges::find(endings, c.ending) != endings.end();
+}
+
+// A file of ROS 2 that was compressed as a whole: "walk_0.db3.zstd".
+bool is_compressed_bag(const Candidate& c, std::string_view ending) {
+  return starts_with(c.bytes, "\x28\xB5\x2F\xFD"sv) && c.ending == ".zstd" &&
+         lower(c.path.stem().extension().string()) == ending;
 }
 
 std::shared_ptr<const FrameSource> open_capture(const fs::path& path, const FrameSourceOptions& options, const Run& run,
@@ -117,6 +126,13 @@ std::vector<Format> make_formats() {
                   .fuzz_target = "pcd"});
 
   // Scans and clouds whose ending decides where the content does not.
+  rows.push_back(
+      {.name = "Ouster capture",
+       .note = "with the JSON file of the sensor",
+       .endings = {".pcap", ".pcapng"},
+       .matches = [](const Candidate& c) { return is_capture(c.bytes) && looks_like_ouster_capture(c.bytes); },
+       .access = ScanAccess{open_ouster_capture},
+       .fuzz_target = "ouster"});
   rows.push_back({.name = "Velodyne capture",
                   .endings = {".pcap", ".pcapng", ".cap"},
                   .matches =
@@ -125,6 +141,27 @@ std::vector<Format> make_formats() {
                       },
                   .access = ScanAccess{open_capture},
                   .fuzz_target = "pcap"});
+  rows.push_back({.name = "ROS 1 bag",
+                  .endings = {".bag"},
+                  .matches = [](const Candidate& c) { return is_ros1_bag(c.bytes); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "ros1_bag"});
+  rows.push_back({.name = "MCAP",
+                  .endings = {".mcap"},
+                  .matches = [](const Candidate& c) { return is_mcap(c.bytes) || is_compressed_bag(c, ".mcap"); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "mcap"});
+  rows.push_back({.name = "ROS 2 bag",
+                  .endings = {".db3"},
+                  .matches = [](const Candidate& c) { return is_sqlite(c.bytes) || is_compressed_bag(c, ".db3"); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "db3"});
+  rows.push_back({.name = "folder of a ROS 2 bag",
+                  .endings = {".db3", ".mcap"},
+                  .folder = true,
+                  .matches = [](const Candidate& c) { return is_bag_folder(c.path); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "db3"});
   rows.push_back({.name = "folder of frames",
                   .endings = {".bin", ".pcd"},
                   .folder = true,

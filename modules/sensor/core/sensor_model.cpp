@@ -69,6 +69,37 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
   return channels;
 }
 
+Rosette rosette_from(const nlohmann::json& json) {
+  Rosette out;
+  out.points_per_s = number(json, "points_per_s", 1, 1e8);
+  out.beams = static_cast<int>(number(json, "beams", 1, 1000));
+  out.horizontal_fov_rad = number(json, "horizontal_fov_deg", 0.1, 360) * radians_per_degree;
+  const double min_deg = number(json, "min_elevation_deg", -90, 90);
+  out.min_elevation_rad = min_deg * radians_per_degree;
+  out.max_elevation_rad = number(json, "max_elevation_deg", min_deg, 90) * radians_per_degree;
+  return out;
+}
+
+void read_pattern(const nlohmann::json& json, SensorModel& model) {
+  const auto pattern = text(json, "pattern", "lines");
+  if (pattern != "lines" && pattern != "rosette") throw bad_input("'pattern' is '" + pattern + "'", "lines or rosette");
+  if (pattern == "rosette") {
+    model.rosette = rosette_from(json);
+    model.sequence_period_s = model.rosette->beams / model.rosette->points_per_s;
+    return;
+  }
+  const double period_us = number(json, "sequence_period_us", 1, 1e6);
+  model.sequence_period_s = period_us * 1e-6;
+  model.channels = channels_from(json, period_us);
+}
+
+bool flag(const nlohmann::json& json, const char* key) {
+  const auto it = json.find(key);
+  if (it == json.end()) return false;
+  if (!it->is_boolean()) throw bad_input("'" + std::string(key) + "' is " + it->dump(), "true or false");
+  return it->get<bool>();
+}
+
 void read_packet_format(const nlohmann::json& json, SensorModel& model) {
   const auto format = text(json, "packet", "none");
   if (format == "none") return;
@@ -93,6 +124,17 @@ std::string plain(std::string_view name) {
   return out;
 }
 
+// The name that is meant, or the end. A maker may stand in front ("Livox Mid-360" is mid360), and the family may be
+// left out ("XT-32" is pandar_xt32) where the rest is a name of one sensor only.
+std::vector<std::string>::const_iterator find_name(const std::vector<std::string>& names, std::string_view wanted) {
+  const auto name = plain(wanted);
+  const auto exact = std::ranges::find(names, name, plain);
+  if (exact != names.end() || name.size() < 4) return exact;
+  const auto fits = [&](const std::string& n) { return name.ends_with(plain(n)) || plain(n).ends_with(name); };
+  const auto first = std::ranges::find_if(names, fits);
+  return std::ranges::count_if(names, fits) == 1 ? first : names.end();
+}
+
 }  // namespace
 
 std::vector<double> SensorModel::ring_elevations_rad() const {
@@ -109,9 +151,7 @@ SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
   model.id = std::move(id);
   model.maker = text(json, "maker", "");
   model.source = text(json, "source", "");
-  const double period_us = number(json, "sequence_period_us", 1, 1e6);
-  model.sequence_period_s = period_us * 1e-6;
-  model.channels = channels_from(json, period_us);
+  read_pattern(json, model);
   model.rotation_hz = number(json, "rotation_hz", 0.1, 100);
   model.range_quantum_m = number(json, "range_quantum_m", 1e-4, 1);
   model.min_range_m = number(json, "min_range_m", 0, 100);
@@ -121,10 +161,8 @@ SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
   model.beam_divergence_vertical_rad = number(json, "beam_divergence_vertical_mrad", 0, 100) * 1e-3;
   model.aperture_horizontal_m = number(json, "aperture_horizontal_mm", 0, 1000) * 1e-3;
   model.aperture_vertical_m = number(json, "aperture_vertical_mm", 0, 1000) * 1e-3;
-  if (const auto it = json.find("dual_return"); it != json.end()) {
-    if (!it->is_boolean()) throw bad_input("'dual_return' is " + it->dump(), "true or false");
-    model.dual_return = it->get<bool>();
-  }
+  model.beam_assumed = flag(json, "beam_assumed");
+  model.dual_return = flag(json, "dual_return");
   read_packet_format(json, model);
   return model;
 }
@@ -143,7 +181,7 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
   const bool named_file = path.extension() == ".json";
   if (!named_file) {
     const auto names = sensor_model_names();
-    const auto it = std::ranges::find(names, plain(name_or_path), plain);
+    const auto it = find_name(names, name_or_path);
     if (it == names.end()) {
       std::string list;
       for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;

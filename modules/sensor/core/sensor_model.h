@@ -1,4 +1,4 @@
-// A spinning multi-laser scanner: its beams, their firing times, and its range measurement.
+// A multi-laser scanner: its beams, their firing times, and its range measurement.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "cloud/scan_frame.h"
 
 namespace bole::sensor {
 
@@ -21,16 +23,25 @@ struct LaserChannel {
 
 enum class PacketFormat { none, velodyne };
 
+// The field of view of a scanner whose beams never repeat their path (Livox). It has no table of lines.
+struct Rosette {
+  double points_per_s = 0;        // of all beams together, single return
+  int beams = 0;                  // that measure side by side
+  double horizontal_fov_rad = 0;  // centred on x forward
+  double min_elevation_rad = 0, max_elevation_rad = 0;
+};
+
 // The rotor's azimuth is 0 forward (x) and grows clockwise seen from above. A firing sequence fires every channel once.
 struct SensorModel {
-  std::string id;              // "vlp32c": the name of its file
-  std::string name;            // "VLP-32C"
-  std::string maker;           // "Velodyne"
-  std::string source;          // of the figures
-  std::filesystem::path file;  // that it was read from; empty for those of resources/sensors
-  std::vector<LaserChannel> channels;
-  double sequence_period_s = 0;  // from the start of a firing sequence to the next
-  double rotation_hz = 10;       // usual rate
+  std::string id;                      // "vlp32c": the name of its file
+  std::string name;                    // "VLP-32C"
+  std::string maker;                   // "Velodyne"
+  std::string source;                  // of the figures
+  std::filesystem::path file;          // that it was read from; empty for those of resources/sensors
+  std::vector<LaserChannel> channels;  // empty for a rosette
+  std::optional<Rosette> rosette;      // the field of view of sensors without lines
+  double sequence_period_s = 0;        // from the start of a firing sequence to the next; rosette: of a beam's points
+  double rotation_hz = 10;             // usual rate; rosette: of the frames
 
   double range_quantum_m = 0;  // one count of the packet's range
   double min_range_m = 0;
@@ -40,18 +51,21 @@ struct SensorModel {
   // Full angles of the beam (1/e^2 or as the maker gives them) and the size of the beam where it leaves the sensor.
   double beam_divergence_horizontal_rad = 0, beam_divergence_vertical_rad = 0;
   double aperture_horizontal_m = 0, aperture_vertical_m = 0;
+  bool beam_assumed = false;  // the maker states no divergence: these are of a similar sensor
 
   bool dual_return = false;  // can report two returns per firing
   PacketFormat packet = PacketFormat::none;
   int sequences_per_block = 1;             // Velodyne: firing sequences in one block of a packet (VLP-16: 2)
   std::optional<std::uint8_t> product_id;  // Velodyne: factory byte 1205
 
-  int rings() const { return static_cast<int>(channels.size()); }
-  std::vector<double> ring_elevations_rad() const;  // lowest first
+  ScanPattern pattern() const { return rosette ? ScanPattern::rosette : ScanPattern::lines; }
+  int rings() const { return rosette ? 1 : static_cast<int>(channels.size()); }
+  std::vector<double> ring_elevations_rad() const;  // lowest first; empty for a rosette
 };
 
-// `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C"), or the path of a JSON file of the same form with
-// the calibration of a unit. Throws Error{bad_input} that lists the known names, or names the wrong entry.
+// `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C", "Livox Mid-360", "XT-32"), or the path of a JSON
+// file of the same form with the calibration of a unit. Throws Error{bad_input} that lists the known names, or names
+// the wrong entry.
 SensorModel load_sensor_model(std::string_view name_or_path);
 
 // The model that a JSON value describes. Throws Error{bad_input} that names the wrong entry.

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
@@ -34,14 +35,62 @@ TEST(SensorModel, EveryFileLoadsAndNumbersItsRingsFromTheLowestBeam) {
   for (const auto& name : sensor_model_names()) {
     const auto model = load_sensor_model(name);
     EXPECT_EQ(model.id, name);
+    EXPECT_FALSE(model.source.empty()) << name;
+    EXPECT_GT(model.range_sigma_m, 0) << name;
+    EXPECT_GT(model.beam_divergence_horizontal_rad, 0) << name;
+    EXPECT_EQ(model.pattern() == ScanPattern::rosette, model.channels.empty()) << name;
     std::set<int> rings;
     for (const auto& c : model.channels) rings.insert(c.ring);
+    if (model.rosette) continue;
     EXPECT_EQ(static_cast<int>(rings.size()), model.rings()) << name;
     EXPECT_EQ(*rings.begin(), 0) << name;
     const auto elevations = model.ring_elevations_rad();
     EXPECT_TRUE(std::ranges::is_sorted(elevations)) << name;
   }
-  EXPECT_THAT(sensor_model_names(), testing::IsSupersetOf({"vlp16", "vlp32c", "hdl32e", "hdl64e_s2", "os1_64"}));
+  EXPECT_THAT(sensor_model_names(),
+              testing::IsSupersetOf({"vlp16", "vlp32c", "vls128", "hdl32e", "hdl64e_s2", "os0_32", "os0_64", "os0_128",
+                                     "os1_32", "os1_64", "os1_128", "os2_32", "os2_64", "os2_128", "pandar_xt32",
+                                     "pandar40p", "horizon", "avia", "mid360"}));
+}
+
+TEST(SensorModel, NamesAreFoundAsTheMakerWritesThem) {
+  for (const auto& [name, id] : std::map<std::string, std::string>{{"VLS-128", "vls128"},
+                                                                   {"OS1-128", "os1_128"},
+                                                                   {"OS1-64 Rev7", "os1_64_rev7"},
+                                                                   {"Ouster OS0-32", "os0_32"},
+                                                                   {"PandarXT-32", "pandar_xt32"},
+                                                                   {"XT-32", "pandar_xt32"},
+                                                                   {"Livox Mid-360", "mid360"}})
+    EXPECT_EQ(load_sensor_model(name).id, id) << name;
+  EXPECT_THAT(error_of([] { load_sensor_model("128"); }), HasSubstr("there is no sensor '128'"));
+  EXPECT_THAT(error_of([] { load_sensor_model("0_32"); }), HasSubstr("there is no sensor"));
+}
+
+TEST(SensorModel, TheFieldsOfViewAreThoseOfTheDataSheets) {
+  constexpr double deg = std::numbers::pi / 180;
+  const std::map<std::string, std::pair<double, double>> fields{
+      {"vls128", {-25, 15}},       {"os0_128", {-45, 45}},     {"os1_32", {-21.2, 21.2}},
+      {"os2_64", {-11.25, 11.25}}, {"pandar_xt32", {-16, 15}}, {"pandar40p", {-24.985, 14.794}}};
+  for (const auto& [name, field] : fields) {
+    const auto elevations = load_sensor_model(name).ring_elevations_rad();
+    EXPECT_NEAR(elevations.front(), field.first * deg, 1e-6) << name;
+    EXPECT_NEAR(elevations.back(), field.second * deg, 1e-6) << name;
+  }
+}
+
+TEST(SensorModel, ARosetteHasAFieldOfViewAndNoLines) {
+  constexpr double deg = std::numbers::pi / 180;
+  const auto model = load_sensor_model("mid360");
+  ASSERT_TRUE(model.rosette);
+  EXPECT_EQ(model.pattern(), ScanPattern::rosette);
+  EXPECT_EQ(model.rings(), 1);
+  EXPECT_TRUE(model.ring_elevations_rad().empty());
+  EXPECT_EQ(model.rosette->points_per_s, 200000);
+  EXPECT_NEAR(model.sequence_period_s, 4 / 200000.0, 1e-12);
+  EXPECT_NEAR(model.rosette->horizontal_fov_rad, 360 * deg, 1e-9);
+  EXPECT_NEAR(model.rosette->min_elevation_rad, -7 * deg, 1e-9);
+  EXPECT_NEAR(model.rosette->max_elevation_rad, 52 * deg, 1e-9);
+  EXPECT_TRUE(model.beam_assumed);
 }
 
 TEST(SensorModel, Vlp32cHasTheBeamsOfTheManual) {

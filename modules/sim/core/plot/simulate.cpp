@@ -273,6 +273,7 @@ const OptionTable& option_table(const SimulationOptions*) {
 Report simulate(const SimulationOptions& options, const fs::path& out_dir, const Run& run) {
   const auto seed = static_cast<std::uint64_t>(options.seed);
   const sensor::SensorModel sensor = sensor::load_sensor_model(options.sensor);
+  if (sensor.rosette) throw bad_input("the sensor " + sensor.name + " scans rosettes", "a sensor that scans lines");
   const PlotRecipe recipe = read_recipe(find_recipe("plots", options.plot));
   std::error_code error;
   fs::create_directories(out_dir, error);
