@@ -7,9 +7,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
+#include "cloud/known_facts.h"
 #include "commands.h"
+#include "ground/core/model_ground.h"
+#include "io/core/bags/bag_topics.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
@@ -52,19 +56,28 @@ ordered_json describe_sight(const FirstSight& sight) {
     json["common_lean_error_deg"] = sight.lean_error_deg;
   }
   if (sight.doubled_by_m > 0) json["doubled_by_m"] = sight.doubled_by_m;
-  if (sight.normalised) json["normalised"] = "z is the height above ground: the lowest points lie at 0";
   return json;
+}
+
+// The ground model decides, so that what is said here is what happens there. Clouds of which it makes no terrain are
+// described all the same.
+std::string normalised_evidence(const PointCloud& cloud) {
+  try {
+    return ground::evidence_of_normalised(cloud, {});
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 // Of the middle frame, in the axes of the sensor.
 ordered_json describe_bounds(const ScanFrame& frame) {
-  if (frame.positions.empty()) return nullptr;
+  if (frame.positions.empty()) return ordered_json::array();
   Eigen::Vector3f low = frame.positions.front(), high = low;
   for (const auto& p : frame.positions) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  return {{"min_m", {low.x(), low.y(), low.z()}}, {"max_m", {high.x(), high.y(), high.z()}}};
+  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
 }
 
 ordered_json describe_recording(const std::filesystem::path& path) {
@@ -95,12 +108,46 @@ ordered_json describe_recording(const std::filesystem::path& path) {
   return json;
 }
 
+// The topics of a bag, and its scan where it is clear which topic that is.
+ordered_json describe_bag(const std::filesystem::path& path) {
+  ordered_json topics = ordered_json::object();
+  for (const auto& t : io::describe_topics(*io::open_bag(path))) {
+    ordered_json topic{{"type", t.topic.type},
+                       {"messages", t.topic.messages},
+                       {"start_s", 1e-9 * static_cast<double>(t.topic.first_ns)},
+                       {"duration_s", 1e-9 * static_cast<double>(t.topic.last_ns - t.topic.first_ns)},
+                       {"read_as", t.use.empty() ? "nothing" : t.use}};
+    if (!t.fields.empty()) topic["fields"] = t.fields;
+    topics[t.topic.name] = std::move(topic);
+  }
+  ordered_json json;
+  try {
+    json = describe_recording(path);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::bad_input) throw;
+    json = {
+        {"file", path.string()}, {"kind", "recording"}, {"format", io::require_format(path).name}, {"scan", e.what()}};
+  }
+  json["topics"] = std::move(topics);
+  return json;
+}
+
 ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto seen = io::see_cloud(path);
   const auto& reading = seen.reading;
   const auto& cloud = reading.cloud;
-  ordered_json json{
-      {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
+  ordered_json json{{"file", path.string()},
+                    {"kind", "cloud"},
+                    {"format", io::require_format(path).name},
+                    {"points", cloud.size()},
+                    {"sensor", fact_text(cloud.facts, facts::sensor).value_or("unknown")}};
+  // As the option `bounds` takes them.
+  const auto& low_corner = seen.bounds.min();
+  const auto& high_corner = seen.bounds.max();
+  if (!seen.bounds.isEmpty())
+    json["bounds"] = {low_corner.x(),  low_corner.y(),  low_corner.z(),
+                      high_corner.x(), high_corner.y(), high_corner.z()};
+  json["axes"] = axes_name(cloud.axes);
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
     for (const auto& p : cloud.positions()) {
@@ -127,6 +174,8 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   json["arrays"] = columns;
   json["crs"] = cloud.crs_wkt.empty() ? "none" : cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','));
   json["sight"] = describe_sight(seen.sight);
+  if (const auto evidence = normalised_evidence(cloud); !evidence.empty())
+    json["sight"]["normalised"] = "z is the height above ground: " + evidence;
   add_report(json, reading.report);
   return json;
 }
@@ -168,8 +217,11 @@ void add_info(Program& program) {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
       try {
-        const bool scan = io::require_format(file).content() == io::FileContent::scan;
-        all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+        const auto& format = io::require_format(file);
+        const auto* scan = std::get_if<io::ScanAccess>(&format.access);
+        all.push_back(scan == nullptr    ? describe_cloud(file)
+                      : scan->has_topics ? describe_bag(file)
+                                         : describe_recording(file));
       } catch (const Error& e) {
         if (e.kind() == ErrorKind::cancelled || args->files.size() == 1) throw;
         fmt::print(stderr, "bole: {}\n", e.what());

@@ -88,24 +88,26 @@ def compare(dump, capture):
         return f"{capture.name}: no JSON file fits"
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "scan"
-        done = subprocess.run([str(dump), str(capture), str(out)], capture_output=True, text=True)
+        done = subprocess.run([str(dump), str(capture), str(out), "min_range=0", "max_range=1000", "keep_partial_frames=true"], capture_output=True, text=True)
         if done.returncode != 0:
             return f"{capture.name}: {done.stderr.strip()}"
-        ours = json.loads((out.parent / "scan.json").read_text())
+        ours = json.loads(done.stdout)
         load = lambda name, kind: np.fromfile(f"{out}.{name}", dtype=kind)
-        positions, times = load("positions", np.float32).reshape(-1, 3), load("times", np.float64)
-        rings, intensities, numbers = load("rings", np.uint16), load("intensities", np.float32), load("return_numbers", np.uint8)
+        positions, times = load("positions", np.float32).reshape(-1, 3), load("times", np.float32).astype(float)
+        rings, intensities, numbers = load("rings", np.uint16), load("intensities", np.float32), load("returns", np.uint8)
+        inertial = load("imu", np.float64).reshape(-1, 7)
     rows, points = expected(capture, info)
     frame = np.repeat(np.arange(len(ours["frames"])), [f["points"] for f in ours["frames"]])
     if len(positions) != len(points):
         return f"{capture.name}: {len(positions)} points, the SDK has {len(points)}"
+    times += np.array([f["start_s"] for f in ours["frames"]])[frame]
     sort = np.lexsort((numbers, rings, times, frame))
     distance = np.abs(positions[sort] - points).max()
     shift = times.min() - rows[:, 4].min() * 1e-9  # the clock of the recorder
     late = np.abs(times[sort] - rows[:, 4] * 1e-9 - shift).max()
     same = {"frames": np.array_equal(frame[sort], rows[:, 0]), "rings": np.array_equal(rings[sort], rows[:, 2]), "returns": np.array_equal(numbers[sort], rows[:, 3]),
             "reflectivity": np.array_equal(intensities[sort], rows[:, 5].astype(np.float32)), "positions": distance <= MAX_DISTANCE_M, "times": late <= MAX_TIME_S}
-    samples, inertial = inertial_of(capture, info), np.array(ours["inertial"] or [])
+    samples = inertial_of(capture, info)
     if len(samples):
         samples[:, 0] += shift
         same["inertial"] = samples.shape == inertial.shape and np.abs(samples[np.argsort(samples[:, 0])] - inertial).max() < 1e-5
