@@ -7,9 +7,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
+#include "cloud/known_facts.h"
 #include "commands.h"
+#include "ground/core/model_ground.h"
 #include "io/core/bags/bag_topics.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
@@ -53,8 +56,28 @@ ordered_json describe_sight(const FirstSight& sight) {
     json["common_lean_error_deg"] = sight.lean_error_deg;
   }
   if (sight.doubled_by_m > 0) json["doubled_by_m"] = sight.doubled_by_m;
-  if (sight.normalised) json["normalised"] = "z is the height above ground: the lowest points lie at 0";
   return json;
+}
+
+// The ground model decides, so that what is said here is what happens there. Clouds of which it makes no terrain are
+// described all the same.
+std::string normalised_evidence(const PointCloud& cloud) {
+  try {
+    return ground::evidence_of_normalised(cloud, {});
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+// Of the middle frame, in the axes of the sensor.
+ordered_json describe_bounds(const ScanFrame& frame) {
+  if (frame.positions.empty()) return ordered_json::array();
+  Eigen::Vector3f low = frame.positions.front(), high = low;
+  for (const auto& p : frame.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
 }
 
 ordered_json describe_recording(const std::filesystem::path& path) {
@@ -62,9 +85,11 @@ ordered_json describe_recording(const std::filesystem::path& path) {
   const auto source = io::open_frame_source(path, {}, {}, report);
   ordered_json json{{"file", path.string()},
                     {"kind", "recording"},
+                    {"format", io::require_format(path).name},
                     {"description", source->description()},
                     {"sensor", source->sensor_model()},
                     {"rings", source->rings()},
+                    {"pattern", source->pattern() == ScanPattern::rosette ? "rosette" : "lines"},
                     {"frames", source->size()}};
   if (source->size() > 0) {
     ScanFrame frame;
@@ -72,7 +97,13 @@ ordered_json describe_recording(const std::filesystem::path& path) {
     json["start_s"] = source->frame_time_s(0);
     json["duration_s"] = source->frame_time_s(source->size() - 1) - source->frame_time_s(0);
     json["points_in_middle_frame"] = frame.size();
+    json["bounds"] = describe_bounds(frame);
   }
+  if (const auto* inertial = source->inertial())
+    json["inertial"] = {{"name", inertial->name},
+                        {"samples", inertial->samples.size()},
+                        {"start_s", inertial->samples.front().time_s},
+                        {"duration_s", inertial->samples.back().time_s - inertial->samples.front().time_s}};
   add_report(json, report);
   return json;
 }
@@ -105,8 +136,18 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto seen = io::see_cloud(path);
   const auto& reading = seen.reading;
   const auto& cloud = reading.cloud;
-  ordered_json json{
-      {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
+  ordered_json json{{"file", path.string()},
+                    {"kind", "cloud"},
+                    {"format", io::require_format(path).name},
+                    {"points", cloud.size()},
+                    {"sensor", fact_text(cloud.facts, facts::sensor).value_or("unknown")}};
+  // As the option `bounds` takes them.
+  const auto& low_corner = seen.bounds.min();
+  const auto& high_corner = seen.bounds.max();
+  if (!seen.bounds.isEmpty())
+    json["bounds"] = {low_corner.x(),  low_corner.y(),  low_corner.z(),
+                      high_corner.x(), high_corner.y(), high_corner.z()};
+  json["axes"] = axes_name(cloud.axes);
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
     for (const auto& p : cloud.positions()) {
@@ -133,6 +174,8 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   json["arrays"] = columns;
   json["crs"] = cloud.crs_wkt.empty() ? "none" : cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','));
   json["sight"] = describe_sight(seen.sight);
+  if (const auto evidence = normalised_evidence(cloud); !evidence.empty())
+    json["sight"]["normalised"] = "z is the height above ground: " + evidence;
   add_report(json, reading.report);
   return json;
 }

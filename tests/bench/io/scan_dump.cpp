@@ -1,8 +1,6 @@
-// Opens a scan and writes what it gives, for comparison with other programs.
-//   scan_dump FILE OUT [option=value...]
-// Prints JSON: sensor, pattern, rings, seconds to open, peak MiB after it, times of frames, the report. With OUT other
-// than
-// "-" all frames are read, and their columns are written to OUT.NAME.
+// scan_dump FILE OUT|- [option=value ...]: opens a scan and writes what it gives, for the comparisons of
+// tests/bench/peers. Prints JSON: sensor, pattern, rings, seconds to open, peak MiB after it, times of frames, the
+// report. With OUT other than "-" all frames are read, and their columns are written to OUT.NAME.
 #include <chrono>
 #include <cstdio>
 #include <fstream>

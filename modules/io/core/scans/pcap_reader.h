@@ -6,9 +6,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/scans/datagrams.h"
+#include "io/core/scans/ip_fragments.h"
 
 struct pcap;
 
@@ -22,9 +24,9 @@ class PcapReader : public DatagramReader {
   PcapReader(Bytes capture, const std::string& name);
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
-  // IPv6. Fragments and other packets are skipped and counted. False at the end and where the file is cut off or
-  // damaged; then trouble() gives the reason. `poll` is called with the byte position after every 512 packets, and it
-  // may throw.
+  // IPv6. Fragments of IPv4 are put together. Those of IPv6, those of datagrams that stay incomplete, and other packets
+  // are skipped and counted. False at the end and where the file is cut off or damaged; then trouble() gives the
+  // reason. `poll` is called with the byte position after every 512 packets, and it may throw.
   bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) override;
   using DatagramReader::next;
 
@@ -42,7 +44,9 @@ class PcapReader : public DatagramReader {
   std::unique_ptr<pcap, Close> handle_;
   int link_type_ = 0;
   double bytes_ = 0;
-  std::int64_t packets_ = 0;
+  IpFragments pieces_;
+  std::vector<std::uint8_t> joined_;  // the datagram of the last call, where it came in fragments
+  std::int64_t packets_ = 0, fragments_of_ipv6_ = 0;
 };
 
 }  // namespace bole::io
