@@ -116,12 +116,6 @@ class CellHeights {
     return upper_median(std::move(lows));
   }
 
-  std::vector<float> lows() const {
-    std::vector<float> out;
-    for (const auto& [key, c] : cells_) out.push_back(c.low);
-    return out;
-  }
-
   // Share of the cells whose height lies on the straight line between the heights on both sides: a surface that goes
   // on, whatever its slope.
   double continuing_share(bool top) const {
@@ -415,14 +409,6 @@ CloudKind kind_of(const FirstSight& sight) {
 
 }  // namespace
 
-bool looks_normalised(const std::vector<float>& lowest_m) {
-  constexpr std::size_t min_cells = 25;
-  if (lowest_m.size() < min_cells) return false;
-  constexpr float middle_m = 0.1F, max_height = 0.25F;
-  return std::abs(quantile(lowest_m, 0.5)) < middle_m && quantile(lowest_m, 0.05) > -max_height &&
-         quantile(lowest_m, 0.9) < max_height;
-}
-
 FirstSight first_sight(const PointCloud& cloud, const Run& run) {
   FirstSight out;
   out.points = cloud.size();
@@ -455,9 +441,6 @@ FirstSight first_sight(const PointCloud& cloud, const Run& run) {
   if (single_tree) ground_z = static_cast<double>(quantile(coordinates(sample.points, 2), 0.001));
   see_stems(axes, sample, cells, ground_z, out);
   see_lean(axes, out);
-  const auto lows = cells.lows();
-  out.lowest_m = (out.up.value_or(2) == 2 ? cloud.origin.z() : 0.0) + static_cast<double>(quantile(lows, 0.5));
-  out.normalised = out.up.value_or(2) == 2 && cloud.origin.z() == 0 && looks_normalised(lows);
   out.kind = single_tree ? CloudKind::single_tree : kind_of(out);
   run.report(1.0, "Looking at the cloud");
   return out;

@@ -57,8 +57,6 @@ struct FirstSight {
   double lean_deg = 0;                                              // that all stems have in common
   double lean_error_deg = std::numeric_limits<double>::infinity();  // standard error of it
   Eigen::Vector3d stem_direction = Eigen::Vector3d::UnitZ();        // the common direction
-  double lowest_m = 0;                                              // median of the lowest points per cell
-  bool normalised = false;                                          // z is the height above ground already
 };
 
 // Where fewer points of a stem are seen about breast height its diameter is not to be relied on.
@@ -66,10 +64,6 @@ constexpr double needed_points_per_stem = 40;
 
 // The coordinates are metres. The cloud is not changed. Fewer than 100 points: counts only.
 FirstSight first_sight(const PointCloud& cloud, const Run& run = {});
-
-// Whether z is the height above ground already: everywhere the lowest points of a cell lie at zero. `lowest` are those
-// of cells of about a metre.
-bool looks_normalised(const std::vector<float>& lowest_m);
 
 }  // namespace cloud
 }  // namespace bole

@@ -7,9 +7,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
 #include "commands.h"
+#include "ground/core/model_ground.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
@@ -52,8 +54,17 @@ ordered_json describe_sight(const FirstSight& sight) {
     json["common_lean_error_deg"] = sight.lean_error_deg;
   }
   if (sight.doubled_by_m > 0) json["doubled_by_m"] = sight.doubled_by_m;
-  if (sight.normalised) json["normalised"] = "z is the height above ground: the lowest points lie at 0";
   return json;
+}
+
+// The ground model decides, so that what is said here is what happens there. Clouds of which it makes no terrain are
+// described all the same.
+std::string normalised_evidence(const PointCloud& cloud) {
+  try {
+    return ground::evidence_of_normalised(cloud, {});
+  } catch (const Error&) {
+    return {};
+  }
 }
 
 ordered_json describe_recording(const std::filesystem::path& path) {
@@ -108,6 +119,8 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   json["arrays"] = columns;
   json["crs"] = cloud.crs_wkt.empty() ? "none" : cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','));
   json["sight"] = describe_sight(seen.sight);
+  if (const auto evidence = normalised_evidence(cloud); !evidence.empty())
+    json["sight"]["normalised"] = "z is the height above ground: " + evidence;
   add_report(json, reading.report);
   return json;
 }

@@ -262,7 +262,31 @@ void judge_terrain(const HeightReference& reference, const std::vector<float>& h
                             reference.cut_z));
 }
 
+// What is seen before the terrain is made.
+struct GroundSight {
+  GroundSight(const PointCloud& cloud, const GridShape& shape, const GroundScales& scales, const Run& run)
+      : grid(cloud, shape, run) {
+    run.report(0.35, "Finding ground");
+    candidates = lowest_groups(cloud, grid, {scales.roughness, std::tan(radians(scales.max_slope_deg))}, run);
+    if (scales.cell >= min_column_cell_m && scales.cell <= max_column_cell_m)
+      columns = upright_columns(cloud, grid, run);
+    reference = height_reference(cloud, candidates, columns);
+  }
+
+  PointGrid grid;
+  std::vector<LowPoint> candidates;
+  std::vector<UprightColumn> columns;
+  HeightReference reference;
+};
+
 }  // namespace
+
+std::string evidence_of_normalised(const PointCloud& cloud, const Run& run) {
+  if (is_single_tree(cloud)) return {};
+  const auto scales = scales_for(cloud, {});
+  const auto reference = GroundSight(cloud, grid_over(cloud, scales.cell), scales, run).reference;
+  return reference.above_ground ? reference.evidence : std::string();
+}
 
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
   run.report(0.0, "Sorting points into cells");
@@ -272,18 +296,12 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
     return lowest_ground(cloud, shape, scales, run);
   if (options.method == GroundMethod::normalised)
     return normalised_ground(cloud, shape, scales, "method is normalised", run);
-  const PointGrid grid(cloud, shape, run);
+  const GroundSight seen(cloud, shape, scales, run);
+  if (!options.method && seen.reference.above_ground)
+    return normalised_ground(cloud, shape, scales, seen.reference.evidence, run);
 
-  run.report(0.35, "Finding ground");
-  const auto candidates = lowest_groups(cloud, grid, {scales.roughness, std::tan(radians(scales.max_slope_deg))}, run);
-  std::vector<UprightColumn> columns;
-  if (scales.cell >= min_column_cell_m && scales.cell <= max_column_cell_m) columns = upright_columns(cloud, grid, run);
-  const auto reference = height_reference(cloud, candidates, columns);
-  if (!options.method && reference.above_ground)
-    return normalised_ground(cloud, shape, scales, reference.evidence, run);
-
-  auto model = TinTerrain(cloud, grid, scales, run).model(candidates, columns);
-  judge_terrain(reference, model.height_above_ground, model.report);
+  auto model = TinTerrain(cloud, seen.grid, scales, run).model(seen.candidates, seen.columns);
+  judge_terrain(seen.reference, model.height_above_ground, model.report);
   run.report(1.0, "Terrain model done");
   return model;
 }

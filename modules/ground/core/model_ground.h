@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "base/report.h"
@@ -23,8 +24,11 @@ struct GroundModel {
 };
 
 // z of `cloud` points up. Throws Error{bad_input} for a cloud without finite points or of too great an extent,
-// Error{failed} when no ground is found. What speaks against
-// the terrain is a finding of the report.
+// Error{failed} when no ground is found. What speaks against the terrain is a finding of the report.
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run);
+
+// Why model_ground() takes the cloud for height-normalised where the method is open; empty where it does not. Throws
+// Error{bad_input} as it does.
+std::string evidence_of_normalised(const PointCloud& cloud, const Run& run);
 
 }  // namespace bole::ground

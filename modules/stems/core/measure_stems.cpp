@@ -66,6 +66,7 @@ class Survey {
     auto priors = search();
     for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     learn_noise();
+    drop_repeated();
     if (priors.learnt) refit_all(priors);
     accept();
     label();
@@ -260,6 +261,39 @@ class Survey {
     return objection(s, options_).has_value();
   }
 
+  // Fits that found the stem of a better candidate need no second round.
+  void drop_repeated() {
+    std::ranges::stable_sort(fitted_, by_score);
+    std::vector<Stem> kept;
+    for (auto& s : fitted_) {
+      const auto found = std::ranges::find_if(kept, [&](const Stem& o) { return is_same_fit(s, o) && !hopeless(o); });
+      if (found == kept.end()) {
+        kept.push_back(std::move(s));
+        continue;
+      }
+      note_fork(*found, s.candidate);
+      reject(s, same_stem_as(*found));
+    }
+    fitted_ = std::move(kept);
+  }
+
+  static bool by_score(const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; }
+
+  static bool is_same_fit(const Stem& a, const Stem& b) {
+    const double near = 0.25 * std::min(a.radius, b.radius);
+    return (a.breast_height - b.breast_height).head<2>().norm() < near && std::abs(a.radius - b.radius) < near;
+  }
+
+  std::string same_stem_as(const Stem& s) const {
+    return fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + s.breast_height.x(),
+                       points_.origin.y() + s.breast_height.y());
+  }
+
+  void reject(const Stem& s, std::string why) {
+    out_.rejected.push_back(
+        {{s.breast_height.x(), s.breast_height.y(), s.ground_z}, 2 * s.radius, s.inliers, std::move(why)});
+  }
+
   // What is no stem after the first round needs no second.
   void refit_all(const ProjectPriors& priors) {
     in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
@@ -267,7 +301,7 @@ class Survey {
       if (hopeless(s)) return;
       auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
       if (!again.stem) return;
-      again.stem->ray_through = s.ray_through;
+      again.stem->ray_through = s.ray_through, again.stem->fork_m = s.fork_m;
       s = std::move(*again.stem);
       judge(s, breast_height_);
     });
@@ -297,19 +331,16 @@ class Survey {
   }
 
   void accept() {
-    std::ranges::stable_sort(fitted_,
-                             [](const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; });
+    std::ranges::stable_sort(fitted_, by_score);
     for (auto& s : fitted_) {
       auto why = objection(s, options_);
       if (!why)
         if (auto* twin = twin_of(s)) {
           note_fork(*twin, s.candidate);
-          why = fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + twin->breast_height.x(),
-                            points_.origin.y() + twin->breast_height.y());
+          why = same_stem_as(*twin);
         }
       if (why)
-        out_.rejected.push_back(
-            {{s.breast_height.x(), s.breast_height.y(), s.ground_z}, 2 * s.radius, s.inliers, *why});
+        reject(s, *why);
       else
         out_.stems.push_back(std::move(s));
     }

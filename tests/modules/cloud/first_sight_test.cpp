@@ -33,7 +33,6 @@ TEST(FirstSight, AStandIsSeenAsItIs) {
   EXPECT_NEAR(sight.points_per_stem, 520, 60);
   EXPECT_NEAR(sight.top_height_m, 15, 0.7);
   EXPECT_LT(sight.lean_deg, 0.5);
-  EXPECT_FALSE(sight.normalised);
   EXPECT_LT(sight.duplicated_share, 0.001);
 }
 
@@ -96,15 +95,6 @@ TEST(FirstSight, SparseStemsAreCounted) {
   EXPECT_GE(sight.stems, 8U);
   EXPECT_NEAR(sight.points_per_stem, 26, 8);
   EXPECT_LT(sight.points_per_stem, needed_points_per_stem);
-}
-
-TEST(FirstSight, HeightsInPlaceOfElevationsAreSeen) {
-  StandOptions o;
-  o.slope = o.relief = o.base_z = 0;
-  EXPECT_TRUE(first_sight(stand_cloud(o)).normalised);
-  o.relief = 0.5;
-  EXPECT_FALSE(first_sight(stand_cloud(o)).normalised);
-  EXPECT_FALSE(looks_normalised({0, 0, 0}));  // too few to say
 }
 
 TEST(FirstSight, RepeatedPointsAreCounted) {

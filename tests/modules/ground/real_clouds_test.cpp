@@ -87,8 +87,10 @@ TEST(RealClouds, NormalisedCloudsAreKnownAndOthersAreNot) {
                                      std::pair{"/als_ground/Topography.laz", TerrainSource::ground},
                                      std::pair{"/tls_pine_plot/pine_plot.laz", TerrainSource::ground},
                                      std::pair{"/tls_spanner/TLS_Clip.laz", TerrainSource::ground}}) {
-    const auto model = model_ground(io::read_las(data + file), {}, bole::Run{});
+    const auto cloud = io::read_las(data + file);
+    const auto model = model_ground(cloud, {}, bole::Run{});
     EXPECT_EQ(model.source, source) << file << ": " << model.report.message;
+    EXPECT_EQ(evidence_of_normalised(cloud, {}).empty(), source != TerrainSource::normalised) << file;
   }
 }
 

@@ -144,6 +144,10 @@ class Ring {
 
 }  // namespace
 
+bool is_on(const Eigen::Vector2d& point, const RobustCircle& fit) {
+  return std::abs((point - fit.circle.centre).norm() - fit.circle.radius) <= 2.5 * fit.sigma;
+}
+
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
                                           double start_error_m, double max_sigma) {
   if (points.size() < 5 || !(start.radius > 0)) return std::nullopt;
@@ -166,7 +170,7 @@ std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& po
   fit.sigma = scale;
   std::vector<double> angles;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::abs(ring.distance()[i] - fit.circle.radius) > 2.5 * scale) continue;
+    if (!is_on(points[i], fit)) continue;
     const Eigen::Vector2d d = points[i] - fit.circle.centre;
     ++fit.inliers, angles.push_back(std::atan2(d.y(), d.x()));
   }

@@ -29,6 +29,9 @@ struct RobustCircle {
 std::optional<RobustCircle> robust_circle(const std::vector<Eigen::Vector2d>& points, const Circle& start,
                                           double start_error_m, double max_sigma);
 
+// Whether a point lies within the scatter of the circle.
+bool is_on(const Eigen::Vector2d& point, const RobustCircle& fit);
+
 // The part of the circle, in radians, whose 10 degree sectors hold a point; `angles_rad` are directions from the
 // centre.
 double covered_arc_rad(const std::vector<double>& angles_rad);

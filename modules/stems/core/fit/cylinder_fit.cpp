@@ -72,7 +72,7 @@ class JointFit {
     evaluate(c, values_);
     for (int i = 0; i < 40; ++i) {
       if (options_.cancel.stop_requested()) return false;
-      choose_active();
+      choose_shares();
       Eigen::MatrixXd normal;
       Eigen::VectorXd gradient;
       const double cost = assemble(c, scale, normal, gradient);
@@ -108,13 +108,18 @@ class JointFit {
   DriftEvidence drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const;
 
  private:
-  // Which rays take part is settled between steps, not within: a gate that moved with the radius would pay for a larger
-  // one.
-  void choose_active() {
-    active_.assign(points_.size(), true);
+  // How much a ray takes part is settled between steps, not within: a gate that moved with the radius would pay for a
+  // larger one. Rays near the gate take part by degrees, so that the fit does not swing between two choices of them.
+  void choose_shares() {
+    share_.assign(points_.size(), 1);
     if (!options_.along_rays) return;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      active_[i] = values_[i].usable && values_[i].impact < options_.ray_gate;
+    for (std::size_t i = 0; i < points_.size(); ++i) share_[i] = values_[i].usable ? gate_share(values_[i].impact) : 0;
+  }
+
+  double gate_share(double impact) const {
+    constexpr double half_width = 0.08;  // of the radius
+    const double u = std::clamp((impact - options_.ray_gate) / half_width, -1.0, 1.0);
+    return 0.5 - 0.25 * u * (3 - u * u);
   }
 
   struct Value {
@@ -174,7 +179,8 @@ class JointFit {
     double sum = 0;
     evaluate(c, tried_);
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (const auto& e = tried_[i]; active_[i]) sum += rho(e.usable ? square(e.value) / (scale * scale * k2) : 1);
+      if (const auto& e = tried_[i]; share_[i] > 0)
+        sum += share_[i] * rho(e.usable ? square(e.value) / (scale * scale * k2) : 1);
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
 
@@ -224,13 +230,13 @@ class JointFit {
     const double factor = information_ / (scale * scale);
     const CylinderResiduals of(c);
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (!active_[i]) continue;
+      if (share_[i] <= 0) continue;
       const double u2 = values_[i].usable ? square(values_[i].value) / (scale * scale * k2) : 1;
-      sum += rho(u2);
+      sum += share_[i] * rho(u2);
       if (u2 >= 1) continue;
       const auto& p = points_[i];
       const auto e = residual(of, p, true);
-      const double w = factor * (1 - u2) * (1 - u2);
+      const double w = share_[i] * factor * (1 - u2) * (1 - u2);
       const auto k = static_cast<std::size_t>(p.view);
       by_view[k].noalias() += w * e.jacobian * e.jacobian.transpose();
       rhs[k] += w * e.value * e.jacobian;
@@ -254,14 +260,14 @@ class JointFit {
     std::vector<double> errors;
     errors.reserve(values_.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
-      if (const auto& e = values_[i]; active_[i] && e.usable && std::abs(e.value) < 4.685 * scale)
+      if (const auto& e = values_[i]; share_[i] >= 0.5 && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
     return 1.4826 * upper_median(errors);
   }
 
   const std::vector<BarkPoint>& points_;
   const CylinderFitOptions& options_;
-  std::vector<char> active_;           // by point: whether it takes part
+  std::vector<double> share_;          // by point: how much it takes part
   std::vector<Value> values_, tried_;  // at the present cylinder; at the last one tried
   std::vector<int> pass_of_view_;
   std::size_t views_;
@@ -302,14 +308,15 @@ void JointFit::describe(CylinderFit& fit) const {
   const double s2 = fit.sigma_m * fit.sigma_m;
   const CylinderResiduals of(c);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!active_[i]) continue;
+    if (share_[i] <= 0) continue;
     const auto& p = points_[i];
     const auto e = residual(of, p, true);
     const double u = e.value / (4.685 * fit.sigma_m);
     if (!e.usable || std::abs(u) >= 1) continue;
-    const double w = (1 - u * u) * (1 - u * u);
+    const double w = share_[i] * (1 - u * u) * (1 - u * u);
     fit.weight[i] = w, ++fit.inliers;
-    add(information_ * (1 - u * u) * (1 - 5 * u * u) / s2 * e.jacobian * e.jacobian.transpose(), p.view, normal);
+    add(information_ * share_[i] * (1 - u * u) * (1 - 5 * u * u) / s2 * e.jacobian * e.jacobian.transpose(), p.view,
+        normal);
     const Vector7 g = information_ * w * e.value / s2 * e.jacobian;
     const auto bearing =
         static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));

@@ -22,6 +22,8 @@ namespace {
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
 // an even choice. A first look tells what stems share, and needs fewer.
 constexpr std::size_t max_fit_points = 8000, max_first_points = 2500;
+// Of these some lie off the sections that are used, and the sections want points of their own.
+constexpr std::size_t max_gathered = 40000, max_first_gathered = 10000;
 
 // Robust standard deviation.
 double spread_of(std::vector<double> values) {
@@ -108,11 +110,11 @@ class StemFitter {
                   Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
                   candidate_.taper};
     StemFitResult result;
-    auto attempt = prepare(axis);
+    auto attempt = prepare(axis, max_first_gathered);
     if (!has_sections(attempt, result)) return result;
     auto fit = surface_fit(attempt, used_points(attempt, max_first_points));
     if (!fit) return no_cylinder();
-    attempt = prepare(line_of(attempt.axes, fit->cylinder));
+    attempt = prepare(line_of(attempt.axes, fit->cylinder), max_first_gathered);
     if (!has_sections(attempt, result)) return result;
     const auto points = used_points(attempt, max_first_points);
     fit = surface_fit(attempt, points);
@@ -128,7 +130,7 @@ class StemFitter {
     AxisLine axis{before.breast_height, before.direction,
                   before.radius - (before.along_rays ? options_.bark_relief : 0), before.taper};
     for (int round = 0; round < max_rounds; ++round) {
-      const auto attempt = prepare(axis);
+      const auto attempt = prepare(axis, max_gathered);
       if (!has_sections(attempt, result)) break;
       const auto points = used_points(attempt, max_fit_points);
       const auto fit =
@@ -149,7 +151,7 @@ class StemFitter {
   // search found it.
   static constexpr int max_rounds = 4;
   static bool settled(const CylinderFit& fit, double radius_before) {
-    constexpr double still_m = 5e-5;
+    const double still_m = std::max(5e-5, 0.1 * fit.radius_sd_m);  // other points are chosen each time
     return std::hypot(fit.cylinder.x, fit.cylinder.y) < still_m &&
            std::abs(fit.cylinder.radius - radius_before) < still_m;
   }
@@ -161,7 +163,7 @@ class StemFitter {
     CylinderFit now = fit;
     for (int round = 0; round < max_rounds; ++round) {
       const double radius = now.cylinder.radius;
-      last = prepare(line_of(last.axes, now.cylinder));
+      last = prepare(line_of(last.axes, now.cylinder), max_first_gathered);
       if (last.line.sections < attempt.line.sections) return;
       auto next = surface_fit(last, used_points(last, max_first_points));
       if (!next || std::abs(next->cylinder.radius - fit.cylinder.radius) > wandered_m) return;
@@ -185,13 +187,14 @@ class StemFitter {
     return z;
   }
 
-  Attempt prepare(const AxisLine& axis) const {
+  Attempt prepare(const AxisLine& axis, std::size_t most) const {
     Attempt a;
     const double ground = ground_at(axis);
     const Eigen::Vector3d base = axis.at_z(ground);
     a.axes = StemAxes(base + breast_height_ * axis.direction, axis.direction, ground);
     const double radius = std::max(0.015, axis.radius_at(a.axes.origin.z()));
     GatherOptions gather;
+    gather.max_points = most;
     gather.radius = radius;
     gather.taper = axis.taper;
     gather.max_range = options_.max_range;

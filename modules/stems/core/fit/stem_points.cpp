@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
+#include <utility>
 
 namespace bole::stems {
 
@@ -29,7 +29,6 @@ double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, con
 
 namespace {
 
-constexpr std::size_t max_points = 40000;
 constexpr std::size_t plenty = 300;
 constexpr std::size_t points_between_polls = 256;  // where each may lie on a page of a file
 
@@ -41,8 +40,31 @@ Eigen::Vector3d sensor_of(const StemLayer& layer, const CloudRays& rays, std::si
   return rays.sensor[k].cast<double>();
 }
 
+struct Near {
+  Eigen::Vector3d p;
+  std::uint32_t k;
+};
+
+bool lies_before(const Near& a, const Near& b) {
+  if (a.p.x() != b.p.x()) return a.p.x() < b.p.x();
+  if (a.p.y() != b.p.y()) return a.p.y() < b.p.y();
+  return a.p.z() != b.p.z() ? a.p.z() < b.p.z() : a.k < b.k;
+}
+
+// Sorts small keys in place of the points: x alone decides nearly always.
+void sort_by_place(std::vector<Near>& near) {
+  std::vector<std::pair<double, std::uint32_t>> order(near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) order[i] = {near[i].p.x(), static_cast<std::uint32_t>(i)};
+  std::ranges::sort(order, [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : lies_before(near[a.second], near[b.second]);
+  });
+  std::vector<Near> sorted;
+  sorted.reserve(near.size());
+  for (const auto& [x, i] : order) sorted.push_back(near[i]);
+  near.swap(sorted);
+}
+
 // Points beyond `max_range`, where nearer ones are plenty, and their rays.
-template <class Near>
 void drop_distant(std::vector<Near>& near, std::vector<Eigen::Vector3d>& ray, double max_range) {
   const auto within = static_cast<std::size_t>(
       std::ranges::count_if(ray, [&](const Eigen::Vector3d& r) { return r.norm() <= max_range; }));
@@ -57,10 +79,6 @@ void drop_distant(std::vector<Near>& near, std::vector<Eigen::Vector3d>& ray, do
 
 std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
                                    const GatherOptions& options, const Run& run) {
-  struct Near {
-    Eigen::Vector3d p;
-    std::uint32_t k;
-  };
   std::vector<Near> near;
   const Eigen::Vector3d up = axes.rotation.row(2).transpose();
   const double lean = up.head<2>().norm() * std::max(std::abs(options.lowest), options.highest),
@@ -72,11 +90,7 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
       return;
     near.push_back({p, k});
   });
-  std::ranges::sort(near, [](const Near& a, const Near& b) {
-    if (a.p.x() != b.p.x()) return a.p.x() < b.p.x();
-    if (a.p.y() != b.p.y()) return a.p.y() < b.p.y();
-    return a.p.z() != b.p.z() ? a.p.z() < b.p.z() : a.k < b.k;
-  });
+  sort_by_place(near);
   std::vector<Eigen::Vector3d> ray;
   if (rays.has_sensor()) {
     ray.reserve(near.size());
@@ -87,7 +101,7 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     drop_distant(near, ray, options.max_range);
   }
   std::vector<BarkPoint> out;
-  const std::size_t stride = near.size() / max_points + 1;
+  const std::size_t stride = near.size() / options.max_points + 1;
   out.reserve(near.size() / stride + 1);
   for (std::size_t i = 0; i < near.size(); i += stride) {
     auto& b = out.emplace_back();
@@ -107,12 +121,16 @@ void number_sections(std::vector<BarkPoint>& points, double step_m) {
 }
 
 double section_step(const std::vector<BarkPoint>& points, double step_m, int least) {
+  if (points.empty()) return step_m;
+  const auto [low, high] = std::ranges::minmax(points, {}, [](const BarkPoint& p) { return p.p.z(); });
   double step = step_m;
   for (; step < 3.9 * step_m; step *= 2) {
-    std::map<long, int> counts;
-    for (const auto& p : points) ++counts[std::lround(p.p.z() / step)];
-    const auto thin = std::ranges::count_if(counts, [&](const auto& c) { return c.second < least; });
-    if (2 * thin <= static_cast<std::ptrdiff_t>(counts.size())) break;
+    const long first = std::lround(low.p.z() / step);
+    std::vector<int> counts(static_cast<std::size_t>(std::lround(high.p.z() / step) - first) + 1, 0);
+    for (const auto& p : points) ++counts[static_cast<std::size_t>(std::lround(p.p.z() / step) - first)];
+    const auto seen = std::ranges::count_if(counts, [](int n) { return n > 0; }),
+               thin = std::ranges::count_if(counts, [&](int n) { return n > 0 && n < least; });
+    if (2 * thin <= seen) break;
   }
   return step;
 }

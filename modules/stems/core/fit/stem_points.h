@@ -39,6 +39,7 @@ struct GatherOptions {
   double max_range = 20;
   double beam_divergence = 0;  // full angle across the stem, radians
   double beam_aperture = 0;    // width of the beam at the sensor, metres
+  std::size_t max_points = 40000;
 };
 
 // Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer

@@ -11,7 +11,21 @@
 namespace bole::stems {
 namespace {
 
-constexpr double min_contrast = 2;  // of a section with bark; leaves alone have about 1
+constexpr double min_contrast = 2;     // of a section with bark; leaves alone have about 1
+constexpr std::size_t max_ring = 500;  // points; with more the bark, not their number, limits the circle
+
+// Points come sorted by place, so that every n-th is an even choice.
+std::vector<Eigen::Vector2d> thinned(const std::vector<Eigen::Vector2d>& ring) {
+  const std::size_t stride = ring.size() / max_ring + 1;
+  if (stride == 1) return ring;
+  std::vector<Eigen::Vector2d> out;
+  for (std::size_t i = 0; i < ring.size(); i += stride) out.push_back(ring[i]);
+  return out;
+}
+
+int points_on(const std::vector<Eigen::Vector2d>& ring, const RobustCircle& fit) {
+  return static_cast<int>(std::ranges::count_if(ring, [&](const Eigen::Vector2d& p) { return is_on(p, fit); }));
+}
 
 double contrast_of(const std::vector<Eigen::Vector2d>& ring, const Circle& circle) {
   RingDensity density(circle.radius);
@@ -43,7 +57,8 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
     MeasuredSection m;
     m.number = number, m.z = number * plan.step, m.section.height = plan.breast_height + m.z;
     const double expected = std::max(0.01, plan.radius + plan.taper * m.z);
-    if (const auto fit = robust_circle(ring, {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma)) {
+    if (auto fit = robust_circle(thinned(ring), {Eigen::Vector2d::Zero(), expected}, 0.05, options.max_sigma)) {
+      if (ring.size() > max_ring) fit->inliers = points_on(ring, *fit);
       store(m, *fit, axes, options);
       if (std::abs(fit->circle.radius - expected) > 0.03 + 0.3 * expected) m.good = false;
       if (m.good && contrast_of(ring, fit->circle) < min_contrast) m.good = false;
