@@ -1,12 +1,16 @@
 // What the ray scene and its swaying trees share: Embree's scenes with what their hits stand for.
 #pragma once
 
-#include <embree3/rtcore.h>
-
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "sim/core/scene/scene_model.h"
 #include "sim/core/scene/wind.h"
+
+// Of Embree, whose headers stay in .cpp files.
+struct RTCDeviceTy;
+struct RTCSceneTy;
+struct RTCRayHit8;
 
 namespace bole::sim {
 
@@ -20,7 +24,7 @@ struct Surface {
 
 // A scene with what its hits stand for: all that is at rest, or one tree that sways.
 struct Group {
-  RTCScene scene = nullptr;
+  RTCSceneTy* scene = nullptr;
   std::vector<Surface> surfaces;  // [geometry] of pieces
   // Of placements, whose geometry ids follow those of the pieces: archetype and rotation/scale, to turn normals.
   std::vector<int> placed_archetype;
@@ -29,22 +33,20 @@ struct Group {
   unsigned number = 0;
   // Of a swaying tree: what its parts fill at rest, by height band, so that rays between the stems do not ask the
   // crowns.
-  std::vector<RTCBounds> bands;
+  std::vector<Eigen::AlignedBox3f> bands;
 
   // Widens the bands by a part.
   void cover(const TriangleMesh& mesh, const Eigen::Affine3f& T_plot_mesh);
 };
 
 // Makes `tree` a geometry of `scene` that sways. `tree` must stay where it is.
-void attach_swaying(RTCDevice device, RTCScene scene, Group& tree);
+void attach_swaying(RTCDeviceTy* device, RTCSceneTy* scene, Group& tree);
 
 // Hits in a swaying tree carry its number where those of triangles have their own.
 inline constexpr unsigned in_swaying_tree = 0x80000000u;
 
-// The context of a pulse: Embree hands it on to the trees.
-struct PulseContext {
-  RTCIntersectContext embree;
-  double time_s = 0;
-};
+// Casts the rays of one pulse into a scene and the swaying trees in it. `valid` has -1 for the rays to cast, 0 for
+// others.
+void intersect_at(double time_s, RTCSceneTy* scene, const int* valid, RTCRayHit8& packet);
 
 }  // namespace bole::sim

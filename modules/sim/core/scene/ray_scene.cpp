@@ -155,11 +155,7 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  PulseContext context;
-  rtcInitIntersectContext(&context.embree);
-  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  context.time_s = rays.time_s;
-  rtcIntersect8(valid, impl_->rest.scene, &context.embree, &packet);
+  intersect_at(rays.time_s, impl_->rest.scene, valid, packet);
   for (int i = 0; i < n; ++i) {
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
       hits[i] = {};

@@ -1,8 +1,9 @@
 // Trees that sway: geometries of Embree that move the rays instead of themselves.
+#include <embree3/rtcore.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "sim/core/scene/ray_group.h"
@@ -12,6 +13,12 @@ namespace bole::sim {
 namespace {
 
 constexpr int lanes = RayBundle::size;
+
+// The context of a pulse: Embree hands it on to the trees.
+struct PulseContext {
+  RTCIntersectContext embree;
+  double time_s = 0;
+};
 
 // Upper ends of the height bands above the foot.
 constexpr std::array<float, 6> band_tops_m{2, 4, 7, 11, 16, 1000};
@@ -32,13 +39,16 @@ std::pair<double, double> passing(const Wind::Swaying& tree, const Eigen::Vector
 
 void bounds_of_tree(const RTCBoundsFunctionArguments* args) {
   const auto& tree = *static_cast<const Group*>(args->geometryUserPtr);
-  *args->bounds_o = tree.bands[args->primID];
+  const auto& band = tree.bands[args->primID];
   const auto reach =
-      static_cast<float>(Wind::reach_m(*tree.sway, args->bounds_o->upper_z - static_cast<float>(tree.sway->foot.z())));
-  args->bounds_o->lower_x -= reach;
-  args->bounds_o->lower_y -= reach;
-  args->bounds_o->upper_x += reach;
-  args->bounds_o->upper_y += reach;
+      static_cast<float>(Wind::reach_m(*tree.sway, static_cast<double>(band.max().z()) - tree.sway->foot.z()));
+  RTCBounds& bounds = *args->bounds_o;
+  bounds.lower_x = band.min().x() - reach;
+  bounds.lower_y = band.min().y() - reach;
+  bounds.lower_z = band.min().z();
+  bounds.upper_x = band.max().x() + reach;
+  bounds.upper_y = band.max().y() + reach;
+  bounds.upper_z = band.max().z();
 }
 
 // Moves the rays against the sway of the tree and meets the tree at rest. The tree is moved as a whole by what its axis
@@ -81,10 +91,7 @@ void meet_tree(const RTCIntersectFunctionNArguments* args) {
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect8(valid, tree.scene, &context, &packet);
+  intersect_at(0, tree.scene, valid, packet);  // at rest: nothing in it sways
   for (int i = 0; i < n; ++i) {
     if (!valid[i] || packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
     const auto k = static_cast<unsigned>(i);
@@ -100,39 +107,33 @@ void meet_tree(const RTCIntersectFunctionNArguments* args) {
 
 }  // namespace
 
+void intersect_at(double time_s, RTCSceneTy* scene, const int* valid, RTCRayHit8& packet) {
+  PulseContext context;
+  rtcInitIntersectContext(&context.embree);
+  context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  context.time_s = time_s;
+  rtcIntersect8(valid, scene, &context.embree, &packet);
+}
+
 void Group::cover(const TriangleMesh& mesh, const Eigen::Affine3f& T_plot_mesh) {
-  constexpr float far = std::numeric_limits<float>::max();
-  if (bands.empty()) {
-    bands.resize(band_tops_m.size());
-    for (auto& b : bands) {
-      b.lower_x = b.lower_y = b.lower_z = far;
-      b.upper_x = b.upper_y = b.upper_z = -far;
-    }
-  }
+  if (bands.empty()) bands.resize(band_tops_m.size());
   const auto foot = static_cast<float>(sway->foot.z());
   for (const auto& triangle : mesh.triangles) {
-    Eigen::Vector3f low = Eigen::Vector3f::Constant(far), high = -low;
-    for (const auto corner : triangle) {
-      const Eigen::Vector3f p = T_plot_mesh * mesh.vertices[corner];
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    Eigen::AlignedBox3f box;
+    for (const auto corner : triangle) box.extend(T_plot_mesh * mesh.vertices[corner]);
     for (std::size_t k = 0; k < bands.size(); ++k) {
-      const float bottom = k == 0 ? -far : foot + band_tops_m[k - 1], top = foot + band_tops_m[k];
-      if (high.z() < bottom || low.z() > top) continue;
-      auto& b = bands[k];
-      b.lower_x = std::min(b.lower_x, low.x());
-      b.lower_y = std::min(b.lower_y, low.y());
-      b.lower_z = std::min(b.lower_z, std::max(low.z(), bottom));
-      b.upper_x = std::max(b.upper_x, high.x());
-      b.upper_y = std::max(b.upper_y, high.y());
-      b.upper_z = std::max(b.upper_z, std::min(high.z(), top));
+      const float bottom = k == 0 ? box.min().z() : foot + band_tops_m[k - 1], top = foot + band_tops_m[k];
+      if (box.max().z() < bottom || box.min().z() > top) continue;
+      Eigen::AlignedBox3f part = box;
+      part.min().z() = std::max(box.min().z(), bottom);
+      part.max().z() = std::min(box.max().z(), top);
+      bands[k].extend(part);
     }
   }
 }
 
-void attach_swaying(RTCDevice device, RTCScene scene, Group& tree) {
-  std::erase_if(tree.bands, [](const RTCBounds& b) { return b.lower_x > b.upper_x; });
+void attach_swaying(RTCDeviceTy* device, RTCSceneTy* scene, Group& tree) {
+  std::erase_if(tree.bands, [](const auto& band) { return band.isEmpty(); });
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(tree.bands.size()));
   rtcSetGeometryUserData(geometry, &tree);
