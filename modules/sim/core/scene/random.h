@@ -23,7 +23,17 @@ enum class Stream : std::uint64_t {
   archetype,
   disturbance,
   vineyard,
-  imu
+  imu,
+  // Of the harder stands and of the physics of the scan.
+  stand = 32,
+  poles,
+  deadwood,
+  wind,
+  operator_body,
+  wet,
+  second_return,
+  calibration,
+  clock
 };
 
 class Random : public bole::Random {
