@@ -64,22 +64,5 @@ TEST(Rosette, ANarrowViewIsMappedWithAnInertialUnit) {
   EXPECT_LT(worst_m(result.trajectory, scan), 0.1);
 }
 
-TEST(Rosette, PresetsThatNeedScanLinesTakeThinnedPointsAndSaySo) {
-  const auto scan = rosette_walk(8);
-  auto options = with_preset(Preset::orchard);
-  options.dense_map = false;
-  options.min_observability = 0;  // eight frames at rest
-  EXPECT_FALSE(run_slam(scan, options, {}).report.facts.contains("features"));
-  options = with_preset(Preset::forest);
-  options.dense_map = false;
-  options.loops = LoopSource::none;
-  options.min_observability = 0;
-  const auto result = run_slam(scan, options, {});
-  EXPECT_THAT(result.report.facts.at("features"), HasSubstr("no scan lines"));
-  EXPECT_EQ(result.report.counts.at("frames"), 8) << testing::PrintToString(result.report.warnings);
-  options.features = FeatureKind::ground;
-  EXPECT_THROW(run_slam(scan, options, {}), Error);
-}
-
 }  // namespace
 }  // namespace bole::slam
