@@ -23,6 +23,7 @@ struct SimulationOptions {
   double speed = 1.0;
   double line_spacing = 6.0;
   double sensor_height = 1.7;
+  double mount_tilt = 0;
   double gait = 1.0;
   double stand_still = 2.5;
   std::optional<double> max_time;
@@ -35,6 +36,9 @@ struct SimulationOptions {
   bool bark = true;
   bool bark_facets = false;
   double noise_growth = 0;
+  bool dual_return = false;
+  double wet = 0;
+  double angle_error = 0;
 
   double turn_on_spot = 0;
   double gap_at = 0;
@@ -42,6 +46,10 @@ struct SimulationOptions {
   double blind_sector = 0;
   double rain = 0;
   bool companion = false;
+  double wind = 0;
+  double wind_from = 270;
+  bool operator_body = false;
+  double clock_jitter = 0;
 
   double trajectory_rate = 100;
   double dem_cell = 0.1;

@@ -22,7 +22,17 @@ enum class Stream : std::uint64_t {
   laser_bias,
   archetype,
   disturbance,
-  vineyard
+  vineyard,
+  // Of the harder stands and of the physics of the scan.
+  stand = 32,
+  poles,
+  deadwood,
+  wind,
+  operator_body,
+  wet,
+  second_return,
+  calibration,
+  clock
 };
 
 class Random : public bole::Random {
