@@ -50,10 +50,12 @@ std::string limit_text(const OptionSpec& spec, double limit) {
 }
 
 bool is_input_path(const OptionSpec& spec, const OptionValue& value) {
+  constexpr std::array<std::string_view, 4> endings{".json", ".csv", ".txt", ".xml"};
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr || text->empty()) return false;
   return spec.text_kind == TextKind::input_path ||
-         (spec.text_kind == TextKind::input_path_or_name && text->ends_with(".json"));
+         (spec.text_kind == TextKind::input_path_or_name &&
+          std::ranges::any_of(endings, [text](std::string_view ending) { return text->ends_with(ending); }));
 }
 
 bool Condition::holds(const OptionValue& value) const {

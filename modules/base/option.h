@@ -40,7 +40,7 @@ enum class Tier { basic, advanced, expert };
 std::string_view tier_name(Tier tier);
 
 // What a text option holds. An input path is resolved against the document's folder, its content counts for the cache.
-// input_path_or_name: an input path when it ends in .json, else the name of something that comes with Bole.
+// input_path_or_name: an input path when it ends in .json, .csv, .txt or .xml, else the name of something known.
 enum class TextKind { plain, choice, input_path, json, input_path_or_name };
 
 // The value of an option. One that is left open (std::optional without a value) is its word, as a text.

@@ -3,7 +3,9 @@
 #include "io/core/clouds/memory_advice.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/formats.h"
+#include "io/core/gdal/project_trajectory.h"
 #include "io/core/scans/frame_source.h"
+#include "io/core/tables/named_trajectory.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/track_file.h"
 #include "io/core/tables/trajectory_file.h"
@@ -32,7 +34,26 @@ struct ReadTrajectoryOptions {
   std::string file;
   std::optional<TrajectoryFormat> format;  // open: by the content
   Axes axes = Axes::plot;
+  std::string crs;
 };
+
+// Longitudes and latitudes are turned to the coordinate system of the points.
+void place_in_crs(Trajectory& trajectory, const std::string& crs, Report& report) {
+  if (!is_geographic(trajectory)) {
+    if (!crs.empty())
+      report.find(Severity::look, "crs_ignored",
+                  "the option crs has no effect: the positions of the file are no longitudes and latitudes");
+    return;
+  }
+  if (crs.empty())
+    throw bad_input("the positions of the trajectory are longitudes and latitudes",
+                    "the coordinate system of the points", "Set crs, for instance crs=EPSG:25832");
+  project_trajectory(trajectory, crs);
+  report.find(Severity::look, "ellipsoidal_heights",
+              "the path was projected to " + crs +
+                  "; its heights are above the ellipsoid, unless crs has a height "
+                  "system. Those of the points must be the same");
+}
 
 // The options of a reader, with the option `file` in front of them.
 template <class S, class Base>
@@ -176,12 +197,20 @@ pipeline::StageType read_trajectory_stage() {
       Option<S, std::optional<TrajectoryFormat>>{"format", &S::format, "auto", Tier::advanced,
                                                  "Format of the file. auto decides by the number of values in a line."},
       Option<S, Axes>{"axes", &S::axes, Tier::advanced, "Coordinate system of the poses."},
+      Option<S, std::string>{"crs",
+                             &S::crs,
+                             TextKind::plain,
+                             {},
+                             Tier::advanced,
+                             "Projected coordinate system of the points, for instance EPSG:25832, to which a path in "
+                             "longitude and latitude (SBET) is turned."},
   });
   auto type = new_type("io.read_trajectory", "vtkBoleReadTrajectory", "Read a trajectory");
   type.help =
-      "Reads the trajectory of a sensor, for instance the true one of a simulation. Quaternions are normalised. KITTI "
+      "Reads the trajectory of a sensor: TUM and KITTI poses, text with a line that names its columns (GeoSLAM ZEB, "
+      "HDMapping and MANDEYE, CSV), and SBET. Quaternions are normalised. KITTI "
       "poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.";
-  type.source = "TUM RGB-D benchmark; KITTI odometry benchmark";
+  type.source = "TUM RGB-D benchmark; KITTI odometry benchmark; SBET: Applanix; column names of GeoSLAM and HDMapping";
   type.outputs = {{"trajectory", DataKind::trajectory, "The poses of the file.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run&) {
@@ -189,6 +218,12 @@ pipeline::StageType read_trajectory_stage() {
     pipeline::StageResult result;
     auto trajectory = read_trajectory(o.file, o.format);
     trajectory.axes = o.axes;
+    place_in_crs(trajectory, o.crs, result.report);
+    if (const auto it = trajectory.facts.find("repeated_times"); it != trajectory.facts.end())
+      result.report.warn(it->second + " poses repeat the time of the one before, or cannot be, and were left out");
+    if (trajectory.facts.contains("orientation"))
+      result.report.find(Severity::note, "orientation_unknown",
+                         "orientations of the path are not known: only its positions can be used");
     result.report.counts["poses"] = static_cast<std::int64_t>(trajectory.poses.size());
     result.report.metrics["length"] = {trajectory.length_m(), Unit::metre};
     result.report.message = std::to_string(trajectory.poses.size()) + " poses";

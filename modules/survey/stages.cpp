@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "pipeline/stage.h"
+#include "survey/core/join_trajectory.h"
 #include "survey/core/move_cloud.h"
 #include "survey/core/plot_cover.h"
 #include "survey/core/plot_frame.h"
@@ -119,13 +120,52 @@ void register_frame(pipeline::StageRegistry& registry) {
   registry.add(std::move(type));
 }
 
+pipeline::StageResult run_join(const DataSet& inputs, const OptionSet& options, const Run& run) {
+  pipeline::StageResult result;
+  if (!inputs.has("trajectory")) {
+    result.outputs.set("points", inputs.cloud("points"));
+    result.report.message = "no trajectory is given: the points are as they were";
+    return result;
+  }
+  auto joined =
+      join_trajectory(inputs.cloud("points"), inputs.trajectory("trajectory"), options.as<JoinOptions>(), run);
+  result.outputs.set("points", std::move(joined.points));
+  result.outputs.set("trajectory", std::move(joined.trajectory));
+  result.report = std::move(joined.report);
+  return result;
+}
+
+void register_join(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
+  type.name = "survey.join_trajectory";
+  type.vtk_class = "vtkBoleSurveyJoinTrajectory";
+  type.title = "Join points and trajectory";
+  type.help =
+      "Joins a cloud that another program mapped with the path of its sensor: every point gets the place of the sensor "
+      "at its time, its range and its pass, so that stems are measured along the rays. The clocks of the two are "
+      "recognised (GPS time, GPS time less 1e9 s, seconds of the GPS week, Unix time), and the offset is reported. "
+      "Clocks that do not go together for certain, and a path that does not run through the cloud, are refused. "
+      "Without a trajectory the points stay as they are.";
+  type.source = "Bole";
+  type.inputs = {
+      {"points", DataKind::cloud, "A cloud with the time of every point.", false, {}},
+      {"trajectory", DataKind::trajectory, "The path of the sensor, in the coordinates of the points.", true, {}}};
+  type.outputs = {
+      {"points", DataKind::cloud, "The cloud with sensor_x, sensor_y, sensor_z, range and pass.", false, {}},
+      {"trajectory", DataKind::trajectory, "The path with the times of the points.", true, {}}};
+  type.options = &option_table(static_cast<const JoinOptions*>(nullptr));
+  type.run = run_join;
+  registry.add(std::move(type));
+}
+
 void register_plot(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.plot";
   type.vtk_class = "vtkBoleSurveyPlot";
   type.title = "Plot boundary and minimum diameter";
   type.help =
-      "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre "
+      "Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its "
+      "centre "
       "at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are "
       "horizontal. Options that contradict one another are refused. A plot of which more than a tenth holds no points "
       "is reported.";
@@ -147,6 +187,7 @@ void register_plot(pipeline::StageRegistry& registry) {
 void register_stages(pipeline::StageRegistry& registry) {
   register_frame(registry);
   register_plot(registry);
+  register_join(registry);
 }
 
 }  // namespace bole::survey

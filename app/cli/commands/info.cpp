@@ -10,8 +10,10 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
+#include "cloud/known_facts.h"
 #include "commands.h"
 #include "ground/core/model_ground.h"
+#include "io/core/bags/bag_topics.h"
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
@@ -67,14 +69,27 @@ std::string normalised_evidence(const PointCloud& cloud) {
   }
 }
 
+// Of the middle frame, in the axes of the sensor.
+ordered_json describe_bounds(const ScanFrame& frame) {
+  if (frame.positions.empty()) return ordered_json::array();
+  Eigen::Vector3f low = frame.positions.front(), high = low;
+  for (const auto& p : frame.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
+}
+
 ordered_json describe_recording(const std::filesystem::path& path) {
   Report report;
   const auto source = io::open_frame_source(path, {}, {}, report);
   ordered_json json{{"file", path.string()},
                     {"kind", "recording"},
+                    {"format", io::require_format(path).name},
                     {"description", source->description()},
                     {"sensor", source->sensor_model()},
                     {"rings", source->rings()},
+                    {"pattern", source->pattern() == ScanPattern::rosette ? "rosette" : "lines"},
                     {"frames", source->size()}};
   if (source->size() > 0) {
     ScanFrame frame;
@@ -82,8 +97,38 @@ ordered_json describe_recording(const std::filesystem::path& path) {
     json["start_s"] = source->frame_time_s(0);
     json["duration_s"] = source->frame_time_s(source->size() - 1) - source->frame_time_s(0);
     json["points_in_middle_frame"] = frame.size();
+    json["bounds"] = describe_bounds(frame);
   }
+  if (const auto* inertial = source->inertial())
+    json["inertial"] = {{"name", inertial->name},
+                        {"samples", inertial->samples.size()},
+                        {"start_s", inertial->samples.front().time_s},
+                        {"duration_s", inertial->samples.back().time_s - inertial->samples.front().time_s}};
   add_report(json, report);
+  return json;
+}
+
+// The topics of a bag, and its scan where it is clear which topic that is.
+ordered_json describe_bag(const std::filesystem::path& path) {
+  ordered_json topics = ordered_json::object();
+  for (const auto& t : io::describe_topics(*io::open_bag(path))) {
+    ordered_json topic{{"type", t.topic.type},
+                       {"messages", t.topic.messages},
+                       {"start_s", 1e-9 * static_cast<double>(t.topic.first_ns)},
+                       {"duration_s", 1e-9 * static_cast<double>(t.topic.last_ns - t.topic.first_ns)},
+                       {"read_as", t.use.empty() ? "nothing" : t.use}};
+    if (!t.fields.empty()) topic["fields"] = t.fields;
+    topics[t.topic.name] = std::move(topic);
+  }
+  ordered_json json;
+  try {
+    json = describe_recording(path);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::bad_input) throw;
+    json = {
+        {"file", path.string()}, {"kind", "recording"}, {"format", io::require_format(path).name}, {"scan", e.what()}};
+  }
+  json["topics"] = std::move(topics);
   return json;
 }
 
@@ -91,8 +136,18 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   const auto seen = io::see_cloud(path);
   const auto& reading = seen.reading;
   const auto& cloud = reading.cloud;
-  ordered_json json{
-      {"file", path.string()}, {"kind", "cloud"}, {"points", cloud.size()}, {"axes", axes_name(cloud.axes)}};
+  ordered_json json{{"file", path.string()},
+                    {"kind", "cloud"},
+                    {"format", io::require_format(path).name},
+                    {"points", cloud.size()},
+                    {"sensor", fact_text(cloud.facts, facts::sensor).value_or("unknown")}};
+  // As the option `bounds` takes them.
+  const auto& low_corner = seen.bounds.min();
+  const auto& high_corner = seen.bounds.max();
+  if (!seen.bounds.isEmpty())
+    json["bounds"] = {low_corner.x(),  low_corner.y(),  low_corner.z(),
+                      high_corner.x(), high_corner.y(), high_corner.z()};
+  json["axes"] = axes_name(cloud.axes);
   if (!cloud.empty()) {
     Eigen::Vector3f low = cloud.positions().front(), high = low;
     for (const auto& p : cloud.positions()) {
@@ -162,8 +217,11 @@ void add_info(Program& program) {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
       try {
-        const bool scan = io::require_format(file).content() == io::FileContent::scan;
-        all.push_back(scan ? describe_recording(file) : describe_cloud(file));
+        const auto& format = io::require_format(file);
+        const auto* scan = std::get_if<io::ScanAccess>(&format.access);
+        all.push_back(scan == nullptr    ? describe_cloud(file)
+                      : scan->has_topics ? describe_bag(file)
+                                         : describe_recording(file));
       } catch (const Error& e) {
         if (e.kind() == ErrorKind::cancelled || args->files.size() == 1) throw;
         fmt::print(stderr, "bole: {}\n", e.what());

@@ -1114,6 +1114,31 @@
             <source>Bearing</source>
             <translation>方位角</translation>
         </message>
+        <message>
+            <source>Bounds</source>
+            <translation>范围</translation>
+        </message>
+        <message>
+            <source>Resolution</source>
+            <translation>分辨率</translation>
+        </message>
+        <message>
+            <source>Scan positions</source>
+            <translation>测站位置</translation>
+        </message>
+        <message>
+            <source>Crs</source>
+            <translation>坐标参考系</translation>
+        </message>
+        <message>
+            <source>Time offset</source>
+            <translation>时间差</translation>
+        </message>
+        <message>
+            <source>Max gap</source>
+            <comment>survey.join_trajectory</comment>
+            <translation>最大时间间隔</translation>
+        </message>
     </context>
     <context>
         <name>option help</name>
@@ -1294,8 +1319,8 @@
             <translation>干形的标准差,为材积由直径和树高计算的全部单木所共有。值越大,材积区间越宽。</translation>
         </message>
         <message>
-            <source>Point cloud to read: LAZ, LAS, PLY, PCD, PTX, KITTI frame (.bin), CSV, PTS or XYZ (.xyz, .txt, .asc).</source>
-            <translation>要读取的点云:LAZ、LAS、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
+            <source>Point cloud to read: COPC (.copc.laz), LAZ, LAS, E57, PLY, PCD, PTX, KITTI frame (.bin), CSV, PTS or XYZ (.xyz, .txt, .asc).</source>
+            <translation>要读取的点云:COPC (.copc.laz)、LAZ、LAS、E57、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
         </message>
         <message>
             <source>Unit of the coordinates in the file. auto: metre, unless the coordinate system of the file or the stems in it show another one for certain.</source>
@@ -1330,8 +1355,8 @@
             <translation>文本文件开头要跳过的行数。</translation>
         </message>
         <message>
-            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap) or folder of frames (.bin, .pcd).</source>
-            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap) 或帧文件夹 (.bin, .pcd)。</translation>
+            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
+            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
             <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a JSON file with the beams of your own unit.</source>
@@ -1340,6 +1365,14 @@
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>
             <translation>忽略距离小于此值的回波(它们打在操作员或外壳上)。</translation>
+        </message>
+        <message>
+            <source>Topic of a ROS bag that holds the scan. Empty takes the only one; bole info lists the topics.</source>
+            <translation>ROS bag 中包含扫描数据的话题。留空则取唯一的一个;bole info 会列出所有话题。</translation>
+        </message>
+        <message>
+            <source>Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one that comes with the scan; none leaves it out.</source>
+            <translation>惯性单元:ROS bag 的话题,或文件 (.csv, .txt)。留空则取随扫描数据一起的那个;none 表示不使用。</translation>
         </message>
         <message>
             <source>Returns farther than this are ignored.</source>
@@ -1390,8 +1423,8 @@
             <translation>超过此值的时间步长计为间断。</translation>
         </message>
         <message>
-            <source>Trajectory to read: TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose).</source>
-            <translation>要读取的轨迹:TUM (time tx ty tz qx qy qz qw) 或 KITTI(每个位姿 12 个数字)。</translation>
+            <source>Trajectory to read: SBET (binary, longitude and latitude), named (columns with a header line: GeoSLAM, HDMapping, CSV), TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose).</source>
+            <translation>要读取的轨迹:SBET(二进制,经纬度)、named(带表头行的列:GeoSLAM、HDMapping、CSV)、TUM (time tx ty tz qx qy qz qw) 或 KITTI(每个位姿 12 个数字)。</translation>
         </message>
         <message>
             <source>Format of the file. auto decides by the number of values in a line.</source>
@@ -2321,6 +2354,38 @@
             <source>Trees of this diameter at breast height and more count.</source>
             <translation>胸径达到此值的树木才计入。</translation>
         </message>
+        <message>
+            <source>Part of the file to read: xmin,ymin,xmax,ymax in the coordinates of the file (or six numbers, with z). Of a COPC file only what lies there is decoded. Empty: all points.</source>
+            <translation>要读取的部分:xmin,ymin,xmax,ymax,采用文件的坐标(或带 z 的六个数)。COPC 文件只解码该范围内的数据。留空:全部点。</translation>
+        </message>
+        <message>
+            <source>Spacing of the points, in the unit of the file, that is fine enough: a COPC file is read down to the first level of its octree that has it. 0: all points. Other formats have no levels.</source>
+            <translation>足够细的点间距,采用文件的单位:COPC 文件读到八叉树中达到该间距的第一层为止。0:全部点。其他格式没有分层。</translation>
+        </message>
+        <message>
+            <source>Whether the poses of the scans of an E57 file are places of the scanner, from which rays go out. auto: where scans have angles, a grid, or poses that say something.</source>
+            <translation>E57 文件各测站的位姿是否为扫描仪发出射线的位置。自动:测站带有角度、网格或有意义的位姿时采用。</translation>
+        </message>
+        <message>
+            <source>Projected coordinate system of the points, for instance EPSG:25832, to which a path in longitude and latitude (SBET) is turned.</source>
+            <translation>点云的投影坐标系,例如 EPSG:25832;经纬度路径(SBET)会转换到该坐标系。</translation>
+        </message>
+        <message>
+            <source>Seconds to add to the times of the trajectory to get those of the points. auto: by the clocks that both can have (GPS, GPS less 1e9 s, GPS week, UTC).</source>
+            <translation>轨迹时间加上该秒数即为点的时间。自动:按两者可能的时钟确定(GPS、减去 1e9 秒的 GPS、GPS 周内秒、UTC)。</translation>
+        </message>
+        <message>
+            <source>Poses further apart than this are not connected: points between them get no ray.</source>
+            <translation>时间间隔超过该值的位姿不相连:其间的点没有射线。</translation>
+        </message>
+        <message>
+            <source>A new pass begins where the path comes this near to an earlier part of the pass. Passes are measured apart from one another.</source>
+            <translation>路径与本趟较早的部分接近到该距离时开始新的一趟。各趟分别测量。</translation>
+        </message>
+        <message>
+            <source>Greatest distance of the nearest hundredth of the points from the sensor. More means that path and points have different coordinate systems, and is refused.</source>
+            <translation>距传感器最近的百分之一的点所允许的最大距离。超过则说明路径与点云的坐标系不同,会被拒绝。</translation>
+        </message>
     </context>
     <context>
         <name>choices</name>
@@ -2767,6 +2832,24 @@
         <message>
             <source>all</source>
             <translation>全部</translation>
+        </message>
+        <message>
+            <source>named</source>
+            <translation>带列名的文本</translation>
+        </message>
+        <message>
+            <source>sbet</source>
+            <translation>SBET</translation>
+        </message>
+        <message>
+            <source>given</source>
+            <comment>scan_positions</comment>
+            <translation>采用</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>scan_positions</comment>
+            <translation>不采用</translation>
         </message>
     </context>
 </TS>

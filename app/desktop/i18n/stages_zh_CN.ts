@@ -131,6 +131,10 @@
             <source>Compute plot values</source>
             <translation>计算样地指标</translation>
         </message>
+        <message>
+            <source>Join points and trajectory</source>
+            <translation>连接点云与轨迹</translation>
+        </message>
     </context>
     <context>
         <name>stage help</name>
@@ -167,8 +171,8 @@
             <translation>读取 GNSS 接收机的位置:NMEA 0183 语句(GGA、RMC、VTG、GST、HDT),也可夹在二进制消息之间;含 time_s 以及 latitude_deg、longitude_deg 或 x_m、y_m 的 CSV;或数字列,例如 UTM 坐标。校验和错误或缺失、字段无法读取的语句,未定位的位置,以及时间间断和时间倒退,都会被计数并跳过。</translation>
         </message>
         <message>
-            <source>Reads the trajectory of a sensor, for instance the true one of a simulation. Quaternions are normalised. KITTI poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.</source>
-            <translation>读取传感器的轨迹,例如模拟的真实轨迹。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
+            <source>Reads the trajectory of a sensor: TUM and KITTI poses, text with a line that names its columns (GeoSLAM ZEB, HDMapping and MANDEYE, CSV), and SBET. Quaternions are normalised. KITTI poses have no times and get 0, 1, 2, ... A line that cannot be used is an error that names the line.</source>
+            <translation>读取传感器的轨迹:TUM 和 KITTI 位姿、带列名行的文本(GeoSLAM ZEB、HDMapping 和 MANDEYE、CSV)以及 SBET。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
         </message>
         <message>
             <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
@@ -261,6 +265,10 @@
         <message>
             <source>Sets the boundary of the plot and the minimum diameter for all stages that count trees. A tree counts when its centre at breast height lies inside (the boundary counts as inside) and its diameter reaches min_dbh. Areas are horizontal. Options that contradict one another are refused. A plot of which more than a tenth holds no points is reported.</source>
             <translation>为所有统计树木的步骤设定样地边界和起测胸径。树木在胸高处的中心位于边界内(边界上也算在内),且胸径达到 min_dbh 时,才计入。面积为水平面积。相互矛盾的选项会被拒绝。样地中超过十分之一的面积没有点时会给出提示。</translation>
+        </message>
+        <message>
+            <source>Joins a cloud that another program mapped with the path of its sensor: every point gets the place of the sensor at its time, its range and its pass, so that stems are measured along the rays. The clocks of the two are recognised (GPS time, GPS time less 1e9 s, seconds of the GPS week, Unix time), and the offset is reported. Clocks that do not go together for certain, and a path that does not run through the cloud, are refused. Without a trajectory the points stay as they are.</source>
+            <translation>把其他程序生成的点云与传感器的路径连接起来:每个点得到其时刻的传感器位置、距离和所属的趟次,从而可沿射线测量单木。自动识别两者的时钟(GPS 时间、减去 1e9 秒的 GPS 时间、GPS 周内秒、Unix 时间),并报告时间差。时钟不能确定对应、或路径不穿过点云时会被拒绝。没有轨迹时点云保持不变。</translation>
         </message>
     </context>
 </TS>

@@ -4,6 +4,8 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "io/core/bags/bag.h"
+#include "io/core/bags/bag_source.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/clouds/kitti_frame.h"
 #include "io/core/clouds/las_cloud.h"
@@ -11,9 +13,14 @@
 #include "io/core/clouds/ply_reader.h"
 #include "io/core/clouds/ptx_reader.h"
 #include "io/core/clouds/text_reader.h"
+#include "io/core/copc/copc_nodes.h"
+#include "io/core/e57/e57_pages.h"
+#include "io/core/e57/e57_reader.h"
 #include "io/core/las/las_writer.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/ouster_capture.h"
 #include "io/core/scans/velodyne_pcap.h"
+#include "io/core/tables/named_trajectory.h"
 #include "io/core/tables/nmea_reader.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
@@ -59,6 +66,12 @@ bool is_ending(const Candidate& c, std::initializer_list<std::string_view> endin
   return std::ranges::find(endings, c.ending) != endings.end();
 }
 
+// A file of ROS 2 that was compressed as a whole: "walk_0.db3.zstd".
+bool is_compressed_bag(const Candidate& c, std::string_view ending) {
+  return starts_with(c.bytes, "\x28\xB5\x2F\xFD"sv) && c.ending == ".zstd" &&
+         lower(c.path.stem().extension().string()) == ending;
+}
+
 std::shared_ptr<const FrameSource> open_capture(const fs::path& path, const FrameSourceOptions& options, const Run& run,
                                                 Report& report) {
   const auto source = std::make_shared<const VelodynePcapSource>(path, options, run);
@@ -79,6 +92,11 @@ std::vector<Format> make_formats() {
   std::vector<Format> rows;
 
   // Scans and clouds that are known by their first bytes.
+  rows.push_back({.name = "COPC",
+                  .endings = {".copc.laz"},
+                  .matches = [](const Candidate& c) { return is_laz(c.bytes) && copc::looks_like_copc(c.bytes); },
+                  .access = CloudAccess{.read = read_las_cloud},
+                  .fuzz_target = "copc"});
   rows.push_back({.name = "LAZ",
                   .endings = {".laz"},
                   .matches = [](const Candidate& c) { return is_laz(c.bytes); },
@@ -91,6 +109,11 @@ std::vector<Format> make_formats() {
                                         .write = [](const fs::path& path, const PointCloud& cloud,
                                                     const Run& run) { write_las(path, cloud, {}, run); }},
                   .fuzz_target = "las"});
+  rows.push_back({.name = "E57",
+                  .endings = {".e57"},
+                  .matches = [](const Candidate& c) { return e57::looks_like_e57(c.bytes); },
+                  .access = CloudAccess{.read = read_e57},
+                  .fuzz_target = "e57"});
   rows.push_back({.name = "PLY",
                   .endings = {".ply"},
                   .matches = [](const Candidate& c) { return looks_like_ply(c.bytes); },
@@ -103,6 +126,13 @@ std::vector<Format> make_formats() {
                   .fuzz_target = "pcd"});
 
   // Scans and clouds whose ending decides where the content does not.
+  rows.push_back(
+      {.name = "Ouster capture",
+       .note = "with the JSON file of the sensor",
+       .endings = {".pcap", ".pcapng"},
+       .matches = [](const Candidate& c) { return is_capture(c.bytes) && looks_like_ouster_capture(c.bytes); },
+       .access = ScanAccess{open_ouster_capture},
+       .fuzz_target = "ouster"});
   rows.push_back({.name = "Velodyne capture",
                   .endings = {".pcap", ".pcapng", ".cap"},
                   .matches =
@@ -111,6 +141,27 @@ std::vector<Format> make_formats() {
                       },
                   .access = ScanAccess{open_capture},
                   .fuzz_target = "pcap"});
+  rows.push_back({.name = "ROS 1 bag",
+                  .endings = {".bag"},
+                  .matches = [](const Candidate& c) { return is_ros1_bag(c.bytes); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "ros1_bag"});
+  rows.push_back({.name = "MCAP",
+                  .endings = {".mcap"},
+                  .matches = [](const Candidate& c) { return is_mcap(c.bytes) || is_compressed_bag(c, ".mcap"); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "mcap"});
+  rows.push_back({.name = "ROS 2 bag",
+                  .endings = {".db3"},
+                  .matches = [](const Candidate& c) { return is_sqlite(c.bytes) || is_compressed_bag(c, ".db3"); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "db3"});
+  rows.push_back({.name = "folder of a ROS 2 bag",
+                  .endings = {".db3", ".mcap"},
+                  .folder = true,
+                  .matches = [](const Candidate& c) { return is_bag_folder(c.path); },
+                  .access = ScanAccess{open_bag_source, true},
+                  .fuzz_target = "db3"});
   rows.push_back({.name = "folder of frames",
                   .endings = {".bin", ".pcd"},
                   .folder = true,
@@ -122,11 +173,12 @@ std::vector<Format> make_formats() {
                   .matches = [](const Candidate& c) { return is_ending(c, {".ptx"}) && looks_like_ptx(c.bytes); },
                   .access = CloudAccess{.read = read_ptx},
                   .fuzz_target = "ptx"});
-  rows.push_back({.name = "KITTI frame",
-                  .endings = {".bin"},
-                  .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && looks_like_kitti_frame(c.bytes); },
-                  .access = CloudAccess{.read = read_kitti_frame},
-                  .fuzz_target = "kitti_frame"});
+  rows.push_back(
+      {.name = "KITTI frame",
+       .endings = {".bin"},
+       .matches = [](const Candidate& c) { return is_ending(c, {".bin"}) && looks_like_kitti_frame(c.bytes); },
+       .access = CloudAccess{.read = read_kitti_frame},
+       .fuzz_target = "kitti_frame"});
   rows.push_back({.name = "CSV",
                   .endings = {".csv"},
                   .matches = [](const Candidate& c) { return is_ending(c, {".csv"}) && is_text(c.bytes); },
@@ -179,6 +231,21 @@ std::vector<Format> make_formats() {
                   .access = TrackAccess{read_column_track},
                   .fuzz_target = "track"});
   rows.push_back(
+      {.name = "SBET",
+       .note = "binary, longitude and latitude",
+       .endings = {".out", ".sbet"},
+       .matches = [](const Candidate& c) { return !is_text(c.bytes) && looks_like_sbet(c.bytes); },
+       .access = TrajectoryAccess{.read = [](Bytes file, const std::string& name) { return read_sbet(file, name); }},
+       .fuzz_target = "trajectory"});
+  rows.push_back(
+      {.name = "named",
+       .note = "columns with a header line: GeoSLAM, HDMapping, CSV",
+       .endings = {".txt", ".csv", ".traj"},
+       .matches = [](const Candidate& c) { return looks_like_named_trajectory(c.bytes); },
+       .access = TrajectoryAccess{.read = [](Bytes file,
+                                             const std::string& name) { return read_named_trajectory(file, name); }},
+       .fuzz_target = "trajectory"});
+  rows.push_back(
       {.name = "TUM",
        .note = "time tx ty tz qx qy qz qw",
        .endings = {".tum", ".txt"},
@@ -202,12 +269,10 @@ std::vector<Format> make_formats() {
 struct ForeignFile {
   std::string_view magic, name, remedy;
 };
-constexpr std::array foreign_files{
-    ForeignFile{"ASTM-E57"sv, "an E57 file", "Export it as LAS or PLY from the scanner's program or CloudCompare"},
-    ForeignFile{"PK\x03\x04"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"\x1F\x8B"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"7z\xBC\xAF"sv, "a compressed archive", "Unpack it first"},
-    ForeignFile{"\x89HDF"sv, "an HDF5 file", "Export it as LAS or PLY"}};
+constexpr std::array foreign_files{ForeignFile{"PK\x03\x04"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"\x1F\x8B"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"7z\xBC\xAF"sv, "a compressed archive", "Unpack it first"},
+                                   ForeignFile{"\x89HDF"sv, "an HDF5 file", "Export it as LAS or PLY"}};
 
 std::string article(std::string_view noun) { return "a " + std::string(noun); }
 
@@ -225,8 +290,9 @@ const Format* first_match(const Candidate& candidate, bool folder, std::span<con
     if (starts_with(file, foreign.magic))
       throw bad_input("this is " + std::string(foreign.name), list, std::string(foreign.remedy));
   if (name.extension() == ".bin")
-    throw bad_input("this is no KITTI frame (" + std::to_string(file.size()) + " bytes): a .bin file holds nothing but "
-                    "points of four 32-bit numbers, within 2 km of the sensor",
+    throw bad_input("this is no KITTI frame (" + std::to_string(file.size()) +
+                        " bytes): a .bin file holds nothing but "
+                        "points of four 32-bit numbers, within 2 km of the sensor",
                     list);
   throw bad_input("the format of this file is not known (" + std::to_string(file.size()) + " bytes, ending '" +
                       name.extension().string() + "')",

@@ -33,6 +33,7 @@ std::string_view stage_of(FileContent content);      // "io.read_cloud"
 struct ScanAccess {
   std::shared_ptr<const FrameSource> (*open)(const std::filesystem::path& path, const FrameSourceOptions& options,
                                              const Run& run, Report& report) = nullptr;
+  bool has_topics = false;  // a recording of many sensors: the option topic names one
 };
 struct CloudAccess {
   CloudReading (*read)(Bytes file, const CloudReadOptions& options, const Run& run) = nullptr;

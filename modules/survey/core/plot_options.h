@@ -31,7 +31,7 @@ const OptionTable& option_table(const PlotOptions*);
 
 // Where a plot may be centred that the options do not place, in the axes of the stems.
 struct PlotSite {
-  std::optional<Eigen::Vector2d> target;                          // the centre target, where it was found
+  std::optional<Eigen::Vector2d> target;                        // the centre target, where it was found
   std::function<std::optional<Eigen::Vector2d>()> middle = {};  // of what was scanned; only asked for when needed
 };
 

@@ -1,11 +1,13 @@
 // las_dump IN OUT.json [COPY.las]: reads a LAS or LAZ file and writes what was read for las_against_laspy.py: every
 // column as a raw binary file beside OUT.json, exact coordinates as x, y, z. With COPY the cloud is also written as
 // LAS. las_dump --time IN: seconds of the fastest of three readings.
+// las_dump --cloud IN OUT.json [BOUNDS [RESOLUTION]]: a cloud of any format, for clouds_against_peers.py.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/core/clouds/cloud_reader.h"
 #include "io/core/las/las_reader.h"
 #include "io/core/las/las_writer.h"
 
@@ -54,6 +56,14 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (args.size() < 2) return 2;
+    if (args[0] == "--cloud" && args.size() >= 3) {
+      bole::io::CloudReadOptions options;
+      if (args.size() > 3) options.bounds = args[3];
+      if (args.size() > 4) options.resolution = std::stod(args[4]);
+      const auto reading = bole::io::read_cloud(args[1], options);
+      dump(reading.cloud, reading.report, args[2]);
+      return 0;
+    }
     bole::Report report;
     const auto cloud = bole::io::read_las(args[0], {}, {}, &report);
     dump(cloud, report, args[1]);

@@ -87,7 +87,9 @@ TEST(Option, ATextMayNameAFileOrSomethingKnown) {
   EXPECT_FALSE(is_path(TextKind::input_path, ""));
   EXPECT_FALSE(is_path(TextKind::plain, "unit.json"));
   EXPECT_TRUE(is_path(TextKind::input_path_or_name, "unit.json"));
+  EXPECT_TRUE(is_path(TextKind::input_path_or_name, "walk_imu.csv"));
   EXPECT_FALSE(is_path(TextKind::input_path_or_name, "vlp16"));
+  EXPECT_FALSE(is_path(TextKind::input_path_or_name, "/imu/data"));
 }
 
 TEST(Option, AnUnknownNameIsAnsweredWithTheNearest) {

@@ -151,8 +151,10 @@ TEST(Formats, AnUnknownFileIsToldWhichFormatsThereAre) {
 }
 
 TEST(Formats, ListsAreMadeOfTheRows) {
-  EXPECT_EQ(format_list(FileContent::trajectory), "TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)");
-  EXPECT_THAT(format_list(FileContent::cloud), HasSubstr("LAZ, LAS, PLY, PCD"));
+  EXPECT_EQ(format_list(FileContent::trajectory),
+            "SBET (binary, longitude and latitude), named (columns with a header line: GeoSLAM, HDMapping, CSV), TUM "
+            "(time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose)");
+  EXPECT_THAT(format_list(FileContent::cloud), HasSubstr("LAZ, LAS, E57, PLY, PCD"));
   const auto patterns = file_patterns(scans_and_clouds);
   for (const auto* pattern : {"*.pcapng", "*.ptx", "*.laz", "*.txt"}) EXPECT_THAT(patterns, Contains(pattern));
   EXPECT_THAT(patterns, Not(Contains("*.tum")));

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/verdict.h"
+#include "io/core/clouds/cloud_bounds.h"
 #include "io/core/clouds/sensor_arrays.h"
 
 namespace bole::io {
@@ -237,6 +238,11 @@ struct CloudBuilder::Parts {
   PointCloud::Positions positions;
   std::int64_t dropped = 0;
 
+  std::optional<CloudBounds> bounds;  // in the coordinates of the file
+  std::int64_t outside = 0;
+  Eigen::Vector3d file_min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d file_max = -file_min;
+
   bool has_target(std::string_view name) const {
     return std::ranges::find(targets, name, &Target::name) != targets.end();
   }
@@ -310,6 +316,7 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
   parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
   parts_->axes = options.axes;
+  parts_->bounds = parse_bounds(options.bounds);
 }
 
 CloudBuilder::~CloudBuilder() = default;
@@ -326,6 +333,14 @@ std::size_t CloudBuilder::size() const { return parts_->positions.size() + parts
 void CloudBuilder::add(std::span<const double> row) {
   auto& p = *parts_;
   Eigen::Vector3d point(row[p.xyz[0]], row[p.xyz[1]], row[p.xyz[2]]);
+  if (p.bounds && point.allFinite()) {
+    p.file_min = p.file_min.cwiseMin(point);
+    p.file_max = p.file_max.cwiseMax(point);
+    if (!p.bounds->contains(point)) {
+      ++p.outside;
+      return;
+    }
+  }
   if (!p.plain) point = p.to_metres_z_up * point;
   if (!point.allFinite() || point.cwiseAbs().maxCoeff() > std::numeric_limits<float>::max()) {
     ++p.dropped;
@@ -357,6 +372,7 @@ void CloudBuilder::add(std::span<const double> row) {
 CloudReading CloudBuilder::finish() {
   auto& p = *parts_;
   if (!p.origin_chosen) p.choose_origin();
+  if (p.bounds && p.positions.empty() && p.outside > 0) throw nothing_within(*p.bounds, p.file_min, p.file_max);
   CloudReading out;
   out.cloud = PointCloud(std::move(p.positions), p.origin);
   out.cloud.axes = p.axes;
@@ -373,6 +389,7 @@ CloudReading CloudBuilder::finish() {
   }
   out.report.counts["points"] = static_cast<std::int64_t>(out.cloud.size());
   out.report.counts["dropped_points"] = p.dropped;
+  if (p.bounds) out.report.counts["points_outside_bounds"] = p.outside;
   if (p.dropped > 0) out.report.warn(std::to_string(p.dropped) + " points dropped: their coordinates are not numbers");
   if (out.cloud.empty()) out.report.warn("the file holds no points");
   return out;

@@ -35,8 +35,8 @@ bool is_colour(std::string_view array);  // red, green or blue
 // Call it for every point. Once in a while it polls for a cancel and reports the fraction read.
 void poll_points(const Run& run, std::size_t point, double fraction);
 
-// A finding where a file does not hold all points that its header declares, with the share that was read in `text`. From
-// 1 % missing on the input counts as incomplete (finding_code::input_incomplete), which ends a run of the program.
+// A finding where a file does not hold all points that its header declares, with the share that was read in `text`.
+// From 1 % missing on the input counts as incomplete (finding_code::input_incomplete), which ends a run of the program.
 void note_missing_points(Report& report, std::uint64_t declared, std::uint64_t present, const std::string& text);
 // The same with the usual text.
 void warn_cut_off(Report& report, std::uint64_t declared, std::uint64_t present);

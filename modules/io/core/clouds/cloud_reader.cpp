@@ -16,6 +16,23 @@ const OptionTable& option_table(const CloudReadOptions*) {
       Option<S, Axes>{"axes", &S::axes, Tier::advanced,
                       "Coordinate system of the file. global: projected coordinates; plot: x to the east and y to the "
                       "north of the plot centre."},
+      Option<S, std::string>{"bounds",
+                             &S::bounds,
+                             TextKind::plain,
+                             {},
+                             Tier::basic,
+                             "Part of the file to read: xmin,ymin,xmax,ymax in the coordinates of the file (or six "
+                             "numbers, with z). Of a COPC file only what lies there is decoded. Empty: all points."},
+      Option<S, double>{"resolution",
+                        &S::resolution,
+                        Unit::none,
+                        {0, 1e6},
+                        Tier::advanced,
+                        "Spacing of the points, in the unit of the file, that is fine enough: a COPC file is read down "
+                        "to the first level of its octree that has it. 0: all points. Other formats have no levels."},
+      Option<S, ScanPositions>{"scan_positions", &S::scan_positions, Tier::advanced,
+                               "Whether the poses of the scans of an E57 file are places of the scanner, from which "
+                               "rays go out. auto: where scans have angles, a grid, or poses that say something."},
       Option<S, std::string>{"columns",
                              &S::columns,
                              TextKind::plain,
@@ -76,6 +93,10 @@ CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const Clo
     const auto& format = require_format(FileContent::cloud, file, name);
     auto reading = std::get<CloudAccess>(format.access).read(file, options, run);
     check_coordinates(reading);
+    if (options.resolution > 0 && format.name != "COPC")
+      reading.report.find(Severity::look, "resolution_ignored",
+                          "the option resolution has no effect: a file of the format " + std::string(format.name) +
+                              " has no levels, all of its points were read. Convert it to COPC, or set resolution=0");
     return reading;
   } catch (const Error& e) {
     throw e.at("'" + name.string() + "'");

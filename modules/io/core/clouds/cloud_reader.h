@@ -27,6 +27,10 @@ constexpr std::array<std::string_view, 3> choice_names(UpAxis) { return {"z", "y
 enum class Delimiter { blank, comma, semicolon, tab };
 constexpr std::array<std::string_view, 4> choice_names(Delimiter) { return {"blank", "comma", "semicolon", "tab"}; }
 
+// Whether the poses of the scans of a file are places of the scanner, from which its rays go out.
+enum class ScanPositions { automatic, given, none };
+constexpr std::array<std::string_view, 3> choice_names(ScanPositions) { return {"auto", "given", "none"}; }
+
 struct CloudReadOptions {
   LengthUnit unit = LengthUnit::metre;
   UpAxis up = UpAxis::z;
@@ -35,6 +39,9 @@ struct CloudReadOptions {
   std::optional<Delimiter> delimiter;  // of text; open: as the file says
   int skip_lines = 0;
   bool drop_withheld = false;
+  std::string bounds;                                       // as parse_bounds() has it; empty: all points
+  double resolution = 0;                                    // COPC: greatest spacing of the points; 0: all of them
+  ScanPositions scan_positions = ScanPositions::automatic;  // E57
 };
 const OptionTable& option_table(const CloudReadOptions*);
 

@@ -17,6 +17,27 @@ namespace {
 
 constexpr std::array<const char*, 3> axis_letters{"x", "y", "z"};
 
+Eigen::AlignedBox3d bounds_of(const PointCloud& cloud) {
+  Eigen::AlignedBox3f box;
+  std::size_t low[3] = {}, high[3] = {};
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const auto& p = cloud.positions()[i];
+    for (int k = 0; k < 3; ++k) {
+      if (p[k] < box.min()[k]) low[k] = i;
+      if (p[k] > box.max()[k]) high[k] = i;
+    }
+    box.extend(p);
+  }
+  if (cloud.empty()) return {};
+  // On the grid of the file, where it has one.
+  Eigen::Vector3d min, max;
+  for (int k = 0; k < 3; ++k) {
+    min[k] = exact_position(cloud, low[k])[k];
+    max[k] = exact_position(cloud, high[k])[k];
+  }
+  return {min, max};
+}
+
 // What a file whose coordinates are far smaller units than metres looks like: hundreds of them in every direction, and
 // hardly a point per square unit. Wide airborne clouds are flat, or dense.
 bool looks_smaller_than_metre(const PointCloud& cloud) {
@@ -241,6 +262,19 @@ void add_numbers(const FirstSight& sight, Report& report) {
   if (std::isfinite(sight.lean_error_deg)) report.metrics["common_lean"] = {sight.lean_deg, Unit::degree};
 }
 
+// What was measured along with the cloud, such as a path, has the axes of the file.
+void note_turned(SeenCloud& seen, const SeeCloudOptions& options) {
+  auto& [cloud, report] = seen.reading;
+  std::string how;
+  const auto add = [&how](std::string_view word) { how += (how.empty() ? "" : ", ") + std::string(word); };
+  constexpr std::array codes{"unit_found", "up_axis_found", "levelled"};
+  for (const auto& f : report.findings)
+    if (std::ranges::find(codes, f.code) != codes.end()) add(f.code);
+  if (options.unit && *options.unit != LengthUnit::metre) add("unit");
+  if (options.up && *options.up != UpAxis::z) add("up");
+  if (!how.empty()) cloud.facts["turned"] = how;
+}
+
 }  // namespace
 
 const OptionTable& option_table(const SeeCloudOptions*) {
@@ -270,7 +304,8 @@ const OptionTable& option_table(const SeeCloudOptions*) {
 }
 
 SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, const Run& run) {
-  SeenCloud seen{std::move(reading), {}};
+  const auto bounds = bounds_of(reading.cloud);
+  SeenCloud seen{std::move(reading), {}, bounds};
   if (options.unit) {
     drop_crs_in_feet(seen, options);
   } else {
@@ -287,6 +322,7 @@ SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, co
   judge_kind(seen);
   judge_duplicates(seen.sight, seen.reading.report);
   add_numbers(seen.sight, seen.reading.report);
+  note_turned(seen, options);
   return seen;
 }
 

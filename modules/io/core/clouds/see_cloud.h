@@ -2,6 +2,7 @@
 // certain, and what a person must know of the cloud becomes findings.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -26,6 +27,8 @@ const OptionTable& option_table(const SeeCloudOptions*);
 struct SeenCloud {
   CloudReading reading;  // with findings, and the fact `kind` of a single tree
   FirstSight sight;      // of the cloud as it was read, turned and scaled
+  // Of the points before anything was turned or scaled; empty where there are none.
+  Eigen::AlignedBox3d bounds{};
 };
 
 // As read_cloud(), with unit and up decided where the options leave them open.

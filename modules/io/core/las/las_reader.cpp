@@ -8,8 +8,10 @@
 
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/cloud_builder.h"
+#include "io/core/copc/copc_nodes.h"
 #include "io/core/las/las_columns.h"
 #include "io/core/las/las_facts.h"
+#include "io/core/las/las_selection.h"
 #include "io/core/laz/laz_reader.h"
 
 namespace bole::io {
@@ -31,9 +33,39 @@ using las::ColumnBuilder;
 using las::IntegerBox;
 
 struct Read {
-  std::uint64_t points = 0;
+  std::uint64_t points = 0;    // sound ones, also those outside of the bounds
+  std::uint64_t declared = 0;  // of the part that was read
   IntegerBox box;
 };
+
+// The bounds that select records; nothing where all are read. Chunks of a COPC file are chosen by them too.
+std::optional<las::RecordSelection> selection_of(const LasInfo& info, const LasReadOptions& options) {
+  if (!options.bounds && options.resolution <= 0) return std::nullopt;
+  return las::RecordSelection(options.bounds.value_or(CloudBounds()), info);
+}
+
+Read select_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const las::RecordSelection& selection,
+                         const Run& run) {
+  const auto stride = static_cast<std::uint64_t>(info.record_length);
+  const std::uint64_t points = std::min(info.points, (info.data_end - info.data_offset) / stride);
+  const std::uint8_t* records = file.data() + info.data_offset;
+  Read read{points, info.points, {}};
+  std::uint64_t placed = 0;
+  constexpr std::uint64_t batch = 1 << 21, block = 1 << 14;
+  for (std::uint64_t begin = 0; begin < points; begin += batch) {
+    const std::uint64_t end = std::min(points, begin + batch);
+    std::vector<std::vector<std::uint8_t>> kept((end - begin + block - 1) / block);
+    tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
+      const std::uint64_t first = begin + i * block;
+      selection.collect(records + first * stride, std::min(block, end - first), kept[i]);
+    });
+    run.check_cancel();
+    placed = selection.append(builder, kept, placed, read.box);
+    leave_memory(records + begin * stride, (end - begin) * stride);
+    run.report(static_cast<double>(end) / static_cast<double>(points), "reading points");
+  }
+  return read;
+}
 
 Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
                        const Run& run, std::vector<std::string>& warnings) {
@@ -41,7 +73,7 @@ Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, 
   const std::uint64_t points = std::min(info.points, (info.data_end - info.data_offset) / stride);
   builder.expect(points, options.columns_in_memory, scratch_folders(run), warnings);
   const std::uint8_t* records = file.data() + info.data_offset;
-  Read read;
+  Read read{0, info.points, {}};
   // Between batches the calling thread reports; blocks are small enough to stay in the processor's cache.
   constexpr std::uint64_t batch = 1 << 21, block = 1 << 12;
   for (std::uint64_t begin = 0; begin < points; begin += batch) {
@@ -63,11 +95,40 @@ Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, 
   return read;
 }
 
+// The nodes of a COPC file that the options ask for, with what they leave out in the report; nothing where all chunks
+// are read.
+std::optional<copc::CopcNodes> nodes_of(Bytes file, const LasInfo& info, const LasReadOptions& options,
+                                        std::vector<std::string>& warnings, Report& findings) {
+  if (!options.bounds && options.resolution <= 0) return std::nullopt;
+  const auto copc = copc::copc_info(file, info, warnings);
+  if (!copc) return std::nullopt;
+  auto nodes = copc::find_nodes(file, info, *copc, options.bounds.value_or(CloudBounds()), options.resolution);
+  findings.counts["copc_nodes"] = static_cast<std::int64_t>(nodes.chunks.size());
+  findings.counts["copc_levels"] = nodes.deepest_level + 1;
+  if (nodes.refused > 0)
+    findings.find(Severity::look, "copc_hierarchy_damaged",
+                  fmt::format("{} entries of the octree of the file are impossible, lie outside of it or on top of "
+                              "others: points may be missing. Read the file without bounds and resolution",
+                              nodes.refused));
+  return nodes;
+}
+
 Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
-                     const Run& run, std::vector<std::string>& warnings) {
-  Read read;
-  read.points = laz::read_points(file, info, builder, options.columns_in_memory, read.box, run, warnings);
-  return read;
+                     const Run& run, std::vector<std::string>& warnings, Report& findings) {
+  const auto selection = selection_of(info, options);
+  const auto nodes = nodes_of(file, info, options, warnings, findings);
+  const laz::PointsWanted wanted{options.columns_in_memory, selection ? &*selection : nullptr,
+                                 nodes ? &nodes->chunks : nullptr};
+  const auto read = laz::read_points(file, info, builder, wanted, run, warnings);
+  return {read.sound, nodes ? nodes->points : info.points, read.box};
+}
+
+Read read_records(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                  const Run& run, std::vector<std::string>& warnings, Report& findings) {
+  if (info.compressed) return read_compressed(file, info, builder, options, run, warnings, findings);
+  if (const auto selection = selection_of(info, options))
+    return select_uncompressed(file, info, builder, *selection, run);
+  return read_uncompressed(file, info, builder, options, run, warnings);
 }
 
 // Records behind those that the header counts are points that nobody would miss.
@@ -105,14 +166,15 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   ColumnBuilder builder(
       info.point_format, info.record_length,
       options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
-  const Read read = info.compressed ? read_compressed(file, info, builder, options, run, warnings)
-                                    : read_uncompressed(file, info, builder, options, run, warnings);
-  if (read.points == 0 && info.points > 0)
-    throw bad_input(fmt::format("none of the {} points that the header counts can be read", info.points),
+  const Read read = read_records(file, info, builder, options, run, warnings, findings);
+  if (read.points == 0 && read.declared > 0)
+    throw bad_input(fmt::format("none of the {} points that the header counts can be read", read.declared),
                     "a whole file", "Copy or download the file again");
   note_missing_points(
-      findings, info.points, read.points,
-      fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, info.points));
+      findings, read.declared, read.points,
+      fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, read.declared));
+  if (options.bounds && builder.size() == 0 && info.points > 0)
+    throw nothing_within(*options.bounds, info.min, info.max);
   note_points_behind(info, findings);
   bool exact = true;
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);
@@ -145,6 +207,7 @@ PointCloud read_las(Bytes file, const LasReadOptions& options, const Run& run, R
   PointCloud cloud = read_all(file, options, run, with_crs, warnings, findings);
   if (report == nullptr) return cloud;
   for (auto& finding : findings.findings) report->find(finding.severity, finding.code, finding.text);
+  for (const auto& [name, count] : findings.counts) report->counts[name] = count;
   for (auto& text : warnings) report->warn(std::move(text));
   return cloud;
 }

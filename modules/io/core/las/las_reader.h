@@ -6,12 +6,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "base/option.h"
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/large_cloud.h"
 #include "cloud/point_cloud.h"
+#include "io/core/clouds/cloud_bounds.h"
 #include "io/core/las/las_bytes.h"
 #include "io/core/las/las_info.h"
 
@@ -20,6 +22,8 @@ namespace bole::io {
 struct LasReadOptions {
   bool drop_withheld = false;
   bool extra_bytes = true;
+  std::optional<CloudBounds> bounds{};  // in the coordinates of the file; nothing: all points
+  double resolution = 0;              // greatest spacing of the points of a COPC file; 0: all of them
   // Bytes. Larger clouds have their columns on file. Not an option of a stage, because it changes no result.
   std::size_t columns_in_memory = large_columns_bytes;
 };

@@ -24,25 +24,32 @@ std::size_t block_points(int record_length) {
 
 class PointReader {
  public:
-  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run, Packing packing)
-      : file_(file.first(info.data_end)), info_(info), builder_(builder), run_(run), packing_(std::move(packing)) {}
+  PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const PointsWanted& wanted, const Run& run,
+              Packing packing)
+      : file_(file.first(info.data_end)),
+        info_(info),
+        builder_(builder),
+        wanted_(wanted),
+        run_(run),
+        packing_(std::move(packing)) {}
 
-  std::uint64_t read(std::size_t columns_in_memory, std::vector<std::string>& warnings) {
-    if (const auto table = read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
+  PointsRead read(std::vector<std::string>& warnings) {
+    if (wanted_.chunks != nullptr) {
+      read_chunks(*wanted_.chunks);
+    } else if (const auto table =
+                   read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
       builder_.resize(0);
-      if (const auto points = believable(*table); points > 0)
-        builder_.expect(points, columns_in_memory, scratch_folders(run_), warnings);
+      if (const auto points = believable(*table); points > 0 && wanted_.selection == nullptr)
+        builder_.expect(points, wanted_.columns_in_memory, scratch_folders(run_), warnings);
       read_chunks(*table);
     } else {
       if (packing_.compressor != Compressor::pointwise)
         warnings.emplace_back("the file has no usable chunk table; its chunks are read in order");
       read_in_order();
     }
-    builder_.resize(done_);
-    return done_;
+    builder_.resize(placed_);
+    return {done_, box_};
   }
-
-  const IntegerBox& box() const { return box_; }
 
  private:
   // One per thread.
@@ -52,6 +59,7 @@ class PointReader {
           records(block_points(record_length) * static_cast<std::size_t>(record_length)) {}
     ChunkDecoder decoder;
     std::vector<std::uint8_t> records;
+    std::vector<std::uint8_t> kept;  // of a selection
     IntegerBox box;
   };
 
@@ -74,7 +82,7 @@ class PointReader {
 
   void read_chunks(const std::vector<Chunk>& table) {
     constexpr std::uint64_t batch_points = 1 << 21;
-    for (std::size_t i = 0; i < table.size() && !broken_;) {
+    for (std::size_t i = 0; i < table.size() && !broken();) {
       if (!plausible(table[i])) {
         broken_ = !stream_chunk(table[i].begin, table[i].end, table[i].points).whole;
         ++i;
@@ -82,7 +90,8 @@ class PointReader {
         std::size_t end = i;
         for (std::uint64_t sum = 0; end < table.size() && plausible(table[end]) && sum < batch_points; ++end)
           sum += table[end].points;
-        read_batch({table.data() + i, end - i});
+        const std::span<const Chunk> batch(table.data() + i, end - i);
+        wanted_.selection == nullptr ? read_batch(batch) : select_batch(batch);
         i = end;
       }
       report();
@@ -92,7 +101,7 @@ class PointReader {
   // Decodes chunks in parallel and drops everything after the first unsound point.
   void read_batch(std::span<const Chunk> chunks) {
     std::vector<std::uint64_t> first(chunks.size()), sound(chunks.size());
-    std::uint64_t total = done_;
+    std::uint64_t total = placed_;
     for (std::size_t i = 0; i < chunks.size(); ++i) {
       first[i] = total;
       total += chunks[i].points;
@@ -109,6 +118,7 @@ class PointReader {
     run_.check_cancel();
     for (std::size_t i = 0; i < chunks.size() && !broken_; ++i) {
       done_ += sound[i];
+      placed_ += sound[i];
       box_.add(boxes[i]);
       broken_ = sound[i] < chunks[i].points;
     }
@@ -116,6 +126,33 @@ class PointReader {
     builder_.leave(first.front(), total - first.front());
     leave_memory(file_.data() + chunks.front().begin, chunks.back().end - chunks.front().begin);
   }
+
+  // The same with a selection: the selected points of each chunk find their places once they are counted.
+  void select_batch(std::span<const Chunk> chunks) {
+    std::vector<std::uint64_t> sound(chunks.size());
+    std::vector<std::vector<std::uint8_t>> kept(chunks.size());
+    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+      Worker& worker = workers_.local();
+      worker.kept.clear();
+      sound[i] =
+          decode(worker, file_.subspan(chunks[i].begin, chunks[i].end - chunks[i].begin), chunks[i].points, 0, false);
+      kept[i] = worker.kept;
+    });
+    run_.check_cancel();
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      if (broken()) {
+        kept[i].clear();
+        continue;
+      }
+      done_ += sound[i];
+      broken_ = broken_ || sound[i] < chunks[i].points;
+    }
+    placed_ = wanted_.selection->append(builder_, kept, placed_, box_);
+    if (!chunks.empty()) leave_memory(file_.data() + chunks.front().begin, chunks.back().end - chunks.front().begin);
+  }
+
+  // Chunks in the order of a table are read up to the first unsound point.
+  bool broken() const { return broken_ && wanted_.chunks == nullptr; }
 
   // Decodes a chunk to the places from `first` on, making room as it goes when `grow`; returns the number of sound
   // points.
@@ -126,8 +163,12 @@ class PointReader {
     while (done < there && !run_.cancelled()) {
       const std::size_t wanted = std::min<std::uint64_t>(block, there - done);
       const std::size_t got = worker.decoder.decode(worker.records.data(), wanted);
-      if (grow) builder_.resize(first + done + got);
-      if (got > 0) worker.box.add(builder_.decode(worker.records.data(), got, first + done));
+      if (wanted_.selection != nullptr) {
+        wanted_.selection->collect(worker.records.data(), got, worker.kept);
+      } else {
+        if (grow) builder_.resize(first + done + got);
+        if (got > 0) worker.box.add(builder_.decode(worker.records.data(), got, first + done));
+      }
       done += got;
       if (got < wanted) break;
       if (grow) report_at(first + done);
@@ -142,10 +183,16 @@ class PointReader {
   Streamed stream_chunk(std::uint64_t begin, std::uint64_t end, std::uint64_t points) {
     Worker& worker = workers_.local();
     worker.box = {};
-    const std::uint64_t got = decode(worker, file_.subspan(begin, end - begin), points, done_, true);
+    worker.kept.clear();
+    const std::uint64_t got = decode(worker, file_.subspan(begin, end - begin), points, placed_, true);
     run_.check_cancel();
     done_ += got;
-    box_.add(worker.box);
+    if (wanted_.selection != nullptr) {
+      placed_ = wanted_.selection->append(builder_, {&worker.kept, 1}, placed_, box_);
+    } else {
+      placed_ += got;
+      box_.add(worker.box);
+    }
     return {got == points, got > 0 ? worker.decoder.length() : 0};
   }
 
@@ -177,27 +224,27 @@ class PointReader {
   Bytes file_;
   const LasInfo& info_;
   ColumnBuilder& builder_;
+  const PointsWanted& wanted_;
   const Run& run_;
   Packing packing_;
   tbb::enumerable_thread_specific<Worker> workers_{[this] { return Worker(packing_, info_.record_length); }};
-  std::uint64_t done_ = 0;
+  std::uint64_t done_ = 0;    // decoded
+  std::uint64_t placed_ = 0;  // in the builder: fewer with a selection
   bool broken_ = false;
   IntegerBox box_;
 };
 
 }  // namespace
 
-std::uint64_t read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, std::size_t columns_in_memory,
-                          IntegerBox& box, const Run& run, std::vector<std::string>& warnings) {
+PointsRead read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, const PointsWanted& wanted,
+                       const Run& run, std::vector<std::string>& warnings) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
   if (vlr == nullptr)
     throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
-  if (info.points == 0) return 0;
+  if (info.points == 0) return {};
   // Extended records follow the chunk table. Chunks end before them.
-  PointReader reader(file, info, builder, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));
-  const std::uint64_t points = reader.read(columns_in_memory, warnings);
-  box = reader.box();
-  return points;
+  PointReader reader(file, info, builder, wanted, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));
+  return reader.read(warnings);
 }
 
 }  // namespace bole::io::laz

@@ -4,14 +4,29 @@
 #include "base/run.h"
 #include "io/core/las/las_columns.h"
 #include "io/core/las/las_info.h"
+#include "io/core/las/las_selection.h"
+#include "io/core/laz/laz_chunks.h"
 
 namespace bole::io::laz {
 
-// Decodes the points into `builder` and returns how many are sound. Memory grows with the points that are decoded, not
-// with the number in the header. Chunks are decoded in parallel where there is a chunk table, else in order. More than
-// `columns_in_memory` bytes of columns lie on file where the chunk table is plausible.
-// Throws Error{bad_input} when the file lacks its LAZ record, Error{cancelled}.
-std::uint64_t read_points(Bytes file, const LasInfo& info, las::ColumnBuilder& builder, std::size_t columns_in_memory,
-                          las::IntegerBox& box, const Run& run, std::vector<std::string>& warnings);
+struct PointsWanted {
+  std::size_t columns_in_memory = 0;                // bytes
+  const las::RecordSelection* selection = nullptr;  // null: all points
+  // Chunks to read, each apart from the others, so that a damaged one costs only its own points. Needs a selection.
+  // null: all, as the chunk table of the file says.
+  const std::vector<Chunk>* chunks = nullptr;
+};
+
+struct PointsRead {
+  std::uint64_t sound = 0;  // points decoded, also those that were not selected
+  las::IntegerBox box;      // of the points in the builder
+};
+
+// Decodes the points into `builder`. Memory grows with the points that are decoded, not with the number in the header.
+// Chunks are decoded in parallel where there is a chunk table, else in order. More than `columns_in_memory` bytes of
+// columns lie on file where the chunk table is plausible. Throws Error{bad_input} when the file lacks its LAZ record,
+// Error{cancelled}.
+PointsRead read_points(Bytes file, const LasInfo& info, las::ColumnBuilder& builder, const PointsWanted& wanted,
+                       const Run& run, std::vector<std::string>& warnings);
 
 }  // namespace bole::io::laz

@@ -215,7 +215,7 @@ void FrameFolderSource::find_sensor() {
   if (std::ifstream file(folder_ / "sensor.json"); name == "auto" && file) {
     const auto json = nlohmann::json::parse(file, nullptr, false);
     const auto path = folder_ / "sensor.json";
-    if (json.is_object() && json.contains("elevation_deg")) {
+    if (json.is_object() && (json.contains("elevation_deg") || json.contains("pattern"))) {
       model_ = sensor::sensor_model_from_json(json, json.value("name", "sensor"));
     } else {
       if (!json.is_object() || !json.contains("sensor") || !json["sensor"].is_string())
@@ -338,6 +338,7 @@ void FrameFolderSource::read(std::size_t index, ScanFrame& frame) const {
   frame.start_time_s = start_times_s_[index];
   if (frame.time_offset_s.empty()) frame.time_offset_s = times_from_azimuths(frame.positions, period_s_);
   if (frame.ring.empty() && ring_order_) frame.ring = rings_from_order(frame.positions);
+  if (pattern() == ScanPattern::rosette) frame.ring.assign(frame.positions.size(), 0);
   if (frame.ring.empty()) frame.ring = rings_from_elevations(frame.positions, elevations_rad_);
   frame.end_time_s = frame.start_time_s + (frame.time_offset_s.empty() ? 0 : std::ranges::max(frame.time_offset_s));
 }

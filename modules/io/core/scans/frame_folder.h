@@ -10,8 +10,8 @@
 namespace bole::io {
 
 // 000000.bin holds x, y, z and intensity as little-endian float32 per point, in sensor axes. 000000.pcd has the fields
-// x y z and, optionally, intensity, ring (channel) and time (t, timestamp). Intensities of .bin files from 0 to 1, as in
-// KITTI, become 0 to 255, as in packets. Beside the frames:
+// x y z and, optionally, intensity, ring (channel) and time (t, timestamp). Intensities of .bin files from 0 to 1, as
+// in KITTI, become 0 to 255, as in packets. Beside the frames:
 //
 // - times.txt: one line per frame, seconds (timestamps.txt: KITTI's dates), here or one folder up. Without either,
 //   frames follow at frame_period.
@@ -30,7 +30,10 @@ class FrameFolderSource : public FrameSource {
   std::size_t size() const override { return files_.size(); }
   void read(std::size_t index, ScanFrame& frame) const override;
   double frame_time_s(std::size_t index) const override { return start_times_s_.at(index); }
-  int rings() const override { return static_cast<int>(elevations_rad_.size()); }
+  int rings() const override {
+    return pattern() == ScanPattern::rosette ? 1 : static_cast<int>(elevations_rad_.size());
+  }
+  ScanPattern pattern() const override { return model_ ? model_->pattern() : ScanPattern::lines; }
   std::vector<double> ring_elevations_rad() const override { return elevations_rad_; }
   std::string sensor_model() const override { return model_ ? model_->id : "unknown"; }
   Facts facts() const override { return facts_; }

@@ -19,6 +19,20 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, "
                                  "pandar_xt32 or mid360, or a JSON file with the beams of your own unit."},
+          Option<S, std::string>{"topic",
+                                 &S::topic,
+                                 TextKind::plain,
+                                 {},
+                                 Tier::basic,
+                                 "Topic of a ROS bag that holds the scan. Empty takes the only one; bole info lists "
+                                 "the topics."},
+          Option<S, std::string>{"imu",
+                                 &S::imu,
+                                 TextKind::input_path_or_name,
+                                 {},
+                                 Tier::basic,
+                                 "Inertial unit: a topic of the ROS bag, or a file (.csv, .txt). Empty takes the one "
+                                 "that comes with the scan; none leaves it out."},
           Option<S, double>{"min_range",
                             &S::min_range,
                             Unit::metre,
@@ -82,7 +96,12 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
     throw bad_input("'" + path.string() + "' is a single frame", "the folder that holds the frames",
                     "Give the folder as the scan, or read the file as a cloud");
   const auto& format = require_format(FileContent::scan, path);
-  return std::get<ScanAccess>(format.access).open(path, options, run, report);
+  const auto& access = std::get<ScanAccess>(format.access);
+  if (!options.topic.empty() && !access.has_topics)
+    throw bad_input(
+        "the option topic is set, and '" + path.string() + "' (" + std::string(format.name) + ") has no topics",
+        "a ROS bag", "Leave topic empty");
+  return access.open(path, options, run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,

@@ -15,6 +15,8 @@ namespace bole::io {
 
 struct FrameSourceOptions {
   std::string sensor = "auto";
+  std::string topic;  // of a bag; empty: the only one that holds a scan
+  std::string imu;    // a topic of the bag, or a file; empty: the inertial unit that comes with the scan
   double min_range = 0.5;
   double max_range = 300;
   double cut_angle_deg = 180;  // clockwise from forward

@@ -51,7 +51,7 @@ std::optional<Bytes> ip_packet(Bytes frame, int link_type) {
   return frame.subspan(header);
 }
 
-enum class Kind { udp, fragment, other };
+enum class Kind { udp, fragment, fragment_of_ipv6, other };
 
 Kind udp_of(Bytes packet, Bytes& udp) {
   if (packet.size() < 20) return Kind::other;
@@ -60,12 +60,15 @@ Kind udp_of(Bytes packet, Bytes& udp) {
   if (version == 4) {
     header = static_cast<std::size_t>(packet[0] & 0x0F) * 4;
     if (header < 20 || packet.size() < header || packet[9] != 17) return Kind::other;
-    if ((get16(packet, 6) & 0x3FFF) != 0) return Kind::fragment;
+    if ((get16(packet, 6) & 0x3FFF) != 0) {
+      udp = packet;
+      return Kind::fragment;
+    }
     const std::size_t length = get16(packet, 2);
     if (length >= header && length < packet.size()) packet = packet.first(length);  // Ethernet padding
   } else if (version == 6) {
     if (packet.size() < header) return Kind::other;
-    if (packet[6] == 44) return Kind::fragment;
+    if (packet[6] == 44) return Kind::fragment_of_ipv6;
     if (packet[6] != 17) return Kind::other;
   } else {
     return Kind::other;
@@ -88,6 +91,8 @@ PcapReader::PcapReader(const std::filesystem::path& path) {
   if (file == nullptr)
     throw bad_input("'" + path.string() + "' cannot be opened: " + std::strerror(errno),
                     "a pcap file that exists and may be read");
+  const auto bytes = std::filesystem::file_size(path, ignored);
+  bytes_ = ignored ? 0 : static_cast<double>(bytes);
   open(file, path.string());
 }
 
@@ -95,6 +100,7 @@ PcapReader::PcapReader(Bytes capture, const std::string& name) {
   std::FILE* file =
       capture.empty() ? nullptr : ::fmemopen(const_cast<std::uint8_t*>(capture.data()), capture.size(), "rb");
   if (file == nullptr) throw bad_input("'" + name + "' is empty", "a pcap or pcapng capture");
+  bytes_ = static_cast<double>(capture.size());
   open(file, name);
 }
 
@@ -125,8 +131,10 @@ bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)
     datagram.offset = position();
     if (++packets_ % packets_between_polls == 0 && poll) poll(datagram.offset);
     const int outcome = pcap_next_ex(handle_.get(), &header, &data);
-    if (outcome == PCAP_ERROR_BREAK) return false;  // the end
     if (outcome != 1) {
+      pieces_.drop_all();
+      fragments_ = fragments_of_ipv6_ + pieces_.lost();
+      if (outcome == PCAP_ERROR_BREAK) return false;  // the end
       trouble_ = pcap_geterr(handle_.get());
       trouble_at_ = datagram.offset;
       return false;
@@ -134,8 +142,18 @@ bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)
     const auto packet = ip_packet({data, header->caplen}, link_type_);
     Bytes udp;
     const Kind kind = packet ? udp_of(*packet, udp) : Kind::other;
-    if (kind == Kind::fragment) ++fragments_;
-    if (kind != Kind::udp) {
+    if (kind == Kind::fragment) {
+      auto whole = pieces_.add(udp, datagram.offset);
+      fragments_ = fragments_of_ipv6_ + pieces_.lost();
+      if (!whole || whole->udp.size() < 8) continue;
+      joined_ = std::move(whole->udp);
+      datagram.offset = whole->offset;
+      udp = joined_;
+    } else if (kind != Kind::udp) {
+      if (kind == Kind::fragment_of_ipv6) {
+        ++fragments_of_ipv6_;
+        ++fragments_;
+      }
       ++skipped_;
       continue;
     }
@@ -149,7 +167,10 @@ bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)
   }
 }
 
-void PcapReader::seek(std::int64_t offset) { ::fseeko(pcap_file(handle_.get()), offset, SEEK_SET); }
+void PcapReader::seek(std::int64_t offset) {
+  pieces_.clear();
+  ::fseeko(pcap_file(handle_.get()), offset, SEEK_SET);
+}
 
 std::int64_t PcapReader::position() const { return ::ftello(pcap_file(handle_.get())); }
 

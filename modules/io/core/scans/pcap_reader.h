@@ -5,23 +5,18 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "io/core/bytes/mapped_file.h"
+#include "io/core/scans/datagrams.h"
+#include "io/core/scans/ip_fragments.h"
 
 struct pcap;
 
 namespace bole::io {
 
-struct Datagram {
-  double time_s = 0;                      // capture time, seconds since the Unix epoch
-  std::int64_t offset = 0;                // of its record in the file, for PcapReader::seek
-  std::uint16_t port = 0;                 // UDP destination port
-  std::span<const std::uint8_t> payload;  // valid until the next call
-};
-
-class PcapReader {
+class PcapReader : public DatagramReader {
  public:
   // Throws Error{bad_input} where the file cannot be opened, is not a capture, or has a link type without IP packets.
   explicit PcapReader(const std::filesystem::path& path);
@@ -29,19 +24,16 @@ class PcapReader {
   PcapReader(Bytes capture, const std::string& name);
 
   // The next whole UDP datagram over Ethernet (also with VLAN tags), Linux cooked capture, loopback or raw IP, IPv4 or
-  // IPv6. Fragments and other packets are skipped and counted. False at the end and where the file is cut off or
-  // damaged; then trouble() gives the reason. `poll` is called with the byte position after every 512 packets, and it
-  // may throw.
-  bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll = {});
+  // IPv6. Fragments of IPv4 are put together. Those of IPv6, those of datagrams that stay incomplete, and other packets
+  // are skipped and counted. False at the end and where the file is cut off or damaged; then trouble() gives the
+  // reason. `poll` is called with the byte position after every 512 packets, and it may throw.
+  bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) override;
+  using DatagramReader::next;
 
-  // Continues at a record whose offset next() has given.
-  void seek(std::int64_t offset);
+  void seek(std::int64_t offset) override;
+  double end() const override { return bytes_; }
 
   std::int64_t position() const;  // bytes read so far
-  std::int64_t skipped() const { return skipped_; }
-  std::int64_t fragments() const { return fragments_; }
-  const std::string& trouble() const { return trouble_; }  // empty when the file ended as it should
-  std::int64_t trouble_at() const { return trouble_at_; }  // the place of the first record that cannot be read
 
  private:
   struct Close {
@@ -51,9 +43,10 @@ class PcapReader {
 
   std::unique_ptr<pcap, Close> handle_;
   int link_type_ = 0;
-  std::int64_t packets_ = 0, skipped_ = 0, fragments_ = 0;
-  std::string trouble_;
-  std::int64_t trouble_at_ = 0;
+  double bytes_ = 0;
+  IpFragments pieces_;
+  std::vector<std::uint8_t> joined_;  // the datagram of the last call, where it came in fragments
+  std::int64_t packets_ = 0, fragments_of_ipv6_ = 0;
 };
 
 }  // namespace bole::io

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "base/error.h"
-#include "base/verdict.h"
+#include "io/core/scans/capture_damage.h"
+#include "io/core/scans/pcap_reader.h"
 #include "io/core/scans/sensor_facts.h"
 
 namespace bole::io {
@@ -14,12 +16,6 @@ namespace {
 constexpr double full_turn = 36000;
 constexpr double complete_share = 0.9;  // of the angle that most frames cover
 constexpr double max_loss_s = 60;       // a longer silence is a pause of the recording
-
-double file_bytes(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto bytes = std::filesystem::file_size(path, ignored);
-  return ignored ? 0 : static_cast<double>(bytes);
-}
 
 std::string product_text(const sensor::VelodynePacket& packet) {
   char text[64];
@@ -118,29 +114,31 @@ class VelodynePcapSource::Indexer {
 
 VelodynePcapSource::VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options,
                                        const Run& run)
-    : path_(path), name_(path.filename().string()), options_(options), reader_(path) {
-  index(run);
-}
+    : VelodynePcapSource(std::make_unique<PcapReader>(path), path, options, run) {}
 
 VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options,
                                        const Run& run)
-    : path_(name), name_(name), options_(options), reader_(capture, name) {
+    : VelodynePcapSource(std::make_unique<PcapReader>(capture, name), name, options, run) {}
+
+VelodynePcapSource::VelodynePcapSource(std::unique_ptr<DatagramReader> packets, const std::filesystem::path& path,
+                                       const FrameSourceOptions& options, const Run& run)
+    : path_(path), name_(path.filename().string()), options_(options), reader_(std::move(packets)) {
   index(run);
 }
 
 void VelodynePcapSource::index(const Run& run) {
   if (options_.sensor != "auto") decoder_.emplace(sensor::load_sensor_model(options_.sensor));
   port_ = options_.port.value_or(0);
-  const double bytes = file_bytes(path_);
+  const double end = reader_->end();
   Indexer indexer(*this, options_.cut_angle_deg * 100);
   auto& counts = report_.counts;
   std::int64_t datagrams = 0, data_packets = 0, position_packets = 0, other_port = 0, other = 0;
   Datagram datagram;
   const auto poll = [&](std::int64_t offset) {
     run.check_cancel();
-    if (bytes > 0) run.report(static_cast<double>(offset) / bytes, "indexing packets");
+    if (end > 0) run.report(static_cast<double>(offset) / end, "indexing packets");
   };
-  while (reader_.next(datagram, poll)) {
+  while (reader_->next(datagram, poll)) {
     ++datagrams;
     if (datagram.payload.size() == 554 || datagram.payload.size() == 512) {
       ++position_packets;
@@ -171,7 +169,7 @@ void VelodynePcapSource::index(const Run& run) {
   if (data_packets == 0) {
     const std::string port_text = options_.port ? " to UDP port " + std::to_string(*options_.port) : "";
     throw bad_input("'" + name_ + "' has " + plural(datagrams, "UDP datagram") + " but no Velodyne data packet" +
-                        port_text + (reader_.trouble().empty() ? "" : " (" + reader_.trouble() + ")"),
+                        port_text + (reader_->trouble().empty() ? "" : " (" + reader_->trouble() + ")"),
                     "datagrams of 1206 bytes",
                     other_port > 0 ? "Data packets were seen on another port: set the option port to auto"
                                    : "Is this the recording of a Velodyne sensor?");
@@ -184,7 +182,7 @@ void VelodynePcapSource::index(const Run& run) {
   counts["frames"] = static_cast<std::int64_t>(frames_.size());
   counts["data_packets"] = data_packets;
   counts["position_packets"] = position_packets;
-  counts["other_packets"] = other + other_port + reader_.skipped();
+  counts["other_packets"] = other + other_port + reader_->skipped();
   counts["lost_packets"] = indexer.lost;
   counts["packets_out_of_order"] = indexer.out_of_order;
   counts["incomplete_frames"] =
@@ -193,12 +191,7 @@ void VelodynePcapSource::index(const Run& run) {
   facts_ = sensor_facts(decoder_->model());
   set_fact(facts_, indexer.follows_utc() ? Clock::utc : Clock::recorder);
   report_.facts["clock"] = indexer.follows_utc() ? "sensor (UTC)" : "capture, continued by the sensor";
-  if (!reader_.trouble().empty())
-    note_damage("the capture is cut off or damaged after " + plural(data_packets, "data packet") + " (" +
-                reader_.trouble() + "): the frames before that are read");
-  if (reader_.fragments() > 0)
-    report_.warn(plural(reader_.fragments(), "fragmented IP packet") +
-                 " skipped: capture again with a network MTU of at least 1248 bytes");
+  note_damage(*reader_, data_packets, report_);
   if (indexer.lost > 0)
     report_.warn("about " + plural(indexer.lost, "packet") + " lost of " + std::to_string(data_packets + indexer.lost));
   if (indexer.out_of_order > 0) report_.warn(plural(indexer.out_of_order, "packet") + " out of order");
@@ -209,16 +202,6 @@ void VelodynePcapSource::index(const Run& run) {
     report_.warn(plural(other_port, "data packet") + " to other UDP ports than " + std::to_string(port_) +
                  " were skipped: choose one with the option port");
   report_.message = description();
-}
-
-// A recorder that was switched off cuts the last packet; more than that is a damaged file.
-void VelodynePcapSource::note_damage(const std::string& text) {
-  constexpr double whole_enough = 0.99;
-  const double bytes = file_bytes(path_);
-  const double share = bytes > 0 ? static_cast<double>(reader_.trouble_at()) / bytes : 1;
-  if (share >= whole_enough) return report_.find(Severity::look, "input_damaged", text);
-  report_.find(Severity::refused, finding_code::input_incomplete,
-               text + " (" + std::to_string(static_cast<int>(100 * share)) + " % of the file)");
 }
 
 // A full revolution, or less where the sensor masks a sector.
@@ -242,7 +225,7 @@ std::string VelodynePcapSource::description() const {
 }
 
 bool VelodynePcapSource::next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const {
-  while (reader_.next(datagram)) {
+  while (reader_->next(datagram)) {
     if (datagram.port != port_) continue;
     if (const auto parsed = sensor::parse_velodyne_packet(datagram.payload)) {
       packet = *parsed;
@@ -268,7 +251,7 @@ void VelodynePcapSource::read(std::size_t index, ScanFrame& frame) const {
   const auto& entry = frames_[index];
   frame.clear();
   frame.start_time_s = entry.start_time_s;
-  reader_.seek(entry.begin.offset);
+  reader_->seek(entry.begin.offset);
   Datagram datagram;
   sensor::VelodynePacket packet;
   double last_offset_s = 0;

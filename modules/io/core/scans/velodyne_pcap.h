@@ -1,25 +1,29 @@
-// Frames of a Velodyne sensor from a packet capture.
+// Frames of a Velodyne sensor from its packets, in a capture or in a bag.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "io/core/bytes/mapped_file.h"
+#include "io/core/scans/datagrams.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/scans/packet_clock.h"
-#include "io/core/scans/pcap_reader.h"
 #include "sensor/core/velodyne_decoder.h"
 
 namespace bole::io {
 
-// The capture is read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are decoded
-// when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the recording is
-// interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
+// The packets are read once to find where each frame starts, which takes a few dozen bytes per frame. Frames are
+// decoded when they are read. A frame is one revolution of the rotor from the cut angle. It also ends where the
+// recording is interrupted for so long that the rotor passed the cut angle, or where the sensor's clock was set.
 class VelodynePcapSource : public FrameSource {
  public:
   // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
   VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
   VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
+  VelodynePcapSource(std::unique_ptr<DatagramReader> packets, const std::filesystem::path& path,
+                     const FrameSourceOptions& options, const Run& run);
 
   std::size_t size() const override { return frames_.size(); }
   void read(std::size_t index, ScanFrame& frame) const override;
@@ -48,7 +52,6 @@ class VelodynePcapSource : public FrameSource {
   class Indexer;
 
   void index(const Run& run);
-  void note_damage(const std::string& text);
   double usual_turn_centideg() const;
   void drop_partial_ends();
   bool next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const;
@@ -57,7 +60,7 @@ class VelodynePcapSource : public FrameSource {
   std::filesystem::path path_;
   std::string name_;
   FrameSourceOptions options_;
-  mutable PcapReader reader_;
+  std::unique_ptr<DatagramReader> reader_;
   mutable std::vector<sensor::VelodyneReturn> returns_;
   mutable std::vector<sensor::VelodyneFiring> firings_;
   std::optional<sensor::VelodyneDecoder> decoder_;

@@ -25,10 +25,10 @@ Trajectory read_tum(Bytes file, const std::string& name);
 Trajectory read_kitti_poses(const std::filesystem::path& path, const std::vector<double>& times_s = {});
 Trajectory read_kitti_poses(Bytes file, const std::string& name, const std::vector<double>& times_s = {});
 
-enum class TrajectoryFormat { tum, kitti };
-constexpr std::array<std::string_view, 2> choice_names(TrajectoryFormat) { return {"tum", "kitti"}; }
+enum class TrajectoryFormat { tum, kitti, named, sbet };
+constexpr std::array<std::string_view, 4> choice_names(TrajectoryFormat) { return {"tum", "kitti", "named", "sbet"}; }
 
-// Either of them, without a format by the number of values on the first line. Throws Error{bad_input}.
+// Any of them, without a format by the content. Throws Error{bad_input}.
 Trajectory read_trajectory(const std::filesystem::path& path, std::optional<TrajectoryFormat> format = {});
 
 // Whether the first line that is no comment holds 12 values.

@@ -1,0 +1,276 @@
+#include "io/core/bags/bag_clouds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "base/file_pages.h"
+#include "io/core/scans/frame_estimates.h"
+#include "io/core/scans/sensor_facts.h"
+
+namespace bole::io {
+namespace {
+
+constexpr std::size_t sampled_frames = 9;
+
+// The usual time between messages, by their recording times. 0.1 s where there are too few.
+double usual_period_s(const std::vector<BagMessage>& messages) {
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < messages.size(); ++i)
+    if (messages[i].time_ns > messages[i - 1].time_ns) steps.push_back(messages[i].time_ns - messages[i - 1].time_ns);
+  if (steps.empty()) return 0.1;
+  std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
+  return 1e-9 * static_cast<double>(steps[steps.size() / 2]);
+}
+
+double seconds(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
+
+}  // namespace
+
+BagCloudSource::BagCloudSource(std::shared_ptr<const Bag> bag, std::size_t topic, const std::filesystem::path& path,
+                               const FrameSourceOptions& options, const Run& run)
+    : bag_(std::move(bag)),
+      topic_(bag_->topics()[topic]),
+      path_(path),
+      options_(options),
+      messages_(bag_->index(topic, run)) {
+  if (messages_.empty()) throw bad_input("topic " + topic_.name + " has no messages", "messages of " + topic_.type);
+  start_times_s_.assign(messages_.size(), std::numeric_limits<double>::quiet_NaN());
+  period_s_ = usual_period_s(messages_);
+  rosette_ = topic_.type != message_type::cloud;
+  auto samples = read_samples(run);
+  learn_times(samples);
+  std::vector<RawPoints> points;
+  for (auto& sample : samples) points.push_back(std::move(sample.points));
+  if (options_.sensor != "auto") model_ = sensor::load_sensor_model(options_.sensor);
+  if (model_) facts_.merge(sensor_facts(*model_));
+  learn_rings(points);
+  learn_intensity(points);
+  check_axes(points);
+  report_.counts["frames"] = static_cast<std::int64_t>(messages_.size());
+  report_.facts["topic"] = topic_.name + " (" + topic_.type + ")";
+  report_.facts["sensor"] =
+      model_ ? model_->name : "unknown, " + (rosette_ ? "rosette" : std::to_string(rings()) + " rings");
+  if (!model_)
+    report_.warn(
+        "the recording does not say which sensor it is from: beam and range noise are not known. Name it with "
+        "the option sensor");
+  report_.message = description();
+}
+
+std::vector<BagCloudSource::Sample> BagCloudSource::read_samples(const Run& run) {
+  std::vector<Sample> samples;
+  std::string trouble;
+  const auto count = std::min(sampled_frames, messages_.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    run.check_cancel();
+    const auto index = count == 1 ? 0 : k * (messages_.size() - 1) / (count - 1);
+    try {
+      Sample sample;
+      decode(index, sample.points);
+      sample.recorded_ns = messages_[index].time_ns;
+      if (!layout_ && topic_.type == message_type::cloud)
+        layout_ = layout_of(parse_cloud(bag_->read(messages_[index]), topic_.encoding).fields);
+      if (sample.points.positions.empty()) continue;
+      samples.push_back(std::move(sample));
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::bad_input) throw;
+      if (trouble.empty()) trouble = e.found();
+    }
+  }
+  if (samples.empty())
+    throw bad_input("no message of topic " + topic_.name + " holds a point within min_range and max_range" +
+                        (trouble.empty() ? "" : " (" + trouble + ")"),
+                    "messages of " + topic_.type);
+  return samples;
+}
+
+void BagCloudSource::decode(std::size_t index, RawPoints& points) const {
+  const auto bytes = bag_->read(messages_[index]);
+  if (topic_.type == message_type::cloud) {
+    const auto message = parse_cloud(bytes, topic_.encoding);
+    read_cloud_points(message, layout_of(message.fields), points);
+  } else {
+    parse_livox(bytes, topic_.encoding, livox_);
+    read_livox_points(livox_, points);
+  }
+  leave_memory(bytes.data(), bytes.size());
+  keep_valid(points, options_.min_range, options_.max_range);
+}
+
+void BagCloudSource::learn_times(const std::vector<Sample>& samples) {
+  std::vector<TimeSample> seen;
+  for (const auto& sample : samples)
+    if (const auto s = time_sample(sample.points, sample.recorded_ns)) seen.push_back(*s);
+  if (rosette_) {
+    times_.origin = TimeOrigin::after_stamp;
+    times_.unit_s = 1e-9;
+    times_.text = "offset_time, ns from the time base of the message";
+  } else if (!seen.empty()) {
+    times_ = find_time_dialect(layout_->time, seen, period_s_);
+  } else {
+    times_.text = "none";
+  }
+  report_.facts["point_times"] = times_.text;
+  if (!times_.warning.empty()) report_.find(Severity::look, "point_times_unclear", times_.warning);
+  if (times_.origin == TimeOrigin::none)
+    report_.warn(
+        "the points have no times: they follow from their azimuths, for a clockwise sensor that starts behind "
+        "and faces forward at the stamp of the message (as in KITTI)");
+  set_fact(facts_, Clock::recorder);
+  report_.facts["clock"] = "stamps of the messages";
+}
+
+void BagCloudSource::learn_rings(const std::vector<RawPoints>& samples) {
+  if (rosette_ || (layout_ && layout_->livox)) {
+    rosette_ = true;
+    report_.facts["rings"] = "none: the beams draw a rosette";
+    return;
+  }
+  ring_order_ = RingOrder::learn(samples);
+  if (!ring_order_.empty()) {
+    elevations_rad_ = ring_order_.elevations_rad();
+    report_.facts["rings"] = ring_order_.text();
+    if (model_ && model_->rings() == ring_order_.rings()) elevations_rad_ = model_->ring_elevations_rad();
+    if (model_ && model_->rings() < ring_order_.rings())
+      report_.find(Severity::look, "sensor_does_not_fit",
+                   "the points have " + std::to_string(ring_order_.rings()) + " rings, and the sensor " + model_->name +
+                       " has " + std::to_string(model_->rings()) + ": is the option sensor right?");
+    return;
+  }
+  if (model_) {
+    elevations_rad_ = model_->ring_elevations_rad();
+    report_.facts["rings"] = "by the elevations of the sensor";
+    return;
+  }
+  const auto most = std::ranges::max_element(samples, {}, [](const RawPoints& p) { return p.positions.size(); });
+  if (const auto rings = rings_from_order(most->positions); !rings.empty()) {
+    rings_by_order_ = true;
+    elevations_rad_ = mean_elevations_rad(most->positions, rings);
+    report_.facts["rings"] = "from the order of the points";
+    return;
+  }
+  elevations_rad_ = even_elevations_rad(most->positions, options_.rings);
+  report_.facts["rings"] = "from elevations";
+  report_.warn("the points have no rings: " + std::to_string(options_.rings) +
+               " evenly spaced ones are assumed. Name the sensor with the option sensor");
+}
+
+void BagCloudSource::learn_intensity(const std::vector<RawPoints>& samples) {
+  float most = 0;
+  for (const auto& sample : samples)
+    for (const float value : sample.intensity) most = std::max(most, value);
+  report_.facts["intensity"] = layout_ ? layout_->intensity ? layout_->intensity->name : "none" : "reflectivity";
+  if (most > 0 && most <= 1) {
+    intensity_factor_ = 255;
+    report_.facts["intensity"] += ", 0 to 1 in the messages, times 255";
+  }
+}
+
+// Clouds in the axes of a map or a robot have lost the place of the sensor.
+void BagCloudSource::check_axes(const std::vector<RawPoints>& samples) {
+  constexpr std::array<std::string_view, 7> foreign{"map",       "odom",           "world", "camera_init",
+                                                    "base_link", "base_footprint", "earth"};
+  std::string_view frame = samples.front().frame_id;
+  report_.facts["frame_id"] = std::string(frame);
+  if (!frame.empty() && frame.front() == '/') frame.remove_prefix(1);
+  if (std::ranges::find(foreign, frame) != foreign.end())
+    report_.find(Severity::look, "axes_not_of_sensor",
+                 "the points are in the axes '" + std::string(frame) +
+                     "', which are not those of a scanner: ranges and rays are "
+                     "wrong unless both have the same origin. Choose the topic that the driver of the scanner writes");
+  std::size_t missing = 0;
+  for (const auto& sample : samples) missing += sample.missing > 0 ? 1 : 0;
+  if (missing > 0)
+    report_.find(Severity::look, "input_damaged",
+                 std::to_string(missing) + " of " + std::to_string(samples.size()) +
+                     " messages that were looked at hold fewer points than they declare");
+}
+
+void BagCloudSource::set_times(const RawPoints& points, ScanFrame& frame) const {
+  const double stamp_s = seconds(points.stamp_ns);
+  frame.time_offset_s.resize(points.positions.size());
+  if (times_.origin == TimeOrigin::none || points.time.size() != points.positions.size()) {
+    frame.time_offset_s = times_from_azimuths(points.positions, period_s_);
+    frame.start_time_s = stamp_s - period_s_ / 2;
+  } else if (points.time.empty()) {
+    frame.start_time_s = stamp_s;
+  } else {
+    const double first = *std::ranges::min_element(points.time);
+    const bool from_stamp = times_.origin == TimeOrigin::after_stamp;
+    const double origin = from_stamp ? std::min(first, 0.0) : first;
+    frame.start_time_s = (from_stamp ? stamp_s : times_.shift_s) + origin * times_.unit_s;
+    for (std::size_t i = 0; i < points.time.size(); ++i)
+      frame.time_offset_s[i] = static_cast<float>((points.time[i] - origin) * times_.unit_s);
+  }
+  frame.end_time_s = frame.start_time_s;
+  if (!frame.time_offset_s.empty()) frame.end_time_s += std::ranges::max(frame.time_offset_s);
+}
+
+void BagCloudSource::set_rings(const RawPoints& points, ScanFrame& frame) const {
+  const auto count = points.positions.size();
+  if (rosette_) {
+    frame.ring.assign(count, 0);
+  } else if (!ring_order_.empty() && points.ring.size() == count) {
+    frame.ring.resize(count);
+    for (std::size_t i = 0; i < count; ++i) frame.ring[i] = ring_order_.ring(points.ring[i], points.positions[i]);
+  } else {
+    frame.ring.clear();
+    if (rings_by_order_) frame.ring = rings_from_order(points.positions);
+    if (frame.ring.empty()) frame.ring = rings_from_elevations(points.positions, elevations_rad_);
+  }
+}
+
+void BagCloudSource::read(std::size_t index, ScanFrame& frame) const {
+  if (index >= messages_.size())
+    throw bad_input("frame " + std::to_string(index) + " of '" + path_.string() + "'",
+                    "0 to " + std::to_string(messages_.size() - 1));
+  auto& points = scratch_;
+  try {
+    decode(index, points);
+  } catch (const Error& e) {
+    throw e.at("frame " + std::to_string(index) + " (topic " + topic_.name + ")");
+  }
+  frame.clear();
+  set_times(points, frame);
+  set_rings(points, frame);
+  const auto count = points.positions.size();
+  frame.positions = points.positions;
+  frame.intensity.assign(count, 0);
+  if (points.intensity.size() == count)
+    for (std::size_t i = 0; i < count; ++i) frame.intensity[i] = intensity_factor_ * points.intensity[i];
+  frame.return_number.assign(count, 1);
+  if (points.return_number.size() == count)
+    for (std::size_t i = 0; i < count; ++i)
+      frame.return_number[i] = static_cast<std::uint8_t>(std::clamp<std::int64_t>(points.return_number[i], 1, 255));
+  start_times_s_[index] = frame.start_time_s;
+}
+
+double BagCloudSource::frame_time_s(std::size_t index) const {
+  double& start_s = start_times_s_.at(index);
+  if (!std::isnan(start_s)) return start_s;
+  try {
+    decode(index, scratch_);
+    ScanFrame frame;
+    set_times(scratch_, frame);
+    start_s = frame.start_time_s;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::bad_input) throw;
+    start_s = seconds(messages_[index].time_ns);  // what is wrong is told when the frame is read
+  }
+  return start_s;
+}
+
+int BagCloudSource::rings() const { return rosette_ ? 1 : static_cast<int>(elevations_rad_.size()); }
+
+std::string BagCloudSource::description() const {
+  return path_.filename().string() + ": " + std::to_string(messages_.size()) +
+         (messages_.size() == 1 ? " frame" : " frames") + " of " + topic_.name + ", " +
+         (model_     ? model_->name
+          : rosette_ ? "rosette"
+                     : std::to_string(rings()) + " rings");
+}
+
+}  // namespace bole::io

@@ -1,0 +1,41 @@
+// The packets of a topic of a bag, one after the other, as a capture gives them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "io/core/bags/bag.h"
+#include "io/core/bags/messages.h"
+#include "io/core/scans/datagrams.h"
+
+namespace bole::io {
+
+class BagPackets : public DatagramReader {
+ public:
+  // Of messages of type velodyne_msgs/VelodyneScan.
+  BagPackets(std::shared_ptr<const Bag> bag, std::size_t topic, const Run& run);
+
+  bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) override;
+  using DatagramReader::next;
+  void seek(std::int64_t offset) override;
+  double end() const override;
+
+  // Messages that could not be read so far, and the last reason.
+  std::int64_t damaged_messages() const { return damaged_messages_; }
+  const std::string& damage() const { return damage_; }
+
+ private:
+  void load();
+
+  std::shared_ptr<const Bag> bag_;
+  BagTopic topic_;
+  std::vector<BagMessage> messages_;
+  std::size_t message_ = 0, packet_ = 0;  // the next one
+  std::vector<std::uint8_t> content_;     // of that message
+  std::vector<StampedPacket> packets_;    // in it
+  bool loaded_ = false;
+  std::int64_t damaged_messages_ = 0;
+  std::string damage_;
+};
+
+}  // namespace bole::io

@@ -1,0 +1,111 @@
+#include "io/core/bags/bag_source.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/verdict.h"
+#include "io/core/bags/bag_clouds.h"
+#include "io/core/bags/bag_inertial.h"
+#include "io/core/bags/bag_packets.h"
+#include "io/core/bags/bag_topics.h"
+#include "io/core/scans/velodyne_pcap.h"
+
+namespace bole::io {
+namespace {
+
+// Frames of a topic, and the inertial unit of another one.
+class FramesWithInertial : public FrameSource {
+ public:
+  FramesWithInertial(std::shared_ptr<const FrameSource> frames, BagInertial inertial)
+      : frames_(std::move(frames)), inertial_(std::move(inertial)) {}
+
+  std::size_t size() const override { return frames_->size(); }
+  void read(std::size_t index, ScanFrame& frame) const override { frames_->read(index, frame); }
+  double frame_time_s(std::size_t index) const override { return frames_->frame_time_s(index); }
+  int rings() const override { return frames_->rings(); }
+  ScanPattern pattern() const override { return frames_->pattern(); }
+  const InertialRecord* inertial() const override {
+    const auto* record = inertial_.record();
+    return record->samples.empty() ? nullptr : record;
+  }
+  std::vector<double> ring_elevations_rad() const override { return frames_->ring_elevations_rad(); }
+  std::string sensor_model() const override { return frames_->sensor_model(); }
+  Facts facts() const override { return frames_->facts(); }
+  std::string description() const override { return frames_->description(); }
+  std::string locator() const override { return frames_->locator(); }
+
+ private:
+  std::shared_ptr<const FrameSource> frames_;
+  BagInertial inertial_;
+};
+
+bool names_file(const std::string& imu) {
+  std::error_code ignored;
+  const auto ending = std::filesystem::path(imu).extension();
+  return ending == ".csv" || ending == ".txt" || std::filesystem::is_regular_file(imu, ignored);
+}
+
+std::shared_ptr<const FrameSource> open_topic(const std::shared_ptr<const Bag>& bag, std::size_t topic,
+                                              const std::filesystem::path& path, const FrameSourceOptions& options,
+                                              const Run& run, Report& report) {
+  if (bag->topics()[topic].type == message_type::velodyne) {
+    auto packets = std::make_unique<BagPackets>(bag, topic, run);
+    const auto& reader = *packets;  // lives as long as the source
+    auto source = std::make_shared<const VelodynePcapSource>(std::move(packets), path, options, run);
+    report = source->report();
+    if (reader.damaged_messages() > 0)
+      report.find(
+          Severity::look, "input_damaged",
+          std::to_string(reader.damaged_messages()) + " messages of packets cannot be read (" + reader.damage() + ")");
+    report.facts["topic"] = bag->topics()[topic].name + " (" + bag->topics()[topic].type + ")";
+    return source;
+  }
+  auto source = std::make_shared<const BagCloudSource>(bag, topic, path, options, run);
+  report = source->report();
+  return source;
+}
+
+// The unit measures on the clock of the frames, or it cannot be used with them.
+void compare_clocks(const FrameSource& frames, const BagInertial& inertial, Report& report) {
+  const double first_s = frames.frame_time_s(0), last_s = frames.frame_time_s(frames.size() - 1);
+  if (inertial.first_s() > last_s || inertial.last_s() < first_s)
+    report.find(Severity::look, "imu_clock_differs",
+                "the stamps of the inertial unit and of the scan do not overlap (they begin " +
+                    std::to_string(std::llround(inertial.first_s() - first_s)) +
+                    " s apart): the two have different clocks, and the unit cannot be used");
+}
+
+}  // namespace
+
+std::shared_ptr<const FrameSource> open_bag_source(std::shared_ptr<const Bag> bag, const std::filesystem::path& path,
+                                                   const FrameSourceOptions& options, const Run& run, Report& report) {
+  const auto topic = choose_scan_topic(*bag, options.topic);
+  auto source = open_topic(bag, topic, path, options, run, report);
+  if (options.imu != "none" && !names_file(options.imu)) {
+    std::string several;
+    if (const auto imu = choose_imu_topic(*bag, options.imu, several)) try {
+        BagInertial inertial(bag, *imu, run, report);
+        compare_clocks(*source, inertial, report);
+        source = std::make_shared<const FramesWithInertial>(std::move(source), std::move(inertial));
+      } catch (const Error& e) {
+        if (e.kind() != ErrorKind::bad_input || !options.imu.empty()) throw;
+        report.warn("the inertial unit is left out: " + e.found());
+      }
+    if (!several.empty())
+      report.warn("the recording has more than one inertial unit: " + several +
+                  ". None is used; name one with the option imu");
+  }
+  constexpr double whole_enough = 0.99;
+  for (const auto& text : bag->damage()) report.find(Severity::look, "input_damaged", text);
+  if (bag->lost_share() > 1 - whole_enough)
+    report.find(Severity::refused, finding_code::input_incomplete,
+                std::to_string(std::lround(100 * bag->lost_share())) + " % of the recording cannot be read");
+  return source;
+}
+
+std::shared_ptr<const FrameSource> open_bag_source(const std::filesystem::path& path, const FrameSourceOptions& options,
+                                                   const Run& run, Report& report) {
+  return open_bag_source(std::shared_ptr<const Bag>(open_bag(path, run)), path, options, run, report);
+}
+
+}  // namespace bole::io

@@ -1,0 +1,44 @@
+// The points of one message as the recording has them, before anything is decided about their times and rings.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/core/bags/messages.h"
+
+namespace bole::io {
+
+// Which fields of a cloud hold what.
+struct CloudLayout {
+  CloudField x, y, z;
+  std::optional<CloudField> intensity, ring, time, return_number;
+  bool livox = false;  // fields of the Livox drivers: no rings
+};
+
+// Throws Error{bad_input} where there are no coordinates.
+CloudLayout layout_of(const std::vector<CloudField>& fields);
+
+struct RawPoints {
+  std::int64_t stamp_ns = 0;
+  std::string frame_id;
+  std::uint32_t height = 0, width = 0;
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<float> intensity;  // these are empty where the recording has none
+  std::vector<std::int64_t> ring;
+  std::vector<std::int64_t> return_number;
+  std::vector<double> time;  // in the unit and from the origin of the recording
+  std::size_t missing = 0;   // points that the message declares and does not hold
+
+  void keep(const std::vector<std::size_t>& indices);  // sorted
+};
+
+void read_cloud_points(const CloudMessage& message, const CloudLayout& layout, RawPoints& out);
+// Times are nanoseconds after the stamp.
+void read_livox_points(const LivoxMessage& message, RawPoints& out);
+
+// Drops points that are not numbers, lie at the sensor (drivers pad with zeros) or outside the limits of range.
+void keep_valid(RawPoints& points, double min_range_m, double max_range_m);
+
+}  // namespace bole::io

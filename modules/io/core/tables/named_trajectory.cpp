@@ -1,0 +1,311 @@
+#include "io/core/tables/named_trajectory.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "cloud/known_facts.h"
+#include "io/core/bytes/line_reader.h"
+#include "io/core/las/las_bytes.h"
+
+namespace bole::io {
+namespace {
+
+constexpr double degrees_per_radian = 57.29577951308232;
+
+enum Role { time_role, x, y, z, qw, qx, qy, qz, matrix, longitude = matrix + 12, latitude, role_count };
+
+struct RoleName {
+  std::string_view letters;  // lower case, without anything else
+  int role;
+  double factor = 1;
+};
+
+constexpr std::array names{RoleName{"time", time_role},
+                           RoleName{"times", time_role},
+                           RoleName{"t", time_role},
+                           RoleName{"timestamp", time_role},
+                           RoleName{"worldtime", time_role},
+                           RoleName{"gpstime", time_role},
+                           RoleName{"gpstimes", time_role},
+                           RoleName{"timesec", time_role},
+                           RoleName{"seconds", time_role},
+                           RoleName{"sec", time_role},
+                           RoleName{"tow", time_role},
+                           RoleName{"unixtime", time_role},
+                           RoleName{"timestamps", time_role},
+                           RoleName{"timems", time_role, 1e-3},
+                           RoleName{"timeus", time_role, 1e-6},
+                           RoleName{"timestampus", time_role, 1e-6},
+                           RoleName{"timens", time_role, 1e-9},
+                           RoleName{"nsecs", time_role, 1e-9},
+                           RoleName{"nanoseconds", time_role, 1e-9},
+                           RoleName{"timestampns", time_role, 1e-9},
+                           RoleName{"timestampnanoseconds", time_role, 1e-9},
+                           RoleName{"x", x},
+                           RoleName{"y", y},
+                           RoleName{"z", z},
+                           RoleName{"tx", x},
+                           RoleName{"ty", y},
+                           RoleName{"tz", z},
+                           RoleName{"px", x},
+                           RoleName{"py", y},
+                           RoleName{"pz", z},
+                           RoleName{"posx", x},
+                           RoleName{"posy", y},
+                           RoleName{"posz", z},
+                           RoleName{"positionx", x},
+                           RoleName{"positiony", y},
+                           RoleName{"positionz", z},
+                           RoleName{"xm", x},
+                           RoleName{"ym", y},
+                           RoleName{"zm", z},
+                           RoleName{"easting", x},
+                           RoleName{"northing", y},
+                           RoleName{"height", z},
+                           RoleName{"altitude", z},
+                           RoleName{"elevation", z},
+                           RoleName{"alt", z},
+                           RoleName{"longitude", longitude},
+                           RoleName{"latitude", latitude},
+                           RoleName{"lon", longitude},
+                           RoleName{"lat", latitude},
+                           RoleName{"longitudedeg", longitude},
+                           RoleName{"latitudedeg", latitude},
+                           RoleName{"qw", qw},
+                           RoleName{"qx", qx},
+                           RoleName{"qy", qy},
+                           RoleName{"qz", qz},
+                           RoleName{"q0", qw},
+                           RoleName{"q1", qx},
+                           RoleName{"q2", qy},
+                           RoleName{"q3", qz},
+                           RoleName{"oriw", qw},
+                           RoleName{"orix", qx},
+                           RoleName{"oriy", qy},
+                           RoleName{"oriz", qz},
+                           RoleName{"orientationw", qw},
+                           RoleName{"orientationx", qx},
+                           RoleName{"orientationy", qy},
+                           RoleName{"orientationz", qz}};
+
+std::string letters_of(std::string_view word) {
+  std::string out;
+  for (const char c : word)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+std::optional<RoleName> role_of(std::string_view word) {
+  const auto plain = letters_of(word);
+  for (const auto& n : names)
+    if (n.letters == plain) return n;
+  if (plain.size() == 6 && plain.starts_with("pose") && plain[4] >= '0' && plain[4] < '3' && plain[5] >= '0' &&
+      plain[5] < '4')
+    return RoleName{"", matrix + 4 * (plain[4] - '0') + (plain[5] - '0')};
+  return std::nullopt;
+}
+
+// Words between commas, semicolons, tabs and blanks.
+void split(std::string_view line, std::string& copy, std::vector<std::string_view>& words) {
+  copy.assign(line);
+  for (char& c : copy)
+    if (c == ',' || c == ';') c = ' ';
+  split_blanks(copy, words);
+}
+
+struct Layout {
+  std::array<int, role_count> column{};
+  double time_factor = 1;
+
+  bool has(int role) const { return column[static_cast<std::size_t>(role)] >= 0; }
+  bool has_all(int first, int count) const {
+    for (int r = first; r < first + count; ++r)
+      if (!has(r)) return false;
+    return true;
+  }
+  bool has_matrix() const { return has_all(matrix, 12); }
+  bool has_place() const { return has_all(x, 3) || has_matrix() || is_geographic(); }
+  bool is_geographic() const { return has(longitude) && has(latitude) && has(z) && !has(x); }
+};
+
+// The line that names the columns: the first one that is not empty, without the sign of a comment.
+// A comment that names only some of the columns, as above TUM poses, is none.
+std::optional<Layout> layout_of(std::string_view line) {
+  const bool comment = line.starts_with('#');
+  while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '/' || line.front() == ' '))
+    line.remove_prefix(1);
+  std::string copy;
+  std::vector<std::string_view> words;
+  split(line, copy, words);
+  Layout layout;
+  layout.column.fill(-1);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (const auto found = role_of(words[i]); found && !layout.has(found->role)) {
+      layout.column[static_cast<std::size_t>(found->role)] = static_cast<int>(i);
+      if (found->role == time_role) layout.time_factor = found->factor;
+    }
+  if (!layout.has(time_role) || !layout.has_place()) return std::nullopt;
+  if (comment && !layout.has_matrix() && !layout.has_all(qw, 4)) return std::nullopt;
+  return layout;
+}
+
+class Lines {
+ public:
+  Lines(Bytes file, const std::string& name) : lines_(file), name_(name) {}
+
+  bool next() {
+    while (lines_.next(line_)) {
+      line_ = trimmed(line_);
+      if (line_.empty() || line_.front() == '#' || line_.front() == '%') continue;
+      split(line_, copy_, words_);
+      return true;
+    }
+    return false;
+  }
+  std::string place() const { return "'" + name_ + "' line " + std::to_string(lines_.number()); }
+  double number(const Layout& layout, int role) const {
+    const auto i = static_cast<std::size_t>(layout.column[static_cast<std::size_t>(role)]);
+    double value = 0;
+    if (i >= words_.size())
+      throw bad_input(place() + " has " + std::to_string(words_.size()) + " values",
+                      "as many as the header line names");
+    if (!parse_number(words_[i], value) || !std::isfinite(value))
+      throw bad_input(place() + " has '" + std::string(words_[i].substr(0, 40)) + "'", "a number");
+    return value;
+  }
+
+ private:
+  LineReader lines_;
+  const std::string& name_;
+  std::string_view line_;
+  std::string copy_;
+  std::vector<std::string_view> words_;
+};
+
+Pose pose_of(const Lines& lines, const Layout& layout) {
+  Pose pose = Pose::Identity();
+  const auto number = [&](int role) { return lines.number(layout, role); };
+  if (layout.has_matrix()) {
+    Eigen::Matrix3d rotation;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) rotation(r, c) = number(matrix + 4 * r + c);
+      pose.translation()[r] = number(matrix + 4 * r + 3);
+    }
+    constexpr double max_error = 1e-2;
+    if (!((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < max_error &&
+          rotation.determinant() > 0))
+      throw bad_input(lines.place() + " is no rotation and translation", "the rows of a 3 by 4 matrix");
+    pose.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+    return pose;
+  }
+  pose.translation() = layout.is_geographic() ? Eigen::Vector3d(number(longitude), number(latitude), number(z))
+                                              : Eigen::Vector3d(number(x), number(y), number(z));
+  if (layout.has_all(qw, 4)) {
+    const Eigen::Quaterniond q(number(qw), number(qx), number(qy), number(qz));
+    constexpr double max_error = 0.01;
+    if (!(std::abs(q.norm() - 1) <= max_error))
+      throw bad_input(lines.place() + " has a quaternion of length " + std::to_string(q.norm()), "length 1");
+    pose.linear() = q.normalized().toRotationMatrix();
+  }
+  return pose;
+}
+
+void set_orientation_unknown(Trajectory& trajectory) { trajectory.facts["orientation"] = "unknown"; }
+
+}  // namespace
+
+bool looks_like_named_trajectory(Bytes file) {
+  LineReader lines(file.first(std::min<std::size_t>(file.size(), 1 << 16)));
+  std::string_view line;
+  while (lines.next(line) && trimmed(line).empty()) continue;
+  return layout_of(trimmed(line)).has_value();
+}
+
+Trajectory read_named_trajectory(Bytes file, const std::string& name) {
+  LineReader first(file);
+  std::string_view header;
+  while (first.next(header) && trimmed(header).empty()) continue;
+  const auto layout = layout_of(trimmed(header));
+  constexpr const char* needed =
+      "a first line that names the columns, with time and x y z (or longitude latitude height)";
+  if (!layout) throw bad_input("'" + name + "' begins with '" + std::string(header.substr(0, 80)) + "'", needed);
+  Trajectory trajectory;
+  Lines lines(file.subspan(first.position()), name);
+  std::size_t repeated = 0;
+  while (lines.next()) {
+    const double time = layout->time_factor * lines.number(*layout, time_role);
+    if (!trajectory.empty() && time <= trajectory.poses.back().time_s) {
+      if (time < trajectory.poses.back().time_s)
+        throw bad_input(lines.place() + " has time " + std::to_string(time) + " after " +
+                            std::to_string(trajectory.poses.back().time_s),
+                        "times that increase");
+      ++repeated;
+      continue;
+    }
+    trajectory.poses.push_back({time, pose_of(lines, *layout)});
+  }
+  if (trajectory.empty()) throw bad_input("'" + name + "' holds no poses", needed);
+  if (repeated > 0) trajectory.facts["repeated_times"] = std::to_string(repeated);
+  if (!layout->has_matrix() && !layout->has_all(qw, 4)) set_orientation_unknown(trajectory);
+  if (!layout->has_matrix() && layout->is_geographic()) set_fact(trajectory.facts, facts::crs, geographic_crs);
+  return trajectory;
+}
+
+namespace {
+
+constexpr std::size_t sbet_record = 17 * sizeof(double);
+
+bool possible_sbet(const std::uint8_t* at) {
+  using las::load;
+  const double time = load<double>(at), lat = load<double>(at + 8), lon = load<double>(at + 16),
+               height = load<double>(at + 24);
+  constexpr double quarter = M_PI / 2, half = M_PI;
+  return std::isfinite(time) && time >= 0 && time < 1e10 && std::abs(lat) <= quarter && std::abs(lon) <= half &&
+         (lat != 0 || lon != 0) && height > -1000 && height < 100000;
+}
+
+}  // namespace
+
+bool looks_like_sbet(Bytes file) {
+  return file.size() >= 2 * sbet_record && file.size() % sbet_record == 0 && possible_sbet(file.data()) &&
+         possible_sbet(file.data() + file.size() - sbet_record);
+}
+
+Trajectory read_sbet(Bytes file, const std::string& name) {
+  using las::load;
+  Trajectory trajectory;
+  const std::size_t records = file.size() / sbet_record;
+  if (records == 0 || !possible_sbet(file.data()))
+    throw bad_input("'" + name + "' (" + std::to_string(file.size()) + " bytes) is no SBET file",
+                    "records of 17 numbers: time, latitude and longitude in radians, height, ...");
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < records; ++i) {
+    const std::uint8_t* at = file.data() + i * sbet_record;
+    const double time = load<double>(at);
+    if (!possible_sbet(at) || (!trajectory.empty() && time <= trajectory.poses.back().time_s)) {
+      ++dropped;
+      continue;
+    }
+    Pose pose = Pose::Identity();
+    pose.translation() = Eigen::Vector3d(degrees_per_radian * load<double>(at + 16),
+                                         degrees_per_radian * load<double>(at + 8), load<double>(at + 24));
+    trajectory.poses.push_back({time, pose});
+  }
+  if (dropped > 0) trajectory.facts["repeated_times"] = std::to_string(dropped);
+  set_orientation_unknown(trajectory);
+  set_fact(trajectory.facts, facts::crs, geographic_crs);
+  return trajectory;
+}
+
+bool is_geographic(const Trajectory& trajectory) {
+  return fact_text(trajectory.facts, facts::crs) == std::string(geographic_crs);
+}
+
+}  // namespace bole::io

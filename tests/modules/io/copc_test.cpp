@@ -1,0 +1,195 @@
+// COPC and the options bounds and resolution. The numbers of the fixture are those that laspy finds in it
+// (tests/bench/peers/clouds_against_peers.py compares point by point).
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "base/verdict.h"
+#include "io/core/clouds/cloud_reader.h"
+#include "io/core/copc/copc_nodes.h"
+#include "io/core/formats.h"
+#include "io/core/las/las_bytes.h"
+#include "io_test_tools.h"
+#include "las_file.h"
+
+namespace bole::io {
+namespace {
+
+using namespace testing_io;
+using testing::HasSubstr;
+
+const std::filesystem::path fixture = BOLE_SOURCE_DIR "/tests/data/copc/octree.copc.laz";
+constexpr const char* part = "500004.0005,5400004.0005,500012.0005,5400010.0005";
+
+std::vector<std::uint8_t> fixture_bytes() {
+  const auto text = read_file(fixture);
+  return {text.begin(), text.end()};
+}
+
+std::vector<Eigen::Vector3d> sorted_points(const PointCloud& cloud) {
+  std::vector<Eigen::Vector3d> out;
+  for (std::size_t i = 0; i < cloud.size(); ++i) out.push_back(exact_position(cloud, i));
+  std::ranges::sort(out, [](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  });
+  return out;
+}
+
+CloudReading read_with(const std::filesystem::path& path, const std::string& bounds, double resolution = 0) {
+  CloudReadOptions options;
+  options.bounds = bounds;
+  options.resolution = resolution;
+  return read_cloud(path, options);
+}
+
+TEST(CloudBounds, TextsAreRectanglesOrBoxes) {
+  EXPECT_FALSE(parse_bounds(""));
+  EXPECT_FALSE(parse_bounds("  "));
+  const auto plan = parse_bounds("-1, 2,3.5 ,4");
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->min.head<2>(), Eigen::Vector2d(-1, 2));
+  EXPECT_TRUE(plan->contains({3.5, 4, 1e9}));
+  EXPECT_FALSE(plan->contains({3.6, 4, 0}));
+  EXPECT_FALSE(plan->contains({0, std::nan(""), 0}));
+  const auto box = parse_bounds("[0,0,0,1,1,2]");
+  ASSERT_TRUE(box);
+  EXPECT_FALSE(box->contains({0.5, 0.5, 2.1}));
+  for (const char* text : {"1,2,3", "1,2,3,4,5", "a,b,c,d", "3,0,1,1", "0,0,nan,1", "0,0,inf,1"})
+    EXPECT_THAT(error_of([&] { parse_bounds(text); }), HasSubstr("xmin,ymin,xmax,ymax")) << text;
+}
+
+TEST(Copc, IsKnownByItsFirstRecord) {
+  EXPECT_EQ(find_format(fixture)->name, "COPC");
+  const auto cloud = read_cloud(fixture);
+  EXPECT_EQ(cloud.report.facts.at("format"), "COPC");
+  EXPECT_EQ(cloud.cloud.size(), 700U);
+  EXPECT_THAT(cloud.cloud.crs_wkt, HasSubstr("made for a test"));
+}
+
+TEST(Copc, BoundsGiveThePointsThatLieInThem) {
+  const auto all = read_cloud(fixture).cloud;
+  const auto some = read_with(fixture, part);
+  const auto bounds = *parse_bounds(part);
+  std::vector<Eigen::Vector3d> wanted;
+  for (const auto& p : sorted_points(all))
+    if (bounds.contains(p)) wanted.push_back(p);
+  EXPECT_EQ(some.cloud.size(), 38U);
+  EXPECT_EQ(sorted_points(some.cloud), wanted);
+  EXPECT_LT(some.report.counts.at("copc_nodes"), read_with(fixture, "0,0,1e9,1e9").report.counts.at("copc_nodes"));
+  // Columns go with their points.
+  const auto& red = some.cloud.values<std::uint16_t>(arrays::red);
+  const auto& time = some.cloud.values<double>(arrays::time);
+  for (std::size_t i = 0; i < red.size(); ++i) EXPECT_NEAR(time[i], 3e8 + 0.01 * red[i], 1e-6);
+}
+
+TEST(Copc, ResolutionEndsAtTheFirstLevelThatHasIt) {
+  EXPECT_EQ(read_with(fixture, "", 2).cloud.size(), 40U);
+  EXPECT_EQ(read_with(fixture, "", 1).cloud.size(), 40U);
+  EXPECT_EQ(read_with(fixture, "", 0.5).cloud.size(), 200U);
+  EXPECT_EQ(read_with(fixture, "", 0.3).cloud.size(), 700U);
+  EXPECT_EQ(read_with(fixture, "", 1e-3).cloud.size(), 700U);
+  EXPECT_EQ(read_with(fixture, part, 0.5).cloud.size(), 10U);
+}
+
+TEST(Copc, BoundsBesideTheFileAreAnErrorThatGivesItsBounds) {
+  EXPECT_THAT(error_of([] { read_with(fixture, "0,0,1,1"); }), HasSubstr("x 500000"));
+}
+
+// Where the hierarchy of the fixture begins and how long its root page is.
+std::uint64_t root_of(const std::vector<std::uint8_t>& file) { return las::load<std::uint64_t>(&file[375 + 54 + 40]); }
+
+CloudReading read_damaged(const std::vector<std::uint8_t>& file) {
+  CloudReadOptions options;
+  options.bounds = part;
+  return read_cloud(Bytes(file), "damaged.copc.laz", options);
+}
+
+TEST(Copc, PagesThatNameOneAnotherEnd) {
+  auto file = fixture_bytes();
+  const auto root = root_of(file);
+  las::store(&file[root + 16], root);  // the root node becomes a page: the root page itself
+  las::store(&file[root + 28], std::int32_t{-1});
+  const auto reading = read_damaged(file);
+  EXPECT_TRUE(has_finding(reading.report, "copc_hierarchy_damaged"));
+  EXPECT_LT(reading.cloud.size(), 38U);
+}
+
+TEST(Copc, LyingEntriesAreLeftOutAndTold) {
+  for (const std::uint64_t offset : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 40}) {
+    auto file = fixture_bytes();
+    las::store(&file[root_of(file) + 16], offset);
+    const auto reading = read_damaged(file);
+    EXPECT_TRUE(has_finding(reading.report, "copc_hierarchy_damaged")) << offset;
+    EXPECT_GT(reading.cloud.size(), 0U);
+  }
+  auto file = fixture_bytes();
+  las::store(&file[root_of(file) + 28], std::int32_t{2'000'000'000});  // points of the root
+  EXPECT_TRUE(has_finding(read_damaged(file).report, finding_code::input_incomplete));
+}
+
+TEST(Copc, ADamagedRecordLeavesALazFile) {
+  auto file = fixture_bytes();
+  las::store(&file[375 + 54 + 40], ~std::uint64_t{0});
+  const auto reading = read_damaged(file);
+  EXPECT_EQ(reading.cloud.size(), 38U);
+  EXPECT_THAT(reading.report.warnings.front(), HasSubstr("COPC"));
+}
+
+TEST(Copc, ACutFileGivesAnError) {
+  auto file = fixture_bytes();
+  file.resize(file.size() / 2);
+  EXPECT_THAT(error_of([&] { read_damaged(file); }), testing::AnyOf(HasSubstr("bounds"), HasSubstr("points")));
+}
+
+TEST(Bounds, OfLasFiles) {
+  test::LasFile las;
+  for (int i = 0; i < 100'000; ++i) las.add(i % 1000, i / 1000, i % 7);
+  const auto file = las.bytes();
+  CloudReadOptions options;
+  options.bounds = "1000.005,2000.005,1001.005,2000.105";  // x from 0.01 to 1.00, y from 0.01 to 0.10
+  const auto reading = read_cloud(Bytes(file), "a.las", options);
+  EXPECT_EQ(reading.cloud.size(), 1000U);
+  for (std::size_t i = 0; i < reading.cloud.size(); ++i)
+    EXPECT_TRUE(parse_bounds(options.bounds)->contains(exact_position(reading.cloud, i)));
+  options.bounds = "0,0,1,1";
+  EXPECT_THAT(error_of([&] { read_cloud(Bytes(file), "a.las", options); }), HasSubstr("bounds"));
+}
+
+TEST(Bounds, OfCompressedFilesAreThoseOfAllTheirPoints) {
+  for (const char* name :
+       {"format1.laz", "format1_old.laz", "format6.laz", "format6_variable.laz", "format7_extra.laz"}) {
+    SCOPED_TRACE(name);
+    const std::filesystem::path path = std::string(BOLE_SOURCE_DIR "/tests/data/laz/") + name;
+    const auto all = sorted_points(read_cloud(path).cloud);
+    const double middle = all[all.size() / 2].x() + 0.5 * 1e-4;
+    const auto half = read_with(path, std::to_string(all.front().x() - 1) + ",-1e8," + std::to_string(middle) + ",1e8");
+    const auto bounds = *parse_bounds(std::to_string(all.front().x() - 1) + ",-1e8," + std::to_string(middle) + ",1e8");
+    std::vector<Eigen::Vector3d> wanted;
+    for (const auto& p : all)
+      if (bounds.contains(p)) wanted.push_back(p);
+    EXPECT_GT(wanted.size(), 0U);
+    EXPECT_LT(wanted.size(), all.size());
+    EXPECT_EQ(sorted_points(half.cloud), wanted);
+  }
+}
+
+TEST(Bounds, OfTextAreInTheCoordinatesOfTheFile) {
+  CloudReadOptions options;
+  options.bounds = "0,0,2000,2000";
+  options.unit = LengthUnit::millimetre;
+  const auto reading = read_cloud(bytes_of("x y z\n1000 1000 0\n3000 1000 0\n500 100 9000\n"), "a.xyz", options);
+  EXPECT_EQ(reading.cloud.size(), 2U);
+  EXPECT_EQ(reading.report.counts.at("points_outside_bounds"), 1);
+  options.bounds = "5000,0,6000,1";
+  EXPECT_THAT(error_of([&] { read_cloud(bytes_of("x y z\n1000 1000 0\n"), "a.xyz", options); }), HasSubstr("1000"));
+}
+
+TEST(Bounds, ResolutionOfOtherFormatsIsToldToDoNothing) {
+  CloudReadOptions options;
+  options.resolution = 0.1;
+  EXPECT_TRUE(has_finding(read_cloud(bytes_of("1 2 3\n4 5 6\n"), "a.xyz", options).report, "resolution_ignored"));
+  EXPECT_FALSE(has_finding(read_with(fixture, "", 0.5).report, "resolution_ignored"));
+}
+
+}  // namespace
+}  // namespace bole::io

@@ -1,0 +1,205 @@
+#include "survey/core/join_trajectory.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud/known_facts.h"
+#include "survey/core/path_clock.h"
+#include "survey/core/path_curve.h"
+
+namespace bole::survey {
+namespace {
+
+using testing::HasSubstr;
+
+// A walk of 200 s about a square of 30 m, twice, with a gait; height 1.5 m.
+Eigen::Vector3d place_at(double t) {
+  const double s = std::fmod(t, 100) * 1.2;
+  const double side = 30;
+  const int corner = static_cast<int>(s / side) % 4;
+  const double along = std::fmod(s, side);
+  const Eigen::Vector2d corners[5] = {{0, 0}, {side, 0}, {side, side}, {0, side}, {0, 0}};
+  const Eigen::Vector2d p = corners[corner] + along / side * (corners[corner + 1] - corners[corner]);
+  return {500000 + p.x(), 5400000 + p.y(), 301.5 + 0.02 * std::sin(6 * t)};
+}
+
+constexpr double walk_s = 200;
+
+Trajectory walk(double time_offset, double rate = 10) {
+  Trajectory out;
+  for (int i = 0; i <= static_cast<int>(walk_s * rate); ++i) {
+    const double t = i / rate;
+    Pose pose = Pose::Identity();
+    pose.translation() = place_at(t);
+    out.poses.push_back({t + time_offset, pose});
+  }
+  return out;
+}
+
+// Points of the ground and of trees, 2 to 12 m from where the sensor was.
+PointCloud mapped(double time_offset) {
+  PointCloud::Positions positions;
+  std::vector<double> time;
+  const Eigen::Vector3d origin(500000, 5400000, 300);
+  for (int i = 0; i < 20000; ++i) {
+    const double t = 0.5 + (walk_s - 1) * i / 20000;
+    const double bearing = 2.399963 * i, range = 2 + 10 * std::fmod(0.618034 * i, 1);
+    const Eigen::Vector3d place = place_at(t) + range * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.05);
+    positions.push_back((place - origin).cast<float>());
+    time.push_back(t + time_offset);
+  }
+  PointCloud cloud(std::move(positions), origin);
+  cloud.set_column(arrays::time, std::move(time));
+  return cloud;
+}
+
+template <class F>
+std::string error_of(F&& f) {
+  try {
+    f();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "no error";
+}
+
+const Finding* finding(const Report& report, std::string_view code) {
+  const auto it = std::ranges::find_if(report.findings, [&](const Finding& f) { return f.code == code; });
+  return it == report.findings.end() ? nullptr : &*it;
+}
+
+// How far the sensors of the joined cloud are from where it was.
+double worst_sensor(const PointCloud& cloud, double time_offset) {
+  double worst = 0;
+  const auto& x = cloud.values<float>(arrays::sensor_x);
+  const auto& y = cloud.values<float>(arrays::sensor_y);
+  const auto& z = cloud.values<float>(arrays::sensor_z);
+  const auto& time = cloud.values<double>(arrays::time);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    worst =
+        std::max(worst, (cloud.origin + Eigen::Vector3d(x[i], y[i], z[i]) - place_at(time[i] - time_offset)).norm());
+  return worst;
+}
+
+TEST(PathCurve, GoesThroughPosesAndNotOverGaps) {
+  auto path = walk(0, 10);
+  const PathCurve curve(path, 0.5);
+  EXPECT_LT((*curve.at(10.05) - place_at(10.05)).norm(), 1e-3);
+  EXPECT_EQ(*curve.at(7), path.poses[70].T_target_sensor.translation());
+  EXPECT_FALSE(curve.at(-0.1));
+  EXPECT_FALSE(curve.at(walk_s + 0.1));
+  EXPECT_FALSE(curve.at(std::nan("")));
+  path.poses.erase(path.poses.begin() + 100, path.poses.begin() + 120);
+  EXPECT_FALSE(PathCurve(path, 0.5).at(11));
+  EXPECT_TRUE(PathCurve(path, 5).at(11));
+}
+
+TEST(PathClock, LeapSecondsOfTheDates) {
+  EXPECT_EQ(leap_seconds(315964800), 0);  // 1980-01-06
+  EXPECT_EQ(leap_seconds(1136073599), 13);
+  EXPECT_EQ(leap_seconds(1136073600), 14);  // 2006-01-01
+  EXPECT_EQ(leap_seconds(1700000000), 18);  // 2023-11-14
+}
+
+TEST(JoinTrajectory, GivesEveryPointItsRayAndItsPass) {
+  const auto joined = join_trajectory(mapped(0), walk(0), {}, {});
+  EXPECT_LT(worst_sensor(joined.points, 0), 0.03);  // float32, and the corners that are cut
+  EXPECT_EQ(joined.report.counts.at("points_without_pose"), 0);
+  EXPECT_EQ(joined.report.counts.at("passes"), 3);  // each begins 8 m before the walk closes its round
+  const auto& pass = joined.points.values<std::int32_t>(arrays::pass);
+  EXPECT_EQ(pass.front(), 0);
+  EXPECT_EQ(pass[12000], 1);
+  EXPECT_EQ(pass.back(), 2);
+  const auto& range = joined.points.values<float>(arrays::range);
+  for (const float r : range) EXPECT_TRUE(r > 1.9F && r < 12.2F) << r;
+  EXPECT_EQ(pose_origin(joined.points.facts), PoseOrigin::given);
+  EXPECT_EQ(finding(joined.report, "time_offset"), nullptr);
+  EXPECT_EQ(finding(joined.report, "time_shift_suspect"), nullptr);
+}
+
+TEST(JoinTrajectory, KnowsTheClocksThatProgramsWrite) {
+  constexpr double unix_s = 1700000000, gps = unix_s - 315964800 + 18;
+  const double week = std::floor(gps / 604800) * 604800;
+  const double clocks[] = {gps, gps - 1e9, gps - week, unix_s};
+  for (const double of_points : clocks)
+    for (const double of_path : clocks) {
+      const auto joined = join_trajectory(mapped(of_points), walk(of_path), {}, {});
+      EXPECT_NEAR(joined.report.metrics.at("time_offset").value, of_points - of_path, 1e-5)
+          << of_points << " " << of_path;
+      EXPECT_LT(worst_sensor(joined.points, of_points), 0.03);
+      EXPECT_EQ(finding(joined.report, "time_offset") != nullptr, of_points != of_path);
+      EXPECT_NEAR(joined.trajectory.poses.front().time_s, of_points, 1e-5);
+    }
+}
+
+TEST(JoinTrajectory, ClocksThatDoNotGoTogetherGiveBothRanges) {
+  for (const double of_path : {9000.0, 3e8}) {
+    const auto text = error_of([&] { join_trajectory(mapped(700000), walk(of_path), {}, {}); });
+    EXPECT_THAT(text, HasSubstr("no clocks are known"));
+    EXPECT_THAT(text, HasSubstr("from 70000"));
+    EXPECT_THAT(text, HasSubstr(of_path == 9000 ? "from 9000.000 to 9200.000" : "to 300000200.000"));
+    EXPECT_THAT(text, HasSubstr("Set time_offset; it is"));
+  }
+  JoinOptions options;
+  options.time_offset = 691000;
+  EXPECT_LT(worst_sensor(join_trajectory(mapped(700000), walk(9000), options, {}).points, 700000), 0.03);
+  options.time_offset = 5;
+  EXPECT_THAT(error_of([&] { join_trajectory(mapped(700000), walk(9000), options, {}); }), HasSubstr("have a pose"));
+}
+
+TEST(JoinTrajectory, AShiftOfLeapSecondsIsToldAndNotMade) {
+  const auto joined = join_trajectory(mapped(1000), walk(1018), {}, {});
+  EXPECT_EQ(joined.report.metrics.at("time_offset").value, 0);
+  const auto* found = finding(joined.report, "time_shift_suspect");
+  ASSERT_NE(found, nullptr);
+  EXPECT_THAT(found->text, HasSubstr("time_offset=-18.000"));
+  JoinOptions options;
+  options.time_offset = -18;
+  EXPECT_LT(worst_sensor(join_trajectory(mapped(1000), walk(1018), options, {}).points, 1000), 0.03);
+}
+
+TEST(JoinTrajectory, OtherCoordinatesAreRefused) {
+  auto local = walk(0);
+  for (auto& pose : local.poses) pose.T_target_sensor.translation() -= Eigen::Vector3d(500000, 5400000, 300);
+  EXPECT_THAT(error_of([&] { join_trajectory(mapped(0), local, {}, {}); }),
+              HasSubstr("does not run through the cloud"));
+  auto high = walk(0);
+  for (auto& pose : high.poses) pose.T_target_sensor.translation().z() += 48;  // above the ellipsoid
+  EXPECT_THAT(error_of([&] { join_trajectory(mapped(0), high, {}, {}); }), HasSubstr("does not run through the cloud"));
+  auto turned = walk(0);
+  const Eigen::Vector3d middle(500015, 5400015, 0);
+  for (auto& pose : turned.poses) {
+    const Eigen::Vector3d d = pose.T_target_sensor.translation() - middle;
+    pose.T_target_sensor.translation() = middle + Eigen::Vector3d(-d.x(), -d.y(), d.z());
+  }
+  JoinOptions options;
+  options.max_distance = 100;
+  EXPECT_THAT(error_of([&] { join_trajectory(mapped(0), turned, options, {}); }), HasSubstr("do not follow the path"));
+}
+
+TEST(JoinTrajectory, CloudsWithoutTimesAndTurnedCloudsAreRefused) {
+  auto cloud = mapped(0);
+  cloud.facts["turned"] = "levelled";
+  EXPECT_THAT(error_of([&] { join_trajectory(cloud, walk(0), {}, {}); }), HasSubstr("levelled"));
+  cloud = mapped(0);
+  cloud.remove_column(arrays::time.name);
+  EXPECT_THAT(error_of([&] { join_trajectory(cloud, walk(0), {}, {}); }), HasSubstr("no times"));
+  EXPECT_THAT(error_of([&] { join_trajectory(mapped(0), Trajectory(), {}, {}); }), HasSubstr("0 poses"));
+}
+
+TEST(JoinTrajectory, PointsWithoutAPoseAreCounted) {
+  auto path = walk(0);
+  path.poses.erase(path.poses.begin() + 500, path.poses.begin() + 700);
+  const auto joined = join_trajectory(mapped(0), path, {}, {});
+  EXPECT_NEAR(static_cast<double>(joined.report.counts.at("points_without_pose")), 20.1 / 199 * 20000, 30);
+  EXPECT_NE(finding(joined.report, "points_without_pose"), nullptr);
+  const auto& x = joined.points.values<float>(arrays::sensor_x);
+  EXPECT_EQ(std::ranges::count_if(x, [](float v) { return std::isnan(v); }),
+            joined.report.counts.at("points_without_pose"));
+}
+
+}  // namespace
+}  // namespace bole::survey
