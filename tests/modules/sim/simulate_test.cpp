@@ -386,5 +386,22 @@ TEST_F(Simulation, rosettes_give_frames_over_their_field_of_view) {
   EXPECT_THAT(bytes("out/frames/sensor.json"), HasSubstr("mid360"));
 }
 
+// The unit has random streams of its own: the recording beside it is the same to the byte.
+TEST_F(Simulation, an_inertial_unit_leaves_the_recording_alone) {
+  run("without");
+  options_.imu = ImuGrade::consumer;
+  run("with");
+  EXPECT_EQ(bytes("with/walk.pcap"), bytes("without/walk.pcap"));
+  EXPECT_EQ(bytes("with/trajectory.tum"), bytes("without/trajectory.tum"));
+  EXPECT_FALSE(fs::exists(dir_ / "without/imu.csv"));
+  const auto text = bytes("with/imu.csv");
+  EXPECT_THAT(text, HasSubstr("# T_sensor_imu: 0.045000 -0.030000 -0.060000 "));
+  EXPECT_THAT(text, HasSubstr("\ntime_s,gyro_x_rad_s,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 101 + 7);
+  options_.imu_mount_known = false;
+  run("unknown");
+  EXPECT_THAT(bytes("unknown/imu.csv"), testing::Not(HasSubstr("T_sensor_imu")));
+}
+
 }  // namespace
 }  // namespace bole::sim
