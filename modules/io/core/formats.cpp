@@ -18,6 +18,8 @@
 #include "io/core/e57/e57_reader.h"
 #include "io/core/las/las_writer.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/hesai_capture.h"
+#include "io/core/scans/livox_lvx.h"
 #include "io/core/scans/ouster_capture.h"
 #include "io/core/scans/velodyne_pcap.h"
 #include "io/core/tables/named_trajectory.h"
@@ -79,6 +81,13 @@ std::shared_ptr<const FrameSource> open_capture(const fs::path& path, const Fram
   return source;
 }
 
+std::shared_ptr<const FrameSource> open_lvx(const fs::path& path, const FrameSourceOptions& options, const Run& run,
+                                            Report& report) {
+  const auto source = std::make_shared<const LvxSource>(path, options, run);
+  report = source->report();
+  return source;
+}
+
 std::shared_ptr<const FrameSource> open_folder(const fs::path& path, const FrameSourceOptions& options, const Run& run,
                                                Report& report) {
   const auto folder = FrameFolderSource::find_frames(path);
@@ -126,6 +135,12 @@ std::vector<Format> make_formats() {
                   .fuzz_target = "pcd"});
 
   // Scans and clouds whose ending decides where the content does not.
+  rows.push_back({.name = "LVX",
+                  .note = "Livox, .lvx and .lvx2",
+                  .endings = {".lvx", ".lvx2"},
+                  .matches = [](const Candidate& c) { return looks_like_lvx(c.bytes); },
+                  .access = ScanAccess{open_lvx},
+                  .fuzz_target = "lvx"});
   rows.push_back(
       {.name = "Ouster capture",
        .note = "with the JSON file of the sensor",
@@ -133,6 +148,13 @@ std::vector<Format> make_formats() {
        .matches = [](const Candidate& c) { return is_capture(c.bytes) && looks_like_ouster_capture(c.bytes); },
        .access = ScanAccess{open_ouster_capture},
        .fuzz_target = "ouster"});
+  rows.push_back(
+      {.name = "Hesai capture",
+       .note = "PandarXT-32, Pandar40P",
+       .endings = {".pcap", ".pcapng"},
+       .matches = [](const Candidate& c) { return is_capture(c.bytes) && looks_like_hesai_capture(c.bytes); },
+       .access = ScanAccess{open_hesai_capture},
+       .fuzz_target = "hesai"});
   rows.push_back({.name = "Velodyne capture",
                   .endings = {".pcap", ".pcapng", ".cap"},
                   .matches =

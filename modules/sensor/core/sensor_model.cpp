@@ -103,16 +103,20 @@ bool flag(const nlohmann::json& json, const char* key) {
 void read_packet_format(const nlohmann::json& json, SensorModel& model) {
   const auto format = text(json, "packet", "none");
   if (format == "none") return;
-  if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne or none");
+  if (format == "hesai") {
+    model.packet = PacketFormat::hesai;
+    return;
+  }
+  if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne, hesai or none");
   model.packet = PacketFormat::velodyne;
   model.sequences_per_block = static_cast<int>(number(json, "sequences_per_block", 1, 2));
   if (json.contains("product_id")) model.product_id = static_cast<std::uint8_t>(number(json, "product_id", 0, 255));
   const auto lasers = model.channels.size();
   if (!(lasers == 16 && model.sequences_per_block == 2) &&
-      !((lasers == 32 || lasers == 64) && model.sequences_per_block == 1))
+      !((lasers == 32 || lasers == 64 || lasers == 128) && model.sequences_per_block == 1))
     throw bad_input("a Velodyne block of " + std::to_string(lasers) + " lasers and " +
                         std::to_string(model.sequences_per_block) + " sequences",
-                    "16 lasers twice, 32 once, or 64 in an upper and a lower block");
+                    "16 lasers twice, 32 once, or 64 or 128 in banks of 32");
 }
 
 // "VLP-32C" and "vlp_32c" name the file vlp32c.json, "OS1-64" os1_64.json.

@@ -21,7 +21,7 @@ struct LaserChannel {
   int ring = 0;                   // 0: lowest elevation
 };
 
-enum class PacketFormat { none, velodyne };
+enum class PacketFormat { none, velodyne, hesai };
 
 // The field of view of a scanner whose beams never repeat their path (Livox). It has no table of lines.
 struct Rosette {

@@ -1,65 +1,39 @@
 #include "sensor/core/velodyne_decoder.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 
 #include "base/error.h"
 
 namespace bole::sensor {
 namespace {
 
-constexpr int full_turn = 36000;
-constexpr double radians_per_centideg = std::numbers::pi / 18000;
-// A block lasts at most 111 us, in which a rotor at 60 Hz turns by 2.4 degrees. A larger step is a damaged block.
-constexpr double max_advance_centideg = 300;
+// The flags of the blocks of one firing, 32 lasers each.
+constexpr std::array<std::uint16_t, 4> bank_flags{velodyne_upper_block, velodyne_lower_block, velodyne_third_block,
+                                                  velodyne_fourth_block};
 
-struct Direction {
-  float cos, sin;
-};
-
-// Cosine and sine of every hundredth of a degree.
-const std::vector<Direction>& directions() {
-  static const std::vector<Direction> table = [] {
-    std::vector<Direction> t(full_turn);
-    for (int i = 0; i < full_turn; ++i)
-      t[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(i * radians_per_centideg)),
-                                        static_cast<float>(std::sin(i * radians_per_centideg))};
-    return t;
-  }();
-  return table;
-}
-
-// A first-order step from the nearest entry; the error is below 4e-9.
-Direction direction(double azimuth_centideg) {
-  const double nearest = std::nearbyint(azimuth_centideg);
-  const int wrapped = static_cast<int>(nearest) % full_turn;
-  const auto& d = directions()[static_cast<std::size_t>(wrapped < 0 ? wrapped + full_turn : wrapped)];
-  const auto step = static_cast<float>((azimuth_centideg - nearest) * radians_per_centideg);
-  return {d.cos - step * d.sin, d.sin + step * d.cos};
-}
-
-double signed_turn(double from_centideg, double to_centideg) {
-  return std::remainder(to_centideg - from_centideg, full_turn);
+// The bank of a block, or nothing where the sensor has no such bank.
+std::optional<std::size_t> bank_of(const VelodyneBlock& block, std::size_t banks) {
+  const auto flag = std::ranges::find(bank_flags, block.flag);
+  const auto bank = static_cast<std::size_t>(flag - bank_flags.begin());
+  if (bank >= banks || !block.valid()) return {};
+  return bank;
 }
 
 }  // namespace
 
-VelodyneDecoder::VelodyneDecoder(SensorModel model) : model_(std::move(model)) {
+VelodyneDecoder::VelodyneDecoder(SensorModel model) : model_(std::move(model)), beams_(model_) {
   if (model_.packet != PacketFormat::velodyne)
     throw bad_input("the sensor " + model_.name + " does not send Velodyne packets", "a Velodyne sensor");
-  for (const auto& c : model_.channels)
-    beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)),
-                      c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s,
-                      static_cast<std::uint16_t>(c.ring)});
+  banks_ = std::max<std::size_t>(1, beams_.size() / velodyne_records);
 }
 
 int VelodyneDecoder::blocks_per_firing(bool dual) const {
-  return beams_.size() > velodyne_records || (dual && model_.dual_return) ? 2 : 1;
+  return static_cast<int>(banks_) * (dual && model_.dual_return ? 2 : 1);
 }
 
 double VelodyneDecoder::packet_period_s(bool dual) const {
-  return firing_period_s() * velodyne_blocks / blocks_per_firing(dual);
+  return firing_period_s() * (velodyne_blocks / blocks_per_firing(dual));
 }
 
 std::vector<VelodyneFiring> VelodyneDecoder::firings(const VelodynePacket& packet) const {
@@ -71,59 +45,31 @@ std::vector<VelodyneFiring> VelodyneDecoder::firings(const VelodynePacket& packe
 void VelodyneDecoder::firings(const VelodynePacket& packet, std::vector<VelodyneFiring>& out) const {
   const int step = blocks_per_firing(packet.is_dual());
   out.clear();
-  for (int b = 0; b < velodyne_blocks; b += step) {
+  for (int b = 0; b + step <= velodyne_blocks; b += step) {
     const auto& block = packet.blocks[static_cast<std::size_t>(b)];
     out.push_back({b, block.valid(), static_cast<double>(block.azimuth_centideg), 0,
                    static_cast<double>(out.size()) * firing_period_s()});
   }
-  double sum = 0;
-  int sane = 0;
-  const auto turn_after = [&](std::size_t i) {
-    return signed_turn(out[i].azimuth_centideg, out[i + 1].azimuth_centideg);
-  };
-  const auto is_sane = [&](std::size_t i) {
-    return i + 1 < out.size() && out[i].valid && out[i + 1].valid && std::abs(turn_after(i)) <= max_advance_centideg;
-  };
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (is_sane(i)) {
-      sum += turn_after(i);
-      ++sane;
-    }
-  const double mean = sane > 0 ? sum / sane : 0;
-  for (std::size_t i = 0; i < out.size(); ++i) out[i].advance_centideg = is_sane(i) ? turn_after(i) : mean;
-  if (mean > 0 && sane + 2 == static_cast<int>(out.size()) && std::ranges::all_of(out, &VelodyneFiring::valid))
-    shift_behind_blind_sector(mean, out);
-}
-
-void VelodyneDecoder::shift_behind_blind_sector(double mean_advance_centideg,
-                                                std::vector<VelodyneFiring>& firings) const {
-  for (std::size_t i = 0; i + 1 < firings.size(); ++i) {
-    const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn, full_turn);
-    if (turn <= max_advance_centideg || turn >= full_turn - max_advance_centideg) continue;
-    const double skipped_s = (turn / mean_advance_centideg - 1) * firing_period_s();
-    for (std::size_t k = i + 1; k < firings.size(); ++k) firings[k].time_offset_s += skipped_s;
-  }
+  beams_.set_advances(firing_period_s(), out);
 }
 
 void VelodyneDecoder::append(const VelodyneRecord& record, std::size_t beam, const VelodyneFiring& firing,
                              double sequence_time_s, std::uint8_t firing_index, std::uint8_t return_number,
                              std::vector<VelodyneReturn>& out) const {
   if (record.range_counts == 0) return;
-  const auto& b = beams_[beam];
-  const double time_s = sequence_time_s + b.time_s;
-  const Direction d =
-      direction(firing.azimuth_centideg + firing.advance_centideg * time_s / firing_period_s() + b.offset_centideg);
-  const auto range = static_cast<float>(record.range_counts * model_.range_quantum_m);
-  const float horizontal = range * b.cos_elevation;
-  // The rotor turns clockwise seen from above, y points to the left.
-  out.push_back({{horizontal * d.cos, -horizontal * d.sin, range * b.sin_elevation},
-                 range,
-                 static_cast<float>(firing.time_offset_s + time_s),
-                 static_cast<std::uint16_t>(beam),
-                 b.ring,
-                 firing_index,
-                 record.intensity,
-                 return_number});
+  beams_.append(static_cast<float>(record.range_counts * model_.range_quantum_m), record.intensity, beam, firing,
+                firing_period_s(), sequence_time_s, firing_index, return_number, out);
+}
+
+// A pair of blocks of a dual return: the last return, then the strongest. One of them may be damaged.
+void VelodyneDecoder::append_pair(const VelodyneBlock& block, const VelodyneBlock* strongest, std::size_t record,
+                                  std::size_t beam, const VelodyneFiring& firing, double sequence_time_s,
+                                  std::uint8_t index, std::vector<VelodyneReturn>& out) const {
+  const auto& last = block.records[record];
+  if (strongest != nullptr) append(strongest->records[record], beam, firing, sequence_time_s, index, 1, out);
+  const bool same = strongest != nullptr && strongest->records[record].range_counts == last.range_counts;
+  const bool alone = strongest == nullptr || strongest->records[record].range_counts == 0;
+  if (!same) append(last, beam, firing, sequence_time_s, index, alone ? 1 : 2, out);
 }
 
 void VelodyneDecoder::decode(const VelodynePacket& packet, std::vector<VelodyneReturn>& out) const {
@@ -131,50 +77,62 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, std::vector<VelodyneR
   decode(packet, all, 0, all.size(), out);
 }
 
+void VelodyneDecoder::decode_banks(const VelodynePacket& packet, const VelodyneFiring& firing, std::uint8_t index,
+                                   std::vector<VelodyneReturn>& out) const {
+  const bool dual = packet.is_dual() && model_.dual_return;
+  const int step = dual ? 2 : 1;
+  const int end = firing.first_block + blocks_per_firing(packet.is_dual());
+  for (int b = firing.first_block; b < end; b += step) {
+    const auto& block = packet.blocks[static_cast<std::size_t>(b)];
+    const auto* strongest = dual ? &packet.blocks[static_cast<std::size_t>(b) + 1] : nullptr;
+    const auto bank = bank_of(block, banks_);
+    if (!bank) continue;
+    if (strongest != nullptr && bank_of(*strongest, banks_) != bank) strongest = nullptr;
+    for (std::size_t r = 0; r < velodyne_records; ++r) {
+      const std::size_t beam = *bank * velodyne_records + r;
+      if (dual)
+        append_pair(block, strongest, r, beam, firing, 0, index, out);
+      else
+        append(block.records[r], beam, firing, 0, index, 1, out);
+    }
+  }
+}
+
 void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<VelodyneFiring>& firings,
                              std::size_t first, std::size_t last, std::vector<VelodyneReturn>& out) const {
-  const bool two_banks = beams_.size() > velodyne_records;
-  const bool dual = packet.is_dual() && model_.dual_return && !two_banks;
+  const bool dual = packet.is_dual() && model_.dual_return;
   for (std::size_t f = first; f < std::min(last, firings.size()); ++f) {
     const auto& firing = firings[f];
     if (!firing.valid) continue;
     const auto index = static_cast<std::uint8_t>(f);
+    if (banks_ > 1) {
+      decode_banks(packet, firing, index, out);
+      continue;
+    }
     const auto& block = packet.blocks[static_cast<std::size_t>(firing.first_block)];
-    const auto* partner =
-        dual || two_banks ? &packet.blocks[static_cast<std::size_t>(firing.first_block) + 1] : nullptr;
-    if (partner != nullptr && !partner->valid()) partner = nullptr;
+    const auto* strongest = dual ? &packet.blocks[static_cast<std::size_t>(firing.first_block) + 1] : nullptr;
+    if (strongest != nullptr && !strongest->valid()) strongest = nullptr;
     for (std::size_t r = 0; r < velodyne_records; ++r) {
-      const std::size_t beam = beams_.size() < velodyne_records ? r % beams_.size() : r;
-      const std::size_t sequence = r / beams_.size();
-      const double sequence_time_s = static_cast<double>(sequence) * model_.sequence_period_s;
-      if (two_banks) {
-        append(block.records[r], block.flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0, index, 1,
-               out);
-        if (partner != nullptr)
-          append(partner->records[r], partner->flag == velodyne_lower_block ? r + velodyne_records : r, firing, 0,
-                 index, 1, out);
-      } else if (dual) {
-        if (partner != nullptr) append(partner->records[r], beam, firing, sequence_time_s, index, 1, out);
-        const bool same = partner != nullptr && partner->records[r].range_counts == block.records[r].range_counts;
-        const bool alone = partner == nullptr || partner->records[r].range_counts == 0;
-        if (!same) append(block.records[r], beam, firing, sequence_time_s, index, alone ? 1 : 2, out);
-      } else {
+      const std::size_t beam = r % beams_.size();
+      const double sequence_time_s = static_cast<double>(r / beams_.size()) * model_.sequence_period_s;
+      if (dual)
+        append_pair(block, strongest, r, beam, firing, sequence_time_s, index, out);
+      else
         append(block.records[r], beam, firing, sequence_time_s, index, 1, out);
-      }
     }
   }
 }
 
 std::optional<SensorModel> recognise_velodyne(const VelodynePacket& packet) {
-  const bool two_banks =
-      std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == velodyne_lower_block; });
-  // The VLS-128 has two more kinds of blocks.
-  if (std::ranges::any_of(packet.blocks, [](const VelodyneBlock& b) { return b.flag == 0xCCFF || b.flag == 0xBBFF; }))
-    return std::nullopt;
+  std::size_t banks = 1;
+  for (const auto& block : packet.blocks)
+    if (const auto bank = bank_of(block, bank_flags.size())) banks = std::max(banks, *bank + 1);
+  const std::size_t lasers = banks <= 2 ? banks * velodyne_records : 4 * velodyne_records;
   for (const auto& name : sensor_model_names()) {
     auto model = load_sensor_model(name);
     if (model.packet != PacketFormat::velodyne) continue;
-    const bool same = model.product_id ? !two_banks && *model.product_id == packet.product_id : two_banks;
+    const bool same =
+        banks == 1 ? model.product_id && *model.product_id == packet.product_id : model.channels.size() == lasers;
     if (same) return model;
   }
   return std::nullopt;

@@ -1,5 +1,7 @@
 #include "sensor/core/velodyne_encoder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -8,6 +10,8 @@
 
 namespace bole::sensor {
 namespace {
+
+constexpr std::uint16_t unused_block = 0;
 
 std::uint16_t centidegrees(double azimuth_rad) {
   const double turn = std::nearbyint(azimuth_rad * 18000 / std::numbers::pi);
@@ -47,29 +51,28 @@ void VelodyneEncoder::add(double time_s, double azimuth_rad, std::span<const Las
   advance_rad_ = std::remainder(azimuth_rad - last_azimuth_rad_, 2 * std::numbers::pi);
   last_azimuth_rad_ = azimuth_rad;
   last_time_s_ = time_s;
-  const bool two_banks = lasers > velodyne_records;
-  auto& first = packet_.blocks[static_cast<std::size_t>(block_)];
-  if (sequence_ == 0) {
-    first.flag = velodyne_upper_block;
-    first.azimuth_centideg = centidegrees(azimuth_rad);
-    if (dual || two_banks) {
-      auto& second = packet_.blocks[static_cast<std::size_t>(block_) + 1];
-      second.azimuth_centideg = first.azimuth_centideg;
-      second.flag = two_banks ? velodyne_lower_block : velodyne_upper_block;
-    }
-  }
+  constexpr std::array flags{velodyne_upper_block, velodyne_lower_block, velodyne_third_block, velodyne_fourth_block};
+  const std::size_t banks = std::max<std::size_t>(1, lasers / velodyne_records);
+  const std::size_t in_bank = lasers / banks;
   const int record = sequence_ * static_cast<int>(lasers);
-  if (two_banks) {
-    fill(first, 0, strongest.first(velodyne_records));
-    fill(packet_.blocks[static_cast<std::size_t>(block_) + 1], 0, strongest.subspan(velodyne_records));
-  } else {
-    fill(first, record, dual ? last : strongest);
-    if (dual) fill(packet_.blocks[static_cast<std::size_t>(block_) + 1], record, strongest);
-  }
+  int block = block_;
+  for (std::size_t bank = 0; bank < banks; ++bank)
+    for (int echo = dual ? 0 : 1; echo < 2; ++echo) {  // dual: the last return, then the strongest
+      auto& b = packet_.blocks[static_cast<std::size_t>(block++)];
+      if (sequence_ == 0) {
+        b.flag = flags[bank];
+        b.azimuth_centideg = centidegrees(azimuth_rad);
+      }
+      fill(b, record, (echo == 0 ? last : strongest).subspan(bank * in_bank, in_bank));
+    }
   if (++sequence_ < model_.sequences_per_block) return;
   sequence_ = 0;
-  block_ += dual || two_banks ? 2 : 1;
-  if (block_ >= velodyne_blocks) send();
+  const int blocks = block - block_;
+  block_ = block;
+  if (block_ + blocks <= velodyne_blocks) return;
+  for (; block_ < velodyne_blocks; ++block_)  // a firing sequence does not go on in the next packet
+    packet_.blocks[static_cast<std::size_t>(block_)] = VelodyneBlock{.flag = unused_block, .records = {}};
+  send();
 }
 
 void VelodyneEncoder::send() {

@@ -1,6 +1,6 @@
 // The Velodyne data packet: 1206 bytes of 12 blocks with 32 records each, a time and two factory bytes. Packing and
 // unpacking are in one file, so that the reader understands what the simulator writes.
-// Source: Velodyne user manuals 63-9243 (VLP-16), 63-9325 (VLP-32C), 63-9113 (HDL-32E), 63-HDL64ES2.
+// Source: Velodyne user manuals 63-9243 (VLP-16), 63-9325 (VLP-32C), 63-9113 (HDL-32E), 63-HDL64ES2, 63-9483 (VLS-128).
 #pragma once
 
 #include <array>
@@ -14,8 +14,10 @@ namespace bole::sensor {
 inline constexpr std::size_t velodyne_packet_bytes = 1206;
 inline constexpr int velodyne_blocks = 12;
 inline constexpr int velodyne_records = 32;
-inline constexpr std::uint16_t velodyne_upper_block = 0xEEFF;  // of every sensor; the HDL-64E has a lower block too
-inline constexpr std::uint16_t velodyne_lower_block = 0xDDFF;  // HDL-64E: lasers 32 to 63
+inline constexpr std::uint16_t velodyne_upper_block = 0xEEFF;   // of every sensor
+inline constexpr std::uint16_t velodyne_lower_block = 0xDDFF;   // HDL-64E, VLS-128: lasers 32 to 63
+inline constexpr std::uint16_t velodyne_third_block = 0xCCFF;   // VLS-128: lasers 64 to 95
+inline constexpr std::uint16_t velodyne_fourth_block = 0xBBFF;  // VLS-128: lasers 96 to 127
 
 enum class VelodyneReturnMode : std::uint8_t { strongest = 0x37, last = 0x38, dual = 0x39 };
 
@@ -30,7 +32,9 @@ struct VelodyneBlock {
   std::array<VelodyneRecord, velodyne_records> records;
 
   bool valid() const {
-    return (flag == velodyne_upper_block || flag == velodyne_lower_block) && azimuth_centideg < 36000;
+    const bool known = flag == velodyne_upper_block || flag == velodyne_lower_block || flag == velodyne_third_block ||
+                       flag == velodyne_fourth_block;
+    return known && azimuth_centideg < 36000;
   }
 };
 

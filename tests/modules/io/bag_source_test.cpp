@@ -373,6 +373,91 @@ TEST(BagSource, VelodynePacketsGiveTheFramesOfACapture) {
   }
 }
 
+double azimuth_deg(const Eigen::Vector3f& p) { return std::atan2(-p.y(), p.x()) * 180 / std::numbers::pi; }
+
+struct Difference {
+  std::size_t unmatched = 0, same = 0, still = 0, next = 0, other = 0;
+};
+
+// Points of another decoder beside ours: the same laser, range and height (to 3 um). That decoder rounds azimuths to
+// 0.01 degrees. In the last firing of a packet its rotor does not turn, and most second returns get the azimuth at
+// which the next firing starts.
+Difference compare_decoders(const std::vector<ScanFrame>& ours, const std::vector<Eigen::Vector3f>& truth,
+                            const sensor::SensorModel& model) {
+  struct Ours {
+    float range, z;
+    double azimuth;
+    std::uint16_t ring;
+  };
+  std::vector<Ours> points;
+  for (const auto& frame : ours)
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      points.push_back(
+          {frame.positions[i].norm(), frame.positions[i].z(), azimuth_deg(frame.positions[i]), frame.ring[i]});
+  std::ranges::sort(points, {}, &Ours::range);
+  std::vector<double> firing_time_s(model.channels.size());
+  for (const auto& c : model.channels) firing_time_s[static_cast<std::size_t>(c.ring)] = c.firing_time_s;
+  Difference out;
+  for (const auto& p : truth) {
+    constexpr float near = 3e-6F;
+    constexpr double grid_deg = 0.0085, rate_deg_s = 3600;
+    bool matched = false, same = false, still = false, next = false;
+    for (auto q = std::ranges::lower_bound(points, p.norm() - near, {}, &Ours::range);
+         q != points.end() && q->range <= p.norm() + near; ++q) {
+      if (std::abs(q->z - p.z()) > near) continue;
+      const double ahead = std::remainder(azimuth_deg(p) - q->azimuth, 360);
+      matched = true;
+      same = same || std::abs(ahead) < grid_deg;
+      for (int k = 0; k < model.sequences_per_block; ++k) {
+        const double since_start_deg = rate_deg_s * (firing_time_s[q->ring] + k * model.sequence_period_s);
+        const double firing_deg = rate_deg_s * model.sequences_per_block * model.sequence_period_s;
+        still = still || std::abs(ahead + since_start_deg) < grid_deg;
+        next = next || std::abs(ahead + since_start_deg - firing_deg) < grid_deg;
+      }
+    }
+    ++(!matched ? out.unmatched : same ? out.same : still ? out.still : next ? out.next : out.other);
+  }
+  return out;
+}
+
+TEST(BagSource, AgreesWithAnotherDecoderOnARealVlp16) {
+  BOLE_NEEDS_SHARED("NEBULA_velodyne");
+  FrameSourceOptions options;
+  options.keep_partial_frames = true;
+  options.min_range = 0.1;
+  const auto source = open_frame_source(shared("NEBULA_velodyne/vlp16/1673400471837873222"), options);
+  EXPECT_EQ(source->sensor_model(), "vlp16");
+  ASSERT_EQ(source->size(), 5U);
+  std::vector<ScanFrame> frames(source->size());
+  for (std::size_t i = 0; i < frames.size(); ++i) source->read(i, frames[i]);
+  const auto truth = read_cloud(shared("NEBULA_velodyne/vlp16/1673400472138016708.pcd")).cloud;
+  ASSERT_EQ(truth.size(), 14831U);
+  const auto found = compare_decoders(frames, truth.positions(), sensor::load_sensor_model("vlp16"));
+  EXPECT_EQ(found.unmatched, 0U);
+  // Two returns: a packet has six firings, the last of which does not turn in the other decoder.
+  EXPECT_GT(found.same, truth.size() * 5 / 6 - truth.size() / 50);
+  EXPECT_LT(found.next, 99U + 89U);  // there are that many
+  EXPECT_LT(found.other, truth.size() / 1000);
+}
+
+TEST(BagSource, AFileOfARealVlp32cIsItsFolder) {
+  BOLE_NEEDS_SHARED("NEBULA_velodyne");
+  const auto folder = shared("NEBULA_velodyne/vlp32/1713492677464078412");
+  const auto a = open_frame_source(folder), b = open_frame_source(folder / "1713492677464078412_0.db3");
+  EXPECT_EQ(a->sensor_model(), "vlp32c");
+  ASSERT_EQ(a->size(), 5U);
+  ASSERT_EQ(b->size(), a->size());
+  ScanFrame one, other;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < a->size(); ++i) {
+    a->read(i, one);
+    b->read(i, other);
+    EXPECT_EQ(one.positions, other.positions);
+    points += one.size();
+  }
+  EXPECT_GT(points, 130'000U);
+}
+
 TEST(BagSource, CutMessagesAreErrorsOrWhatTheyHold) {
   const auto whole = clouds(Wire::cdr_little, [](std::int64_t) { return std::vector<CloudColumn>{}; });
   for (const std::size_t bytes : {0U, 3U, 20U, 90U, 150U}) {

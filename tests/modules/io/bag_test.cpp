@@ -295,8 +295,9 @@ TEST(Bag, ACutDatabaseGivesWhatItHolds) {
   EXPECT_THAT(bag->damage(), ElementsAre(HasSubstr("damaged")));
   std::size_t held = 0;
   for (std::size_t t = 0; t < bag->topics().size(); ++t) held += bag->index(t, {}).size();
-  EXPECT_GT(held, 0U);
+  EXPECT_GT(held, 500U);
   EXPECT_LT(held, 2000U);
+  EXPECT_NEAR(bag->lost_share(), 0.5, 0.01);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ class SqliteBag : public Bag {
   using Statement = std::unique_ptr<sqlite3_stmt, CloseStatement>;
 
   Statement prepare(const char* sql) const;
+  void accept_cut_file(Bytes head, std::uint64_t file_bytes);
   void read_tables(const Run& run);
 
   std::string name_;

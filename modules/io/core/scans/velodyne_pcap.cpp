@@ -34,31 +34,34 @@ class VelodynePcapSource::Indexer {
  public:
   Indexer(VelodynePcapSource& source, double cut_centideg) : source_(source), cut_centideg_(cut_centideg) {}
 
-  void add(const Datagram& datagram, const sensor::VelodynePacket& packet) {
+  void add(const Datagram& datagram) {
     const bool first = !last_past_hour_us_;
     const double previous_time_s = packet_time_s_;
-    packet_time_s_ = clock_.time_s(packet.time_us, datagram.time_s);
+    const auto& decoder = *source_.decoder_;
+    packet_time_s_ = clock_.time_s(decoder.past_hour_us(), datagram.time_s);
     if (clock_.jumped()) {
       ++clock_jumps;
       break_ = true;
     }
-    if (!first && !clock_.jumped()) count_order(packet, previous_time_s);
-    last_past_hour_us_ = packet.time_us;
-    const auto& decoder = *source_.decoder_;
-    decoder.firings(packet, firings_);
+    if (!first && !clock_.jumped()) count_order(previous_time_s);
+    last_past_hour_us_ = decoder.past_hour_us();
+    decoder.firings(firings_);
     packet_end_s_ = std::max(packet_end_s_, packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s());
     if (first || clock_.jumped())
       packet_end_s_ = packet_time_s_ + firings_.back().time_offset_s + decoder.firing_period_s();
     // The time that the rotor takes to pass a masked sector is known to a few percent only.
-    slack_s_ =
-        0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s(packet.is_dual()));
+    slack_s_ = 0.05 * (firings_.back().time_offset_s + decoder.firing_period_s() - decoder.packet_period_s());
     for (std::size_t i = 0; i < firings_.size(); ++i) {
       const auto& firing = firings_[i];
       if (!firing.valid) continue;
       advance(firing);
       if (source_.frames_.empty() || starts_frame_) {
-        source_.frames_.push_back(
-            {{datagram.offset, i}, {}, packet_time_s_ + firing.time_offset_s, packet_time_s_, packet.time_us, 0});
+        source_.frames_.push_back({{datagram.offset, i},
+                                   {},
+                                   packet_time_s_ + firing.time_offset_s,
+                                   packet_time_s_,
+                                   decoder.past_hour_us(),
+                                   0});
         starts_frame_ = false;
       }
       auto& frame = source_.frames_.back();
@@ -71,8 +74,8 @@ class VelodynePcapSource::Indexer {
   std::int64_t lost = 0, out_of_order = 0, clock_jumps = 0;
 
  private:
-  void count_order(const sensor::VelodynePacket& packet, double previous_time_s) {
-    const double period_s = source_.decoder_->packet_period_s(packet.is_dual());
+  void count_order(double previous_time_s) {
+    const double period_s = source_.decoder_->packet_period_s();
     const double silence_s = packet_time_s_ - packet_end_s_;
     if (packet_time_s_ < previous_time_s) {
       ++out_of_order;
@@ -121,13 +124,19 @@ VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const Fr
     : VelodynePcapSource(std::make_unique<PcapReader>(capture, name), name, options, run) {}
 
 VelodynePcapSource::VelodynePcapSource(std::unique_ptr<DatagramReader> packets, const std::filesystem::path& path,
-                                       const FrameSourceOptions& options, const Run& run)
-    : path_(path), name_(path.filename().string()), options_(options), reader_(std::move(packets)) {
+                                       const FrameSourceOptions& options, const Run& run,
+                                       std::unique_ptr<sensor::PacketDecoder> decoder)
+    : path_(path),
+      name_(path.filename().string()),
+      options_(options),
+      reader_(std::move(packets)),
+      decoder_(std::move(decoder)) {
   index(run);
 }
 
 void VelodynePcapSource::index(const Run& run) {
-  if (options_.sensor != "auto") decoder_.emplace(sensor::load_sensor_model(options_.sensor));
+  if (!decoder_ && options_.sensor != "auto")
+    decoder_ = std::make_unique<sensor::VelodynePackets>(sensor::load_sensor_model(options_.sensor));
   port_ = options_.port.value_or(0);
   const double end = reader_->end();
   Indexer indexer(*this, options_.cut_angle_deg * 100);
@@ -144,8 +153,8 @@ void VelodynePcapSource::index(const Run& run) {
       ++position_packets;
       continue;
     }
-    const auto packet = sensor::parse_velodyne_packet(datagram.payload);
-    if (!packet) {
+    if (!decoder_) recognise(datagram.payload);
+    if (!decoder_ || !decoder_->take(datagram.payload)) {
       ++other;
       continue;
     }
@@ -154,17 +163,8 @@ void VelodynePcapSource::index(const Run& run) {
       ++other_port;
       continue;
     }
-    if (!decoder_) {
-      auto model = sensor::recognise_velodyne(*packet);
-      if (!model)
-        throw bad_input(
-            "'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")",
-            "VLP-16, VLP-32C, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
-      decoder_.emplace(std::move(*model));
-    }
-    if (data_packets++ == 0)
-      report_.facts["return_mode"] = packet->is_dual() ? "dual" : packet->return_mode == 0x38 ? "last" : "strongest";
-    indexer.add(datagram, *packet);
+    if (data_packets++ == 0) report_.facts["return_mode"] = decoder_->return_mode();
+    indexer.add(datagram);
   }
   if (data_packets == 0) {
     const std::string port_text = options_.port ? " to UDP port " + std::to_string(*options_.port) : "";
@@ -176,7 +176,7 @@ void VelodynePcapSource::index(const Run& run) {
   }
   if (frames_.empty())
     throw bad_input("'" + name_ + "' has " + plural(data_packets, "data packet") + " whose blocks are all damaged",
-                    "Velodyne data packets of a " + decoder_->model().name);
+                    "data packets of a " + decoder_->model().name);
   drop_partial_ends();
   const double complete_turn = usual_turn_centideg() * complete_share;
   counts["frames"] = static_cast<std::int64_t>(frames_.size());
@@ -204,6 +204,17 @@ void VelodynePcapSource::index(const Run& run) {
   report_.message = description();
 }
 
+void VelodynePcapSource::recognise(Bytes payload) {
+  const auto packet = sensor::parse_velodyne_packet(payload);
+  if (!packet) return;
+  auto model = sensor::recognise_velodyne(*packet);
+  if (!model)
+    throw bad_input(
+        "'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")",
+        "VLP-16, VLP-32C, VLS-128, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
+  decoder_ = std::make_unique<sensor::VelodynePackets>(std::move(*model));
+}
+
 // A full revolution, or less where the sensor masks a sector.
 double VelodynePcapSource::usual_turn_centideg() const {
   if (frames_.size() < 3) return full_turn;
@@ -224,14 +235,9 @@ std::string VelodynePcapSource::description() const {
   return name_ + ": " + plural(static_cast<std::int64_t>(frames_.size()), "frame") + ", " + decoder_->model().name;
 }
 
-bool VelodynePcapSource::next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const {
-  while (reader_->next(datagram)) {
-    if (datagram.port != port_) continue;
-    if (const auto parsed = sensor::parse_velodyne_packet(datagram.payload)) {
-      packet = *parsed;
-      return true;
-    }
-  }
+bool VelodynePcapSource::next_packet(Datagram& datagram) const {
+  while (reader_->next(datagram))
+    if (datagram.port == port_ && decoder_->take(datagram.payload)) return true;
   return false;
 }
 
@@ -253,20 +259,19 @@ void VelodynePcapSource::read(std::size_t index, ScanFrame& frame) const {
   frame.start_time_s = entry.start_time_s;
   reader_->seek(entry.begin.offset);
   Datagram datagram;
-  sensor::VelodynePacket packet;
   double last_offset_s = 0;
   do {
-    if (!next_packet(datagram, packet))
+    if (!next_packet(datagram))
       throw bad_input("frame " + std::to_string(index) + " of '" + name_ + "' can no longer be read",
                       "the file as it was when it was opened");
     const double packet_offset_s =
         entry.packet_time_s - entry.start_time_s +
-        1e-6 * static_cast<double>(past_hour_difference_us(entry.past_hour_us, packet.time_us));
-    decoder_->firings(packet, firings_);
+        1e-6 * static_cast<double>(past_hour_difference_us(entry.past_hour_us, decoder_->past_hour_us()));
+    decoder_->firings(firings_);
     const std::size_t first = datagram.offset == entry.begin.offset ? entry.begin.firing : 0;
     const std::size_t last = datagram.offset == entry.end.offset ? entry.end.firing : firings_.size();
     returns_.clear();
-    decoder_->decode(packet, firings_, first, last, returns_);
+    decoder_->decode(firings_, first, last, returns_);
     for (const auto& r : returns_) append(r, packet_offset_s, frame);
     if (last > 0 && last <= firings_.size())
       last_offset_s = std::max(last_offset_s, packet_offset_s + firings_[last - 1].time_offset_s);

@@ -1,4 +1,4 @@
-// Frames of a Velodyne sensor from its packets, in a capture or in a bag.
+// Frames of a Velodyne sensor, or of another one that turns, from its packets, in a capture or in a bag.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 #include "io/core/scans/datagrams.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/scans/packet_clock.h"
-#include "sensor/core/velodyne_decoder.h"
+#include "sensor/core/packet_decoder.h"
 
 namespace bole::io {
 
@@ -22,8 +22,10 @@ class VelodynePcapSource : public FrameSource {
   // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
   VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
   VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
+  // `decoder`: of a sensor that is known; null: the packets say which Velodyne sensor it is.
   VelodynePcapSource(std::unique_ptr<DatagramReader> packets, const std::filesystem::path& path,
-                     const FrameSourceOptions& options, const Run& run);
+                     const FrameSourceOptions& options, const Run& run,
+                     std::unique_ptr<sensor::PacketDecoder> decoder = nullptr);
 
   std::size_t size() const override { return frames_.size(); }
   void read(std::size_t index, ScanFrame& frame) const override;
@@ -54,7 +56,8 @@ class VelodynePcapSource : public FrameSource {
   void index(const Run& run);
   double usual_turn_centideg() const;
   void drop_partial_ends();
-  bool next_packet(Datagram& datagram, sensor::VelodynePacket& packet) const;
+  void recognise(Bytes payload);
+  bool next_packet(Datagram& datagram) const;
   void append(const sensor::VelodyneReturn& r, double packet_offset_s, ScanFrame& frame) const;
 
   std::filesystem::path path_;
@@ -63,7 +66,7 @@ class VelodynePcapSource : public FrameSource {
   std::unique_ptr<DatagramReader> reader_;
   mutable std::vector<sensor::VelodyneReturn> returns_;
   mutable std::vector<sensor::VelodyneFiring> firings_;
-  std::optional<sensor::VelodyneDecoder> decoder_;
+  std::unique_ptr<sensor::PacketDecoder> decoder_;
   std::vector<Frame> frames_;
   int port_ = 0;
   Facts facts_;
