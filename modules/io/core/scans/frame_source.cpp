@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/inertial_file.h"
 
 namespace bole::io {
 
@@ -102,7 +103,7 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
     throw bad_input(
         "the option topic is set, and '" + path.string() + "' (" + std::string(format.name) + ") has no topics",
         "a ROS bag", "Leave topic empty");
-  return access.open(path, options, run, report);
+  return with_inertial_file(access.open(path, options, run, report), path, options.imu, run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,

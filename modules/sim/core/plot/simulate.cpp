@@ -17,6 +17,7 @@
 #include "sim/core/plot/truth.h"
 #include "sim/core/scene/wind.h"
 #include "sim/core/walk/disturbance.h"
+#include "sim/core/walk/imu.h"
 #include "sim/core/walk/route.h"
 #include "sim/core/walk/scan.h"
 #include "sim/core/walk/scan_writer.h"
@@ -67,6 +68,16 @@ void write_truth(const SimulationOptions& options, const Forest& forest, const V
   write_csv(sapling_table(vegetation.saplings), dir / "saplings.csv");
   write_csv(target_table(forest), dir / "targets.csv");
   write_dem(forest.terrain.raster(forest.half_side_m() + 4, options.dem_cell), dir / "dem.tif");
+}
+
+void write_inertial(const SimulationOptions& options, const Walk& walk, const fs::path& dir) {
+  if (options.imu == ImuGrade::none) return;
+  auto record = simulate_imu([&](double t) { return walk.pose(t); }, walk.duration_s(), simulation_epoch_s,
+                             {errors_of(options.imu), options.imu_rate, options.imu_time_offset},
+                             static_cast<std::uint64_t>(options.seed));
+  record.name = "simulated " + std::string(choice_name(options.imu)) + " unit";
+  if (!options.imu_mount_known) record.T_sensor_imu.reset();
+  write_imu(record, dir / "imu.csv");
 }
 
 Report report_of(const PlotRecipe& recipe, const Forest& forest, const PlotScene& scene, const RayScene& rays,
@@ -127,6 +138,7 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   const RayScene rays(scene.model, wind ? &*wind : nullptr);
   write_truth(options, forest, scene.vegetation, out_dir);
   write_tum(walk.trajectory(options.trajectory_rate, simulation_epoch_s), out_dir / "trajectory.tum");
+  write_inertial(options, walk, out_dir);
   write_recipe(options, recipe, sensor, out_dir / "recipe.json");
 
   const auto start = std::chrono::steady_clock::now();

@@ -203,6 +203,30 @@ Entries disturbance_entries() {
   };
 }
 
+Entries imu_entries() {
+  using S = SimulationOptions;
+  return {
+      Option<S, ImuGrade>{"imu", &S::imu, Tier::basic,
+                          "Inertial unit carried with the sensor and written to imu.csv: none, or with the noise and "
+                          "the biases of a consumer, industrial or tactical unit."},
+      Option<S, double>{"imu_rate",
+                        &S::imu_rate,
+                        Unit::hertz,
+                        {20, 2000},
+                        Tier::advanced,
+                        "Samples of the inertial unit per second."},
+      Option<S, double>{"imu_time_offset",
+                        &S::imu_time_offset,
+                        Unit::second,
+                        {-0.5, 0.5},
+                        Tier::expert,
+                        "Time by which the clock of the inertial unit is ahead of that of the scanner."},
+      Option<S, bool>{"imu_mount_known", &S::imu_mount_known, Tier::expert,
+                      "Write into imu.csv how the unit is mounted in the sensor."},
+      Unless{"imu", {"none"}, {"imu_rate", "imu_time_offset", "imu_mount_known"}},
+  };
+}
+
 Entries truth_entries() {
   using S = SimulationOptions;
   return {
@@ -221,8 +245,8 @@ Entries truth_entries() {
 const OptionTable& option_table(const SimulationOptions*) {
   static const OptionTable table = [] {
     Entries all;
-    for (const auto& part :
-         {plot_and_sensor_entries(), walk_entries(), beam_entries(), disturbance_entries(), truth_entries()})
+    for (const auto& part : {plot_and_sensor_entries(), walk_entries(), beam_entries(), disturbance_entries(),
+                             imu_entries(), truth_entries()})
       all.insert(all.end(), part.begin(), part.end());
     return make_option_table<SimulationOptions>(std::move(all));
   }();

@@ -23,6 +23,7 @@ enum class Stream : std::uint64_t {
   archetype,
   disturbance,
   vineyard,
+  imu,
   // Of the harder stands and of the physics of the scan.
   stand = 32,
   poles,
