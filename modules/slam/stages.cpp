@@ -9,13 +9,13 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.vtk_class = "vtkBoleSlam";
   type.title = "Simultaneous localization and mapping";
   type.help =
-      "Estimates the trajectory of the sensor from the frames alone and maps all returns with it. Each frame is "
-      "de-skewed and registered against a local map of keyframes. Loop closures correct the drift in a pose graph, and "
-      "a final adjustment fits the whole trajectory to the whole map. A preset sets the options that differ between "
-      "published systems. With a given trajectory only the map is made.";
+      "Estimates the trajectory of the sensor from the frames, and from the inertial unit where the recording has one, "
+      "and maps all returns with it. Each frame is de-skewed and registered against a local map of keyframes. Loop "
+      "closures correct the drift in a pose graph, and a final adjustment fits the whole trajectory to the whole map. "
+      "A preset sets the options that differ between published systems. With a given trajectory only the map is made.";
   type.source =
       "Zhang and Singh 2014 (LOAM); SPEC A 1-8 and D; Shan and Englot 2018 (LeGO-LOAM); Kim and Kim 2018 (Scan "
-      "Context); Dellenbach et al. 2022 (elastic frames); Bole";
+      "Context); Dellenbach et al. 2022 (elastic frames); Forster et al. 2017 and Xu et al. 2022 (inertial unit); Bole";
   type.inputs = {{.name = "frames",
                   .kind = DataKind::frames,
                   .help = "Revolutions of a spinning multi-line sensor.",

@@ -88,10 +88,22 @@ fs::path whole_path(const fs::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-// The files that a path stands for, sorted: the file itself; of a folder all that are in it and the times beside it.
-std::vector<fs::path> files_of(const fs::path& path) {
-  if (fs::is_regular_file(path)) return {path};
+// The measurements of an inertial unit that a reader of scans finds by itself beside its file or folder.
+std::vector<fs::path> inertial_beside(const fs::path& path) {
   std::vector<fs::path> files;
+  for (const std::string& name : {path.stem().string() + "_imu.csv", std::string("imu.csv")})
+    if (const auto file = path.parent_path() / name; file != path && fs::is_regular_file(file)) files.push_back(file);
+  return files;
+}
+
+// The files that a path stands for, sorted: the file itself; of a folder all that are in it and the times beside it;
+// and what an inertial unit measured.
+std::vector<fs::path> files_of(const fs::path& path) {
+  std::vector<fs::path> files = inertial_beside(path);
+  if (fs::is_regular_file(path)) {
+    files.insert(files.begin(), path);
+    return files;
+  }
   if (!fs::is_directory(path)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(path))
     if (entry.is_regular_file()) files.push_back(entry.path());
@@ -146,7 +158,13 @@ std::string FileKeys::file_key(const fs::path& path, const Run& run, bool in_lar
 
 std::string FileKeys::key(const fs::path& path, const Run& run) {
   try {
-    if (fs::is_regular_file(path)) return file_key(path, run);
+    if (fs::is_regular_file(path)) {
+      const auto files = files_of(whole_path(path));
+      if (files.size() == 1) return file_key(path, run);
+      ContentHash all;
+      for (const auto& file : files) all.add_text(file_key(file, run));
+      return all.hex();
+    }
     if (!fs::is_directory(path)) return "absent";
     ContentHash hash;
     const fs::path folder = whole_path(path);

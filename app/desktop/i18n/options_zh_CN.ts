@@ -1115,6 +1115,26 @@
             <translation>方位角</translation>
         </message>
         <message>
+            <source>Inertial</source>
+            <translation>惯性单元</translation>
+        </message>
+        <message>
+            <source>Inertial trust</source>
+            <translation>惯性单元的信任度</translation>
+        </message>
+        <message>
+            <source>Inertial bridge</source>
+            <translation>惯性单元的跨越限值</translation>
+        </message>
+        <message>
+            <source>Inertial offset</source>
+            <translation>惯性单元的时间偏移</translation>
+        </message>
+        <message>
+            <source>Imu</source>
+            <translation>惯性单元(IMU)</translation>
+        </message>
+        <message>
             <source>Bounds</source>
             <translation>范围</translation>
         </message>
@@ -1355,12 +1375,12 @@
             <translation>文本文件开头要跳过的行数。</translation>
         </message>
         <message>
-            <source>Scan to read: Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
-            <translation>要读取的扫描数据:Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
+            <source>Scan to read: LVX (Livox, .lvx and .lvx2), Ouster capture (with the JSON file of the sensor), Hesai capture (PandarXT-32, Pandar40P), Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
+            <translation>要读取的扫描数据:LVX(Livox,.lvx 与 .lvx2)、Ouster capture(附带传感器的 JSON 文件)、Hesai capture(PandarXT-32、Pandar40P)、Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
-            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a JSON file with the beams of your own unit.</source>
-            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或含有您所用设备各光束的 JSON 文件。</translation>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, or beams as JSON.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或您所用设备自己的文件:Ouster JSON、Hesai 校正 CSV,或以 JSON 给出的各光束。</translation>
         </message>
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>
@@ -1719,8 +1739,8 @@
             <translation>体素的边长。值越大,保留的点越少。</translation>
         </message>
         <message>
-            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), or best (elastic frames and a final trajectory adjustment).</source>
-            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)或最佳(best,弹性帧和最终轨迹平差)。</translation>
+            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory adjustment, with the inertial unit where the recording has one), or inertial (the same, and only with an inertial unit).</source>
+            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)或惯性(inertial,与最佳相同,但必须有惯性单元)。</translation>
         </message>
         <message>
             <source>TUM file with sensor poses. The map is made with these poses, and none are estimated; the times must be on the clock of the scan.</source>
@@ -2355,6 +2375,22 @@
             <translation>胸径达到此值的树木才计入。</translation>
         </message>
         <message>
+            <source>Use of the inertial unit: off, auto (where the recording has one and frames are elastic), or required.</source>
+            <translation>惯性单元的使用:不用(off)、自动(auto,记录中有惯性单元且帧为弹性时使用)或必须(required)。</translation>
+        </message>
+        <message>
+            <source>Share of the points of a frame that count as independent against the inertial unit. A smaller value trusts the unit more.</source>
+            <translation>一帧的点中相对惯性单元视为独立的比例。值越小,越信任惯性单元。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the place up to which the inertial unit alone leads over open motions and frames without returns. Beyond it a frame counts as failed.</source>
+            <translation>仅由惯性单元跨越未确定的运动和没有回波的帧时,位置标准差的上限。超过时该帧视为失败。</translation>
+        </message>
+        <message>
+            <source>Time by which the clock of the inertial unit is ahead of that of the scanner. auto: estimated where the mount of the unit is not known, else 0.</source>
+            <translation>惯性单元的时钟比扫描仪的时钟快多少。auto:安装关系未知时估计,否则为 0。</translation>
+        </message>
+        <message>
             <source>Part of the file to read: xmin,ymin,xmax,ymax in the coordinates of the file (or six numbers, with z). Of a COPC file only what lies there is decoded. Empty: all points.</source>
             <translation>要读取的部分:xmin,ymin,xmax,ymax,采用文件的坐标(或带 z 的六个数)。COPC 文件只解码该范围内的数据。留空:全部点。</translation>
         </message>
@@ -2832,6 +2868,18 @@
         <message>
             <source>all</source>
             <translation>全部</translation>
+        </message>
+        <message>
+            <source>inertial</source>
+            <translation>惯性</translation>
+        </message>
+        <message>
+            <source>required</source>
+            <translation>必须</translation>
+        </message>
+        <message>
+            <source>off</source>
+            <translation>不用</translation>
         </message>
         <message>
             <source>named</source>

@@ -231,8 +231,8 @@
             <translation>用每个体素内各点的重心代替这些点。</translation>
         </message>
         <message>
-            <source>Estimates the trajectory of the sensor from the frames alone and maps all returns with it. Each frame is de-skewed and registered against a local map of keyframes. Loop closures correct the drift in a pose graph, and a final adjustment fits the whole trajectory to the whole map. A preset sets the options that differ between published systems. With a given trajectory only the map is made.</source>
-            <translation>仅由各帧估计传感器的轨迹,并用它将所有回波建成地图。每一帧先校正运动畸变,再与由关键帧组成的局部地图配准。回环在位姿图中改正漂移,最终平差使整条轨迹与整个地图相符。预设决定各公开系统之间不同的参数。给定轨迹时只建图。</translation>
+            <source>Estimates the trajectory of the sensor from the frames, and from the inertial unit where the recording has one, and maps all returns with it. Each frame is de-skewed and registered against a local map of keyframes. Loop closures correct the drift in a pose graph, and a final adjustment fits the whole trajectory to the whole map. A preset sets the options that differ between published systems. With a given trajectory only the map is made.</source>
+            <translation>由各帧估计传感器的轨迹,记录中有惯性单元时也用它,并用它将所有回波建成地图。每一帧先校正运动畸变,再与由关键帧组成的局部地图配准。回环在位姿图中改正漂移,最终平差使整条轨迹与整个地图相符。预设决定各公开系统之间不同的参数。给定轨迹时只建图。</translation>
         </message>
         <message>
             <source>Finds the passes of a log along a line and its neighbours. Measures straight-line and adjacent-row errors by pass and by speed. Where the true positions are known, from a reference receiver or a simulation, the error of the receiver is separated from that of the controller.</source>

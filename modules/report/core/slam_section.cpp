@@ -36,14 +36,15 @@ struct Measure {
   double factor;  // from the metric's unit to the shown one
 };
 
-constexpr std::array<Measure, 7> measures{
+constexpr std::array<Measure, 8> measures{
     {{"overlap", "Points of a frame that agree with the map, mean", "%", 1, 1},
      {"registration_rms", "Residual of the registration", "cm", 1, 100},
      {"sigma0", "Residuals of the adjustment by their expected size, mean (1: as expected)", "", 2, 1},
      {"pose_sigma", "Standard deviation of a position in its adjustment", "mm", 1, 1},
      {"weakest_observability", "Direction of motion that the scans determine least", "", 1, 1},
      {"loop_correction_rms", "Correction of the path by the loop closures, RMS", "cm", 1, 100},
-     {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100}}};
+     {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100},
+     {"level_sigma", "Standard deviation of the vertical, by the inertial unit", "deg", 2, 1}}};
 
 class Section {
  public:

@@ -6,10 +6,14 @@
 
 namespace bole::slam {
 
-enum class Preset { loam, forest, lego_loam, orchard, best };
-constexpr std::array<std::string_view, 5> choice_names(Preset) {
-  return {"loam", "forest", "lego_loam", "orchard", "best"};
+enum class Preset { loam, forest, lego_loam, orchard, best, inertial };
+constexpr std::array<std::string_view, 6> choice_names(Preset) {
+  return {"loam", "forest", "lego_loam", "orchard", "best", "inertial"};
 }
+
+// Whether the inertial unit of the recording is used: never, where there is one, or always.
+enum class InertialUse { off, automatic, required };
+constexpr std::array<std::string_view, 3> choice_names(InertialUse) { return {"off", "auto", "required"}; }
 
 enum class FeatureKind {
   curvature,  // edges and planes by curvature along the scan line (LOAM)

@@ -21,8 +21,9 @@ SlamOptionEntries general_options() {
       Option<S, Preset>{
           "preset", &S::preset, Tier::basic,
           "SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware "
-          "baseline), orchard (plant rows and foliage), or best (elastic frames and a final trajectory "
-          "adjustment)."},
+          "baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory "
+          "adjustment, with the inertial unit where the recording has one), or inertial (the same, and only with an "
+          "inertial unit)."},
       Option<S, std::string>{
           "trajectory",
           &S::trajectory,
@@ -142,6 +143,9 @@ SlamOptionEntries preset_options() {
             preset,
             Tier::advanced,
             "Iterations of the final trajectory adjustment; 0: no adjustment."},
+      Open<InertialUse>{"inertial", &S::inertial, preset, Tier::advanced,
+                        "Use of the inertial unit: off, auto (where the recording has one and frames are elastic), or "
+                        "required."},
       Unless{"features", {"sampled"}, {"occlusion", "occlusion_step"}},
       Unless{"loops", {"none"}, {"loop_registration", "loop_overlap"}},
       OnlyIf{"loops", {"preset", "context", "both"}, {"context_search"}},
@@ -214,6 +218,35 @@ SlamOptionEntries registration_options() {
         "Maximum speed of the sensor. A faster frame counts as failed."},
       OnlyIf{"weights", {"preset", "priors"}, {"angle_sigma"}},
       OnlyIf{"deskew", {"preset", "elastic"}, {"continuity_sigma", "continuity_sigma_angle"}},
+  };
+}
+
+SlamOptionEntries inertial_options() {
+  return {
+      D{"inertial_trust",
+        &S::inertial_trust,
+        Unit::none,
+        {0.001, 1},
+        Tier::expert,
+        "Share of the points of a frame that count as independent against the inertial unit. A smaller value trusts "
+        "the unit more."},
+      D{"inertial_bridge",
+        &S::inertial_bridge,
+        Unit::metre,
+        {0.01, 10},
+        Tier::advanced,
+        "Standard deviation of the place up to which the inertial unit alone leads over open motions and frames "
+        "without "
+        "returns. Beyond it a frame counts as failed."},
+      OpenD{"inertial_offset",
+            &S::inertial_offset,
+            Unit::second,
+            {-1, 1},
+            "auto",
+            Tier::expert,
+            "Time by which the clock of the inertial unit is ahead of that of the scanner. auto: estimated where the "
+            "mount of the unit is not known, else 0."},
+      Unless{"inertial", {"off"}, {"inertial_trust", "inertial_bridge", "inertial_offset"}},
   };
 }
 

@@ -12,6 +12,7 @@ using SlamOptionEntries = std::vector<OptionEntry<SlamOptions>>;
 SlamOptionEntries general_options();
 SlamOptionEntries preset_options();  // those that a preset decides
 SlamOptionEntries registration_options();
+SlamOptionEntries inertial_options();
 SlamOptionEntries loop_options();
 SlamOptionEntries map_options();
 

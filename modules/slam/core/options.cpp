@@ -28,6 +28,9 @@ void check(const SlamOptions& o) {
   if (o.trajectory.empty() && in_force.deskew == Deskew::elastic && in_force.solve == Solve::two_step)
     throw bad_input("solve is two_step with deskew elastic", "solve joint with elastic frames",
                     "Set solve to joint, or deskew to once");
+  if (o.trajectory.empty() && in_force.inertial == InertialUse::required && in_force.deskew != Deskew::elastic)
+    throw bad_input("inertial is required with deskew " + std::string(choice_name(in_force.deskew)),
+                    "elastic frames, which the inertial unit is joined to", "Set deskew to elastic");
 }
 
 }  // namespace
@@ -39,6 +42,7 @@ const OptionTable& option_table(const SlamOptions*) {
     add(general_options());
     add(preset_options());
     add(registration_options());
+    add(inertial_options());
     add(loop_options());
     entries.push_back(only_if_estimated(entries));
     add(map_options());

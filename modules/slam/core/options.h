@@ -32,6 +32,7 @@ struct PresetFields {
   Of<Weights> weights{};
   Of<Solve> solve{};
   Of<int> refine_iterations{};
+  Of<InertialUse> inertial{};
 };
 
 // The options that have the same default with every preset.
@@ -53,6 +54,11 @@ struct CommonOptions {
   int lost_frames = 5;
   double min_observability = 2.3;
   double max_speed = 5;
+
+  // The inertial unit.
+  double inertial_trust = 0.1;
+  double inertial_bridge = 0.2;
+  std::optional<double> inertial_offset;  // open: estimated where the mount is not known either, else none
 
   // Loops.
   double loop_radius = 3;

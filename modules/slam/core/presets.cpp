@@ -1,6 +1,7 @@
 // The table of presets: SPEC A calls the first two "LOAM" and "improved LOAM", SPEC D compares the next two, the last
-// is ours. SPEC D builds its loops on the features of LeGO-LOAM. `orchard` takes all points instead: there are few
-// objects and lines among leaves, and the trajectory slips along the rows.
+// two are ours: `inertial` is `best` and wants an inertial unit. SPEC D builds its loops on the features of LeGO-LOAM.
+// `orchard` takes all points instead: there are few objects and lines among leaves, and the trajectory slips along the
+// rows.
 #include "slam/core/options.h"
 
 namespace bole::slam {
@@ -21,30 +22,32 @@ constexpr PresetFields<PerPreset> preset_values() {
   using C = ContextSearchKind;
   using R = LoopRegistrationKind;
   using D = Deskew;
+  using U = InertialUse;
   // clang-format off
   return {
-      //                      loam         forest       lego_loam    orchard      best
-      .features            = {curvature,   connected,   ground,      sampled,     sampled},
-      .occlusion           = {far_side,    both_sides,  far_side,    far_side,    both_sides},
-      .occlusion_step      = {0.3,         0.3,         0.3,         0.3,         0.3},
-      .query_spacing       = {0.4,         0.4,         0.4,         0.6,         0.6},
-      .map_spacing         = {0.2,         0.2,         0.2,         0.2,         0.1},
-      .first_guess         = {velocity,    last_frame,  velocity,    velocity,    velocity},
-      .deskew              = {D::once,     D::twice,    D::once,     D::elastic,  D::elastic},
+      //                      loam         forest       lego_loam    orchard      best      inertial
+      .features            = {curvature,   connected,   ground,      sampled,     sampled,  sampled},
+      .occlusion           = {far_side,    both_sides,  far_side,    far_side,    both_sides,both_sides},
+      .occlusion_step      = {0.3,         0.3,         0.3,         0.3,         0.3,      0.3},
+      .query_spacing       = {0.4,         0.4,         0.4,         0.6,         0.6,      0.6},
+      .map_spacing         = {0.2,         0.2,         0.2,         0.2,         0.1,      0.1},
+      .first_guess         = {velocity,    last_frame,  velocity,    velocity,    velocity, velocity},
+      .deskew              = {D::once,     D::twice,    D::once,     D::elastic,  D::elastic,D::elastic},
       // After a sudden turn the prediction is off by degrees, and begin and end pose need more iterations.
-      .iterations          = {12,          12,          12,          30,          30},
-      .neighbour_keyframes = {60,          60,          60,          60,          400},
-      .local_map           = {L::nearest,  L::nearest,  L::last,     L::last,     L::nearest},
-      .keyframe_distance   = {0.3,         0.3,         0.3,         0.3,         0.3},
-      .keyframe_angle_deg  = {10,          10,          10,          10,          10},
-      .loops               = {S::none,     S::both,     S::odometry, S::context,  S::odometry},
-      .context_search      = {C::placed,   C::placed,   C::placed,   C::sequence, C::placed},
-      .loop_registration   = {R::features, R::features, R::icp,      R::ndt_icp,  R::features},
+      .iterations          = {12,          12,          12,          30,          30,       30},
+      .neighbour_keyframes = {60,          60,          60,          60,          400,      400},
+      .local_map           = {L::nearest,  L::nearest,  L::last,     L::last,     L::nearest,L::nearest},
+      .keyframe_distance   = {0.3,         0.3,         0.3,         0.3,         0.3,      0.3},
+      .keyframe_angle_deg  = {10,          10,          10,          10,          10,       10},
+      .loops               = {S::none,     S::both,     S::odometry, S::context,  S::odometry,S::odometry},
+      .context_search      = {C::placed,   C::placed,   C::placed,   C::sequence, C::placed,C::placed},
+      .loop_registration   = {R::features, R::features, R::icp,      R::ndt_icp,  R::features,R::features},
       // Vines agree with those of the next row to 0.67 to 0.81, and with themselves to 0.94 and more.
-      .loop_overlap        = {0.6,         0.6,         0.6,         0.85,        0.6},
-      .weights             = {thickness,   priors,      thickness,   thickness,   thickness},
-      .solve               = {joint,       joint,       two_step,    joint,       joint},
-      .refine_iterations   = {0,           0,           0,           0,           3},
+      .loop_overlap        = {0.6,         0.6,         0.6,         0.85,        0.6,      0.6},
+      .weights             = {thickness,   priors,      thickness,   thickness,   thickness,thickness},
+      .solve               = {joint,       joint,       two_step,    joint,       joint,    joint},
+      .refine_iterations   = {0,           0,           0,           0,           3,        3},
+      .inertial            = {U::off,      U::off,      U::off,      U::off,      U::automatic, U::required},
   };
   // clang-format on
 }
@@ -71,6 +74,7 @@ void for_each_field(F f, Fields&... in) {
   f(in.weights...);
   f(in.solve...);
   f(in.refine_iterations...);
+  f(in.inertial...);
 }
 
 }  // namespace

@@ -97,12 +97,24 @@ void leave_out_gaps(const std::vector<std::pair<double, double>>& gaps_s, Trajec
   });
 }
 
+// Beams that never repeat their path have no scan lines: curvature along a line and ground between lines mean nothing.
+void suit_rosette(const SlamOptions& given, SlamSettings& options, Report& report) {
+  if (!options.trajectory.empty() || options.features == FeatureKind::sampled) return;
+  if (given.features)
+    throw bad_input("features " + std::string(choice_name(options.features)) +
+                        " need scan lines, and the beams of this scanner never repeat their path",
+                    "features sampled", "Leave the option features to the preset, or set it to sampled");
+  report.facts["features"] = "sampled, since the scanner has no scan lines";
+  options.features = FeatureKind::sampled;
+}
+
 }  // namespace
 
 SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const Run& run) {
-  const SlamSettings options = resolved(given);
+  SlamSettings options = resolved(given);
   if (source.size() == 0) throw bad_input("the scan has no frames", "at least 2");
   SlamResult out;
+  if (source.pattern() == ScanPattern::rosette) suit_rosette(given, options, out.report);
   out.report.facts["preset"] = choice_name(options.preset);
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   Track track;

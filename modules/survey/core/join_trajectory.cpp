@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "base/error.h"
+#include "cloud/core/path_passes.h"
 #include "cloud/known_facts.h"
-#include "cloud/path_passes.h"
 #include "survey/core/path_clock.h"
 #include "survey/core/path_fit.h"
 

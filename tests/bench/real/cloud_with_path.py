@@ -64,7 +64,7 @@ def main():
     strip(work)
     reference = [{"x": float(r["x_m"]), "y": float(r["y_m"]), "dbh": float(r["dbh_cm"]), "quality": ""} for r in measured.rows_of(scan / "trees.csv")
                  if r["state"] == "alive" and r["in_plot"] == "1" and float(r["dbh_cm"]) >= 7.5]
-    print("| cloud | found | extra | DBH bias / RMSE, cm (n) | 95 % holds | verdict |\n|---|---|---|---|---|---|")
+    print("| cloud | found | DBH bias / RMSE, cm (n) | 95 % holds | verdict |\n|---|---|---|---|---|")
     for name, cloud, settings in (("map with its own rays", work / "map/cloud.las", []),
                                   ("without rays (LAZ)", work / "plain.laz", []),
                                   ("and path.tum, Unix time, as exported", work / "plain.laz", [f"trajectory.file={work}/map/trajectory.tum"]),
@@ -74,7 +74,7 @@ def main():
             print(f"| {name} | {result['trouble']} |")
             continue
         c = measured.compared(reference, result["stems"])
-        print(f"| {name} | {c['found']} of {c['of']} | {c['extra']} | {measured.bias_rmse(c['differences'])} | {c['holding']} of {c['intervals']} | {result['verdict']}: {measured.codes(result)} |")
+        print(f"| {name} | {c['found']} of {c['of']} | {measured.bias_rmse(c['differences'])} | {c['holding']} of {c['intervals']} | {result['verdict']}: {measured.codes(result)} |")
 
 
 if __name__ == "__main__":

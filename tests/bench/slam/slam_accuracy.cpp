@@ -102,6 +102,8 @@ class Stretch : public FrameSource {
   void read(std::size_t index, ScanFrame& frame) const override { all_->read(first_ + index, frame); }
   double frame_time_s(std::size_t index) const override { return all_->frame_time_s(first_ + index); }
   int rings() const override { return all_->rings(); }
+  ScanPattern pattern() const override { return all_->pattern(); }
+  const InertialRecord* inertial() const override { return all_->inertial(); }
   std::vector<double> ring_elevations_rad() const override { return all_->ring_elevations_rad(); }
   std::string sensor_model() const override { return all_->sensor_model(); }
   std::string description() const override { return all_->description(); }

@@ -154,6 +154,40 @@ TEST(LasReader, ScalarExtraBytesBecomeColumns) {
   EXPECT_FALSE(read_las(file.bytes(), {.extra_bytes = false}).has("tree_id"));
 }
 
+TEST(LasReader, DeclaredNoDataIsAMissingValue) {
+  LasFile file;
+  file.format = 0;
+  file.extra = 4 + 8 + 2;
+  std::vector<std::uint8_t> descriptors(3 * 192);
+  const auto describe = [&](std::size_t i, int type, const std::string& name) {
+    descriptors[i * 192 + 2] = static_cast<std::uint8_t>(type);
+    descriptors[i * 192 + 3] = 1;
+    las::store_text(&descriptors[i * 192 + 4], 32, name);
+  };
+  describe(0, 9, "planarity");
+  las::store(&descriptors[40], -9999.9);  // no float is equal to it
+  describe(1, 10, "depth");
+  las::store(&descriptors[192 + 40], std::numeric_limits<double>::max());
+  describe(2, 4, "count");
+  las::store(&descriptors[2 * 192 + 40], std::int64_t{-1});
+  file.add_vlr("LASF_Spec", 4, descriptors);
+  std::uint8_t* p = file.add(0, 0, 0) + 20;
+  las::store(p, -9999.9F);
+  las::store(p + 4, std::numeric_limits<double>::max());
+  las::store(p + 12, std::int16_t{-1});
+  p = file.add(1, 1, 1) + 20;
+  las::store(p, 0.5F);
+  las::store(p + 4, 2.5);
+  las::store(p + 12, std::int16_t{7});
+  const PointCloud cloud = read_las(file.bytes());
+  EXPECT_TRUE(std::isnan(cloud.values<float>("planarity")[0]));
+  EXPECT_EQ(cloud.values<float>("planarity")[1], 0.5F);
+  EXPECT_TRUE(std::isnan(cloud.values<double>("depth")[0]));
+  EXPECT_EQ(cloud.values<double>("depth")[1], 2.5);
+  EXPECT_TRUE(std::isnan(cloud.values<float>("count")[0]));
+  EXPECT_EQ(cloud.values<float>("count")[1], 7);
+}
+
 // Extra bytes may bear the name of a flag, in any type.
 TEST(LasReader, ExtraBytesNamedAsAFlag) {
   LasFile file;

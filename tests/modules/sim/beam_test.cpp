@@ -132,5 +132,77 @@ TEST(Beam, the_same_pulse_gives_the_same_echo) {
   EXPECT_NE(a[0].range_m, a[1].range_m);
 }
 
+TEST(Beam, wet_bark_is_darker_and_loses_pulses) {
+  Shot shot{{wall(9, -5, 5)}};
+  double dry = 0, wet = 0, kept = 0;
+  const int n = 2000;
+  for (const auto& e : shot.fire(n)) dry += e.intensity;
+  shot.parameters.wet = 1;
+  for (const auto& e : shot.fire(n)) {
+    if (!(e.range_m > 0)) continue;
+    EXPECT_NEAR(e.range_m, 9, 1e-4);
+    wet += e.intensity;
+    kept += 1;
+  }
+  EXPECT_NEAR(kept / n, 0.9, 0.02);
+  EXPECT_NEAR(wet / kept, 0.5 * dry / n, 0.05 * dry / n);
+  // Foil stays what it is.
+  Shot foil{{wall(9, -5, 5, Material::retro, 1)}};
+  foil.parameters.wet = 1;
+  for (const auto& e : foil.fire(100)) EXPECT_GE(e.intensity, 190);
+}
+
+// A wall at 45 degrees tells by its range where the beam points.
+TEST(Beam, lasers_point_beside_their_angles_by_a_constant_error) {
+  SceneModel model;
+  Piece slanted{{}, Material::bark, 0.4f, 0, 0};
+  slanted.mesh.vertices = {{0, 10, -10}, {20, -10, -10}, {20, -10, 10}, {0, 10, 10}};
+  slanted.mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  model.pieces = {slanted};
+  const RayScene scene(model);
+  sensor::SensorModel sensor = one_laser();
+  sensor.channels.resize(60);
+  BeamParameters parameters = exact();
+  parameters.angle_error_rad = 0.002;
+  parameters.divergence = 0;
+  const Beam beam(sensor, parameters, scene, 3);
+  double squares = 0;
+  for (std::size_t c = 0; c < 60; ++c) {
+    const double range = static_cast<double>(beam.fire(Pose::Identity(), c, 0, c).range_m);
+    EXPECT_NEAR(static_cast<double>(beam.fire(Pose::Identity(), c, 0, c + 1000).range_m), range, 1e-5);  // constant
+    squares += std::pow((range - 10) / 10, 2);  // range of the slant: 10 / (1 - tan a)
+  }
+  EXPECT_NEAR(std::sqrt(squares / 60), 0.002, 0.0006);
+}
+
+TEST(Beam, dual_return_tells_two_surfaces_apart) {
+  SceneModel model;
+  model.pieces = {wall(8, 0, 5), wall(11, -5, 5)};  // half of the beam meets each
+  const RayScene scene(model);
+  const sensor::SensorModel sensor = one_laser();
+  BeamParameters parameters = exact();
+  parameters.dual = true;
+  const Beam beam(sensor, parameters, scene, 1);
+  int both = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Echoes e = beam.fire(Pose::Identity(), 0, 0, i, 0);
+    EXPECT_NEAR(e.last.range_m, 11, 1e-3);
+    both += std::abs(e.strongest.range_m - 8) < 1e-3f;
+    // Without dual return the strongest is the same where it is not the last.
+    const auto single = Beam(sensor, exact(), scene, 1).fire(Pose::Identity(), 0, 0, i);
+    if (std::abs(single.range_m - 8) < 1e-3f) {
+      EXPECT_EQ(single.range_m, e.strongest.range_m);
+    }
+  }
+  EXPECT_EQ(both, 200);
+  // One surface: both are the same.
+  SceneModel alone;
+  alone.pieces = {wall(9, -5, 5)};
+  const RayScene one(alone);
+  const Echoes e = Beam(sensor, parameters, one, 1).fire(Pose::Identity(), 0, 0, 0, 0);
+  EXPECT_NEAR(e.strongest.range_m, 9, 1e-3);
+  EXPECT_EQ(e.strongest.range_m, e.last.range_m);
+}
+
 }  // namespace
 }  // namespace bole::sim

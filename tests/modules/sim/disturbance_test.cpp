@@ -131,5 +131,46 @@ TEST_F(DisturbanceTest, a_turn_on_the_spot_turns_before_the_walk) {
   EXPECT_NEAR(turning.duration_s() - walk_.duration_s(), 3 - 1.5, 1e-9);
 }
 
+// A sensor at 0.45 m before a body of 0.2 m radius: some 53 degrees are dark, and only behind.
+TEST_F(DisturbanceTest, the_operator_stands_behind_a_sensor_in_the_hand) {
+  const auto r = record({.operator_body = true, .sensor_height_m = 1.5});
+  double dark = 0, all = 0;
+  for (std::size_t i = 0; i < r.kept.size(); ++i) {
+    const Pose T = walk_.pose(r.time_s[i]);
+    for (std::size_t c = 0; c < r.echoes[i].size(); ++c) {
+      const auto& laser = sensor_.channels[c];
+      if (std::abs(laser.elevation_rad) > 0.1) continue;
+      const double azimuth = r.azimuth_rad[i] + laser.azimuth_offset_rad;
+      const Eigen::Vector3d ray = T.linear() * Eigen::Vector3d(std::cos(azimuth), -std::sin(azimuth), 0);
+      const bool blocked = !(r.echoes[i][c].range_m > 0);
+      const double from_behind = std::abs(std::atan2(ray.y(), -ray.x()));  // the walk leads to +x
+      if (blocked) {
+        EXPECT_LT(from_behind, 0.75);
+      }
+      if (from_behind < 0.25) {
+        EXPECT_TRUE(blocked);
+      }
+      dark += blocked;
+      all += 1;
+    }
+  }
+  EXPECT_NEAR(dark / all, 2 * std::asin(0.2 / 0.45) / two_pi, 0.02);
+}
+
+TEST_F(DisturbanceTest, the_clock_wanders_without_going_back) {
+  const double sd = 0.0005;
+  Disturbance disturbance({.clock_jitter_s = sd}, sensor_, walk_, 1);
+  double squares = 0, last = -1, n = 0;
+  for (double t = 0; t < 200; t += 24 * sensor_.sequence_period_s) {
+    const double error = disturbance.clock_error_s(t);
+    EXPECT_GT(t + error, last);
+    last = t + error;
+    squares += error * error;
+    n += 1;
+  }
+  EXPECT_NEAR(std::sqrt(squares / n), sd, 0.35 * sd);
+  EXPECT_EQ(Disturbance({}, sensor_, walk_, 1).clock_error_s(3), 0);
+}
+
 }  // namespace
 }  // namespace bole::sim

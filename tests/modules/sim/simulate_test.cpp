@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "cloud/trajectory.h"
@@ -292,6 +293,114 @@ TEST_F(Simulation, follows_a_walk_from_a_file) {
   const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
   EXPECT_LT((trajectory.poses.front().T_target_sensor.translation().head<2>() - Eigen::Vector2d(-3, -4)).norm(), 0.5);
   EXPECT_LT((trajectory.poses.back().T_target_sensor.translation().head<2>() - Eigen::Vector2d(3, -4)).norm(), 0.5);
+}
+
+// The unit has random streams of its own: the recording beside it is the same to the byte.
+TEST_F(Simulation, an_inertial_unit_leaves_the_recording_alone) {
+  run("without");
+  options_.imu = ImuGrade::consumer;
+  run("with");
+  EXPECT_EQ(bytes("with/walk.pcap"), bytes("without/walk.pcap"));
+  EXPECT_EQ(bytes("with/trajectory.tum"), bytes("without/trajectory.tum"));
+  EXPECT_FALSE(fs::exists(dir_ / "without/imu.csv"));
+  const auto text = bytes("with/imu.csv");
+  EXPECT_THAT(text, HasSubstr("# T_sensor_imu: 0.045000 -0.030000 -0.060000 "));
+  EXPECT_THAT(text, HasSubstr("\ntime_s,gyro_x_rad_s,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 101 + 7);
+  options_.imu_mount_known = false;
+  run("unknown");
+  EXPECT_THAT(bytes("unknown/imu.csv"), testing::Not(HasSubstr("T_sensor_imu")));
+}
+
+TEST_F(Simulation, wind_and_all_that_spoils_a_scan_give_the_same_bytes_at_any_thread_count) {
+  recipe_.understorey.poles_per_ha = 300;
+  options_.max_time = 0.3;
+  options_.wind = 6;
+  options_.wet = 0.5;
+  options_.dual_return = true;
+  options_.operator_body = true;
+  options_.angle_error = 0.05;
+  options_.clock_jitter = 0.001;
+  options_.carrier = Carrier::backpack;
+  run("a");
+  {
+    const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+    run("b");
+  }
+  EXPECT_FALSE(bytes("a/walk.pcap").empty());
+  EXPECT_TRUE(bytes("a/walk.pcap") == bytes("b/walk.pcap"));
+  options_.wind = 0;
+  run("c");
+  EXPECT_FALSE(bytes("a/walk.pcap") == bytes("c/walk.pcap"));
+  EXPECT_TRUE(bytes("a/trees.csv") == bytes("c/trees.csv"));  // the truth is that of trees at rest
+}
+
+TEST_F(Simulation, dual_returns_are_in_the_packets) {
+  recipe_.understorey.shrubs_per_ha = 3000;
+  options_.dual_return = true;
+  const Report report = run("out");
+  const sensor::VelodyneDecoder decoder(sensor::load_sensor_model("vlp32c"));
+  const std::string pcap = bytes("out/walk.pcap");
+  std::vector<sensor::VelodyneReturn> returns;
+  std::int64_t first = 0, second = 0;
+  for (std::size_t at = 24 + 58; at + sensor::velodyne_packet_bytes <= pcap.size();
+       at += 58 + sensor::velodyne_packet_bytes) {
+    const auto packet = sensor::parse_velodyne_packet(
+        {reinterpret_cast<const std::uint8_t*>(pcap.data()) + at, sensor::velodyne_packet_bytes});
+    ASSERT_TRUE(packet);
+    EXPECT_TRUE(packet->is_dual());
+    returns.clear();
+    decoder.decode(*packet, returns);
+    for (const auto& r : returns) (r.return_number == 1 ? first : second) += 1;
+  }
+  EXPECT_GT(second, first / 200);
+  EXPECT_NEAR(static_cast<double>(first + second), static_cast<double>(report.counts.at("returns")), 10);
+  options_.sensor = "os1_64";
+  EXPECT_THROW(run("frames"), Error);
+}
+
+// Points of a rosette and true poses give back the ground; its frames last 0.1 s and cover the field of view.
+TEST_F(Simulation, rosettes_give_frames_over_their_field_of_view) {
+  recipe_.size_m = 40;
+  options_.sensor = "mid360";
+  options_.max_time = 1.2;
+  options_.noise = 0;
+  options_.mount_tilt = 180;  // the field of view looks up, so that the sensor hangs upside down
+  run("out");
+  const Trajectory trajectory = read_tum(bytes("out/trajectory.tum"));
+  const std::string points = bytes("out/frames/000005.bin"), times = bytes("out/frames/000005.time"),
+                    rings = bytes("out/frames/000005.ring");
+  const std::size_t n = points.size() / 16;
+  ASSERT_GT(n, 10000u);
+  ASSERT_LE(n, 20100u);
+  std::istringstream starts(bytes("out/frames/times.txt"));
+  double start = 0;
+  for (int i = 0; i <= 5; ++i) starts >> start;
+  EXPECT_NEAR(start, simulation_epoch_s + 0.5, 1e-3);
+  const sim::Terrain terrain = sim::make_forest(recipe_, 1).terrain;
+  double lowest = 90, highest = -90;
+  int on_ground = 0;
+  std::vector<int> sector(36);
+  for (std::size_t i = 0; i < n; ++i) {
+    float p[4], time = 0;
+    std::uint16_t ring = 9;
+    std::memcpy(p, points.data() + 16 * i, 16);
+    std::memcpy(&time, times.data() + 4 * i, 4);
+    std::memcpy(&ring, rings.data() + 2 * i, 2);
+    EXPECT_EQ(ring, 0);
+    EXPECT_LT(time, 0.1f);
+    const double elevation = 57.2958 * std::atan2(p[2], std::hypot(p[0], p[1]));
+    lowest = std::min(lowest, elevation);
+    highest = std::max(highest, elevation);
+    sector[static_cast<std::size_t>(18 + std::floor(17.999 * std::atan2(p[1], p[0]) / std::numbers::pi))] += 1;
+    const Eigen::Vector3d at = trajectory.at(start + static_cast<double>(time)) * Eigen::Vector3d(p[0], p[1], p[2]);
+    on_ground += std::abs(at.z() - terrain.height(at.x(), at.y())) < 0.03;
+  }
+  EXPECT_GT(on_ground, static_cast<int>(0.8 * static_cast<double>(n)));
+  EXPECT_GE(lowest, -7.01);
+  EXPECT_NEAR(highest, 52, 0.5);
+  for (const int count : sector) EXPECT_GT(count, 150);
+  EXPECT_THAT(bytes("out/frames/sensor.json"), HasSubstr("mid360"));
 }
 
 }  // namespace

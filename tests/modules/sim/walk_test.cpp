@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "base/resources.h"
@@ -91,6 +92,35 @@ TEST(Walk, keeps_its_speed_and_height) {
   }
   std::ranges::sort(speeds);
   EXPECT_NEAR(speeds[speeds.size() / 2], 1.4, 0.05);
+}
+
+TEST(Walk, a_backpack_steps_without_a_wandering_hand) {
+  const PlotWalk plot("demo");
+  WalkParameters parameters;
+  const Walk hand = plot.walk();
+  parameters.carrier = Carrier::backpack;
+  const Walk back = plot.walk(parameters);
+  const auto tilt = [](const Walk& walk) {
+    double squares = 0;
+    for (double t = 5; t < 40; t += 0.02) squares += std::pow(std::acos(std::min(1.0, walk.pose(t).linear()(2, 2))), 2);
+    return std::sqrt(squares / 1750);
+  };
+  EXPECT_LT(tilt(back), 0.9 * tilt(hand));
+  EXPECT_GT(tilt(back), 0.01);
+  EXPECT_NEAR((back.pose(20).translation() - hand.pose(20).translation()).norm(), 0, 0.05);
+}
+
+TEST(Walk, the_sensor_may_be_mounted_upside_down) {
+  const PlotWalk plot("demo");
+  WalkParameters parameters;
+  parameters.mount_tilt_rad = std::numbers::pi;
+  for (const Carrier carrier : {Carrier::person, Carrier::robot}) {
+    parameters.carrier = carrier;
+    const Walk walk = plot.walk(parameters);
+    EXPECT_LT(walk.pose(10).linear()(2, 2), -0.9);
+    const Eigen::Vector3d p = walk.pose(10).translation();
+    EXPECT_NEAR(p.z() - plot.forest.terrain.height(p.x(), p.y()), parameters.sensor_height_m, 0.2);
+  }
 }
 
 TEST(Walk, gait_bobs_and_tilts) {

@@ -23,7 +23,8 @@ inline SlamOptions with_preset(Preset preset) {
 }
 
 // Largest distance of the estimated from the true positions, the first poses laid on each other.
-inline double worst_m(const Trajectory& estimate, const synthetic::SyntheticScan& source) {
+template <class Scan>
+double worst_m(const Trajectory& estimate, const Scan& source) {
   const Pose T_truth_map =
       source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
   double worst = 0;

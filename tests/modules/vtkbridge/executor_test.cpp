@@ -241,6 +241,27 @@ TEST(FileKeys, TimesBesideAFolderOfFramesCount) {
   EXPECT_EQ(keys.key(frames / ""), keys.key(frames));
 }
 
+// A reader finds it by itself, so a result without it is not a result with it.
+TEST(FileKeys, AnInertialUnitBesideAScanCounts) {
+  const toy::TemporaryFolder out;
+  const auto scan = out.path() / "walk.pcap", frames = out.path() / "frames";
+  fs::create_directories(frames);
+  std::ofstream(scan) << "0123456789abcdef";
+  std::ofstream(frames / "0.bin") << "0123456789abcdef";
+  FileKeys keys({});
+  const auto scan_key = keys.key(scan), frames_key = keys.key(frames), stamp = change_stamp(scan);
+  std::ofstream(out.path() / "imu.csv") << "1\n";
+  const auto with_unit = keys.key(scan);
+  EXPECT_NE(with_unit, scan_key);
+  EXPECT_NE(keys.key(frames), frames_key);
+  EXPECT_NE(change_stamp(scan), stamp);
+  std::ofstream(out.path() / "walk_imu.csv") << "2\n";
+  EXPECT_NE(keys.key(scan), with_unit);
+  fs::remove(out.path() / "imu.csv");
+  fs::remove(out.path() / "walk_imu.csv");
+  EXPECT_EQ(keys.key(scan), scan_key);
+}
+
 TEST(FileKeys, ReadingABigFileTellsHowFarItIsAndCanBeCancelled) {
   const toy::TemporaryFolder out;
   std::ofstream(out.path() / "scan.pcap") << 'x';

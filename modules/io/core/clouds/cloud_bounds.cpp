@@ -40,12 +40,13 @@ std::optional<CloudBounds> parse_bounds(std::string_view text) {
   return out;
 }
 
-Error nothing_within(const CloudBounds& wanted, const Eigen::Vector3d& file_min, const Eigen::Vector3d& file_max) {
+Error nothing_within(const CloudBounds& wanted, const Eigen::Vector3d& min_in_file,
+                     const Eigen::Vector3d& max_in_file) {
   std::string asked = fmt::format("x {:.10g} to {:.10g}, y {:.10g} to {:.10g}", wanted.min.x(), wanted.max.x(),
                                   wanted.min.y(), wanted.max.y());
   if (std::isfinite(wanted.min.z())) asked += fmt::format(", z {:.10g} to {:.10g}", wanted.min.z(), wanted.max.z());
   return bad_input("no point of the file lies within the option bounds (" + asked + ")",
-                   "bounds that meet those of the file: " + described(file_min, file_max),
+                   "bounds that meet those of the file: " + described(min_in_file, max_in_file),
                    "Give bounds in the coordinates of the file");
 }
 

@@ -27,6 +27,6 @@ struct CloudBounds {
 std::optional<CloudBounds> parse_bounds(std::string_view text);
 
 // For a file of which no point lies within the bounds.
-Error nothing_within(const CloudBounds& wanted, const Eigen::Vector3d& file_min, const Eigen::Vector3d& file_max);
+Error nothing_within(const CloudBounds& wanted, const Eigen::Vector3d& min_in_file, const Eigen::Vector3d& max_in_file);
 
 }  // namespace bole::io

@@ -240,8 +240,8 @@ struct CloudBuilder::Parts {
 
   std::optional<CloudBounds> bounds;  // in the coordinates of the file
   std::int64_t outside = 0;
-  Eigen::Vector3d file_min = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d file_max = -file_min;
+  Eigen::Vector3d min_in_file = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d max_in_file = -min_in_file;
 
   bool has_target(std::string_view name) const {
     return std::ranges::find(targets, name, &Target::name) != targets.end();
@@ -334,8 +334,8 @@ void CloudBuilder::add(std::span<const double> row) {
   auto& p = *parts_;
   Eigen::Vector3d point(row[p.xyz[0]], row[p.xyz[1]], row[p.xyz[2]]);
   if (p.bounds && point.allFinite()) {
-    p.file_min = p.file_min.cwiseMin(point);
-    p.file_max = p.file_max.cwiseMax(point);
+    p.min_in_file = p.min_in_file.cwiseMin(point);
+    p.max_in_file = p.max_in_file.cwiseMax(point);
     if (!p.bounds->contains(point)) {
       ++p.outside;
       return;
@@ -372,7 +372,7 @@ void CloudBuilder::add(std::span<const double> row) {
 CloudReading CloudBuilder::finish() {
   auto& p = *parts_;
   if (!p.origin_chosen) p.choose_origin();
-  if (p.bounds && p.positions.empty() && p.outside > 0) throw nothing_within(*p.bounds, p.file_min, p.file_max);
+  if (p.bounds && p.positions.empty() && p.outside > 0) throw nothing_within(*p.bounds, p.min_in_file, p.max_in_file);
   CloudReading out;
   out.cloud = PointCloud(std::move(p.positions), p.origin);
   out.cloud.axes = p.axes;

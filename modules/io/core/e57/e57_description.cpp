@@ -38,9 +38,9 @@ std::int64_t integer_attribute(const pugi::xml_node& node, const char* name, std
 // False where a field has an unknown type.
 bool add_field(const pugi::xml_node& node, std::vector<Field>& fields, int depth) {
   constexpr int deepest = 8;
-  constexpr std::size_t most_fields = 256;
+  constexpr std::size_t max_fields = 256;
   const std::string_view type = node.attribute("type").value();
-  if (fields.size() >= most_fields) return false;
+  if (fields.size() >= max_fields) return false;
   if (type == "Structure" || type == "Vector") {
     if (depth >= deepest) return false;
     for (const auto& child : node.children())

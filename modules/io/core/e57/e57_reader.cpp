@@ -82,11 +82,11 @@ class Rows {
     if (any("timeStamp")) add(time_name(scans), SourceType::float64);
     add("scan", SourceType::int32);
     if (scans.size() > 1) add("pass", SourceType::int32);
-    constexpr std::size_t most_columns = 64;
+    constexpr std::size_t max_columns = 64;
     for (const auto& scan : scans)
       for (const auto& field : scan.fields)
         if (field.type != e57::ValueType::text && std::ranges::find(handled, field.name) == handled.end() &&
-            place(column_name(field.name)) < 0 && fields_.size() < most_columns)
+            place(column_name(field.name)) < 0 && fields_.size() < max_columns)
           add(column_name(field.name), type_of(field));
   }
 

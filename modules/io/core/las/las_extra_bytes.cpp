@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "io/core/las/las_format.h"
 
@@ -11,7 +13,7 @@ namespace bole::io::las {
 
 namespace {
 
-constexpr unsigned has_scale = 8, has_offset = 16;
+constexpr unsigned has_no_data = 1, has_scale = 8, has_offset = 16;
 
 // Calls f with a value of the C++ type of `type`.
 template <class F>
@@ -52,6 +54,22 @@ To converted(double value) {
   }
 }
 
+// Some writers give the value of a float as a double that no float is equal to.
+template <class T>
+bool is_no_data(T stored, double no_data) {
+  return static_cast<double>(stored) == no_data ||
+         (std::is_same_v<T, float> && std::abs(no_data) <= std::numeric_limits<float>::max() &&
+          static_cast<float>(stored) == static_cast<float>(no_data));
+}
+
+// A number of the descriptor: 8 bytes, whole or not as the values are.
+double stored_number(ExtraType type, const std::uint8_t* at) {
+  if (type == ExtraType::f32 || type == ExtraType::f64) return load<double>(at);
+  const bool is_signed =
+      type == ExtraType::i8 || type == ExtraType::i16 || type == ExtraType::i32 || type == ExtraType::i64;
+  return is_signed ? static_cast<double>(load<std::int64_t>(at)) : static_cast<double>(load<std::uint64_t>(at));
+}
+
 }  // namespace
 
 std::size_t extra_type_size(ExtraType type) {
@@ -64,6 +82,8 @@ ArrayType ExtraDimension::column_type() const {
   if (const auto* known = find_array(name)) return known->type;
   if (is_flag_column(name)) return ArrayType::uint8;
   if (scaled) return ArrayType::float64;
+  // Only floats can say that a value is missing.
+  if (no_data) return extra_type_size(type) <= 2 || type == ExtraType::f32 ? ArrayType::float32 : ArrayType::float64;
   switch (type) {
     case ExtraType::u8:
       return ArrayType::uint8;
@@ -115,6 +135,7 @@ std::vector<ExtraDimension> extra_dimensions(Bytes file, const LasInfo& info, st
       continue;
     }
     dimension.type = static_cast<ExtraType>(type);
+    if ((options & has_no_data) != 0) dimension.no_data = stored_number(dimension.type, d + 40);
     if ((options & has_scale) != 0) {
       dimension.scaled = true;
       dimension.scale = load<double>(d + 112);
@@ -139,12 +160,16 @@ void decode_extra(const ExtraDimension& dimension, const std::uint8_t* records, 
           for (std::size_t i = 0; i < count; ++i, at += stride) {
             const From stored = load<From>(at);
             if constexpr (std::is_same_v<From, To>) {
-              if (!dimension.scaled) {
+              if (!dimension.scaled && !dimension.no_data) {
                 values[first + i] = stored;
                 continue;
               }
             }
             const auto value = static_cast<double>(stored);
+            if (dimension.no_data && is_no_data(stored, *dimension.no_data)) {
+              values[first + i] = converted<To>(std::numeric_limits<double>::quiet_NaN());
+              continue;
+            }
             values[first + i] = converted<To>(dimension.scaled ? value * dimension.scale + dimension.shift : value);
           }
         });

@@ -1,6 +1,7 @@
 // Extra bytes of LAS points: columns without a field in the point format (LAS 1.4 R15, "Extra Bytes", record 4).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct ExtraDimension {
   std::size_t offset = 0;  // within the point record
   bool scaled = false;     // value = stored * scale + shift
   double scale = 1, shift = 0;
+  std::optional<double> no_data;  // stored where there is no value: read as NaN
 
   // Type of the column: that of the vocabulary for its names, else the smallest that holds the values.
   ArrayType column_type() const;

@@ -23,7 +23,7 @@ struct LasReadOptions {
   bool drop_withheld = false;
   bool extra_bytes = true;
   std::optional<CloudBounds> bounds{};  // in the coordinates of the file; nothing: all points
-  double resolution = 0;              // greatest spacing of the points of a COPC file; 0: all of them
+  double resolution = 0;                // greatest spacing of the points of a COPC file; 0: all of them
   // Bytes. Larger clouds have their columns on file. Not an option of a stage, because it changes no result.
   std::size_t columns_in_memory = large_columns_bytes;
 };

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_folder.h"
+#include "io/core/scans/inertial_file.h"
 
 namespace bole::io {
 
@@ -18,7 +19,8 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  {},
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, "
-                                 "pandar_xt32 or mid360, or a JSON file with the beams of your own unit."},
+                                 "pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction "
+                                 "CSV, or beams as JSON."},
           Option<S, std::string>{"topic",
                                  &S::topic,
                                  TextKind::plain,
@@ -101,7 +103,7 @@ std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path
     throw bad_input(
         "the option topic is set, and '" + path.string() + "' (" + std::string(format.name) + ") has no topics",
         "a ROS bag", "Leave topic empty");
-  return access.open(path, options, run, report);
+  return with_inertial_file(access.open(path, options, run, report), path, options.imu, run, report);
 }
 
 std::shared_ptr<const FrameSource> open_frame_source(const std::filesystem::path& path,

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "base/angles.h"
 #include "sim/core/scene/random.h"
+#include "sim/core/scene/rosette.h"
 
 namespace bole::sim {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr int beams = 6, rays = RayBundle::size;
-constexpr double wedge_1_hz = 97.31, wedge_2_hz = -wedge_1_hz * 0.6180339887498949;
 constexpr double blend_m = 0.2;  // surfaces closer together in range give one return between them
 
 // Quantiles of a standard normal for eight rays of equal energy.
@@ -67,10 +65,9 @@ LivoxScanner::LivoxScanner(const LivoxModel& model, double noise, const RayScene
       seed_(seed) {}
 
 Eigen::Vector3d LivoxScanner::direction(std::int64_t n) const {
-  const double t = static_cast<double>(n) / model_.rate_hz, turn = two_pi * static_cast<double>(n % beams) / beams;
-  const double a = two_pi * wedge_1_hz * t + turn, b = two_pi * wedge_2_hz * t - 0.37 * turn;
-  const double azimuth = 0.5 * model_.field_horizontal_deg * rad_per_deg * 0.5 * (std::cos(a) + std::cos(b));
-  const double elevation = 0.5 * model_.field_vertical_deg * rad_per_deg * 0.5 * (std::sin(a) + std::sin(b));
+  const double half_height = 0.5 * model_.field_vertical_deg * rad_per_deg;
+  const auto [azimuth, elevation] =
+      rosette_angles({model_.rate_hz, beams, model_.field_horizontal_deg * rad_per_deg, -half_height, half_height}, n);
   return {std::cos(elevation) * std::sin(azimuth), std::cos(elevation) * std::cos(azimuth), std::sin(elevation)};
 }
 

@@ -30,9 +30,7 @@ class LivoxScanner {
  public:
   LivoxScanner(const LivoxModel& model, double noise, const RayScene& scene, std::uint64_t seed);
 
-  // Direction of pulse `n` in sensor axes: six beams on rosettes r = cos((1 - k) phase / 2) of two counter-turning
-  // wedges, stretched to the field of view; the ratio of their speeds is irrational, so the figure never repeats. A
-  // model of the published behaviour (coverage over time), not the maker's secret pattern.
+  // Direction of pulse `n` in sensor axes (rosette.h).
   Eigen::Vector3d direction(std::int64_t n) const;
 
   // The strongest return of pulse `n` fired from a pose. Same arguments, same return.

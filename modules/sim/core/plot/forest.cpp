@@ -7,48 +7,13 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "sim/core/plot/layout.h"
+#include "sim/core/plot/stand.h"
 #include "sim/core/scene/random.h"
 
 namespace bole::sim {
 namespace {
 
 Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-// Height over diameter after Naslund: h = 1.3 + d^2 / (a + b d)^2, with coefficients of a middling site.
-double height_from_dbh(double dbh_cm) { return 1.3 + dbh_cm * dbh_cm / std::pow(1.2 + 0.185 * dbh_cm, 2); }
-
-// Scales the stem until the tape reads `dbh_m`.
-void fit_radius(Tree& tree, const Terrain& terrain, double dbh_m) {
-  tree.stem.radius_m = 0.5 * dbh_m;
-  for (int i = 0; i < 20; ++i) {
-    tree.taped = tape(tree.stem, terrain);
-    const double ratio = dbh_m / tree.taped.diameter_m;
-    if (std::abs(ratio - 1) < 1e-9) return;
-    tree.stem.radius_m *= ratio;
-  }
-}
-
-void shape_stem(Tree& tree, const TreeRecipe& recipe, double dbh_cm, Random& random) {
-  auto& s = tree.stem;
-  s.height_m = std::max(3.0, height_from_dbh(dbh_cm) * random.uniform(0.88, 1.12));
-  s.end_m = s.height_m;
-  s.taper_exponent = tree.species == Species::conifer ? random.uniform(0.75, 0.95) : random.uniform(0.65, 0.85);
-  s.lean = std::tan(radians(recipe.lean_sd_deg)) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) /
-           std::numbers::sqrt2;
-  s.bow = recipe.sweep_m * random.bounded_normal() * direction(random.angle());
-  s.bow_length_m = random.uniform(6, 14);
-  s.flare = recipe.flare * random.uniform(0.5, 1.5);
-  s.flare_length_m = random.uniform(0.2, 0.36);
-  for (std::size_t k = 0; k < s.amplitude.size(); ++k) {
-    const double order = static_cast<double>(k) + StemShape::first_order;
-    s.amplitude[k] = recipe.ovality * random.bounded_normal() * std::pow(2.0 / order, 1.7);
-    s.phase[k] = random.angle();
-  }
-  s.lobes = 3 + random.index(4);
-  s.lobe_amplitude = s.flare * random.uniform(0.2, 0.5);
-  s.lobe_phase = random.angle();
-  s.bark_depth_m = 1e-3 * recipe.bark_mm * random.uniform(0.5, 1.5);
-}
 
 void decide_fate(Tree& tree, const TreeRecipe& recipe, Random& random) {
   auto& s = tree.stem;
@@ -82,8 +47,6 @@ std::vector<Target> make_targets(const PlotRecipe& recipe, const Terrain& terrai
 
 }  // namespace
 
-std::string_view species_name(Species species) { return species == Species::conifer ? "conifer" : "broadleaf"; }
-
 std::vector<double> exact_sample(int count, double mean, double sd, double min, double max, std::uint64_t seed) {
   Random random(seed, Stream::diameters);
   std::vector<double> values(static_cast<std::size_t>(count));
@@ -110,6 +73,7 @@ Forest make_forest(const PlotRecipe& recipe, std::uint64_t seed) {
   std::vector<Site> sites = make_layout(recipe, seed);
   const int inner = static_cast<int>(std::ranges::count_if(sites, &Site::in_plot));
   std::vector<double> dbh = exact_sample(inner, t.dbh_mean_cm, t.dbh_sd_cm, t.dbh_min_cm, t.dbh_max_cm, seed);
+  const Stools stools(recipe, sites, dbh, seed);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     Random random(seed, Stream::stem, i);
     const double dbh_cm =
@@ -118,21 +82,25 @@ Forest make_forest(const PlotRecipe& recipe, std::uint64_t seed) {
     tree.id = static_cast<int>(i) + 1;
     tree.in_plot = sites[i].in_plot;
     tree.species = random.chance(t.conifer_share) ? Species::conifer : Species::broadleaf;
+    const TreeRecipe form = choose_species(tree, t, seed);
     tree.stem.foot.head<2>() = sites[i].xy;
-    shape_stem(tree, t, dbh_cm, random);
-    decide_fate(tree, t, random);
+    shape_stem(tree, form, dbh_cm, random);
+    decide_fate(tree, form, random);
     tree.stem.radius_m = 0.005 * dbh_cm;
+    const bool in_stool = stools.join(tree, i);
     // The sister is the tree before, when she stands well inside and is no twin herself.
-    if (i > 0 && tree.in_plot && random.chance(t.twin_share)) {
+    if (i > 0 && tree.in_plot && random.chance(t.twin_share) && !in_stool && !stools.holds(i - 1)) {
       const Tree& sister = forest.trees.back();
       if (sister.twin_of == 0 && sister.stem.foot.head<2>().cwiseAbs().maxCoeff() < forest.half_side_m() - 1.0 &&
           sister.stem.foot.head<2>().norm() > 2.0)
         join_twin(tree, sister, random);
     }
+    if (!in_stool && tree.twin_of == 0) disfigure(tree, forest, seed);
     tree.stem.foot.z() = forest.terrain.height(tree.stem.foot.x(), tree.stem.foot.y());
     fit_radius(tree, forest.terrain, 0.01 * dbh_cm);
     forest.trees.push_back(tree);
   }
+  add_poles(forest, seed);
   if (!recipe.is_vineyard()) forest.targets = make_targets(recipe, forest.terrain);
   return forest;
 }

@@ -10,14 +10,13 @@
 
 namespace bole::sim {
 
-enum class Species { broadleaf, conifer };
-std::string_view species_name(Species species);
-
 struct Tree {
   int id = 0;  // from 1
   Species species = Species::broadleaf;
+  std::string species_name;  // of the recipe's species; the form where it names none
   bool alive = true;
   bool in_plot = true;
+  bool pole = false;        // of the understorey: not among the recipe's trees.count
   int twin_of = 0;          // id of the tree whose base it shares; 0: none
   double fork_h = 0;        // height of a fork above breast height; 0: none
   double crown_base_h = 6;  // height of the lowest living branch
@@ -35,7 +34,7 @@ struct Target {
 struct Forest {
   PlotRecipe recipe;
   Terrain terrain;
-  std::vector<Tree> trees;  // in plot first
+  std::vector<Tree> trees;  // those of the plot, those around it, then the poles
   std::vector<Target> targets;
 
   double half_side_m() const { return 0.5 * recipe.size_m; }

@@ -22,6 +22,16 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
 }
 
 template <class R, class V>
+void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, SpeciesRecipe> {
+  visit("name", r.name, 0, 0);
+  visit("form", r.form, 0, 0);
+  visit("share", r.share, 0.001, 1000);
+  visit("bark_mm", r.bark_mm, 0, 30);
+  visit("ovality", r.ovality, 0, 0.1);
+  visit("flare", r.flare, 0, 1);
+}
+
+template <class R, class V>
 void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>, TreeRecipe> {
   visit("count", r.count, 0, 5000);
   visit("dbh_mean_cm", r.dbh_mean_cm, 2, 200);
@@ -38,6 +48,11 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
   visit("flare", r.flare, 0, 1);
   visit("bark_mm", r.bark_mm, 0, 30);
   visit("low_branches", r.low_branches, 0, 10);
+  visit("species", r.species, 0, 50);
+  visit("buttress_share", r.buttress_share, 0, 1);
+  visit("leaning_share", r.leaning_share, 0, 1);
+  visit("coppice_share", r.coppice_share, 0, 0.95);
+  visit("coppice_stems", r.coppice_stems, 2, 9);
 }
 
 template <class R, class V>
@@ -49,6 +64,10 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
   visit("micro_relief_m", r.micro_relief_m, 0, 0.3);
   visit("rocks_per_ha", r.rocks_per_ha, 0, 5000);
   visit("fallen_stems_per_ha", r.fallen_stems_per_ha, 0, 2000);
+  visit("fallen_max_cm", r.fallen_max_cm, 7, 80);
+  visit("stumps_per_ha", r.stumps_per_ha, 0, 2000);
+  visit("terrace_width_m", r.terrace_width_m, 0, 30);
+  visit("terrace_riser_m", r.terrace_riser_m, 0.3, 10);
 }
 
 template <class R, class V>
@@ -56,6 +75,9 @@ void each_field(R& r, V&& visit) requires std::is_same_v<std::remove_const_t<R>,
   visit("shrubs_per_ha", r.shrubs_per_ha, 0, 10000);
   visit("saplings_per_ha", r.saplings_per_ha, 0, 10000);
   visit("grass_per_ha", r.grass_per_ha, 0, 50000);
+  visit("poles_per_ha", r.poles_per_ha, 0, 5000);
+  visit("pole_min_cm", r.pole_min_cm, 2, 15);
+  visit("pole_max_cm", r.pole_max_cm, 3, 20);
 }
 
 template <class R, class V>
@@ -109,6 +131,15 @@ void check_relations(const PlotRecipe& r) {
   if (t.dbh_sd_cm * t.dbh_sd_cm > 0.25 * (t.dbh_mean_cm - t.dbh_min_cm) * (t.dbh_max_cm - t.dbh_mean_cm))
     throw bad_input("recipe field 'trees.dbh_sd_cm' is " + number_text(t.dbh_sd_cm),
                     "a spread that fits between dbh_min_cm and dbh_max_cm", "Lower it, or widen the limits");
+  const auto& u = r.understorey;
+  if (!(u.pole_min_cm < u.pole_max_cm))
+    throw bad_input("recipe fields understorey.pole_min_cm " + number_text(u.pole_min_cm) + " and pole_max_cm " +
+                        number_text(u.pole_max_cm),
+                    "the smaller one first");
+  const auto& g = r.terrain;
+  if (g.terrace_width_m > 0 && !(g.terrace_riser_m < g.terrace_width_m))
+    throw bad_input("recipe field 'terrain.terrace_riser_m' is " + number_text(g.terrace_riser_m),
+                    "less than terrace_width_m, " + number_text(g.terrace_width_m));
 }
 
 }  // namespace

@@ -28,6 +28,19 @@ struct LayoutRecipe {
   double missing_share = 0.0;     // rows
 };
 
+enum class Species { broadleaf, conifer };  // the form of a tree
+constexpr std::array<std::string_view, 2> choice_names(Species) { return {"broadleaf", "conifer"}; }
+
+// A species of a stand with bark and form of its own.
+struct SpeciesRecipe {
+  std::string name = "unnamed";
+  Species form = Species::broadleaf;
+  double share = 1;    // of the trees, relative to the shares of the other species
+  double bark_mm = 3;  // as TreeRecipe has them
+  double ovality = 0.02;
+  double flare = 0.25;
+};
+
 struct TreeRecipe {
   int count = 20;  // within the plot; for rows 0 means as many as fit
   double dbh_mean_cm = 20;
@@ -45,6 +58,12 @@ struct TreeRecipe {
   double flare = 0.25;        // mean relative widening at the ground
   double bark_mm = 3.0;       // depth of the bark's fissures
   double low_branches = 1.0;  // multiplies the number of branches and twigs below the crown
+  // Where species are named, form, bark, ovality and flare are theirs.
+  std::vector<SpeciesRecipe> species;
+  double buttress_share = 0;  // stems whose root lobes reach above breast height
+  double leaning_share = 0;   // stems that lean by 10 to 20 deg
+  double coppice_share = 0;   // stems that stand in stools: several from one base
+  int coppice_stems = 5;      // most stems of a stool
 };
 
 struct TerrainRecipe {
@@ -55,12 +74,18 @@ struct TerrainRecipe {
   double micro_relief_m = 0.03;
   double rocks_per_ha = 60;
   double fallen_stems_per_ha = 30;
+  double fallen_max_cm = 26;  // thickest fallen stem
+  double stumps_per_ha = 0;
+  double terrace_width_m = 0;    // of a terrace along the slope; 0: an even slope
+  double terrace_riser_m = 0.8;  // part of it that is the steep riser
 };
 
 struct UnderstoreyRecipe {
   double shrubs_per_ha = 250;
   double saplings_per_ha = 80;  // thin stems below the smallest diameter, crossing breast height
   double grass_per_ha = 4000;   // tufts
+  double poles_per_ha = 0;      // young trees between and below the others: they are in trees.csv
+  double pole_min_cm = 3, pole_max_cm = 9;
 };
 
 // Free ground between the ends of vine rows and the edge of their plot, where a robot turns.

@@ -66,6 +66,12 @@ double RecipeReader::number_in(const Json& json, const std::string& path, bool w
   return number;
 }
 
+std::size_t RecipeReader::list_size(const Json& json, const std::string& path, double max) {
+  if (!json.is_array() || static_cast<double>(json.size()) > max)
+    throw wrong_field(path, json, "a list of up to " + number_text(max));
+  return json.size();
+}
+
 PlantPositions RecipeReader::positions_in(const Json& json, const std::string& path) {
   PlantPositions rows;
   for (const auto& row : json) {

@@ -18,7 +18,13 @@ namespace bole::sim {
 
 using PlantPositions = std::vector<std::vector<Eigen::Vector2d>>;  // by row, metres
 
-// Throws Error{bad_input} that names the field, its value and what was needed. Unknown fields are errors too.
+template <class T>
+inline constexpr bool is_recipe_list = false;
+template <class T>
+inline constexpr bool is_recipe_list<std::vector<T>> = !std::is_same_v<std::vector<T>, PlantPositions>;
+
+// Throws Error{bad_input} that names the field, its value and what was needed. Unknown fields are errors too. Lists of
+// recipes hold at most `max` of them.
 class RecipeReader {
  public:
   RecipeReader(const nlohmann::json& json, std::string path);
@@ -35,6 +41,13 @@ class RecipeReader {
       value = static_cast<T>(choice_in(*it, path, choice_names(T{})));
     } else if constexpr (std::is_same_v<T, PlantPositions>) {
       value = positions_in(*it, path);
+    } else if constexpr (is_recipe_list<T>) {
+      value.clear();
+      for (std::size_t i = 0; i < list_size(*it, path, max); ++i) {
+        RecipeReader inner((*it)[i], path + "[" + std::to_string(i) + "]");
+        each_field(value.emplace_back(), inner);
+        inner.refuse_unknown();
+      }
     } else if constexpr (std::is_arithmetic_v<T>) {
       value = static_cast<T>(number_in(*it, path, std::is_integral_v<T>, min, max));
     } else {
@@ -52,6 +65,7 @@ class RecipeReader {
   static std::size_t choice_in(const nlohmann::json& json, const std::string& path,
                                std::span<const std::string_view> names);
   static double number_in(const nlohmann::json& json, const std::string& path, bool whole, double min, double max);
+  static std::size_t list_size(const nlohmann::json& json, const std::string& path, double max);
   static PlantPositions positions_in(const nlohmann::json& json, const std::string& path);
 
   const nlohmann::json& json_;
@@ -69,6 +83,13 @@ class RecipeWriter {
       json_[name] = choice_name(value);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
       json_[name] = value;
+    } else if constexpr (is_recipe_list<T>) {
+      json_[name] = nlohmann::json::array();
+      for (const auto& entry : value) {
+        nlohmann::json inner = nlohmann::json::object();
+        each_field(entry, RecipeWriter(inner));
+        json_[name].push_back(std::move(inner));
+      }
     } else {
       nlohmann::json inner = nlohmann::json::object();
       each_field(value, RecipeWriter(inner));

@@ -1,5 +1,6 @@
 #include "sim/core/plot/terrain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,9 +18,19 @@ Terrain::Terrain(const TerrainRecipe& recipe, std::uint64_t seed)
   height_at_centre_ = shape(0, 0);
 }
 
+// The inclined plane, or terraces that climb it: level treads, risers that are steep and not quite straight.
+double Terrain::slope_height(double x, double y) const {
+  const double plane = gradient_.dot(Eigen::Vector2d(x, y)), slope = gradient_.norm(), width = recipe_.terrace_width_m;
+  if (width <= 0 || slope <= 0) return plane;
+  const double uphill = plane / slope + 0.5 * gradient_noise(x / 7, y / 7, seed_ + 211),
+               step = std::floor(uphill / width);
+  const double on_riser = std::clamp((uphill - step * width) / recipe_.terrace_riser_m, 0.0, 1.0);
+  return slope * width * (step + on_riser * on_riser * (3 - 2 * on_riser));
+}
+
 double Terrain::shape(double x, double y) const {
   const double wave = recipe_.undulation_scale_m;
-  double h = gradient_.dot(Eigen::Vector2d(x, y));
+  double h = slope_height(x, y);
   h += recipe_.undulation_m * fractal_noise(x / wave, y / wave, 3, 0.4, seed_);
   h += recipe_.micro_relief_m * fractal_noise(x / 0.9, y / 0.9, 2, 0.5, seed_ + 101);
   return h;

@@ -23,6 +23,7 @@ class Terrain {
 
  private:
   double shape(double x, double y) const;
+  double slope_height(double x, double y) const;
   TerrainRecipe recipe_;
   std::uint64_t seed_;
   Eigen::Vector2d gradient_;

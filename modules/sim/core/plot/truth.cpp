@@ -30,7 +30,7 @@ class TextFile {
 
 Table tree_table(const Forest& forest) {
   std::vector<std::int64_t> id, in_plot, twin;
-  std::vector<double> x, y, z, dbh, height, lean, azimuth, base_x, base_y;
+  std::vector<double> x, y, z, dbh, height, lean, azimuth, base_x, base_y, bark;
   std::vector<std::string> state, species;
   for (const auto& t : forest.trees) {
     id.push_back(t.id);
@@ -45,7 +45,8 @@ Table tree_table(const Forest& forest) {
     const double a = deg_per_rad * std::atan2(t.taped.axis.x(), t.taped.axis.y());
     azimuth.push_back(a < 0 ? a + 360 : a);
     state.emplace_back(t.alive ? "alive" : "dead");
-    species.emplace_back(species_name(t.species));
+    species.push_back(t.species_name);
+    bark.push_back(1000 * t.stem.bark_depth_m);
     base_x.push_back(t.stem.foot.x());
     base_y.push_back(t.stem.foot.y());
   }
@@ -66,6 +67,7 @@ Table tree_table(const Forest& forest) {
   table.set("base_x_m", base_x);
   table.set("base_y_m", base_y);
   table.set("twin_of", twin);
+  if (!forest.recipe.trees.species.empty()) table.set("bark_mm", bark);
   return table;
 }
 

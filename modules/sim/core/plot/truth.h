@@ -12,7 +12,8 @@
 namespace bole::sim {
 
 // The reference trees: tree_id, x_m, y_m (at breast height), z_m (uphill ground), dbh_cm (taped), height_m, lean_deg,
-// lean_azimuth_deg (clockwise from north), state (alive, dead), in_plot (0, 1), species, base_x_m, base_y_m, twin_of.
+// lean_azimuth_deg (clockwise from north), state (alive, dead), in_plot (0, 1), species, base_x_m, base_y_m, twin_of,
+// and bark_mm (depth of the fissures) where the recipe names species. Poles are among them.
 Table tree_table(const Forest& forest);
 // Thin stems crossing breast height that are no trees of the plot: sapling_id, x_m, y_m, z_m, dbh_cm, height_m.
 Table sapling_table(const std::vector<Sapling>& saplings);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/plot/deadwood.h"
 #include "sim/core/plot/plants.h"
 #include "sim/core/scene/random.h"
 #include "sim/core/scene/shapes.h"
@@ -46,7 +47,7 @@ class Grower {
     return first;
   }
   void place(int first_archetype, Random& random, const Eigen::Affine3f& T) {
-    scene_.placements.push_back({first_archetype + random.index(variants), T});
+    scene_.placements.push_back({first_archetype + random.index(variants), T, tree_id_});
   }
 
   // A branch from the surface of the stem at h; returns its points from foot to end.
@@ -58,11 +59,12 @@ class Grower {
   void fork(const Tree& tree, Random& random);
   Eigen::Vector3d ground_point(double margin, Random& random) const;
   int count_for(double per_ha) const;
-  bool is_free(const Eigen::Vector3d& p, double distance) const;
+  bool is_free(const Eigen::Vector3d& p, double distance) const { return is_free_ground(forest_, p, distance); }
 
   SceneModel& scene_;
   const Forest& forest_;
   std::uint64_t seed_;
+  int tree_id_ = 0;  // whose crown grows; 0: none
   int clumps_ = 0, sprays_ = 0, shrubs_ = 0, tufts_ = 0, rocks_ = 0;
 };
 
@@ -86,14 +88,14 @@ std::vector<Eigen::Vector3d> Grower::branch(TriangleMesh& wood, const StemShape&
 void Grower::broadleaf_crown(const Tree& tree, TriangleMesh& wood, Random& random, Random& leaves) {
   const auto& s = tree.stem;
   const double depth = s.height_m - tree.crown_base_h, reach = 0.22 * depth + 6.0 * s.radius_m + 0.6;
-  const int count = tree.in_plot ? 26 : 14;
+  const int count = tree.pole ? 8 : tree.in_plot ? 26 : 14;
   for (int i = 0; i < count; ++i) {
     const double up = (i + random.uniform()) / count, h = tree.crown_base_h + 0.92 * up * depth;
     // Widest a third up the crown.
     const double length = reach * std::max(0.25, std::sin(pi * (0.2 + 0.75 * up))) * random.uniform(0.7, 1.2);
     const auto path =
         branch(wood, s, h, random.angle(), random.uniform(0.2, 0.9), length, 0.012 + 0.02 * (1 - up), random);
-    for (int k = 0; k < (tree.in_plot ? 5 : 3); ++k) {
+    for (int k = 0; k < (tree.pole ? 2 : tree.in_plot ? 5 : 3); ++k) {
       const auto j = static_cast<std::size_t>(2 + leaves.index(3));
       place(clumps_, leaves,
             placement(path[j] + 0.35 * random_direction(leaves), leaves.angle(), leaves.uniform(0.8, 1.5)));
@@ -171,11 +173,13 @@ void Grower::crown(const Tree& tree) {
   const auto key = static_cast<std::uint64_t>(tree.id);
   Random random(seed_, Stream::branches, key), leaves(seed_, Stream::leaves, key);
   Piece wood{{}, Material::wood, wood_reflectivity, 0, tree.id};
+  tree_id_ = tree.id;
   if (tree.fork_h > 0) fork(tree, random);
   if (tree.alive && tree.species == Species::broadleaf) broadleaf_crown(tree, wood.mesh, random, leaves);
   if (tree.alive && tree.species == Species::conifer) conifer_crown(tree, wood.mesh, random, leaves);
   dead_branches(tree, wood.mesh, random);
   if (!wood.mesh.empty()) scene_.pieces.push_back(std::move(wood));
+  tree_id_ = 0;
 }
 
 int Grower::count_for(double per_ha) const {
@@ -187,14 +191,6 @@ Eigen::Vector3d Grower::ground_point(double margin, Random& random) const {
   const double reach = forest_.half_side_m() + forest_.recipe.buffer_m - margin;
   const double x = random.uniform(-reach, reach), y = random.uniform(-reach, reach);
   return {x, y, forest_.terrain.height(x, y)};
-}
-
-bool Grower::is_free(const Eigen::Vector3d& p, double distance) const {
-  if (forest_.recipe.is_vineyard() && p.head<2>().cwiseAbs().maxCoeff() < forest_.half_side_m()) return false;
-  for (const auto& target : forest_.targets)
-    if ((target.middle - p).head<2>().norm() < 1.0 + distance) return false;
-  return std::ranges::none_of(
-      forest_.trees, [&](const Tree& t) { return (t.stem.foot - p).head<2>().norm() < t.stem.radius_m + distance; });
 }
 
 void Grower::understorey(Vegetation& vegetation) {
@@ -262,7 +258,8 @@ void Grower::clutter(Vegetation& vegetation) {
   Piece logs{{}, Material::wood, wood_reflectivity};
   for (int i = count_for(forest_.recipe.terrain.fallen_stems_per_ha); i > 0; --i) {
     const Eigen::Vector3d p = ground_point(1, random);
-    const double length = random.uniform(1.5, 7), radius = random.uniform(0.03, 0.13), azimuth = random.angle();
+    const double length = random.uniform(1.5, 7),
+                 radius = random.uniform(0.03, 0.005 * forest_.recipe.terrain.fallen_max_cm), azimuth = random.angle();
     std::vector<Eigen::Vector3d> path;
     std::vector<double> radii;
     bool free = true;
@@ -285,6 +282,7 @@ Vegetation add_vegetation(SceneModel& scene, const Forest& forest, std::uint64_t
   for (const auto& tree : forest.trees) grower.crown(tree);
   grower.understorey(vegetation);
   grower.clutter(vegetation);
+  add_stumps(scene, forest, vegetation, seed);
   return vegetation;
 }
 

@@ -53,21 +53,26 @@ double growth_of_noise(double cos_incidence, double share) {
 Beam::Beam(const sensor::SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene,
            std::uint64_t seed)
     : sensor_(sensor), parameters_(parameters), scene_(scene), seed_(seed) {
-  for (std::size_t i = 0; i < sensor.channels.size(); ++i) {
-    const double elevation = sensor.channels[i].elevation_rad;
+  const std::size_t count = sensor.rosette ? static_cast<std::size_t>(sensor.rosette->beams) : sensor.channels.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    Random random(seed, Stream::calibration, i);
+    const double error = parameters.angle_error_rad, elevation_error = error * random.bounded_normal(),
+                 azimuth_error = error * random.bounded_normal();
+    const double elevation = (sensor.rosette ? 0 : sensor.channels[i].elevation_rad) + elevation_error;
     lasers_.push_back(
         {std::cos(elevation), std::sin(elevation),
-         parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal()});
+         parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal(),
+         elevation_error, azimuth_error});
   }
 }
 
-Beam::Return Beam::strongest(const RayHit hits[rays]) const {
+Beam::Returns Beam::returns_of(const RayHit hits[rays]) const {
   std::array<int, rays> order{};
   int count = 0;
   for (int i = 0; i < rays; ++i)
     if (hits[i].range_m > 0) order[static_cast<std::size_t>(count++)] = i;
   std::sort(order.begin(), order.begin() + count, [&](int a, int b) { return hits[a].range_m < hits[b].range_m; });
-  Return best;
+  Returns returns;
   double best_energy = 0;
   for (int first = 0; first < count;) {
     // A run of surfaces without a gap longer than the pulse is one return.
@@ -89,19 +94,23 @@ Beam::Return Beam::strongest(const RayHit hits[rays]) const {
         brightness += hit.reflectivity * std::sqrt(hit.cos_incidence);
     }
     const double range = sum > 0 ? moment / sum : 0;
-    if (sum > 0 && sum / (range * range) > best_energy) {
-      best_energy = sum / (range * range);
-      best = {range,
-              best_energy / rays,
-              brightness / rays,
-              retro / rays,
-              bark / sum,
-              cosine / sum,
-              static_cast<double>(next - first) / rays};
+    if (sum > 0) {
+      const double light = sum / (range * range);
+      if (light > best_energy) {
+        best_energy = light;
+        returns.strongest = returns.count;
+      }
+      returns.list[returns.count++] = {range,
+                                       light / rays,
+                                       brightness / rays,
+                                       retro / rays,
+                                       bark / sum,
+                                       cosine / sum,
+                                       static_cast<double>(next - first) / rays};
     }
     first = next;
   }
-  return best;
+  return returns;
 }
 
 std::uint8_t Beam::intensity(const Return& r, Random& random) const {
@@ -111,16 +120,48 @@ std::uint8_t Beam::intensity(const Return& r, Random& random) const {
   return static_cast<std::uint8_t>(std::clamp(100 * r.brightness / (1 + r.range_m / 120) * speckle, 1.0, 100.0));
 }
 
-sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse) const {
+// Water fills the pores and darkens all but foil, and its film sends grazing light away.
+void Beam::soak(RayHit& hit) const {
+  const auto darker = [&](double share) {
+    const double film = std::pow(std::max(0.02, static_cast<double>(hit.cos_incidence)), 0.7 * parameters_.wet);
+    hit.reflectivity *= static_cast<float>((1 - share * parameters_.wet) * film);
+  };
+  switch (hit.material) {
+    case Material::bark:
+    case Material::wood:
+      darker(0.5);
+      break;
+    case Material::leaf:
+    case Material::grass:
+      darker(0.35);
+      break;
+    case Material::ground:
+    case Material::rock:
+      darker(0.45);
+      break;
+    case Material::pole:
+    case Material::retro:
+      break;
+  }
+}
+
+// Drops on leaves and bark turn a share of the light aside.
+bool Beam::lost_in_water(const RayHit hits[rays], std::uint64_t pulse) const {
+  double plants = 0;
+  for (int i = 0; i < rays; ++i) {
+    const bool plant = hits[i].material == Material::bark || hits[i].material == Material::wood ||
+                       hits[i].material == Material::leaf || hits[i].material == Material::grass;
+    plants += hits[i].range_m > 0 && plant;
+  }
+  return Random(seed_, Stream::wet, pulse).chance(0.1 * parameters_.wet * plants / rays);
+}
+
+RayBundle Beam::rays_of(const Pose& T, const Shot& shot, const Eigen::Vector3d& axis, double spin) const {
   static const auto pattern = gaussian_pattern();
-  const Laser& laser = lasers_[channel];
-  Random random(seed_, Stream::pulse, pulse);
-  const double ce = laser.cos_elevation, se = laser.sin_elevation, ca = std::cos(azimuth_rad),
-               sa = std::sin(azimuth_rad);
-  const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * ca, -ce * sa, se);
+  const double ca = std::cos(shot.azimuth_rad), sa = std::sin(shot.azimuth_rad);
   const Eigen::Vector3d right = T.linear() * Eigen::Vector3d(-sa, -ca, 0), up = right.cross(axis);
   // A full 1/e^2 width is four standard deviations.
-  const double k = 0.25 * parameters_.divergence, spin = random.angle(), cs = std::cos(spin), ss = std::sin(spin);
+  const double k = 0.25 * parameters_.divergence, cs = std::cos(spin), ss = std::sin(spin);
   RayBundle bundle;
   bundle.max_range_m = static_cast<float>(sensor_.max_range_m);
   for (int i = 0; i < rays; ++i) {
@@ -136,25 +177,79 @@ sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_
       bundle.direction[d][i] = static_cast<float>(direction[d]);
     }
   }
-  RayHit hits[rays];
-  scene_.intersect(bundle, hits);
-  Return r = strongest(hits);
+  return bundle;
+}
+
+sensor::LaserEcho Beam::echo_of(Return r, const RayHit hits[rays], const Eigen::Vector3d& origin,
+                                const Eigen::Vector3d& axis, double bias_m, Random& random) const {
   if (r.range_m < sensor_.min_range_m || random.chance(parameters_.dropouts)) return {};
   // A tenth of the light from half the greatest range is seen every second time.
   const double faintest = 0.1 / (0.25 * sensor_.max_range_m * sensor_.max_range_m), strength = r.signal / faintest;
   if (!random.chance(strength * strength / (1 + strength * strength))) return {};
   if (parameters_.bark && r.bark_depth_m > 0) {
     int tree = 0;
-    for (const auto& hit : hits)
-      if (hit.bark_depth_m > 0) tree = hit.tree_id;
-    const Eigen::Vector3d at = T.translation() + r.range_m * axis;
+    for (int i = 0; i < rays; ++i)
+      if (hits[i].bark_depth_m > 0) tree = hits[i].tree_id;
+    const Eigen::Vector3d at = origin + r.range_m * axis;
     const double relief = parameters_.bark_facets ? bark_facet(at, tree) : bark_relief(at, tree);
     r.range_m += r.bark_depth_m * relief / std::max(0.25, r.cos_incidence);
   }
   const double sigma = parameters_.noise * sensor_.range_sigma_m * std::min(2.5, std::sqrt(1 + 1 / strength)) *
                        (1 + parameters_.noise_growth * growth_of_noise(r.cos_incidence, r.share));
-  const double range = r.range_m + laser.bias_m + sigma * random.bounded_normal(4);
+  const double range = r.range_m + bias_m + sigma * random.bounded_normal(4);
   return {static_cast<float>(range), intensity(r, random)};
+}
+
+Echoes Beam::measure(const Pose& T, const Shot& shot, std::uint64_t pulse, double time_s) const {
+  Random random(seed_, Stream::pulse, pulse);
+  const double ce = shot.cos_elevation;
+  const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * std::cos(shot.azimuth_rad),
+                                                            -ce * std::sin(shot.azimuth_rad), shot.sin_elevation);
+  RayBundle bundle = rays_of(T, shot, axis, random.angle());
+  bundle.time_s = time_s;
+  RayHit hits[rays];
+  scene_.intersect(bundle, hits);
+  if (parameters_.wet > 0) {
+    for (auto& hit : hits) soak(hit);
+    if (lost_in_water(hits, pulse)) return {};
+  }
+  const Returns returns = returns_of(hits);
+  const Return& best = returns.count > 0 ? returns.list[returns.strongest] : Return{};
+  Echoes echoes{echo_of(best, hits, T.translation(), axis, shot.bias_m, random), {}};
+  if (!parameters_.dual) return echoes;
+  echoes.last = echoes.strongest;
+  if (returns.count < 2) return echoes;
+  // The last return, or the second strongest where the last is the strongest.
+  const std::size_t last = returns.count - 1;
+  std::size_t other = last;
+  if (returns.strongest == last) {
+    other = 0;
+    for (std::size_t i = 0; i < last; ++i)
+      if (returns.list[i].signal > returns.list[other].signal) other = i;
+  }
+  Random second_random(seed_, Stream::second_return, pulse);
+  const auto second = echo_of(returns.list[other], hits, T.translation(), axis, shot.bias_m, second_random);
+  if (!(second.range_m > 0)) return echoes;
+  if (!(echoes.strongest.range_m > 0)) return {second, second};
+  (returns.strongest == last ? echoes.strongest : echoes.last) = second;
+  return echoes;
+}
+
+Echoes Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse, double time_s) const {
+  const Laser& laser = lasers_[channel];
+  return measure(T, {laser.cos_elevation, laser.sin_elevation, azimuth_rad + laser.azimuth_error_rad, laser.bias_m},
+                 pulse, time_s);
+}
+
+sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse) const {
+  return fire(T, channel, azimuth_rad, pulse, 0).strongest;
+}
+
+Echoes Beam::fire(const Pose& T, std::size_t laser_index, const Aim& aim, std::uint64_t pulse, double time_s) const {
+  const Laser& laser = lasers_[laser_index];
+  const double elevation = aim.elevation_rad + laser.elevation_error_rad;
+  return measure(T, {std::cos(elevation), std::sin(elevation), aim.azimuth_rad + laser.azimuth_error_rad, laser.bias_m},
+                 pulse, time_s);
 }
 
 }  // namespace bole::sim

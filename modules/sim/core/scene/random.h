@@ -22,7 +22,18 @@ enum class Stream : std::uint64_t {
   laser_bias,
   archetype,
   disturbance,
-  vineyard
+  vineyard,
+  imu,
+  // Of the harder stands and of the physics of the scan.
+  stand = 32,
+  poles,
+  deadwood,
+  wind,
+  operator_body,
+  wet,
+  second_return,
+  calibration,
+  clock
 };
 
 class Random : public bole::Random {

@@ -2,22 +2,17 @@
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "base/error.h"
+#include "sim/core/scene/ray_group.h"
 
 namespace bole::sim {
 namespace {
-
-// What a hit's (instance, geometry) stand for.
-struct Surface {
-  float reflectivity = 0;
-  float bark_depth_m = 0;
-  int tree_id = 0;
-  Material material = Material::ground;
-};
 
 Surface surface_of(const Piece& piece) {
   return {piece.reflectivity, piece.bark_depth_m, piece.tree_id, piece.material};
@@ -42,17 +37,16 @@ RTCGeometry make_geometry(RTCDevice device, const TriangleMesh& mesh) {
 
 struct RayScene::Impl {
   RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
   std::vector<RTCScene> archetype_scenes;
   std::vector<std::vector<Surface>> archetype_surfaces;  // [archetype][geometry]
-  std::vector<Surface> surfaces;                         // [geometry] of pieces
-  // Of placements, whose geometry ids follow those of the pieces: archetype and rotation/scale, to turn normals.
-  std::vector<int> placed_archetype;
-  std::vector<Eigen::Matrix3f> rotations;
+  Group rest;
+  std::vector<Group> trees;  // that sway
   std::size_t triangles = 0;
 
   ~Impl() {
-    if (scene) rtcReleaseScene(scene);
+    if (rest.scene) rtcReleaseScene(rest.scene);
+    for (const auto& tree : trees)
+      if (tree.scene) rtcReleaseScene(tree.scene);
     for (auto* s : archetype_scenes) rtcReleaseScene(s);
     if (device) rtcReleaseDevice(device);
   }
@@ -62,8 +56,7 @@ struct RayScene::Impl {
     archetype_scenes.push_back(inner);
     auto& list = archetype_surfaces.emplace_back();
     for (const auto& piece : archetype.pieces) attach(inner, piece, list);
-    rtcSetSceneBuildQuality(inner, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(inner);
+    commit(inner);
   }
   void attach(RTCScene to, const Piece& piece, std::vector<Surface>& list) {
     if (piece.mesh.empty()) return;
@@ -73,28 +66,62 @@ struct RayScene::Impl {
     list.push_back(surface_of(piece));
     triangles += piece.mesh.triangles.size();
   }
-  void add_placement(const Placement& placement) {
+  void add_placement(Group& group, const Placement& placement) {
     RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(instance, archetype_scenes.at(static_cast<std::size_t>(placement.archetype)));
     const Eigen::Matrix<float, 3, 4> T = placement.T_plot_archetype.matrix().topRows<3>();
     rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, T.data());
     rtcCommitGeometry(instance);
-    rtcAttachGeometryByID(scene, instance, static_cast<unsigned>(surfaces.size() + rotations.size()));
+    rtcAttachGeometryByID(group.scene, instance, static_cast<unsigned>(group.surfaces.size() + group.rotations.size()));
     rtcReleaseGeometry(instance);
-    placed_archetype.push_back(placement.archetype);
-    rotations.emplace_back(placement.T_plot_archetype.linear());
+    group.placed_archetype.push_back(placement.archetype);
+    group.rotations.emplace_back(placement.T_plot_archetype.linear());
+  }
+  static void commit(RTCScene s) {
+    rtcSetSceneBuildQuality(s, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitScene(s);
+  }
+  void build(const SceneModel& model, const Wind* wind) {
+    rest.scene = rtcNewScene(device);
+    std::map<int, Group*> swaying;
+    if (wind) {
+      trees.resize(wind->trees().size());  // they stay where they are: Embree points to them
+      for (std::size_t i = 0; i < trees.size(); ++i) {
+        trees[i].scene = rtcNewScene(device);
+        trees[i].sway = &wind->trees()[i];
+        trees[i].number = static_cast<unsigned>(i);
+        swaying[trees[i].sway->tree_id] = &trees[i];
+      }
+    }
+    const auto group_of = [&](int tree_id) -> Group& {
+      const auto it = tree_id > 0 ? swaying.find(tree_id) : swaying.end();
+      return it == swaying.end() ? rest : *it->second;
+    };
+    for (const auto& piece : model.pieces) {
+      Group& group = group_of(piece.tree_id);
+      attach(group.scene, piece, group.surfaces);
+      if (group.sway) group.cover(piece.mesh, Eigen::Affine3f::Identity());
+    }
+    for (const auto& placement : model.placements) {
+      Group& group = group_of(placement.tree_id);
+      add_placement(group, placement);
+      if (!group.sway) continue;
+      for (const auto& piece : model.archetypes[static_cast<std::size_t>(placement.archetype)].pieces)
+        group.cover(piece.mesh, placement.T_plot_archetype);
+    }
+    for (auto& tree : trees) {
+      commit(tree.scene);
+      attach_swaying(device, rest.scene, tree);
+    }
+    commit(rest.scene);
   }
 };
 
-RayScene::RayScene(const SceneModel& model) : impl_(std::make_unique<Impl>()) {
+RayScene::RayScene(const SceneModel& model, const Wind* wind) : impl_(std::make_unique<Impl>()) {
   impl_->device = rtcNewDevice(nullptr);
   if (!impl_->device) throw failure("Embree could not start");
   for (const auto& archetype : model.archetypes) impl_->add_archetype(archetype);
-  impl_->scene = rtcNewScene(impl_->device);
-  for (const auto& piece : model.pieces) impl_->attach(impl_->scene, piece, impl_->surfaces);
-  for (const auto& placement : model.placements) impl_->add_placement(placement);
-  rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_HIGH);
-  rtcCommitScene(impl_->scene);
+  impl_->build(model, wind);
   if (const RTCError error = rtcGetDeviceError(impl_->device); error != RTC_ERROR_NONE)
     throw failure("Embree error " + std::to_string(static_cast<int>(error)) + " while building the scene");
 }
@@ -128,25 +155,23 @@ void RayScene::intersect(const RayBundle& rays, RayHit hits[RayBundle::size]) co
     packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect8(valid, impl_->scene, &context, &packet);
+  intersect_at(rays.time_s, impl_->rest.scene, valid, packet);
   for (int i = 0; i < n; ++i) {
     if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
       hits[i] = {};
       continue;
     }
+    const unsigned part = packet.hit.primID[i];
+    const Group& group = part & in_swaying_tree ? impl_->trees[part & ~in_swaying_tree] : impl_->rest;
     Eigen::Vector3f normal(packet.hit.Ng_x[i], packet.hit.Ng_y[i], packet.hit.Ng_z[i]);
     const Surface* surface = nullptr;
     if (const unsigned instance = packet.hit.instID[0][i]; instance != RTC_INVALID_GEOMETRY_ID) {
-      const std::size_t placement = instance - impl_->surfaces.size();
-      normal = impl_->rotations[placement] * normal;
-      surface =
-          &impl_
-               ->archetype_surfaces[static_cast<std::size_t>(impl_->placed_archetype[placement])][packet.hit.geomID[i]];
+      const std::size_t placement = instance - group.surfaces.size();
+      normal = group.rotations[placement] * normal;
+      const auto archetype = static_cast<std::size_t>(group.placed_archetype[placement]);
+      surface = &impl_->archetype_surfaces[archetype][packet.hit.geomID[i]];
     } else {
-      surface = &impl_->surfaces[packet.hit.geomID[i]];
+      surface = &group.surfaces[packet.hit.geomID[i]];
     }
     const Eigen::Vector3f direction(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
     hits[i] = {packet.ray.tfar[i],    std::abs(normal.normalized().dot(direction)),

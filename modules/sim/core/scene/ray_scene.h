@@ -14,6 +14,7 @@ struct RayBundle {
   float origin[3][size];
   float direction[3][size];  // unit
   float max_range_m = 200;
+  double time_s = 0;  // of the pulse, since the start of the recording: trees sway
 };
 
 struct RayHit {
@@ -25,11 +26,13 @@ struct RayHit {
   Material material = Material::ground;
 };
 
+class Wind;
+
 class RayScene {
  public:
-  // Builds the acceleration structure; the model's triangles are copied. Throws Error{failed} when Embree reports an
-  // error.
-  explicit RayScene(const SceneModel& model);
+  // Builds the acceleration structure; the model's triangles are copied. With `wind` its trees sway; it must outlive
+  // the scene. Throws Error{failed} when Embree reports an error.
+  explicit RayScene(const SceneModel& model, const Wind* wind = nullptr);
   ~RayScene();
   RayScene(RayScene&&) noexcept;
   RayScene& operator=(RayScene&&) noexcept;

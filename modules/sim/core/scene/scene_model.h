@@ -37,6 +37,7 @@ struct Archetype {
 struct Placement {
   int archetype = 0;
   Eigen::Affine3f T_plot_archetype = Eigen::Affine3f::Identity();  // rotation, translation and one scale for all axes
+  int tree_id = 0;                                                 // 0: belongs to no tree
 };
 
 struct SceneModel {

@@ -58,18 +58,16 @@ void FrameFileWriter::add(const FiringSequence& s) {
   for (std::size_t c = 0; c < s.echoes.size(); ++c) {
     const auto& echo = s.echoes[c];
     if (!(echo.range_m > 0)) continue;
-    const auto& laser = sensor_.channels[c];
     const double quantum = sensor_.range_quantum_m,
                  range = quantum > 0 ? std::round(echo.range_m / quantum) * quantum : echo.range_m;
-    // A laser that fires within the sequence does so at a rotor turned further.
-    const double a = s.azimuth_rad + s.turn_rad_s * laser.firing_time_s + laser.azimuth_offset_rad,
-                 flat = range * std::cos(laser.elevation_rad);
+    const auto [a, elevation] = s.aim(sensor_, c);
+    const double flat = range * std::cos(elevation);
     points_.push_back(static_cast<float>(flat * std::cos(a)));
     points_.push_back(static_cast<float>(-flat * std::sin(a)));
-    points_.push_back(static_cast<float>(range * std::sin(laser.elevation_rad)));
+    points_.push_back(static_cast<float>(range * std::sin(elevation)));
     points_.push_back(static_cast<float>(echo.intensity) / 255.0f);
-    point_times_s_.push_back(static_cast<float>(s.time_s - frame_starts_s_.back() + laser.firing_time_s));
-    rings_.push_back(static_cast<std::uint16_t>(laser.ring));
+    point_times_s_.push_back(static_cast<float>(s.time_s - frame_starts_s_.back() + s.delay_s(sensor_, c)));
+    rings_.push_back(static_cast<std::uint16_t>(sensor_.rosette ? 0 : sensor_.channels[c].ring));
   }
 }
 

@@ -9,9 +9,10 @@
 
 namespace bole::sim {
 
-// One set of files per turn of the rotor: NNNNNN.bin (KITTI: float32 x, y, z, intensity 0 to 1; sensor axes, in order
-// of firing), NNNNNN.time (float32 seconds after the frame's line in times.txt), NNNNNN.ring (uint16, 0 lowest); beside
-// them times.txt (start of each frame, seconds since the Unix epoch) and sensor.json ({"sensor": id}).
+// One set of files per turn of the rotor (per 1 / rotation rate for a scanner without lines, ring 0): NNNNNN.bin
+// (KITTI: float32 x, y, z, intensity 0 to 1; sensor axes, in order of firing), NNNNNN.time (float32 seconds after the
+// frame's line in times.txt), NNNNNN.ring (uint16, 0 lowest); beside them times.txt (start of each frame, seconds since
+// the Unix epoch) and sensor.json ({"sensor": id}).
 class FrameFileWriter final : public ScanWriter {
  public:
   FrameFileWriter(const sensor::SensorModel& sensor, const std::filesystem::path& folder, double epoch_s);

@@ -13,6 +13,9 @@ namespace {
 
 constexpr double cell_m = 0.1;
 
+// A thin pole is passed closer than a stem.
+double clearance_to(const Tree& tree, double clearance_m) { return tree.pole ? 0.5 * clearance_m : clearance_m; }
+
 // Where one may walk and at what cost per metre.
 class CostGrid {
  public:
@@ -27,7 +30,7 @@ class CostGrid {
       const Eigen::Vector2d at = tree.stem.axis(0.9).head<2>();
       const double r = tree.stem.mean_radius(0.4);
       spread(at, r + 1.0, [&](double d) {
-        return d < r + clearance_m ? blocked : 1 + 4 * std::clamp((r + 1.0 - d) / 0.5, 0.0, 1.0);
+        return d < r + clearance_to(tree, clearance_m) ? blocked : 1 + 4 * std::clamp((r + 1.0 - d) / 0.5, 0.0, 1.0);
       });
     }
     for (const auto& t : forest.targets)
@@ -138,7 +141,7 @@ void smooth(std::vector<Eigen::Vector2d>& path, const Forest& forest, double cle
     for (auto& p : next)
       for (const auto& tree : forest.trees) {
         const Eigen::Vector2d from_stem = p - tree.stem.axis(0.9).head<2>();
-        const double reach = tree.stem.mean_radius(0.4) + clearance_m + 0.05, d = from_stem.norm();
+        const double reach = tree.stem.mean_radius(0.4) + clearance_to(tree, clearance_m) + 0.05, d = from_stem.norm();
         if (d < reach && d > 1e-6) p += from_stem * ((reach - d) / d);
       }
     path = std::move(next);

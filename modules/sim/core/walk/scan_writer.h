@@ -17,7 +17,8 @@ class ScanWriter {
 };
 
 // walk.pcap for sensors with Velodyne packets, frames/NNNNNN.bin otherwise. `epoch_s`: the time of the first firing.
+// `dual`: packets with the strongest and the last return. Throws Error{bad_input} where the sensor has no such packets.
 std::unique_ptr<ScanWriter> make_scan_writer(const sensor::SensorModel& sensor, const std::filesystem::path& out_dir,
-                                             double epoch_s);
+                                             double epoch_s, bool dual = false);
 
 }  // namespace bole::sim

@@ -138,18 +138,32 @@ Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
                roll = std::atan2(0.5 * (front_left + rear_left - front_right - rear_right), 2 * half_width_m) +
                       shake * (std::sin(2 * pi * 5.1 * t + phases_[2]) + std::sin(2 * pi * 6.7 * t + phases_[3]));
   Pose T = Pose::Identity();
-  T.linear() = rotation_from_rpy(roll, pitch, yaw);
+  const Eigen::Matrix3d body = rotation_from_rpy(roll, pitch, yaw);
+  T.linear() = parameters_.mount_tilt_rad == 0
+                   ? body
+                   : Eigen::Matrix3d(body * Eigen::AngleAxisd(parameters_.mount_tilt_rad, Eigen::Vector3d::UnitY()));
   const Eigen::Vector3d base(at.x(), at.y(), 0.25 * (front_left + front_right + rear_left + rear_right));
-  T.translation() = base + parameters_.sensor_height_m * T.linear().col(2);
+  T.translation() = base + parameters_.sensor_height_m * body.col(2);
   return T;
 }
+
+Eigen::Matrix3d Walk::mount() const {
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  if (parameters_.mount_tilt_rad == 0) return turned;
+  return Eigen::AngleAxisd(parameters_.mount_tilt_rad, Eigen::Vector3d::UnitY()) * turned;
+}
+
+double Walk::heading_rad(double t) const { return spline(knots_, progress(t).distance_m / step_m)[3] + turned_rad(t); }
+
+double Walk::stride_rad(double t) const { return pi * step_hz_ * t + phases_[1]; }
 
 Pose Walk::pose(double t) const {
   const auto [distance, pace] = progress(t);
   const Eigen::Vector4d k = spline(knots_, distance / step_m);
   if (parameters_.carrier == Carrier::robot) return robot_pose(k, pace, t);
-  // Even a standing person trembles a little.
-  const double step = parameters_.gait * pace, hand = 0.04 + 0.96 * pace;
+  // Even a standing person trembles a little. On the back nothing wanders like a hand.
+  const double step = parameters_.gait * pace,
+               hand = (0.04 + 0.96 * pace) * (parameters_.carrier == Carrier::backpack ? 0.3 : 1);
   const double beat = 2 * pi * step_hz_ * t;
   const double bob = 0.022 * step * std::cos(beat + phases_[0]);
   const double sway = 0.025 * step * std::sin(0.5 * beat + phases_[1]);
@@ -158,8 +172,7 @@ Pose Walk::pose(double t) const {
   const double yaw =
       k[3] + turned_rad(t) + 2.0 * rad_per_deg * step * std::sin(0.5 * beat + phases_[3]) + hand * swings_[2].at(t);
   Pose T = Pose::Identity();
-  T.linear() = rotation_from_rpy(roll, pitch, yaw) *
-               Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  T.linear() = rotation_from_rpy(roll, pitch, yaw) * mount();
   T.translation() = Eigen::Vector3d(k[0] - sway * std::sin(k[3]), k[1] + sway * std::cos(k[3]),
                                     k[2] + parameters_.sensor_height_m + bob + hand * swings_[3].at(t));
   return T;

@@ -12,9 +12,10 @@
 
 namespace bole::sim {
 
-// robot: on tracks, tilted with the ground under them, with vibration in place of a gait.
-enum class Carrier { person, robot };
-constexpr std::array<std::string_view, 2> choice_names(Carrier) { return {"person", "robot"}; }
+// person: held in the hand; robot: on tracks, tilted with the ground under them, with vibration in place of a gait;
+// backpack: on a frame on the back, which steps and rolls with the trunk but has no wandering hand.
+enum class Carrier { person, robot, backpack };
+constexpr std::array<std::string_view, 3> choice_names(Carrier) { return {"person", "robot", "backpack"}; }
 
 struct WalkParameters {
   double speed_m_s = 1.0;
@@ -24,6 +25,7 @@ struct WalkParameters {
   std::optional<double> max_s;  // longest recording; left open: until the end of the route
   double turn_rad = 0;          // on the spot, after standing still, at up to 90 deg/s
   Carrier carrier = Carrier::person;
+  double mount_tilt_rad = 0;  // of the sensor in its mount, forward down; pi: upside down
 };
 
 class Walk {
@@ -38,6 +40,12 @@ class Walk {
   double length_m() const { return length_m_; }
   // T_plot_sensor at a time since the start of the recording, 0 to duration_s().
   Pose pose(double time_s) const;
+  // Direction in which the carrier goes, counter-clockwise from east.
+  double heading_rad(double time_s) const;
+  // Phase of the left and right step, and how much of a step there is (0 standing, 1 at full speed).
+  double stride_rad(double time_s) const;
+  double pace(double time_s) const { return progress(time_s).pace; }
+  Carrier carrier() const { return parameters_.carrier; }
   Trajectory trajectory(double rate_hz, double epoch_s) const;
 
  private:
@@ -51,6 +59,7 @@ class Walk {
   Progress progress(double t) const;
   double turned_rad(double t) const;
   Pose robot_pose(const Eigen::Vector4d& knot, double pace, double t) const;
+  Eigen::Matrix3d mount() const;  // of the sensor in its carrier
   Swing make_swing(double size, class Random& random) const;
 
   WalkParameters parameters_;

@@ -1,9 +1,9 @@
-// The walk divided into passes (cloud/path_passes.h), with the keyframes of the map.
+// The walk divided into passes (cloud/core/path_passes.h), with the keyframes of the map.
 #pragma once
 
 #include <vector>
 
-#include "cloud/path_passes.h"
+#include "cloud/core/path_passes.h"
 #include "slam/core/map/path.h"
 
 namespace bole::slam {

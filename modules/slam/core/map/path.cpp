@@ -110,6 +110,8 @@ Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vec
                       interpolate(nodes.back().T_target_sensor, motions[k].T_map_begin, 0.5)};
     else
       nodes.push_back({begin_s, motions[k].T_map_begin});
+    if (const double middle_s = 0.5 * (begin_s + end_s); motions[k].shape && middle_s > nodes.back().time_s)
+      nodes.push_back({middle_s, motions[k].at(0.5)});
     if (end_s > nodes.back().time_s) nodes.push_back({end_s, motions[k].T_map_end});
   }
   return Path(std::move(nodes));

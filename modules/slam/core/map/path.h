@@ -56,7 +56,7 @@ class Path {
 };
 
 // A path through frames, with a node where each begins and ends. A begin less than `join_s` after the last end is
-// merged with it.
+// merged with it. A frame whose motion has a shape also has one in its middle.
 Path path_through_frames(const std::vector<FrameMotion>& motions, const std::vector<std::pair<double, double>>& spans_s,
                          double join_s = 0.02);
 

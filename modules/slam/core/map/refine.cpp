@@ -3,53 +3,13 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "slam/core/map/banded_system.h"
+
 namespace bole::slam {
 namespace {
-
-// Normal equations of a chain of poses where each point touches four neighbours.
-class BandedSystem {
- public:
-  static constexpr std::size_t band = 4;
-  explicit BandedSystem(std::size_t nodes) : blocks_(nodes * band, Matrix6d::Zero()), g_(nodes, Vector6d::Zero()) {}
-
-  // The block (node, node + ahead).
-  Matrix6d& block(std::size_t node, std::size_t ahead) { return blocks_[node * band + ahead]; }
-  Vector6d& gradient(std::size_t node) { return g_[node]; }
-  std::size_t nodes() const { return g_.size(); }
-
-  // Empty where the system has no solution.
-  std::vector<Vector6d> solve() const {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(blocks_.size() * 36);
-    const auto n = nodes();
-    Eigen::VectorXd g(6 * static_cast<Eigen::Index>(n));
-    for (std::size_t i = 0; i < n; ++i) {
-      g.segment<6>(6 * static_cast<Eigen::Index>(i)) = g_[i];
-      for (std::size_t a = 0; a < band && i + a < n; ++a)
-        for (int r = 0; r < 6; ++r)
-          for (int c = 0; c < 6; ++c)
-            entries.emplace_back(static_cast<int>(6 * (i + a)) + c, static_cast<int>(6 * i) + r,
-                                 blocks_[i * band + a](r, c));
-    }
-    Eigen::SparseMatrix<double> H(g.size(), g.size());
-    H.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(H);
-    if (solver.info() != Eigen::Success) return {};
-    const Eigen::VectorXd x = solver.solve(-g);
-    if (!x.allFinite()) return {};
-    std::vector<Vector6d> steps(n);
-    for (std::size_t i = 0; i < n; ++i) steps[i] = x.segment<6>(6 * static_cast<Eigen::Index>(i));
-    return steps;
-  }
-
- private:
-  std::vector<Matrix6d> blocks_;
-  std::vector<Vector6d> g_;
-};
 
 // Sums over the points of one frame: for each piece of the path that it touches, equations on the four nodes of that
 // piece.
@@ -191,7 +151,7 @@ double move_nodes(Path& path, const std::vector<Vector6d>& steps) {
 }  // namespace
 
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
-                         const Run& run) {
+                         const Run& run, InertialTerms* inertial) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
   FeatureMaps maps(settings.cell_size);
   constexpr std::size_t batch = 64;  // frames between checks of the cancel flag
@@ -199,7 +159,7 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
     const Run part = run.part(static_cast<double>(iteration) / settings.iterations,
                               static_cast<double>(iteration + 1) / settings.iterations);
     build_map(out.path, frames, maps, part);
-    BandedSystem system(out.path.nodes().size());
+    BandedSystem system(out.path.nodes().size(), inertial ? inertial->unknowns() : 0);
     double squared_error = 0;
     std::size_t inliers = 0;
     for (std::size_t begin = 0; begin < frames.size(); begin += batch) {
@@ -224,11 +184,14 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
       }
     }
     add_smoothness(out.path, settings, system);
+    if (inertial) inertial->add(out.path, system);
     // The first pose fixes the map.
     system.block(0, 0).diagonal().array() += 1e10;
 
-    const auto steps = system.solve();
+    Eigen::VectorXd border, mount(inertial ? static_cast<Eigen::Index>(inertial->calibrated()) : 0);
+    const auto steps = system.solve(border, &mount);
     if (out.stopped = objection(steps); !out.stopped.empty()) break;
+    if (inertial) inertial->move(border, mount);
     out.step_size.push_back(move_nodes(out.path, steps));
     out.rms.push_back(inliers ? std::sqrt(squared_error / static_cast<double>(inliers)) : 0);
   }

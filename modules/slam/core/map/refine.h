@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "slam/core/map/inertial_terms.h"
 #include "slam/core/map/path.h"
 #include "slam/core/odometry/registration.h"
 #include "slam/core/options.h"
@@ -35,8 +36,9 @@ struct RefineResult {
   std::string stopped;            // why an iteration was not credible: `path` is that before it; else empty
 };
 
+// With `inertial`, the measurements between nodes hold the path as well, and its biases and gravity are estimated.
 // Throws Error{cancelled}. Stops after the current iteration when asked to finish.
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
-                         const Run& run);
+                         const Run& run, InertialTerms* inertial = nullptr);
 
 }  // namespace bole::slam

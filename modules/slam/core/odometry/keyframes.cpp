@@ -11,7 +11,7 @@ Keyframe make_keyframe(std::size_t frame, double time_s, const FeatureSet& featu
   out.frame = frame;
   out.time_s = time_s;
   out.T_map_keyframe = motion.T_map_end;
-  const PoseGrid poses(FrameMotion{motion.T_map_end.inverse() * motion.T_map_begin, Pose::Identity()});
+  const PoseGrid poses(FrameMotion{motion.T_map_end.inverse() * motion.T_map_begin, Pose::Identity(), motion.shape});
   const auto bring = [&](const std::vector<FeaturePoint>& from, std::vector<Eigen::Vector3f>& to) {
     to.reserve(from.size());
     for (const auto& p : from) to.push_back(poses.in_map(p.position, p.s).cast<float>());

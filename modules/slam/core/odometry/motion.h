@@ -1,25 +1,44 @@
 // The motion of the sensor within a frame, and points moved into map axes with it.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 #include "base/transform.h"
 
 namespace bole::slam {
 
-// Motion over one frame: rotation by slerp, translation linear.
+// How the motion within a frame departs from a straight one, as an inertial unit saw it: the pose at s is
+// interpolate(begin, end, s) after(s). A correction of begin and end leaves it as it is.
+struct MotionShape {
+  static constexpr std::size_t steps = 32;
+  std::array<Pose, steps + 1> after;
+
+  Pose at(double s) const {
+    const double x = std::clamp(s, 0.0, 1.0) * static_cast<double>(steps);
+    const auto i = std::min(static_cast<std::size_t>(x), steps - 1);
+    return interpolate(after[i], after[i + 1], x - static_cast<double>(i));
+  }
+};
+
+// Motion over one frame: rotation by slerp, translation linear, or with the shape that was measured.
 struct FrameMotion {
   Pose T_map_begin = Pose::Identity();
   Pose T_map_end = Pose::Identity();
+  std::shared_ptr<const MotionShape> shape = nullptr;
 
-  Pose at(double s) const { return interpolate(T_map_begin, T_map_end, s); }
+  Pose at(double s) const {
+    const Pose straight = interpolate(T_map_begin, T_map_end, s);
+    return shape ? Pose(straight * shape->at(s)) : straight;
+  }
   // The motion over the frame in the axes of its begin.
   Pose delta() const { return T_map_begin.inverse() * T_map_end; }
 };
 
 // Constant motion of `span_s` about the middle of a frame. The velocity (turn rad/s, shift m/s) is in sensor axes.
 inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) {
-  return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity)};
+  return {T_map_mid * se3_exp(-0.5 * span_s * velocity), T_map_mid * se3_exp(0.5 * span_s * velocity), nullptr};
 }
 
 // Poses over a frame on a fine grid of s, so that a point costs two matrix products and no trigonometry. Points are

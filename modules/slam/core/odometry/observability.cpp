@@ -92,10 +92,27 @@ Observability weakest_of(const Information& sums) {
   if (solver.info() != Eigen::Success) return out;
   out.weakest = std::max(0.0, solver.eigenvalues()[0]);
   out.motion = solver.eigenvectors().col(0).normalized();
+  out.strengths = solver.eigenvalues();
+  out.motions = solver.eigenvectors();
+  out.noise = noise;
   return out;
 }
 
 }  // namespace
+
+// Eigenvectors V of the pair have V^T noise V = I, so what a motion x has of them is V^T noise x.
+std::optional<Matrix6d> Observability::determined(double least) const {
+  if (!strengths) return Matrix6d::Zero();
+  Matrix6d P = Matrix6d::Identity();
+  bool all = true;
+  for (int k = 0; k < 6; ++k) {
+    if ((*strengths)[k] >= least) continue;
+    all = false;
+    P -= motions.col(k) * motions.col(k).transpose() * noise;
+  }
+  if (all) return std::nullopt;
+  return P;
+}
 
 std::string Observability::motion_text() const {
   const Eigen::Vector3d turn = motion.head<3>(), shift = motion.tail<3>();

@@ -3,6 +3,7 @@
 // information along them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "slam/core/odometry/registration.h"
@@ -14,6 +15,14 @@ struct Observability {
   // alone would give along it. About 1: there is only noise.
   double weakest = 0;
   Vector6d motion = Vector6d::Zero();  // the weakest: turn about the sensor (rad) and shift (m), map axes, of length 1
+
+  // All six, weakest first: information over that of the noise, motions in columns and the information of the noise.
+  // Empty where there are too few points.
+  std::optional<Vector6d> strengths;
+  Matrix6d motions = Matrix6d::Identity(), noise = Matrix6d::Identity();
+
+  // Takes the motions that are observed less than `least` out of a motion; nothing where all are.
+  std::optional<Matrix6d> determined(double least) const;
 
   // "a shift along (1.00, 0.00, 0.00)" or "a turn about (...)", map axes.
   std::string motion_text() const;

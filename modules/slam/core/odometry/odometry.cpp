@@ -43,10 +43,12 @@ std::string percent(double share) { return number_text(std::round(share * 100)) 
 
 }  // namespace
 
-Odometry::Odometry(const SlamSettings& settings)
+Odometry::Odometry(const SlamSettings& settings, const InertialUnit* unit)
     : settings_(settings),
       local_map_(settings.cell_size, static_cast<std::size_t>(settings.neighbour_keyframes), settings.local_map),
-      last_frame_map_(2 * settings.cell_size) {}
+      last_frame_map_(2 * settings.cell_size) {
+  if (unit) filter_.emplace(*unit);
+}
 
 // Constant velocity from the last good frame. Over a gap, the mean motion of the last stride predicts better than one
 // moment of the gait.
@@ -136,12 +138,13 @@ RegistrationSettings Odometry::base_settings() const {
 Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                                   const Run& run) {
   Registration r;
-  if (begin_s - last_good().end_s <= max_join_s) {
+  if (begin_s - last_good().end_s <= max_join_s || can_be_followed(begin_s)) {
     r = followed(guess, begin_s, end_s, features, run);
     if (r.overlap >= min_overlap()) return r;
   }
   Registration again = searched(begin_s, end_s, features, run);
   if (again.overlap <= r.overlap) return r;
+  joined_ = false;
   found_again_after_s_ = begin_s - last_good().end_s;
   // A frame that did not fit because it is bent, and not because of a gap, is found in wrong places as well.
   unsettled_ = settings_.deskew == Deskew::once && again.overlap < sure_share * usual_overlap();
@@ -166,6 +169,11 @@ Registration Odometry::followed(const FrameMotion& guess, double begin_s, double
   RegistrationSettings settings = base_settings();
   if (elastic()) {
     settings.model = MotionModel::elastic;
+    joined_ = expected_.has_value();
+    if (joined_) {
+      join_inertial(settings);
+      return register_frame(features.query, local_map_.maps(), expected_->motion, settings, run);
+    }
     hold_to_gait(settings, std::max(0.0, begin_s - last_good().end_s));
     return register_frame(features.query, local_map_.maps(), guess, settings, run);
   }
@@ -312,7 +320,11 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   if (frames_.empty()) return add_first(frame, features);
 
   const bool determined = locate(frame, features, run);
-  failed_in_a_row_ = frame.ok ? 0 : failed_in_a_row_ + 1;
+  if (filter_) settle_inertial(frame);
+  if (frame.ok)
+    failed_in_a_row_ = 0;
+  else if (!frame.bridged)
+    ++failed_in_a_row_;
   travelled_ += (frame.motion.T_map_end.translation() - frames_.back().motion.T_map_end.translation()).norm();
   frames_.push_back(frame);
   if (frame.ok) last_good_ = frames_.size() - 1;
@@ -330,6 +342,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
 
 void Odometry::add_first(TrackedFrame frame, const Features& features) {
   if (features.query.size() < min_features) return;  // too few to start a map with
+  if (filter_) start_inertial(frame);
   frames_.push_back(std::move(frame));
   add_keyframe(features, frames_.back());
 }
@@ -341,7 +354,10 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   doubt_ = 0;
   bent_ = false;
   unsettled_ = false;
-  const FrameMotion prediction = predicted(frame.begin_s, frame.end_s);
+  joined_ = false;
+  found_state_.reset();
+  expected_ = filter_ ? filter_->predict(frame.begin_s, frame.end_s) : std::nullopt;
+  const FrameMotion prediction = expected_ ? expected_->motion : predicted(frame.begin_s, frame.end_s);
   frame.motion = prediction;
   if (features.query.size() < min_features) {
     frame.ok = false;
@@ -351,8 +367,11 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   Stopwatch watch;
   const FrameMotion guess = guessed(prediction, frame.begin_s, frame.end_s, features, run);
   times_.guess_s += watch.lap();
-  const Registration r = registered(guess, frame.begin_s, frame.end_s, features, run);
+  Registration r = registered(guess, frame.begin_s, frame.end_s, features, run);
   times_.register_s += watch.lap();
+  const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
+  auto open = open_motion(r, seen);
+  if (joined_) open = bridged_motion(r, open, seen, guess, frame, features, run);
   frame.sigma0 = r.sigma0;
   frame.covariance = r.covariance;
   frame.overlap = r.overlap;
@@ -361,14 +380,12 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   frame.conditioning = r.conditioning;
   frame.converged = r.converged;
   frame.bent = bent_;
-  const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
   frame.observability = seen.weakest;
-  const auto open = open_motion(r, seen);
   const auto why = objection(r, open, prediction, frame.begin_s, frame.end_s);
   times_.judge_s += watch.lap();
   frame.ok = why.empty();
   if (frame.ok) {
-    frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end)};
+    frame.motion = {orthonormal(r.motion.T_map_begin), orthonormal(r.motion.T_map_end), r.motion.shape};
     return true;
   }
   why_failed_ = why;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "slam/core/inertial/inertial_filter.h"
 #include "slam/core/odometry/keyframes.h"
 #include "slam/core/odometry/observability.h"
 #include "slam/core/options.h"
@@ -24,6 +25,9 @@ struct TrackedFrame {
   int iterations = 0;
   bool converged = true;  // see Registration; the first frame is not registered
   bool bent = false;      // did not move as assumed for de-skewing; begin and end were fitted, see register_bent()
+  bool joined = false;    // registered together with the inertial unit
+  double tension = 0;     // between the inertial unit and the points, see InertialFilter::tension()
+  bool bridged = false;   // the inertial unit led over a motion that the surroundings leave open, or over the frame
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };
 
@@ -33,7 +37,9 @@ struct OdometryTimes {
 
 class Odometry {
  public:
-  explicit Odometry(const SlamSettings& settings);
+  // With an inertial unit its measurements predict each frame, shape the motion within it, and are the prior of its
+  // registration. The map is then level from the start.
+  explicit Odometry(const SlamSettings& settings, const InertialUnit* unit = nullptr);
 
   // Adds a frame. A frame that does not agree with the map is kept with its predicted motion and marked as not ok; see
   // lost().
@@ -54,6 +60,9 @@ class Odometry {
   // Time between the last frame and the last good one before it, when the sensor had to be found again; else 0.
   double found_again_after_s() const { return found_again_after_s_; }
   double doubt() const { return doubt_; }  // see Relocalisation
+
+  // The state at the last frame; null without an inertial unit, or before it could start.
+  const InertialState* inertial() const { return filter_ && filter_->started() ? &filter_->state() : nullptr; }
 
   // Call after the last frame. A walk that never had a well-determined frame is withdrawn, see open_motion().
   void finish();
@@ -83,6 +92,13 @@ class Odometry {
   bool is_suspect(const Registration& r, const FrameMotion& assumed, const FrameMotion& found) const;
   double recent_observability(double of_this_frame) const;
   void withdraw_start();
+  void start_inertial(TrackedFrame& frame);
+  bool can_be_followed(double begin_s) const;
+  void join_inertial(RegistrationSettings& settings) const;
+  InertialState found_state(const Registration& r) const;
+  std::string bridged_motion(Registration& r, const std::string& open, const Observability& seen,
+                             const FrameMotion& guess, TrackedFrame& frame, const Features& features, const Run& run);
+  void settle_inertial(TrackedFrame& frame);
   void add_first(TrackedFrame frame, const Features& features);
   bool locate(TrackedFrame& frame, const Features& features, const Run& run);
   // Why the frame is rejected; empty when it is credible.
@@ -101,6 +117,13 @@ class Odometry {
   LocalMap local_map_;
   FeatureMaps last_frame_map_;
   Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the first guess for the current frame
+  std::optional<InertialFilter> filter_;
+  // Of the current frame: what the inertial unit expects, the motions that its points determine, whether the
+  // expectation was its prior, and the state that follows from its registration.
+  std::optional<InertialFilter::Prediction> expected_;
+  std::optional<Matrix6d> determined_;
+  bool joined_ = false;
+  std::optional<InertialState> found_state_;
   double travelled_ = 0;
   std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;

@@ -10,7 +10,6 @@
 namespace bole::slam {
 namespace {
 
-using Matrix12d = Eigen::Matrix<double, 12, 12>;
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 
 constexpr double min_planarity = 0.25, min_linearity = 0.5;
@@ -162,6 +161,14 @@ Vector6d inverse_variances(double sigma_rad, double sigma) {
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
                 Sums& sums) {
   if (settings.model == MotionModel::rigid) return;
+  if (settings.joint_information) {
+    Vector12d error;
+    error << pose_difference(predicted.T_map_begin, motion.T_map_begin),
+        pose_difference(predicted.T_map_end, motion.T_map_end);
+    sums.H += *settings.joint_information;
+    sums.g += *settings.joint_information * error;
+    return;
+  }
   const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma),
                  wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma);
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin),
@@ -172,6 +179,16 @@ void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const R
   sums.H.topRightCorner<6, 6>() -= wm.asDiagonal();
   sums.g.head<6>() += wb.cwiseProduct(eb) - wm.cwiseProduct(em);
   sums.g.tail<6>() += wm.cwiseProduct(em);
+}
+
+// Takes out what the points seem to tell about motions that they do not determine.
+void keep_determined(const Matrix6d& P, Sums& sums) {
+  for (const int row : {0, 6}) {
+    for (const int column : {0, 6})
+      sums.H.block<6, 6>(row, column) = (P.transpose() * sums.H.block<6, 6>(row, column) * P).eval();
+    sums.g.segment<6>(row) = (P.transpose() * sums.g.segment<6>(row)).eval();
+  }
+  sums.H_data = (P.transpose() * sums.H_data * P).eval();
 }
 
 // The step that reduces the sum of squares. Applies it to `motion` and returns it for begin and end.
@@ -286,6 +303,9 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
                           settings.kernel_sigmas * (1 + std::min(coarse, 4)), run);
     out.iterations = i + 1;
     if (sums.matched < 12) break;
+    if (settings.determined) keep_determined(*settings.determined, sums);
+    out.begin_end_information = sums.H;
+    out.begin_end_information.bottomLeftCorner<6, 6>() = sums.H.topRightCorner<6, 6>().transpose();
     add_priors(out.motion, guess, settings, sums);
     const Vector12d step = solve_and_move(sums, settings.model, out.motion);
     if (!step.allFinite()) break;

@@ -59,6 +59,8 @@ struct PoseEquations {
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
                              double kernel);
 
+using Matrix12d = Eigen::Matrix<double, 12, 12>;
+
 enum class MotionModel {
   rigid,   // the motion within the frame is kept and the frame is moved as a whole: 6 unknowns
   end,     // the begin pose is fixed, the end pose is estimated: 6 unknowns
@@ -77,6 +79,10 @@ struct RegistrationSettings {
   // Elastic only: standard deviations of the begin from the prediction, and of the motion over the frame from it.
   double begin_sigma = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma = 0.05, motion_sigma_rad = 0.02;
+  // Elastic only, instead of these: information about begin and end (turn, shift of each; map axes) from the guess.
+  std::optional<Matrix12d> joint_information;
+  // Keeps what the points tell about motions that they determine: turn and shift of the sensor are projected by it.
+  std::optional<Matrix6d> determined;
   double converged_shift = 5e-4, converged_turn_rad = 5e-5;
 };
 
@@ -93,6 +99,7 @@ struct Registration {
   // map axes).
   double sigma0 = 0;
   Matrix6d covariance = Matrix6d::Zero();
+  Matrix12d begin_end_information = Matrix12d::Zero();  // elastic: of both poses, data only
 };
 
 // `guess` is where the search starts, and for MotionModel::elastic also the prediction of the priors. Throws

@@ -6,10 +6,12 @@
 #include <limits>
 
 #include "base/angles.h"
+#include "base/statistics.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
 #include "slam/core/loops/pose_graph.h"
 #include "slam/core/map/refine.h"
+#include "slam/core/odometry/inertial_setup.h"
 #include "slam/core/slam_preview.h"
 #include "slam/core/stopwatch.h"
 
@@ -30,6 +32,7 @@ struct FirstPass {
   std::vector<TrackedFrame> frames;
   std::vector<Keyframe> keyframes;
   std::vector<FrameSample> samples;  // one per frame; empty when no adjustment follows
+  std::optional<InertialState> inertial;
 };
 
 // Warns about single failed frames, up to a maximum number.
@@ -103,12 +106,13 @@ void report_lost(const Odometry& odometry, const FrameWarnings& warnings, Report
   report.facts["lost_at_frame"] = std::to_string(first.index);
 }
 
-FirstPass follow(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
+FirstPass follow(const FrameSource& source, const SlamSettings& options, const InertialUnit* unit, Report& report,
+                 const Run& run) {
   const ScanGate gate{options.min_range, options.max_range, source.rings() > 0 ? source.rings() : 1024};
   const bool by_context = uses_context(options.loops);
   const std::string of_all = " of " + std::to_string(source.size());
   FeatureExtractor extractor(options);
-  Odometry odometry(options);
+  Odometry odometry(options, unit);
   FrameWarnings warnings(source, report);
   FollowPreview preview(run, source.size());
   FollowCosts costs;
@@ -155,6 +159,7 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, Report&
   odometry.drop_failed_tail();
   preview.all(odometry);
   costs.write(odometry.times(), report);
+  if (const auto* state = odometry.inertial()) out.inertial = *state;
   out.frames = odometry.take_frames();
   out.keyframes = odometry.take_keyframes();
   out.samples.resize(std::min(out.samples.size(), out.frames.size()));
@@ -336,7 +341,8 @@ std::vector<std::pair<double, double>> gaps_of(const std::vector<TrackedFrame>& 
 }
 
 // Takes the samples out of `pass`: on a long walk they use most of the memory.
-void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& report, const Run& run) {
+void adjust(Track& track, FirstPass& pass, const SlamSettings& options, InertialTerms* inertial, Report& report,
+            const Run& run) {
   std::vector<FrameSample> samples;
   for (std::size_t k = 0; k < pass.samples.size(); ++k)
     if (pass.frames[k].ok) samples.push_back(std::move(pass.samples[k]));
@@ -346,7 +352,7 @@ void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& 
   settings.sigma = options.range_sigma;
   settings.kernel_sigmas = options.kernel_sigmas;
   Stopwatch watch;
-  auto refined = refine_path(track.path, samples, settings, run);
+  auto refined = refine_path(track.path, samples, settings, run, inertial);
   track.path = std::move(refined.path);
   preview_path(run, track.path, pass.keyframes);
   report.metrics["adjustment_per_frame"] = {ms_per_frame(watch.lap(), samples.size()), Unit::millisecond};
@@ -358,6 +364,62 @@ void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Report& 
   report.metrics["adjustment_rms_first"] = {refined.rms.front(), Unit::metre};
   report.metrics["adjustment_rms_last"] = {refined.rms.back(), Unit::metre};
   report.metrics["adjustment_last_step"] = {refined.step_size.back(), Unit::metre};
+}
+
+// Why the unit cannot have been right; empty where it can. Registration leaves it out of frames that it does not fit.
+std::string disagreement(const FirstPass& pass) {
+  constexpr double min_share = 0.8, max_tension = 4, max_gyroscope_bias_rad_s = radians(5),
+                   max_accelerometer_bias = 1.5;
+  const auto good = std::ranges::count(pass.frames, true, &TrackedFrame::ok),
+             joined = std::ranges::count(pass.frames, true, &TrackedFrame::joined);
+  if (!pass.inertial) return "it did not measure while the scanner did";
+  if (static_cast<double>(joined) < min_share * static_cast<double>(good - 1))
+    return "it fits only " + std::to_string(joined) + " of " + std::to_string(good) +
+           " frames; is its mount in the scanner (T_sensor_imu) right, and its clock that of the scan?";
+  std::vector<double> tension;
+  for (const auto& f : pass.frames)
+    if (f.joined) tension.push_back(f.tension);
+  if (const double usual = upper_median(std::move(tension)); usual > max_tension)
+    return "its motion contradicts the scans (tension " + number_text(std::round(10 * usual) / 10) +
+           ", at most 1 where they agree); is its mount in the scanner (T_sensor_imu) right, and its clock that of the "
+           "scan?";
+  const auto& bias = pass.inertial->bias;
+  if (bias.gyroscope.norm() > max_gyroscope_bias_rad_s || bias.accelerometer.norm() > max_accelerometer_bias)
+    return "it would have biases of " + number_text(std::round(10 * degrees(bias.gyroscope.norm())) / 10) +
+           " deg/s and " + number_text(std::round(100 * bias.accelerometer.norm()) / 100) +
+           " m/s2, more than units have; is its mount in the scanner (T_sensor_imu) right?";
+  return {};
+}
+
+// The walk as a whole turned so that gravity points down. Keeps the heading of the first pose.
+void level(const Eigen::Vector3d& gravity, Track& track) {
+  Pose T = Pose::Identity();
+  T.linear() = rotation_between(-gravity.normalized(), Eigen::Vector3d::UnitZ());
+  std::vector<StampedPose> nodes = track.path.nodes();
+  for (auto& node : nodes) node.T_target_sensor = T * node.T_target_sensor;
+  track.path = Path(std::move(nodes));
+  for (auto& f : track.frames) {
+    f.motion.T_map_begin = T * f.motion.T_map_begin;
+    f.motion.T_map_end = T * f.motion.T_map_end;
+  }
+}
+
+void report_inertial(const FirstPass& pass, const InertialTerms* terms, Report& report) {
+  const auto& state = *pass.inertial;
+  const InertialBias bias = terms ? terms->bias_at(state.time_s) : state.bias;
+  const double tilt = std::sqrt(std::max(0.0, state.covariance.bottomRightCorner<3, 3>().trace()));
+  report.counts["frames_inertial"] = std::ranges::count(pass.frames, true, &TrackedFrame::joined);
+  report.counts["frames_bridged"] = std::ranges::count(pass.frames, true, &TrackedFrame::bridged);
+  report.metrics["gyroscope_bias"] = {degrees(bias.gyroscope.norm())};  // deg/s
+  report.metrics["accelerometer_bias"] = {bias.accelerometer.norm()};   // m/s2
+  report.metrics["level_sigma"] = {degrees(tilt / state.gravity.norm()), Unit::degree};
+  if (terms) report.metrics["inertial_turn_rms"] = {degrees(terms->turn_rms()), Unit::degree};
+  if (terms) report.metrics["inertial_velocity_rms"] = {terms->velocity_rms(), Unit::metre_per_second};
+  std::vector<double> tension;
+  for (const auto& f : pass.frames)
+    if (f.joined) tension.push_back(f.tension);
+  report.metrics["inertial_tension"] = {tension.empty() ? 0 : upper_median(std::move(tension))};
+  report.facts["level"] = "gravity";
 }
 
 // Means over the good frames and minima over all.
@@ -396,7 +458,19 @@ void report_frames(const FirstPass& pass, double min_observability, Report& repo
 }  // namespace
 
 Track estimate_track(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
-  auto pass = follow(source, options, report, run.part(0, 0.7));
+  auto unit = prepare_unit(source, options, report, run.part(0, 0.1));
+  const Report before = report;
+  auto pass = follow(source, options, unit ? &*unit : nullptr, report, run.part(unit ? 0.1 : 0, 0.7));
+  if (const auto why = unit ? disagreement(pass) : std::string(); !why.empty()) {
+    if (options.inertial == InertialUse::required)
+      throw bad_input("the inertial unit does not fit the scan: " + why, "a unit that moves with the scanner",
+                      "Correct its file, or use the preset best");
+    report = before;
+    report.facts.erase("inertial_unit");
+    report.find(Severity::look, "inertial_unit_left_out", "the inertial unit is not used: " + why);
+    unit.reset();
+    pass = follow(source, options, nullptr, report, run.part(0.1, 0.7));
+  }
   if (pass.frames.size() < 2)
     throw bad_input(
         std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used",
@@ -410,9 +484,22 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   const bool elastic = options.deskew == Deskew::elastic;
   track.own_motion = !elastic && options.refine_iterations <= 0;
   track.path = path_of(pass.frames, elastic);
-  if (options.refine_iterations > 0) adjust(track, pass, options, report, run.part(0.8, 1));
+  std::optional<InertialTerms> terms;
+  if (pass.inertial && options.refine_iterations > 0)
+    terms.emplace(*unit, *pass.inertial, track.path.begin_s(), track.path.end_s(), options.inertial_trust);
+  if (options.refine_iterations > 0) adjust(track, pass, options, terms ? &*terms : nullptr, report, run.part(0.8, 1));
   for (const auto& f : pass.frames)
     if (f.ok) track.frames.push_back({f.index, f.motion});
+  if (unit && unit->mount_sigmas) {
+    if (terms && terms->mount_sigmas())
+      tell_mount(terms->T_sensor_imu(), terms->time_offset_s(), *terms->mount_sigmas(), report);
+    else
+      tell_mount(unit->T_sensor_imu, unit->time_offset_s, *unit->mount_sigmas, report);
+  }
+  if (pass.inertial) {
+    level(terms ? terms->gravity() : pass.inertial->gravity, track);
+    report_inertial(pass, terms ? &*terms : nullptr, report);
+  }
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   report_frames(pass, options.min_observability, report);
   return track;

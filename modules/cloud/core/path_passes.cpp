@@ -1,4 +1,4 @@
-#include "cloud/path_passes.h"
+#include "cloud/core/path_passes.h"
 
 #include <algorithm>
 #include <cmath>

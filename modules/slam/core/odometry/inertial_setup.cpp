@@ -1,0 +1,110 @@
+#include "slam/core/odometry/inertial_setup.h"
+
+#include <cmath>
+
+#include "base/angles.h"
+#include "slam/core/inertial/mount.h"
+#include "slam/core/odometry/odometry.h"
+
+namespace bole::slam {
+namespace {
+
+constexpr double mount_walk_s = 60;  // a minute of walking turns about all axes often enough
+
+constexpr double max_lever_sigma = 0.05;  // beyond it, nothing is known of the lever arm that a guess would not say
+constexpr double given_clock_sigma_s = 1e-5;
+
+// Of small units in scanners (BMI088, ICM-20948), twice the noise of the data sheets: hands and vehicles vibrate.
+constexpr InertialNoise usual_noise{5e-4, 4.5e-3, 1e-5, 1e-4};
+
+std::string rounded(double value, double steps) { return number_text(std::round(value * steps) / steps); }
+
+// The walk without the unit, as far as it goes.
+std::vector<TimedMotion> follow_without(const FrameSource& source, const SlamSettings& options, const Run& run) {
+  const ScanGate gate{options.min_range, options.max_range, source.rings() > 0 ? source.rings() : 1024};
+  FeatureExtractor extractor(options);
+  Odometry odometry(options);
+  ScanFrame frame;
+  Scan scan;
+  Features features;
+  for (std::size_t i = 0; i < source.size() && !odometry.lost(); ++i) {
+    if (source.frame_time_s(i) - source.frame_time_s(0) > mount_walk_s) break;
+    run.check_cancel();
+    run.report(static_cast<double>(i) / static_cast<double>(source.size()),
+               "looking for the mount of the inertial unit");
+    try {
+      source.read(i, frame);
+    } catch (const Error& e) {
+      if (e.kind() == ErrorKind::cancelled) throw;
+      continue;
+    }
+    prepare_scan(frame, gate, scan);
+    extractor.extract(scan, features);
+    odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
+  }
+  std::vector<TimedMotion> out;
+  for (std::size_t k = 1; k < odometry.frames().size(); ++k)  // the first one is not de-skewed
+    if (const auto& f = odometry.frames()[k]; f.ok) out.push_back({f.begin_s, f.end_s, f.motion});
+  return out;
+}
+
+}  // namespace
+
+void tell_mount(const Pose& T, double time_offset_s, const MountSigmas& sigmas, Report& report) {
+  const Eigen::Quaterniond q(T.linear());
+  const Eigen::Vector3d t = T.translation();
+  report.facts["imu_T_sensor_imu"] = rounded(t.x(), 1e4) + " " + rounded(t.y(), 1e4) + " " + rounded(t.z(), 1e4) + " " +
+                                     rounded(q.x(), 1e6) + " " + rounded(q.y(), 1e6) + " " + rounded(q.z(), 1e6) + " " +
+                                     rounded(q.w(), 1e6);
+  report.metrics["imu_mount_turn_sigma"] = {degrees(sigmas.turn_rad), Unit::degree};
+  report.metrics["imu_mount_lever_sigma"] = {sigmas.lever, Unit::metre};
+  report.metrics["imu_time_offset"] = {time_offset_s, Unit::second};
+  report.metrics["imu_time_offset_sigma"] = {sigmas.time_s, Unit::second};
+  std::string text = "the mount of the inertial unit was not given and is estimated: turn to " +
+                     rounded(degrees(sigmas.turn_rad), 1000) + " deg, clock ahead by " +
+                     rounded(1000 * time_offset_s, 10) + " ms to " + rounded(1000 * sigmas.time_s, 100) + " ms";
+  text += sigmas.lever < max_lever_sigma
+              ? ", lever arm to " + rounded(sigmas.lever, 1e4) + " m"
+              : "; its lever arm cannot be told from this walk (" + rounded(sigmas.lever, 100) + " m)";
+  report.find(Severity::note, "imu_mount_estimated", text);
+}
+
+std::optional<InertialUnit> prepare_unit(const FrameSource& source, const SlamSettings& options, Report& report,
+                                         const Run& run) {
+  const InertialRecord* record = source.inertial();
+  if (options.inertial == InertialUse::off) return std::nullopt;
+  const auto refuse = [&](const std::string& why) -> std::optional<InertialUnit> {
+    if (options.inertial == InertialUse::required)
+      throw bad_input("the inertial unit cannot be used: " + why, "an inertial unit that fits the scan",
+                      "Name its file with the option imu of the scan, or use the preset best");
+    report.warn("the inertial unit is not used: " + why);
+    return std::nullopt;
+  };
+  if (!record || record->samples.size() < 2) {
+    if (options.inertial == InertialUse::required)
+      throw bad_input("the recording has no inertial unit", "one, with preset inertial",
+                      "Put imu.csv beside the scan, name its file with the option imu of the scan, or use preset best");
+    return std::nullopt;
+  }
+  if (options.deskew != Deskew::elastic) return refuse("frames are not elastic");
+  InertialUnit unit;
+  unit.noise = record->noise.value_or(usual_noise);
+  report.facts["inertial_unit"] = record->name;
+  if (record->T_sensor_imu) {
+    unit.T_sensor_imu = *record->T_sensor_imu;
+    unit.data = InertialMeasurements(*record, options.inertial_offset.value_or(0));
+    return unit;
+  }
+  const auto mount = estimate_mount(*record, follow_without(source, options, run), options.inertial_offset);
+  if (!mount.unknown.empty())
+    return refuse("its mount in the scanner is not given and cannot be told: " + mount.unknown);
+  report.counts["imu_mount_frames"] = static_cast<std::int64_t>(mount.frames);
+  unit.T_sensor_imu = mount.T_sensor_imu;
+  unit.data = InertialMeasurements(*record, mount.time_offset_s);
+  unit.time_offset_s = mount.time_offset_s;
+  unit.mount_sigmas = MountSigmas{mount.turn_sigma_rad, mount.lever_sigma,
+                                  options.inertial_offset ? given_clock_sigma_s : mount.time_sigma_s};
+  return unit;
+}
+
+}  // namespace bole::slam

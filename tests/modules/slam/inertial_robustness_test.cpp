@@ -1,0 +1,205 @@
+// With an inertial unit: turns that no scanner follows alone, corridors, and stretches without returns.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "modules/slam/walks.h"
+#include "slam/core/slam.h"
+#include "synthetic/inertial_unit.h"
+
+namespace bole::slam {
+namespace {
+
+using synthetic::inertial_record;
+using synthetic::SpinningSensor;
+using synthetic::SyntheticScan;
+using synthetic::WithUnit;
+using testing::HasSubstr;
+
+SlamOptions bare(Preset preset) {
+  auto options = with_preset(preset);
+  options.dense_map = false;
+  options.loops = LoopSource::none;
+  return options;
+}
+
+WithUnit with_unit(const SyntheticScan& scan, double seconds, bool mount_known = true) {
+  auto record = inertial_record([&](double t) { return scan.truth(t); }, -0.5, seconds, synthetic::small_unit());
+  if (!mount_known) record.T_sensor_imu.reset();
+  return {scan, std::move(record)};
+}
+
+double worst_turn_rad(const Trajectory& estimate, const SyntheticScan& source) {
+  const Pose T = source.truth(estimate.poses.front().time_s) * estimate.poses.front().T_target_sensor.inverse();
+  double worst = 0;
+  for (const auto& p : estimate.poses)
+    worst = std::max(
+        worst,
+        Eigen::AngleAxisd((T * p.T_target_sensor).linear().transpose() * source.truth(p.time_s).linear()).angle());
+  return worst;
+}
+
+TEST(InertialSlam, TheMapIsLevelAndNoWorseThanWithout) {
+  // The sensor is carried tilted by 15 deg: without the unit the map would be tilted as well.
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  const SyntheticScan scan(
+      synthetic::trunks(9, 3.5), sensor,
+      [](double t) {
+        Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
+        T.linear() = T.linear() * rotation_from_rpy(0.2, 0.17, 0);
+        return T;
+      },
+      30);
+  const auto without = run_slam(scan, bare(Preset::best), {});
+  const auto with = run_slam(with_unit(scan, 4), bare(Preset::inertial), {});
+  EXPECT_EQ(with.report.counts.at("frames"), 30) << testing::PrintToString(with.report.warnings);
+  EXPECT_EQ(with.report.counts.at("frames_inertial"), 29);
+  EXPECT_EQ(with.report.facts.at("level"), "gravity");
+  EXPECT_LT(worst_m(with.trajectory, scan), 0.05);
+  EXPECT_LT(worst_m(with.trajectory, scan), worst_m(without.trajectory, scan) + 0.01);
+  const auto tilt = [&](const Trajectory& trajectory) {
+    const auto& p = trajectory.poses[trajectory.poses.size() / 2];
+    const Eigen::Matrix3d R_map_world = p.T_target_sensor.linear() * scan.truth(p.time_s).linear().transpose();
+    return std::acos(R_map_world(2, 2));
+  };
+  EXPECT_LT(tilt(with.trajectory), 0.009);  // half a degree
+  EXPECT_GT(tilt(without.trajectory), 0.15);
+}
+
+TEST(InertialSlam, WithoutAUnitThePresetSaysSo) {
+  const auto scan = small_walk(5);
+  try {
+    run_slam(scan, bare(Preset::inertial), {});
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the recording has no inertial unit"));
+    EXPECT_THAT(e.what(), HasSubstr("imu.csv"));
+  }
+  // `best` takes one where there is one, and `inertial off` leaves it alone.
+  auto options = bare(Preset::best);
+  const auto with = run_slam(with_unit(scan, 2), options, {});
+  EXPECT_TRUE(with.report.counts.contains("frames_inertial"));
+  options.inertial = InertialUse::off;
+  const auto off = run_slam(with_unit(scan, 2), options, {}), without = run_slam(scan, options, {});
+  EXPECT_FALSE(off.report.counts.contains("frames_inertial"));
+  ASSERT_EQ(off.trajectory.poses.size(), without.trajectory.poses.size());
+  for (std::size_t i = 0; i < off.trajectory.poses.size(); ++i)
+    EXPECT_TRUE(off.trajectory.poses[i].T_target_sensor.isApprox(without.trajectory.poses[i].T_target_sensor, 0));
+}
+
+// Given as mounted along the axes of the sensor, while it is turned by more than 100 deg.
+TEST(InertialSlam, AWrongMountIsToldAndTheUnitLeftOut) {
+  const auto scan = small_walk(30);
+  auto record = inertial_record([&](double t) { return scan.truth(t); }, -0.5, 4, synthetic::small_unit());
+  record.T_sensor_imu = Pose::Identity();
+  const WithUnit wrong(scan, record);
+  const auto result = run_slam(wrong, bare(Preset::best), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 30) << testing::PrintToString(result.report.warnings);
+  EXPECT_TRUE(std::ranges::any_of(result.report.findings, [](const Finding& f) {
+    return f.code == "inertial_unit_left_out";
+  })) << testing::PrintToString(result.report.warnings);
+  EXPECT_FALSE(result.report.counts.contains("frames_inertial"));
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.05);
+  EXPECT_THROW(run_slam(wrong, bare(Preset::inertial), {}), Error);
+}
+
+// Up to 400 deg/s about the vertical, 40 deg within a frame, after a second of walking.
+TEST(InertialSlam, ATurnAt400DegreesPerSecond) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  const SyntheticScan scan(
+      synthetic::trunks(9, 3.5), sensor,
+      [](double t) {
+        const double turn_s = 1.5, s = std::clamp((t - 1.0) / turn_s, 0.0, 1.0);
+        const double eased = s * s * s * (10 - 15 * s + 6 * s * s);  // fastest: 15/8 of the mean
+        Pose T = Pose::Identity();
+        T.translation() = Eigen::Vector3d(0.6 * t - 1, 0.1 * std::sin(2 * t), 1.6 + 0.02 * std::sin(11 * t));
+        T.linear() = rotation_from_rpy(0.04 * std::sin(5 * t), 0.04 * std::sin(4 * t),
+                                       400.0 / 180 * std::numbers::pi * turn_s * 8 / 15 * eased);
+        return T;
+      },
+      35);
+  const auto result = run_slam(with_unit(scan, 4), bare(Preset::inertial), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 35) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.08);
+  EXPECT_LT(worst_turn_rad(result.trajectory, scan), 0.03);
+}
+
+// Trunks about the start and the end, and between them walls without any structure along 5 m.
+SyntheticScan corridor(std::size_t frames) {
+  synthetic::World world;
+  world.planes.push_back({Eigen::Vector3d::UnitZ(), 0});
+  world.boxes.push_back({{-1, 1.5, -1}, {60, 2, 4}});
+  world.boxes.push_back({{-1, -2, -1}, {60, -1.5, 4}});
+  for (const double x : {-4.0, -3.0, -2.0, -1.5})
+    for (const double y : {-3.0, -1.0, 0.9, 2.5})
+      world.cylinders.push_back({{x + 0.3 * y, y, -0.2}, Eigen::Vector3d::UnitZ(), 0.12, 6});
+  auto sensor = SpinningSensor::even(32, -25, 15, 720);
+  sensor.range_noise_m = 0.01;
+  sensor.range_max_m = 12;
+  return {world, sensor,
+          [](double t) {
+            Pose T = Pose::Identity();
+            T.translation() = Eigen::Vector3d(-3 + 1.4 * t, 0.05 * std::sin(3 * t), 1.6 + 0.02 * std::sin(11 * t));
+            T.linear() = rotation_from_rpy(0.03 * std::sin(5 * t), 0.03 * std::sin(4 * t), 0.1 * std::sin(2 * t));
+            return T;
+          },
+          frames};
+}
+
+TEST(InertialSlam, ACorridorIsBridgedOrGivenUpWithAReason) {
+  const auto scan = corridor(120);
+  auto options = bare(Preset::inertial);
+  options.refine_iterations = 0;
+  const auto result = run_slam(with_unit(scan, 13), options, {});
+  const auto frames = result.report.counts.at("frames");
+  EXPECT_GT(result.report.counts.at("frames_bridged"), 0) << testing::PrintToString(result.report.warnings);
+  // What is given is right to what the limit says, two seconds and more beyond the last trunk that helps.
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.5) << frames;
+  EXPECT_TRUE(frames == 120 || result.report.facts.contains("lost_at_frame")) << frames;
+  if (frames < 120) {
+    EXPECT_THAT(result.report.warnings,
+                testing::Contains(HasSubstr("the inertial unit alone knows the place only to")));
+  }
+}
+
+TEST(InertialSlam, TwoSecondsWithoutReturns) {
+  auto scan = small_walk(60);
+  scan.spoil = [](std::size_t index, ScanFrame& frame) {
+    if (index < 25 || index >= 46) return;
+    for (auto& p : frame.positions) p.setConstant(std::numeric_limits<float>::quiet_NaN());
+  };
+  auto options = bare(Preset::inertial);
+  options.refine_iterations = 0;
+  const auto result = run_slam(with_unit(scan, 7), options, {});
+  EXPECT_EQ(result.report.counts.at("frames"), 60 - 21) << testing::PrintToString(result.report.warnings);
+  EXPECT_GE(result.report.counts.at("frames_bridged"), 21);
+  EXPECT_FALSE(result.report.facts.contains("lost_at_frame"));
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.06);
+}
+
+TEST(InertialSlam, AMountThatIsNotGivenIsEstimated) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  const SyntheticScan scan(
+      synthetic::trunks(9, 3.5), sensor,
+      [](double t) {
+        Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
+        T.linear() =
+            T.linear() * rotation_from_rpy(0.2 * std::sin(4 * t), 0.2 * std::sin(5 * t), 0.3 * std::sin(3 * t));
+        return T;
+      },
+      60);
+  const auto result = run_slam(with_unit(scan, 7, false), bare(Preset::inertial), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 60) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.05);
+  EXPECT_LT(result.report.metrics.at("imu_mount_turn_sigma").value, 1);
+  EXPECT_LT(std::abs(result.report.metrics.at("imu_time_offset").value), 0.004);
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("the mount of the inertial unit was not given")));
+}
+
+}  // namespace
+}  // namespace bole::slam
