@@ -295,6 +295,23 @@ TEST_F(Simulation, follows_a_walk_from_a_file) {
   EXPECT_LT((trajectory.poses.back().T_target_sensor.translation().head<2>() - Eigen::Vector2d(3, -4)).norm(), 0.5);
 }
 
+// The unit has random streams of its own: the recording beside it is the same to the byte.
+TEST_F(Simulation, an_inertial_unit_leaves_the_recording_alone) {
+  run("without");
+  options_.imu = ImuGrade::consumer;
+  run("with");
+  EXPECT_EQ(bytes("with/walk.pcap"), bytes("without/walk.pcap"));
+  EXPECT_EQ(bytes("with/trajectory.tum"), bytes("without/trajectory.tum"));
+  EXPECT_FALSE(fs::exists(dir_ / "without/imu.csv"));
+  const auto text = bytes("with/imu.csv");
+  EXPECT_THAT(text, HasSubstr("# T_sensor_imu: 0.045000 -0.030000 -0.060000 "));
+  EXPECT_THAT(text, HasSubstr("\ntime_s,gyro_x_rad_s,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 101 + 7);
+  options_.imu_mount_known = false;
+  run("unknown");
+  EXPECT_THAT(bytes("unknown/imu.csv"), testing::Not(HasSubstr("T_sensor_imu")));
+}
+
 TEST_F(Simulation, wind_and_all_that_spoils_a_scan_give_the_same_bytes_at_any_thread_count) {
   recipe_.understorey.poles_per_ha = 300;
   options_.max_time = 0.3;
@@ -384,23 +401,6 @@ TEST_F(Simulation, rosettes_give_frames_over_their_field_of_view) {
   EXPECT_NEAR(highest, 52, 0.5);
   for (const int count : sector) EXPECT_GT(count, 150);
   EXPECT_THAT(bytes("out/frames/sensor.json"), HasSubstr("mid360"));
-}
-
-// The unit has random streams of its own: the recording beside it is the same to the byte.
-TEST_F(Simulation, an_inertial_unit_leaves_the_recording_alone) {
-  run("without");
-  options_.imu = ImuGrade::consumer;
-  run("with");
-  EXPECT_EQ(bytes("with/walk.pcap"), bytes("without/walk.pcap"));
-  EXPECT_EQ(bytes("with/trajectory.tum"), bytes("without/trajectory.tum"));
-  EXPECT_FALSE(fs::exists(dir_ / "without/imu.csv"));
-  const auto text = bytes("with/imu.csv");
-  EXPECT_THAT(text, HasSubstr("# T_sensor_imu: 0.045000 -0.030000 -0.060000 "));
-  EXPECT_THAT(text, HasSubstr("\ntime_s,gyro_x_rad_s,"));
-  EXPECT_EQ(std::ranges::count(text, '\n'), 101 + 7);
-  options_.imu_mount_known = false;
-  run("unknown");
-  EXPECT_THAT(bytes("unknown/imu.csv"), testing::Not(HasSubstr("T_sensor_imu")));
 }
 
 }  // namespace

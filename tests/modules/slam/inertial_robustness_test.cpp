@@ -90,6 +90,22 @@ TEST(InertialSlam, WithoutAUnitThePresetSaysSo) {
     EXPECT_TRUE(off.trajectory.poses[i].T_target_sensor.isApprox(without.trajectory.poses[i].T_target_sensor, 0));
 }
 
+// Given as mounted along the axes of the sensor, while it is turned by more than 100 deg.
+TEST(InertialSlam, AWrongMountIsToldAndTheUnitLeftOut) {
+  const auto scan = small_walk(30);
+  auto record = inertial_record([&](double t) { return scan.truth(t); }, -0.5, 4, synthetic::small_unit());
+  record.T_sensor_imu = Pose::Identity();
+  const WithUnit wrong(scan, record);
+  const auto result = run_slam(wrong, bare(Preset::best), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 30) << testing::PrintToString(result.report.warnings);
+  EXPECT_TRUE(std::ranges::any_of(result.report.findings, [](const Finding& f) {
+    return f.code == "inertial_unit_left_out";
+  })) << testing::PrintToString(result.report.warnings);
+  EXPECT_FALSE(result.report.counts.contains("frames_inertial"));
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.05);
+  EXPECT_THROW(run_slam(wrong, bare(Preset::inertial), {}), Error);
+}
+
 // Up to 400 deg/s about the vertical, 40 deg within a frame, after a second of walking.
 TEST(InertialSlam, ATurnAt400DegreesPerSecond) {
   auto sensor = SpinningSensor::even(32, -25, 15, 360);
@@ -173,7 +189,7 @@ TEST(InertialSlam, AMountThatIsNotGivenIsEstimated) {
       [](double t) {
         Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
         T.linear() =
-            T.linear() * rotation_from_rpy(0.1 * std::sin(4 * t), 0.1 * std::sin(5 * t), 0.3 * std::sin(3 * t));
+            T.linear() * rotation_from_rpy(0.2 * std::sin(4 * t), 0.2 * std::sin(5 * t), 0.3 * std::sin(3 * t));
         return T;
       },
       60);

@@ -381,7 +381,7 @@ std::vector<TimedMotion> frames_of(double seconds, double noise_rad, double nois
 
 TEST(Mount, TurnClockAndLeverArmAreFoundInTheirLimits) {
   const auto record = inertial_record(hand, 0, 42, synthetic::small_unit(), 200, 0.0437);
-  const auto mount = estimate_mount(record, frames_of(41, 4e-4, 0.003), std::nullopt);
+  const auto mount = estimate_mount(record, frames_of(41, 4e-4, 0.001), std::nullopt);
   EXPECT_EQ(mount.unknown, "");
   const Pose truth = synthetic::some_mount();
   const double turn = Eigen::AngleAxisd(truth.linear().transpose() * mount.T_sensor_imu.linear()).angle();

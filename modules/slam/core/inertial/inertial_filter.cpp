@@ -242,6 +242,12 @@ InertialState InertialFilter::corrected(const Prediction& p, const FrameMotion& 
   return out;
 }
 
+double InertialFilter::tension(const Prediction& p, const FrameMotion& motion) {
+  Eigen::Matrix<double, 12, 1> found;
+  found << difference(p.motion.T_map_begin, motion.T_map_begin), difference(p.motion.T_map_end, motion.T_map_end);
+  return found.dot(p.covariance.ldlt().solve(found)) / 12;
+}
+
 double InertialFilter::shift_sigma(const InertialState& state) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(state.covariance.block<3, 3>(place, place));
   return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));

@@ -65,6 +65,9 @@ class InertialFilter {
   std::optional<Prediction> predict(double begin_s, double end_s) const;
   // The state after registration found `motion` with that information of its points about begin and end.
   InertialState corrected(const Prediction& prediction, const FrameMotion& motion, const Matrix12d& information) const;
+  // How far registration moved the frame from what was expected, in squared standard deviations per unknown: below 1
+  // where the unit and the points agree.
+  static double tension(const Prediction& prediction, const FrameMotion& motion);
   void set(const InertialState& state) { state_ = state; }
   // The pose is known anew, as after a gap; the velocity is not.
   void restart(double time_s, const Pose& T_map_sensor);

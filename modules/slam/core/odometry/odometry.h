@@ -26,6 +26,7 @@ struct TrackedFrame {
   bool converged = true;  // see Registration; the first frame is not registered
   bool bent = false;      // did not move as assumed for de-skewing; begin and end were fitted, see register_bent()
   bool joined = false;    // registered together with the inertial unit
+  double tension = 0;     // between the inertial unit and the points, see InertialFilter::tension()
   bool bridged = false;   // the inertial unit led over a motion that the surroundings leave open, or over the frame
   double mid_s() const { return 0.5 * (begin_s + end_s); }
 };

@@ -10,6 +10,8 @@ namespace {
 
 // Where the unit alone is surer than this, a frame is looked for where it says, even after a gap.
 constexpr double max_follow_sigma = 0.5;
+// Where points and unit contradict each other, motions count as open that are observed up to this much better.
+constexpr double max_tension = 4, doubted_share = 8;
 
 }  // namespace
 
@@ -49,12 +51,15 @@ InertialState Odometry::found_state(const Registration& r) const {
 std::string Odometry::bridged_motion(Registration& r, const std::string& open, const Observability& seen,
                                      const FrameMotion& guess, TrackedFrame& frame, const Features& features,
                                      const Run& run) {
-  const bool weak = left_start_ > 0 && seen.weakest < settings_.min_observability;
+  frame.tension = InertialFilter::tension(*expected_, r.motion);
+  // A sensor of few lines sees walls as a pattern that moves with it. The unit notices.
+  const double least = settings_.min_observability * (frame.tension > max_tension ? doubted_share : 1);
+  const bool weak = left_start_ > 0 && seen.weakest < least;
   if (open.empty() && !weak) {
     found_state_ = found_state(r);
     return {};
   }
-  determined_ = seen.determined(settings_.min_observability);
+  determined_ = seen.determined(least);
   r = followed(guess, frame.begin_s, frame.end_s, features, run);
   determined_.reset();
   found_state_ = found_state(r);

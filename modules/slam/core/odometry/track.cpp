@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/angles.h"
+#include "base/statistics.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/loops.h"
 #include "slam/core/loops/pose_graph.h"
@@ -365,6 +366,31 @@ void adjust(Track& track, FirstPass& pass, const SlamSettings& options, Inertial
   report.metrics["adjustment_last_step"] = {refined.step_size.back(), Unit::metre};
 }
 
+// Why the unit cannot have been right; empty where it can. Registration leaves it out of frames that it does not fit.
+std::string disagreement(const FirstPass& pass) {
+  constexpr double min_share = 0.8, max_tension = 4, max_gyroscope_bias_rad_s = radians(5),
+                   max_accelerometer_bias = 1.5;
+  const auto good = std::ranges::count(pass.frames, true, &TrackedFrame::ok),
+             joined = std::ranges::count(pass.frames, true, &TrackedFrame::joined);
+  if (!pass.inertial) return "it did not measure while the scanner did";
+  if (static_cast<double>(joined) < min_share * static_cast<double>(good - 1))
+    return "it fits only " + std::to_string(joined) + " of " + std::to_string(good) +
+           " frames; is its mount in the scanner (T_sensor_imu) right, and its clock that of the scan?";
+  std::vector<double> tension;
+  for (const auto& f : pass.frames)
+    if (f.joined) tension.push_back(f.tension);
+  if (const double usual = upper_median(std::move(tension)); usual > max_tension)
+    return "its motion contradicts the scans (tension " + number_text(std::round(10 * usual) / 10) +
+           ", at most 1 where they agree); is its mount in the scanner (T_sensor_imu) right, and its clock that of the "
+           "scan?";
+  const auto& bias = pass.inertial->bias;
+  if (bias.gyroscope.norm() > max_gyroscope_bias_rad_s || bias.accelerometer.norm() > max_accelerometer_bias)
+    return "it would have biases of " + number_text(std::round(10 * degrees(bias.gyroscope.norm())) / 10) +
+           " deg/s and " + number_text(std::round(100 * bias.accelerometer.norm()) / 100) +
+           " m/s2, more than units have; is its mount in the scanner (T_sensor_imu) right?";
+  return {};
+}
+
 // The walk as a whole turned so that gravity points down. Keeps the heading of the first pose.
 void level(const Eigen::Vector3d& gravity, Track& track) {
   Pose T = Pose::Identity();
@@ -389,6 +415,10 @@ void report_inertial(const FirstPass& pass, const InertialTerms* terms, Report& 
   report.metrics["level_sigma"] = {degrees(tilt / state.gravity.norm()), Unit::degree};
   if (terms) report.metrics["inertial_turn_rms"] = {degrees(terms->turn_rms()), Unit::degree};
   if (terms) report.metrics["inertial_velocity_rms"] = {terms->velocity_rms(), Unit::metre_per_second};
+  std::vector<double> tension;
+  for (const auto& f : pass.frames)
+    if (f.joined) tension.push_back(f.tension);
+  report.metrics["inertial_tension"] = {tension.empty() ? 0 : upper_median(std::move(tension))};
   report.facts["level"] = "gravity";
 }
 
@@ -428,8 +458,19 @@ void report_frames(const FirstPass& pass, double min_observability, Report& repo
 }  // namespace
 
 Track estimate_track(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
-  const auto unit = prepare_unit(source, options, report, run.part(0, 0.1));
+  auto unit = prepare_unit(source, options, report, run.part(0, 0.1));
+  const Report before = report;
   auto pass = follow(source, options, unit ? &*unit : nullptr, report, run.part(unit ? 0.1 : 0, 0.7));
+  if (const auto why = unit ? disagreement(pass) : std::string(); !why.empty()) {
+    if (options.inertial == InertialUse::required)
+      throw bad_input("the inertial unit does not fit the scan: " + why, "a unit that moves with the scanner",
+                      "Correct its file, or use the preset best");
+    report = before;
+    report.facts.erase("inertial_unit");
+    report.find(Severity::look, "inertial_unit_left_out", "the inertial unit is not used: " + why);
+    unit.reset();
+    pass = follow(source, options, nullptr, report, run.part(0.1, 0.7));
+  }
   if (pass.frames.size() < 2)
     throw bad_input(
         std::to_string(pass.frames.size()) + " of " + std::to_string(source.size()) + " frames could be used",
