@@ -51,8 +51,9 @@ inline void read_bag(const std::shared_ptr<const io::Bag>& bag) {
     for (std::size_t i = 0; i < std::min(messages.size(), most); ++i) allow_bad_input([&] { bag->read(messages[i]); });
   }
   allow_bad_input([&] { io::describe_topics(*bag); });
-  for (const auto& topic : bag->topics()) {
-    if (!io::holds_scan(topic)) continue;
+  for (std::size_t t = 0; t < bag->topics().size(); ++t) {
+    const auto& topic = bag->topics()[t];
+    if (!io::holds_scan(*bag, t)) continue;
     allow_bad_input([&] {
       io::FrameSourceOptions options;
       options.topic = topic.name;

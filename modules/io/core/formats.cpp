@@ -459,7 +459,9 @@ std::vector<std::string> file_patterns(std::span<const FileContent> contents) {
   std::vector<std::string> patterns;
   for (const auto& format : formats()) {
     if (format.folder || std::ranges::find(contents, format.content()) == contents.end()) continue;
-    for (const auto ending : format.endings) patterns.push_back("*" + std::string(ending));
+    for (const auto ending : format.endings)
+      if (const auto pattern = "*" + std::string(ending); std::ranges::find(patterns, pattern) == patterns.end())
+        patterns.push_back(pattern);
   }
   return patterns;
 }

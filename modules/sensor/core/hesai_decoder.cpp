@@ -77,10 +77,11 @@ void apply_hesai_correction(std::string_view csv, SensorModel& model) {
       p = next;
     }
     if (!whole) continue;  // an empty line, or a hash behind the table
-    const auto laser = static_cast<std::size_t>(values[0] - 1);
-    if (!(values[0] >= 1 && laser < channels.size() && std::abs(values[1]) <= 90 && std::abs(values[2]) <= 180))
+    const auto lasers = static_cast<double>(channels.size());
+    if (!(values[0] >= 1 && values[0] <= lasers && std::abs(values[1]) <= 90 && std::abs(values[2]) <= 180))
       throw bad_input("the correction file has the line '" + std::string(line.substr(0, 60)) + "'",
                       "a laser from 1 to " + std::to_string(channels.size()) + ", elevation and azimuth in degrees");
+    const auto laser = static_cast<std::size_t>(values[0] - 1);
     channels[laser].elevation_rad = values[1] * std::numbers::pi / 180;
     channels[laser].azimuth_offset_rad = values[2] * std::numbers::pi / 180;
     seen[laser] = true;

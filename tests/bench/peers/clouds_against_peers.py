@@ -74,10 +74,13 @@ def compare_las(build, folder, path):
         cloud, info = ours(build, folder, path)
         check(path.name, cloud is not None and len(cloud["x"]) == 0, "no points")
         return
-    # Half a step beside the grid of the coordinates, so that no point lies on an edge.
-    half = np.asarray(las.header.scales)[:2] / 2
-    low, high = np.quantile(x, [0.3, 0.6]), np.quantile(y, [0.2, 0.7])
-    box = [low[0] + half[0], high[0] + half[1], low[1] + half[0], high[1] + half[1]]
+    # Less than half a step outside of the grid of the coordinates: no point lies on an edge, and laspy, which rounds bounds to
+    # the grid, means the same.
+    def edge(values, share, axis, side):
+        scale, offset = las.header.scales[axis], las.header.offsets[axis]
+        return float((np.round((np.quantile(values, share) - offset) / scale) + 0.4 * side) * scale + offset)
+
+    box = [edge(x, 0.3, 0, -1), edge(y, 0.2, 1, -1), edge(x, 0.6, 0, 1), edge(y, 0.7, 1, 1)]
     inside = (x >= box[0]) & (x <= box[2]) & (y >= box[1]) & (y <= box[3])
     step = np.asarray(las.header.scales)
     text = ",".join(repr(float(v)) for v in box)

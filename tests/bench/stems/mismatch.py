@@ -51,6 +51,7 @@ ROWS = {
     "echoes apart from 0.15 m": ({}, {"pulse-length": 0.15}),
     "noise twice": ({}, {"noise": 2, "laser-bias": 0.002}),
     "noise doubled at edges": ({}, {"noise-growth": 1}),
+    "lasers without constants": ({}, {"laser-bias": 0}),
     "lasers off by 8 mm": ({}, {"laser-bias": 0.008}),
     "bark 3 mm deep": ({"trees.bark_mm": 3}, {}),
     "bark 12 mm deep": ({"trees.bark_mm": 12}, {}),

@@ -14,6 +14,8 @@
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/scans/velodyne_pcap.h"
 #include "io_test_tools.h"
+#include "../sensor/ouster_packets.h"
+#include "pcap_bytes.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
 
@@ -456,6 +458,69 @@ TEST(BagSource, AFileOfARealVlp32cIsItsFolder) {
     points += one.size();
   }
   EXPECT_GT(points, 130'000U);
+}
+
+std::string packet_message(Wire wire, const std::string& packet, bool older_driver) {
+  return MessageWriter(wire).blob(packet + (older_driver ? std::string(1, 'z') : "")).bytes();
+}
+
+TEST(BagSource, OusterPacketsGiveTheFramesOfACapture) {
+  testing_ouster::Sensor sensor;
+  for (int line = 0; line < 32; ++line) {
+    sensor.elevations_deg.push_back(15 - line);
+    sensor.azimuths_deg.push_back(line % 2);
+  }
+  for (const bool older_driver : {false, true}) {
+    const auto wire = older_driver ? Wire::ros1 : Wire::cdr_little;
+    const std::string type = older_driver ? "ouster_ros/PacketMsg" : "ouster_sensor_msgs/msg/PacketMsg";
+    const TempDir dir;
+    PcapBytes capture;
+    std::vector<Message> messages{{"/ouster/metadata", "std_msgs/msg/String", start_ns,
+                                   MessageWriter(wire).text(sensor.metadata(true).dump()).bytes()}};
+    for (int p = 0; p < 20; ++p) {
+      std::vector<testing_ouster::Column> fired(16);
+      for (int c = 0; c < 16; ++c) {
+        auto& column = fired[static_cast<std::size_t>(c)];
+        column.id = static_cast<std::uint16_t>(p % 4 * 16 + c);
+        column.time_ns = static_cast<std::uint64_t>(start_ns) + 1'500'000U * static_cast<std::uint64_t>(p * 16 + c);
+        column.first.assign(32, {static_cast<std::uint32_t>(4000 + p), 7});
+        column.second.assign(32, {static_cast<std::uint32_t>(5000 + c), 9});
+      }
+      const auto time_ns = start_ns + 24'000'000LL * p;
+      const auto imu =
+          testing_ouster::Sensor::inertial_packet(static_cast<std::uint64_t>(time_ns), {0, 0, 1}, {1, 2, 3});
+      const auto lidar = sensor.packet(static_cast<std::uint16_t>(p / 4), fired);
+      capture.add(imu, 1e-9 * static_cast<double>(time_ns), 7503);
+      capture.add(lidar, 1e-9 * static_cast<double>(time_ns), 7502);
+      messages.push_back({"/ouster/imu_packets", type, time_ns, packet_message(wire, imu, older_driver)});
+      messages.push_back({"/ouster/lidar_packets", type, time_ns, packet_message(wire, lidar, older_driver)});
+    }
+    write_file(dir / "walk.pcap", capture.bytes());
+    write_file(dir / "walk.json", sensor.metadata(true).dump());
+    const auto same = open_frame_source(dir / "walk.pcap");
+    Report report;
+    const auto source = open_messages(messages, wire, report);
+    EXPECT_EQ(report.facts.at("calibration"), "topic /ouster/metadata");
+    EXPECT_EQ(source->sensor_model(), same->sensor_model());
+    ASSERT_EQ(source->size(), 5U);
+    ASSERT_EQ(same->size(), 5U);
+    ScanFrame a, b;
+    for (std::size_t k = source->size(); k-- > 0;) {
+      source->read(k, a);
+      same->read(k, b);
+      EXPECT_EQ(a.size(), 2U * 32 * 64);
+      EXPECT_EQ(a.positions, b.positions);
+      EXPECT_EQ(a.time_offset_s, b.time_offset_s);
+      EXPECT_EQ(a.start_time_s, b.start_time_s);
+    }
+    ASSERT_NE(source->inertial(), nullptr);
+    EXPECT_EQ(source->inertial()->samples.size(), 20U);
+    messages.erase(messages.begin());
+    EXPECT_THAT(error_of([&] { open_messages(messages, wire, report); }), HasSubstr("topic 'metadata'"));
+    FrameSourceOptions options;
+    options.sensor = (dir / "walk.json").string();
+    EXPECT_EQ(open_messages(messages, wire, report, options)->size(), 5U);
+  }
 }
 
 TEST(BagSource, CutMessagesAreErrorsOrWhatTheyHold) {

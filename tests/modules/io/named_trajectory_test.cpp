@@ -102,7 +102,7 @@ TEST(Sbet, IsProjectedToTheCoordinatesOfThePoints) {
   // On the central meridian of the zone; the length of the meridian from the equator to 48 deg, times 0.9996.
   const auto& p = path.poses[0].T_target_sensor.translation();
   EXPECT_NEAR(p.x(), 500000, 1e-3);
-  EXPECT_NEAR(p.y(), 0.9996 * 5317885.29, 0.5);
+  EXPECT_NEAR(p.y(), 0.9996 * 5318427.5955, 0.01);
   EXPECT_EQ(p.z(), 300);
   EXPECT_NEAR(path.poses[1].T_target_sensor.translation().y() - p.y(), 111.2 * 0.9996, 0.2);
   EXPECT_THAT(error_of([&] { project_trajectory(path, "EPSG:4326"); }), HasSubstr("projected"));

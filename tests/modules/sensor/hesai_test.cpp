@@ -123,6 +123,7 @@ TEST(Hesai, TheCorrectionFileOfAUnitWins) {
   EXPECT_THAT(error_of("a,b\n1,2\n"), HasSubstr("no correction table"));
   EXPECT_THAT(error_of("Laser id,Elevation,Azimuth\n1,2,3\n"), HasSubstr("1 lasers"));
   EXPECT_THAT(error_of("Laser id,Elevation,Azimuth\n99,2,3\n"), HasSubstr("'99,2,3'"));
+  EXPECT_THAT(error_of("Laser id,Elevation,Azimuth\n-1,2,3\n"), HasSubstr("'-1,2,3'"));
 }
 
 TEST(Hesai, OtherPayloadsAreRefused) {

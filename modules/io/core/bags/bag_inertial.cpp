@@ -11,7 +11,18 @@ namespace bole::io {
 namespace {
 
 constexpr double standard_gravity = 9.80665;
-constexpr std::size_t sampled_messages = 200;
+
+// Groups of messages that follow each other, spread over the recording: each group costs a chunk or two.
+std::vector<std::size_t> sampled(std::size_t messages) {
+  constexpr std::size_t groups = 8, group_size = 25;
+  std::vector<std::size_t> out;
+  for (std::size_t g = 0; g < groups; ++g) {
+    const auto first = g * messages / groups, last = std::min((g + 1) * messages / groups, first + group_size);
+    for (std::size_t i = first; i < last; ++i) out.push_back(i);
+  }
+  if (messages > 0 && out.back() != messages - 1) out.push_back(messages - 1);
+  return out;
+}
 
 }  // namespace
 
@@ -19,9 +30,8 @@ BagInertial::BagInertial(std::shared_ptr<const Bag> bag, std::size_t topic, cons
     : bag_(std::move(bag)), topic_(bag_->topics()[topic]), messages_(bag_->index(topic, run)) {
   std::vector<InertialSample> seen;
   std::string trouble = "no message";
-  const auto step = std::max<std::size_t>(1, messages_.size() / sampled_messages);
   stamped_ = false;
-  for (std::size_t i = 0; i < messages_.size(); i += step) {
+  for (const auto i : sampled(messages_.size())) {
     try {
       const auto message = parse_imu(bag_->read(messages_[i]), topic_.encoding);
       stamped_ = stamped_ || message.header.stamp_ns != 0;

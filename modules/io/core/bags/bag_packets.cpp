@@ -1,5 +1,7 @@
 #include "io/core/bags/bag_packets.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/file_pages.h"
 
@@ -8,8 +10,12 @@ namespace {
 constexpr int packet_bits = 16;  // of an offset; above them is the number of the message
 }
 
-BagPackets::BagPackets(std::shared_ptr<const Bag> bag, std::size_t topic, const Run& run)
-    : bag_(std::move(bag)), topic_(bag_->topics()[topic]), messages_(bag_->index(topic, run)) {}
+BagPackets::BagPackets(std::shared_ptr<const Bag> bag, const std::vector<std::size_t>& topics, const Run& run)
+    : bag_(std::move(bag)) {
+  for (const auto topic : topics)
+    for (const auto& message : bag_->index(topic, run)) messages_.push_back({message, topic});
+  std::ranges::stable_sort(messages_, {}, [](const Place& p) { return p.message.time_ns; });
+}
 
 double BagPackets::end() const {
   return static_cast<double>(static_cast<std::int64_t>(messages_.size()) << packet_bits);
@@ -24,12 +30,17 @@ void BagPackets::seek(std::int64_t offset) {
 
 // The content is copied, because a packet must outlive the next call of the bag, which another reader may make.
 void BagPackets::load() {
-  const auto bytes = bag_->read(messages_[message_]);
+  const auto& place = messages_[message_];
+  const auto& topic = bag_->topics()[place.topic];
+  const auto bytes = bag_->read(place.message);
   content_.assign(bytes.begin(), bytes.end());
   leave_memory(bytes.data(), bytes.size());
   packets_.clear();
   loaded_ = true;
-  parse_velodyne_scan(content_, topic_.encoding, packets_);
+  if (topic.type == message_type::velodyne)
+    parse_velodyne_scan(content_, topic.encoding, packets_);
+  else
+    packets_.push_back({place.message.time_ns, parse_ouster_packet(content_, topic.encoding)});
 }
 
 bool BagPackets::next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) {

@@ -1,4 +1,4 @@
-// The packets of a topic of a bag, one after the other, as a capture gives them.
+// The packets of topics of a bag, one after the other, as a capture gives them.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,9 @@ namespace bole::io {
 
 class BagPackets : public DatagramReader {
  public:
-  // Of messages of type velodyne_msgs/VelodyneScan.
-  BagPackets(std::shared_ptr<const Bag> bag, std::size_t topic, const Run& run);
+  // Of messages of type velodyne_msgs/VelodyneScan, or of the type PacketMsg of the Ouster drivers: those of all the
+  // topics, in order of recording.
+  BagPackets(std::shared_ptr<const Bag> bag, const std::vector<std::size_t>& topics, const Run& run);
 
   bool next(Datagram& datagram, const std::function<void(std::int64_t)>& poll) override;
   using DatagramReader::next;
@@ -25,11 +26,14 @@ class BagPackets : public DatagramReader {
   const std::string& damage() const { return damage_; }
 
  private:
+  struct Place {
+    BagMessage message;
+    std::size_t topic = 0;
+  };
   void load();
 
   std::shared_ptr<const Bag> bag_;
-  BagTopic topic_;
-  std::vector<BagMessage> messages_;
+  std::vector<Place> messages_;
   std::size_t message_ = 0, packet_ = 0;  // the next one
   std::vector<std::uint8_t> content_;     // of that message
   std::vector<StampedPacket> packets_;    // in it

@@ -1,13 +1,16 @@
 #include "io/core/bags/bag_source.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/verdict.h"
 #include "io/core/bags/bag_clouds.h"
 #include "io/core/bags/bag_inertial.h"
+#include "io/core/bags/bag_ouster.h"
 #include "io/core/bags/bag_packets.h"
 #include "io/core/bags/bag_topics.h"
+#include "io/core/scans/ouster_source.h"
 #include "io/core/scans/velodyne_pcap.h"
 
 namespace bole::io {
@@ -45,23 +48,38 @@ bool names_file(const std::string& imu) {
   return ending == ".csv" || ending == ".txt" || std::filesystem::is_regular_file(imu, ignored);
 }
 
+template <class Source, class... More>
+std::shared_ptr<const FrameSource> open_packets(std::unique_ptr<BagPackets> packets, Report& report, More&&... more) {
+  const auto& reader = *packets;  // lives as long as the source
+  auto source = std::make_shared<const Source>(std::move(packets), std::forward<More>(more)...);
+  report = source->report();
+  if (reader.damaged_messages() > 0)
+    report.find(
+        Severity::look, "input_damaged",
+        std::to_string(reader.damaged_messages()) + " messages of packets cannot be read (" + reader.damage() + ")");
+  return source;
+}
+
 std::shared_ptr<const FrameSource> open_topic(const std::shared_ptr<const Bag>& bag, std::size_t topic,
                                               const std::filesystem::path& path, const FrameSourceOptions& options,
                                               const Run& run, Report& report) {
-  if (bag->topics()[topic].type == message_type::velodyne) {
-    auto packets = std::make_unique<BagPackets>(bag, topic, run);
-    const auto& reader = *packets;  // lives as long as the source
-    auto source = std::make_shared<const VelodynePcapSource>(std::move(packets), path, options, run);
-    report = source->report();
-    if (reader.damaged_messages() > 0)
-      report.find(
-          Severity::look, "input_damaged",
-          std::to_string(reader.damaged_messages()) + " messages of packets cannot be read (" + reader.damage() + ")");
-    report.facts["topic"] = bag->topics()[topic].name + " (" + bag->topics()[topic].type + ")";
-    return source;
+  const auto& chosen = bag->topics()[topic];
+  std::shared_ptr<const FrameSource> source;
+  std::string calibration;
+  if (chosen.type == message_type::velodyne) {
+    auto packets = std::make_unique<BagPackets>(bag, std::vector{topic}, run);
+    source = open_packets<VelodynePcapSource>(std::move(packets), report, path, options, run);
+  } else if (holds_ouster_packets(chosen)) {
+    auto metadata = find_ouster_metadata(*bag, path, options.sensor, run, calibration);
+    auto packets = std::make_unique<BagPackets>(bag, ouster_topics(*bag, topic), run);
+    source = open_packets<OusterSource>(std::move(packets), report, std::move(metadata), path, options, run);
+    report.facts["calibration"] = calibration;
+  } else {
+    auto clouds = std::make_shared<const BagCloudSource>(bag, topic, path, options, run);
+    report = clouds->report();
+    source = std::move(clouds);
   }
-  auto source = std::make_shared<const BagCloudSource>(bag, topic, path, options, run);
-  report = source->report();
+  report.facts["topic"] = chosen.name + " (" + chosen.type + ")";
   return source;
 }
 
@@ -81,7 +99,8 @@ std::shared_ptr<const FrameSource> open_bag_source(std::shared_ptr<const Bag> ba
                                                    const FrameSourceOptions& options, const Run& run, Report& report) {
   const auto topic = choose_scan_topic(*bag, options.topic);
   auto source = open_topic(bag, topic, path, options, run, report);
-  if (options.imu != "none" && !names_file(options.imu)) {
+  const bool own_unit = options.imu.empty() && source->inertial() != nullptr;
+  if (options.imu != "none" && !names_file(options.imu) && !own_unit) {
     std::string several;
     if (const auto imu = choose_imu_topic(*bag, options.imu, several)) try {
         BagInertial inertial(bag, *imu, run, report);

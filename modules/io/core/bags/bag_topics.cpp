@@ -10,15 +10,30 @@
 namespace bole::io {
 namespace {
 
-constexpr std::array scan_types{message_type::cloud, message_type::velodyne, message_type::livox, message_type::livox2,
-                                message_type::livox_interfaces};
+constexpr std::array scan_types{message_type::cloud,     message_type::velodyne,         message_type::livox,
+                                message_type::livox2,    message_type::livox_interfaces, message_type::ouster,
+                                message_type::ouster_ros};
+constexpr std::size_t ouster_imu_bytes = 48;
 
-std::string listed(const std::vector<BagTopic>& topics, bool (*fits)(const BagTopic&) = nullptr) {
+template <class Fits>
+std::string listed(const Bag& bag, Fits&& fits) {
   std::string out;
-  for (const auto& topic : topics)
-    if (fits == nullptr || fits(topic))
+  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
+    const auto& topic = bag.topics()[i];
+    if (fits(i))
       out += (out.empty() ? "" : ", ") + topic.name + " (" + topic.type + ", " + std::to_string(topic.messages) + ")";
+  }
   return out.empty() ? "no topics" : out;
+}
+
+std::string all_topics(const Bag& bag) {
+  return listed(bag, [](std::size_t) { return true; });
+}
+std::string scan_topics(const Bag& bag) {
+  return listed(bag, [&bag](std::size_t i) { return holds_scan(bag, i); });
+}
+std::string imu_topics(const Bag& bag) {
+  return listed(bag, [&bag](std::size_t i) { return holds_imu(bag.topics()[i]); });
 }
 
 // The topic of this name with messages, or the nearest names as an error.
@@ -33,15 +48,31 @@ std::size_t topic_named(const Bag& bag, const std::string& name, std::string_vie
   }
   if (found) return *found;
   const auto nearest = nearest_names(name, names, 1);
-  throw bad_input("the recording has no topic '" + name + "'", "one of " + listed(topics),
+  throw bad_input("the recording has no topic '" + name + "'", "one of " + all_topics(bag),
                   nearest.empty() ? "" : "Set " + std::string(option) + "=" + nearest.front());
 }
 
 }  // namespace
 
-bool holds_scan(const BagTopic& topic) {
+bool holds_ouster_packets(const BagTopic& topic) {
   return topic.messages > 0 && topic.encoding != MessageEncoding::other &&
-         std::ranges::find(scan_types, topic.type) != scan_types.end();
+         (topic.type == message_type::ouster || topic.type == message_type::ouster_ros);
+}
+
+bool holds_scan(const Bag& bag, std::size_t index) {
+  const auto& topic = bag.topics()[index];
+  if (topic.messages == 0 || topic.encoding == MessageEncoding::other ||
+      std::ranges::find(scan_types, topic.type) == scan_types.end())
+    return false;
+  if (!holds_ouster_packets(topic)) return true;
+  try {
+    const auto messages = bag.index(index, {});
+    return !messages.empty() &&
+           parse_ouster_packet(bag.read(messages.front()), topic.encoding).size() > ouster_imu_bytes;
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::bad_input) throw;
+    return false;  // its packets cannot be read
+  }
 }
 
 bool holds_imu(const BagTopic& topic) {
@@ -52,24 +83,24 @@ std::size_t choose_scan_topic(const Bag& bag, const std::string& name) {
   const auto& topics = bag.topics();
   if (!name.empty()) {
     const auto chosen = topic_named(bag, name, "topic");
-    if (!holds_scan(topics[chosen]))
+    if (!holds_scan(bag, chosen))
       throw bad_input("topic " + topics[chosen].name + " holds " + std::to_string(topics[chosen].messages) +
                           " messages of type " + topics[chosen].type,
-                      "point clouds or packets of a scanner: " + listed(topics, holds_scan));
+                      "point clouds or packets of a scanner: " + scan_topics(bag));
     return chosen;
   }
   std::optional<std::size_t> only;
   for (std::size_t i = 0; i < topics.size(); ++i) {
-    if (!holds_scan(topics[i])) continue;
+    if (!holds_scan(bag, i)) continue;
     if (only)
-      throw bad_input("the recording has more than one scan: " + listed(topics, holds_scan), "one of them",
+      throw bad_input("the recording has more than one scan: " + scan_topics(bag), "one of them",
                       "Set topic=" + topics[*only].name + " or another one");
     only = i;
   }
   if (only) return *only;
   std::string types;
   for (const auto type : scan_types) types += (types.empty() ? "" : ", ") + std::string(type);
-  throw bad_input("the recording holds no scan: " + listed(topics), "a topic with messages of type " + types);
+  throw bad_input("the recording holds no scan: " + all_topics(bag), "a topic with messages of type " + types);
 }
 
 std::optional<std::size_t> choose_imu_topic(const Bag& bag, const std::string& name, std::string& several) {
@@ -78,11 +109,11 @@ std::optional<std::size_t> choose_imu_topic(const Bag& bag, const std::string& n
     const auto chosen = topic_named(bag, name, "imu");
     if (!holds_imu(topics[chosen]))
       throw bad_input("topic " + topics[chosen].name + " holds messages of type " + topics[chosen].type,
-                      "measurements of an inertial unit: " + listed(topics, holds_imu));
+                      "measurements of an inertial unit: " + imu_topics(bag));
     return chosen;
   }
   const auto count = std::ranges::count_if(topics, holds_imu);
-  if (count > 1) several = listed(topics, holds_imu);
+  if (count > 1) several = imu_topics(bag);
   if (count != 1) return {};
   return static_cast<std::size_t>(std::ranges::find_if(topics, holds_imu) - topics.begin());
 }
@@ -91,7 +122,7 @@ std::vector<TopicDescription> describe_topics(const Bag& bag, const Run& run) {
   std::vector<TopicDescription> out;
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     TopicDescription description{bag.topics()[i], {}, {}};
-    if (holds_scan(description.topic)) description.use = "scan";
+    if (holds_scan(bag, i)) description.use = "scan";
     if (holds_imu(description.topic)) description.use = "imu";
     if (description.use == "scan" && description.topic.type == message_type::cloud) try {
         const auto messages = bag.index(i, run);

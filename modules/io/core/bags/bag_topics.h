@@ -9,8 +9,9 @@
 
 namespace bole::io {
 
-bool holds_scan(const BagTopic& topic);
+bool holds_scan(const Bag& bag, std::size_t topic);
 bool holds_imu(const BagTopic& topic);
+bool holds_ouster_packets(const BagTopic& topic);  // lidar and inertial ones, on topics of their own
 
 // The topic that is read as the scan: the one named, or the only one with a type that can be read. Throws
 // Error{bad_input} that lists the topics with their types and counts, with the nearest name where it is misspelt.

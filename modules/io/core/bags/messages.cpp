@@ -166,9 +166,11 @@ ImuMessage parse_imu(Bytes message, MessageEncoding encoding) {
   return out;
 }
 
-MessageHeader parse_header(Bytes message, MessageEncoding encoding) {
-  MessageReader reader(message, encoding);
-  return header_of(reader);
+Bytes parse_ouster_packet(Bytes message, MessageEncoding encoding) {
+  const auto packet = MessageReader(message, encoding).byte_sequence();
+  return packet.first(packet.size() / 4 * 4);
 }
+
+std::string_view parse_text(Bytes message, MessageEncoding encoding) { return MessageReader(message, encoding).text(); }
 
 }  // namespace bole::io

@@ -16,6 +16,8 @@ inline constexpr std::string_view cloud = "sensor_msgs/PointCloud2";
 inline constexpr std::string_view velodyne = "velodyne_msgs/VelodyneScan";
 inline constexpr std::string_view livox = "livox_ros_driver/CustomMsg", livox2 = "livox_ros_driver2/CustomMsg";
 inline constexpr std::string_view livox_interfaces = "livox_interfaces/CustomMsg";
+inline constexpr std::string_view ouster = "ouster_sensor_msgs/PacketMsg", ouster_ros = "ouster_ros/PacketMsg";
+inline constexpr std::string_view text = "std_msgs/String";
 inline constexpr std::string_view imu = "sensor_msgs/Imu";
 }  // namespace message_type
 
@@ -86,14 +88,17 @@ struct StampedPacket {
 };
 void parse_velodyne_scan(Bytes message, MessageEncoding encoding, std::vector<StampedPacket>& out);
 
+// PacketMsg of the Ouster drivers: one packet, without the byte that older drivers put behind it.
+Bytes parse_ouster_packet(Bytes message, MessageEncoding encoding);
+
+// std_msgs/String
+std::string_view parse_text(Bytes message, MessageEncoding encoding);
+
 // sensor_msgs/Imu
 struct ImuMessage {
   MessageHeader header;
   Eigen::Vector3d angular_rate, acceleration;
 };
 ImuMessage parse_imu(Bytes message, MessageEncoding encoding);
-
-// The stamp of a message that begins with a header.
-MessageHeader parse_header(Bytes message, MessageEncoding encoding);
 
 }  // namespace bole::io

@@ -97,6 +97,7 @@ void OusterSource::add(const sensor::OusterPacketHead& head, std::int64_t offset
       auto& frame = frames_[i];
       if (frame.id != head.frame_id || head.first_time_ns > frames_.back().first_time_ns) continue;
       ++counts.out_of_order;
+      frame.begin = std::min(frame.begin, offset);
       frame.end = offset;
       frame.columns += head.valid_columns;
       frame.first_time_ns = std::min(frame.first_time_ns, head.first_time_ns);
@@ -110,6 +111,7 @@ void OusterSource::add(const sensor::OusterPacketHead& head, std::int64_t offset
   }
   auto& frame = frames_.back();
   if (head.last_time_ns < frame.last_time_ns) ++counts.out_of_order;
+  frame.begin = std::min(frame.begin, offset);  // a datagram in fragments may end after one that began later
   frame.end = offset;
   frame.columns += head.valid_columns;
   frame.first_time_ns = std::min(frame.first_time_ns, head.first_time_ns);
