@@ -1,6 +1,7 @@
 // With an inertial unit: turns that no scanner follows alone, and stretches without returns.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -88,6 +89,33 @@ TEST(InertialSlam, WithoutAUnitThePresetSaysSo) {
   ASSERT_EQ(off.trajectory.poses.size(), without.trajectory.poses.size());
   for (std::size_t i = 0; i < off.trajectory.poses.size(); ++i)
     EXPECT_TRUE(off.trajectory.poses[i].T_target_sensor.isApprox(without.trajectory.poses[i].T_target_sensor, 0));
+}
+
+// A quarter turn about the vertical is what a person gets wrong; gravity does not show it.
+TEST(InertialSlam, AMountThatIsGivenWrongIsFoundOut) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  const SyntheticScan scan(
+      synthetic::trunks(9, 3.5), sensor,
+      [](double t) {
+        Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
+        T.linear() = T.linear() * rotation_from_rpy(0.06 * std::sin(5 * t), 0.06 * std::sin(4 * t), 0);
+        return T;
+      },
+      40);
+  auto record = *with_unit(scan, 5).inertial();
+  record.T_sensor_imu = Eigen::AngleAxisd(std::numbers::pi / 2, Eigen::Vector3d::UnitZ()) * *record.T_sensor_imu;
+  const WithUnit source(scan, std::move(record));
+  const auto result = run_slam(source, bare(Preset::best), {});
+  EXPECT_FALSE(result.report.counts.contains("frames_inertial"));
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.05);
+  const auto found = std::ranges::find(result.report.findings, "inertial_unit_left_out", &Finding::code);
+  ASSERT_NE(found, result.report.findings.end());
+  EXPECT_THAT(found->text, HasSubstr("deg off from what the turns"));
+  EXPECT_THROW(run_slam(source, bare(Preset::inertial), {}), Error);
+  const auto right = run_slam(with_unit(scan, 5), bare(Preset::best), {});
+  EXPECT_TRUE(right.report.counts.contains("frames_inertial"));
+  EXPECT_LT(right.report.metrics.at("imu_mount_off").value, 6);
 }
 
 // Up to 400 deg/s about the vertical, 40 deg within a frame, after a second of walking.

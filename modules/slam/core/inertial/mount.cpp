@@ -10,7 +10,7 @@ namespace bole::slam {
 namespace {
 
 constexpr double max_offset_s = 0.5, coarse_step_s = 0.01, fine_step_s = 0.002;
-constexpr std::size_t min_frames = 30;
+constexpr std::size_t min_frames = 30, min_checked_frames = 15;
 constexpr double max_turn_sigma_rad = radians(1.5), max_lever_sigma = 0.05;
 constexpr double lever_prior = 0.3, accelerometer_prior = 0.3, gravity_prior = 12;
 // A frame that was registered alone lags: its motion is drawn to that of the frame before it. Measured on simulated
@@ -206,6 +206,30 @@ Mount estimate_mount(const InertialRecord& record, const std::vector<TimedMotion
     out.unknown = "the rates of the unit explain only " + number_text(std::round(100 * share)) +
                   " % of the turns of the scanner: is it of this recording, and in rad/s?";
   if (out.unknown.empty()) find_lever(InertialMeasurements(record, out.time_offset_s), frames, out);
+  return out;
+}
+
+MountCheck check_mount(const InertialRecord& record, const std::vector<TimedMotion>& all, double time_offset_s) {
+  constexpr double same_size = 0.3, same_size_rad_s = radians(8), max_sigma_rad = radians(5);
+  MountCheck out;
+  if (!record.T_sensor_imu || record.samples.size() < 2) return out;
+  const RateIntegral integral(record.samples);
+  const InertialMeasurements stamped(record);
+  std::vector<TimedMotion> frames;
+  for (const auto& f : all) {
+    if (f.end_s - f.begin_s < 0.01 || !stamped.cover(f.begin_s + time_offset_s, f.end_s + time_offset_s)) continue;
+    const double seen = sensor_rate(f).norm(),
+                 measured = integral.mean(f.begin_s + time_offset_s, f.end_s + time_offset_s).norm();
+    if (std::abs(seen - measured) < same_size_rad_s + same_size * measured) frames.push_back(f);
+  }
+  if (frames.size() < min_checked_frames) return out;
+  const Fit fit = fit_turn(pairs_at(integral, frames, time_offset_s));
+  Mount shown;
+  shown.time_offset_s = time_offset_s;
+  judge_turn(integral, frames, fit, shown);
+  out.sigma_rad = shown.turn_sigma_rad;
+  out.judged = out.sigma_rad < max_sigma_rad;
+  out.off_rad = Eigen::AngleAxisd(record.T_sensor_imu->linear().transpose() * fit.R_sensor_imu).angle();
   return out;
 }
 

@@ -34,4 +34,14 @@ struct Mount {
 Mount estimate_mount(const InertialRecord& record, const std::vector<TimedMotion>& frames,
                      std::optional<double> time_offset_s);
 
+// How far a mount that is given lies from the one that the rates show.
+struct MountCheck {
+  bool judged = false;  // enough frames turned, about more than one axis
+  double off_rad = 0, sigma_rad = 0;
+};
+
+// Takes only frames whose turn has the size that the unit measured: the size does not depend on the mount, so that a
+// frame which was registered badly speaks neither for nor against it.
+MountCheck check_mount(const InertialRecord& record, const std::vector<TimedMotion>& frames, double time_offset_s);
+
 }  // namespace bole::slam

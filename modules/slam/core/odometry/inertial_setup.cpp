@@ -10,6 +10,7 @@ namespace bole::slam {
 namespace {
 
 constexpr double mount_walk_s = 60;  // a minute of walking turns about all axes often enough
+constexpr std::size_t frames_between_checks = 20;
 
 constexpr double max_lever_sigma = 0.05;  // beyond it, nothing is known of the lever arm that a guess would not say
 constexpr double given_clock_sigma_s = 1e-5;
@@ -19,8 +20,17 @@ constexpr InertialNoise usual_noise{5e-4, 4.5e-3, 1e-5, 1e-4};
 
 std::string rounded(double value, double steps) { return number_text(std::round(value * steps) / steps); }
 
-// The walk without the unit, as far as it goes.
-std::vector<TimedMotion> follow_without(const FrameSource& source, const SlamSettings& options, const Run& run) {
+std::vector<TimedMotion> motions_of(const Odometry& odometry) {
+  std::vector<TimedMotion> out;
+  for (std::size_t k = 1; k < odometry.frames().size(); ++k)  // the first one is not de-skewed
+    if (const auto& f = odometry.frames()[k]; f.ok) out.push_back({f.begin_s, f.end_s, f.motion});
+  return out;
+}
+
+// The walk without the unit, a minute at most, or until enough(motions) says so.
+template <class Enough>
+std::vector<TimedMotion> follow_without(const FrameSource& source, const SlamSettings& options, const Run& run,
+                                        const Enough& enough) {
   const ScanGate gate{options.min_range, options.max_range, source.rings() > 0 ? source.rings() : 1024};
   FeatureExtractor extractor(options);
   Odometry odometry(options);
@@ -41,11 +51,31 @@ std::vector<TimedMotion> follow_without(const FrameSource& source, const SlamSet
     prepare_scan(frame, gate, scan);
     extractor.extract(scan, features);
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
+    if (i % frames_between_checks == frames_between_checks - 1 && enough(motions_of(odometry))) break;
   }
-  std::vector<TimedMotion> out;
-  for (std::size_t k = 1; k < odometry.frames().size(); ++k)  // the first one is not de-skewed
-    if (const auto& f = odometry.frames()[k]; f.ok) out.push_back({f.begin_s, f.end_s, f.motion});
-  return out;
+  return motions_of(odometry);
+}
+
+// Compares the given mount with the turns of the first frames. Returns why it cannot be right; empty where it can.
+std::string doubt_of_mount(const FrameSource& source, const InertialRecord& record, double time_offset_s,
+                           const SlamSettings& options, Report& report, const Run& run) {
+  constexpr double max_off_rad = radians(8), sigmas = 3;
+  MountCheck check;
+  const auto look = [&](const std::vector<TimedMotion>& frames) {
+    check = check_mount(record, frames, time_offset_s);
+    return check.judged;
+  };
+  look(follow_without(source, options, run, look));
+  if (!check.judged) {
+    report.find(Severity::look, "imu_mount_unchecked",
+                "the mount of the inertial unit (T_sensor_imu) was not checked: the walk turns too little about some "
+                "axis, or the turns of unit and scanner do not agree in size. A wrong mount bends the map");
+    return {};
+  }
+  report.metrics["imu_mount_off"] = {degrees(check.off_rad), Unit::degree};
+  if (check.off_rad < std::max(max_off_rad, sigmas * check.sigma_rad)) return {};
+  return "its mount (T_sensor_imu) is given " + rounded(degrees(check.off_rad), 1) +
+         " deg off from what the turns of the scanner show; correct it, or leave it out to have it estimated";
 }
 
 }  // namespace
@@ -77,7 +107,7 @@ std::optional<InertialUnit> prepare_unit(const FrameSource& source, const SlamSe
     if (options.inertial == InertialUse::required)
       throw bad_input("the inertial unit cannot be used: " + why, "an inertial unit that fits the scan",
                       "Name its file with the option imu of the scan, or use the preset best");
-    report.warn("the inertial unit is not used: " + why);
+    report.find(Severity::look, "inertial_unit_left_out", "the inertial unit is not used: " + why);
     return std::nullopt;
   };
   if (!record || record->samples.size() < 2) {
@@ -89,15 +119,20 @@ std::optional<InertialUnit> prepare_unit(const FrameSource& source, const SlamSe
   if (options.deskew != Deskew::elastic) return refuse("frames are not elastic");
   InertialUnit unit;
   unit.noise = record->noise.value_or(usual_noise);
-  report.facts["inertial_unit"] = record->name;
   if (record->T_sensor_imu) {
+    const double time_offset_s = options.inertial_offset.value_or(0);
+    if (const auto doubt = doubt_of_mount(source, *record, time_offset_s, options, report, run); !doubt.empty())
+      return refuse(doubt);
+    report.facts["inertial_unit"] = record->name;
     unit.T_sensor_imu = *record->T_sensor_imu;
-    unit.data = InertialMeasurements(*record, options.inertial_offset.value_or(0));
+    unit.data = InertialMeasurements(*record, time_offset_s);
     return unit;
   }
-  const auto mount = estimate_mount(*record, follow_without(source, options, run), options.inertial_offset);
+  const auto never = [](const std::vector<TimedMotion>&) { return false; };
+  const auto mount = estimate_mount(*record, follow_without(source, options, run, never), options.inertial_offset);
   if (!mount.unknown.empty())
     return refuse("its mount in the scanner is not given and cannot be told: " + mount.unknown);
+  report.facts["inertial_unit"] = record->name;
   report.counts["imu_mount_frames"] = static_cast<std::int64_t>(mount.frames);
   unit.T_sensor_imu = mount.T_sensor_imu;
   unit.data = InertialMeasurements(*record, mount.time_offset_s);
