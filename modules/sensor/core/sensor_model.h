@@ -51,7 +51,7 @@ struct SensorModel {
   // Full angles of the beam (1/e^2 or as the maker gives them) and the size of the beam where it leaves the sensor.
   double beam_divergence_horizontal_rad = 0, beam_divergence_vertical_rad = 0;
   double aperture_horizontal_m = 0, aperture_vertical_m = 0;
-  bool beam_assumed = false;  // the maker states no divergence: these are of a similar sensor
+  bool beam_assumed = false;  // no divergence of the maker was found: these are of a similar sensor
 
   bool dual_return = false;  // can report two returns per firing
   PacketFormat packet = PacketFormat::none;

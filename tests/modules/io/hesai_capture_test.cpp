@@ -60,7 +60,7 @@ TEST(HesaiCapture, FramesAreWholeTurnsThroughTheHour) {
     for (const auto& p : frame.positions) EXPECT_NEAR(p.norm(), 6, 1e-4);
   }
   EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("correction file")));
-  EXPECT_FALSE(source->facts().contains("beam_divergence_mrad"));  // the maker does not state it
+  EXPECT_FALSE(source->facts().contains("beam_divergence_mrad"));  // it is assumed
 }
 
 TEST(HesaiCapture, DualReturnsAreInTheFrames) {
