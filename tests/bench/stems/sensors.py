@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""The same plot and walk seen by several scanners: SLAM, diameters and time of the whole chain.
+
+    sensors.py --bole PROGRAM --work FOLDER [--sensors vlp16,os1_128,pandar_xt32,mid360] [--plot demo] [--seeds 1] [--wind 5]
+
+Every scanner walks through the plot as `bole simulate` does it, with an inertial unit of consumer grade where it is a
+rosette (Livox) or where --imu says so, and is surveyed by pipelines/forest_plot.json with its presets. Prints error of the
+path, trees found, bias and RMSE of DBH, the share of 95 % intervals that hold, the verdict and milliseconds per frame.
+Results of single runs stay in FOLDER, so that an interrupted table goes on where it stopped.
+"""
+
+import argparse
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import types
+
+from stem_tables import Sample, judge, mean, rms
+
+REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+ROSETTES = {"mid360", "avia", "horizon"}
+QUICK = ["report.figures=false", "report.page=false", "report.cloud=false"]
+
+
+def run(command, log, allowed=(0,)):
+    with open(log, "w", encoding="utf-8") as out:
+        code = subprocess.run([str(c) for c in command], stdout=out, stderr=subprocess.STDOUT, check=False).returncode
+    if code not in allowed:
+        sys.exit(f"{' '.join(str(c) for c in command)} failed ({code}), see {log}")
+
+
+def surveyed(options, sensor, seed):
+    """Folders of the survey and of the truth of one run; made where they are not there yet."""
+    folder = options.work / f"{sensor}_{seed}_{options.wind:g}"
+    scan, out = folder / "scan", folder / "survey"
+    if not (out / "summary.json").exists():
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        flags = ["--imu", options.imu or "consumer"] if options.imu or sensor in ROSETTES else []
+        flags += ["--wind", options.wind] if options.wind else []
+        flags += ["--mount-tilt", options.tilt] if sensor in ROSETTES else []
+        flags += ["--max-time", options.seconds] if options.seconds else []
+        run([options.bole, "simulate", "--plot", options.plot, "--seed", seed, "--sensor", sensor, *flags, "--out", scan], folder / "simulate.log")
+        recording = scan / "walk.pcap" if (scan / "walk.pcap").exists() else scan / "frames"
+        settings = [f"scan.file={recording}", f"reference_trees.file={scan}/trees.csv", f"reference_path.file={scan}/trajectory.tum", *QUICK, *options.set]
+        run([options.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--no-cache", *[p for s in settings for p in ("--set", s)], "--out", out],
+            folder / "run.log")
+        if not options.keep:
+            shutil.rmtree(scan / "frames", ignore_errors=True)
+            (scan / "walk.pcap").unlink(missing_ok=True)
+            (out / "cloud.las").unlink(missing_ok=True)
+    return out, scan
+
+
+def line(sensor, runs, sample):
+    stages = [{s["id"]: s for s in json.loads((out / "summary.json").read_text())["stages"]} for out, _ in runs]
+    verdicts = sorted({str(json.loads((out / "summary.json").read_text())["verdict"]) for out, _ in runs})
+    ate = [s["evaluate"]["metrics"]["ate_rmse"]["value"] for s in stages if "ate_rmse" in s["evaluate"].get("metrics", {})]
+    frames = sum(s["slam"]["counts"]["frames"] for s in stages)
+    seconds = sum(s["slam"]["seconds"] for s in stages)
+    diameters = "" if not sample.error else f"{mean(sample.error):+.2f} / {rms(sample.error):.2f} | {100 * mean(sample.covered):.0f} % within +-{mean(sample.half):.2f}"
+    return (f"| {sensor} | {100 * mean(ate):.1f} | {sample.trees - sample.missed} of {sample.trees}, {sample.false} false | {diameters or ' | '} | "
+            f"{', '.join(verdicts)} | {1000 * seconds / max(1, frames):.0f} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bole", required=True, type=pathlib.Path)
+    parser.add_argument("--work", required=True, type=pathlib.Path, help="folder for runs and their logs")
+    parser.add_argument("--sensors", default="vlp16,os1_128,pandar_xt32,mid360")
+    parser.add_argument("--plot", default="demo")
+    parser.add_argument("--seeds", default="1")
+    parser.add_argument("--seconds", type=float, help="longest walk")
+    parser.add_argument("--wind", type=float, default=0, help="m/s")
+    parser.add_argument("--imu", help="grade of an inertial unit for all scanners")
+    parser.add_argument("--tilt", type=float, default=180, help="of rosettes, degrees: hanging, a Mid-360 sees the ground")
+    parser.add_argument("--set", action="append", default=[], metavar="STAGE.OPTION=VALUE", help="of the survey")
+    parser.add_argument("--keep", action="store_true", help="keep recordings and clouds")
+    options = parser.parse_args()
+    options.work = options.work.resolve()
+    matching = types.SimpleNamespace(gate=0.5, min_dbh=7.5, list=False)
+    print("| scanner | ATE, cm | found | DBH bias / RMSE, cm | 95 % interval | verdict | SLAM, ms/frame |\n|---|---|---|---|---|---|---|")
+    for sensor in options.sensors.split(","):
+        runs = [surveyed(options, sensor, int(seed)) for seed in options.seeds.split(",")]
+        sample = Sample()
+        for out, scan in runs:
+            sample.extend(judge(out, scan, matching))
+        print(line(sensor, runs, sample), flush=True)
+
+
+if __name__ == "__main__":
+    main()
