@@ -124,9 +124,12 @@ PathSample::Shift PathSample::best_shift(const PathCurve& curve, double offset_s
     if (median < best.median_m) best = {shift, median, false};
   };
   for (int k = -steps; k <= steps; ++k) consider(shift_step_s * k);
-  const double coarse = best.seconds;
+  const Shift coarse = best;
   const int fine = static_cast<int>(std::lround(shift_step_s / fine_step_s));
-  for (int k = -fine; k <= fine; ++k) consider(coarse + fine_step_s * k);
+  for (int k = -fine; k <= fine; ++k) consider(coarse.seconds + fine_step_s * k);
+  // The median is flat about its least value: parts of a step are only told where they matter.
+  constexpr double much_nearer = 0.95;
+  if (!(best.median_m < much_nearer * coarse.median_m)) best = coarse;
   best.certain = best.median_m < nearer * median_distance(curve, offset_s, 0);
   return best;
 }

@@ -183,7 +183,7 @@ TEST(JoinTrajectory, ShiftsBelowASecondAreTold) {
 
 TEST(JoinTrajectory, APathThatWasMovedIsTold) {
   for (const Eigen::Vector3d& by :
-       {Eigen::Vector3d(10, 0, 0), Eigen::Vector3d(0, -6, 0), Eigen::Vector3d(0, 0, 6), Eigen::Vector3d(0, 0, -3)}) {
+       {Eigen::Vector3d(10, 0, 0), Eigen::Vector3d(0, -10, 0), Eigen::Vector3d(0, 0, 6), Eigen::Vector3d(0, 0, -3)}) {
     auto path = walk(0);
     for (auto& pose : path.poses) pose.T_target_sensor.translation() += by;
     const auto* found = finding(join_trajectory(mapped(0), path, {}, {}).report, "path_place_suspect");
