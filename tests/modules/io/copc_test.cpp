@@ -209,6 +209,19 @@ TEST(Bounds, OfLasFiles) {
   EXPECT_THAT(error_of([&] { read_cloud(Bytes(file), "a.las", options); }), HasSubstr("bounds"));
 }
 
+TEST(Bounds, PointsOnTheEdgeAreInside) {
+  test::LasFile las;
+  for (int i = 0; i < 1000; ++i) las.add(i, 0, 0);
+  const auto file = las.bytes();
+  for (int i = 0; i < 1000; i += 7) {
+    CloudReadOptions options;
+    options.bounds = fmt::format("0,0,{}.{:02},3000", 1000 + i / 100, i % 100);
+    const auto reading = read_cloud(Bytes(file), "a.las", options);
+    EXPECT_EQ(reading.cloud.size(), static_cast<std::size_t>(i + 1)) << options.bounds;
+    EXPECT_EQ(reading.report.counts.at("points_outside_bounds"), 999 - i);
+  }
+}
+
 TEST(Bounds, OfCompressedFilesAreThoseOfAllTheirPoints) {
   for (const char* name :
        {"format1.laz", "format1_old.laz", "format6.laz", "format6_variable.laz", "format7_extra.laz"}) {

@@ -6,6 +6,7 @@
 #include "base/verdict.h"
 #include "e57_file.h"
 #include "io/core/clouds/cloud_reader.h"
+#include "io/core/clouds/turn_cloud.h"
 #include "io/core/e57/e57_description.h"
 #include "io_test_tools.h"
 
@@ -112,6 +113,16 @@ TEST(E57Fields, EmptyCellsOfAGridAreNoPoints) {
   const auto reading = read({scan});
   EXPECT_EQ(reading.cloud.size(), 97U);
   EXPECT_EQ(reading.report.counts.at("empty_cells"), 3);
+}
+
+TEST(E57Numbers, RangesAreInMetresLikeTheirPoints) {
+  CloudReadOptions feet;
+  feet.unit = LengthUnit::foot;
+  auto cloud = read({ring_scan(100, pose_xml(12, 7, 0))}, feet).cloud;
+  const auto& range = cloud.values<float>(arrays::range);
+  EXPECT_NEAR(range[0], 5 * 0.3048, 1e-5);
+  turn_cloud(cloud, 2 * rotation_to_z_up(UpAxis::y));
+  EXPECT_NEAR(cloud.values<float>(arrays::range)[0], 10 * 0.3048, 1e-5);
 }
 
 TEST(E57Numbers, LimitsAsScaledIntegersAreScaled) {

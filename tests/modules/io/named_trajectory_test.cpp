@@ -145,7 +145,11 @@ TEST(Sbet, CutLyingAndEmptyFiles) {
   const auto file = sbet_of({{1, 48, 9, 300}, {1, 48, 9, 300}, {2, 48, 9, 300}, {3, 480, 9, 300}});
   const auto path = read_sbet(bytes_of(file), "a");
   EXPECT_EQ(path.poses.size(), 2U);
-  EXPECT_EQ(path.facts.at("repeated_times"), "2");
+  EXPECT_EQ(path.facts.at("repeated_times"), "1");
+  EXPECT_EQ(path.facts.at("impossible_records"), "1");
+  const auto rolled = read_sbet(bytes_of(sbet_of({{604799, 48, 9, 300}, {0.5, 48, 9, 300}, {1.5, 48, 9, 300}})), "a");
+  ASSERT_EQ(rolled.poses.size(), 3U);
+  EXPECT_EQ(rolled.poses[2].time_s, 604801.5);
   EXPECT_EQ(read_sbet(bytes_of(file.substr(0, 300)), "a").poses.size(), 1U);
   EXPECT_THAT(error_of([&] { read_sbet(bytes_of(file.substr(0, 100)), "a"); }), HasSubstr("SBET"));
   EXPECT_THAT(error_of([&] { read_sbet({}, "a"); }), HasSubstr("SBET"));

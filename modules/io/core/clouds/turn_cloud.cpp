@@ -1,5 +1,6 @@
 #include "io/core/clouds/turn_cloud.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>

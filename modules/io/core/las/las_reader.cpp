@@ -199,6 +199,8 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
       findings, read.declared, read.points,
       fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, read.declared));
   if (options.bounds && builder.size() == 0 && info.points > 0) throw nothing_found(read, info, options);
+  if (options.bounds && !read.by_nodes)  // of a COPC file, most of them are never decoded
+    findings.counts["points_outside_bounds"] = static_cast<std::int64_t>(read.points - builder.size());
   note_points_behind(info, findings);
   bool exact = true;
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);

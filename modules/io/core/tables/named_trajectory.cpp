@@ -380,12 +380,23 @@ Trajectory read_sbet(Bytes file, const std::string& name) {
   if (records == 0 || !possible_sbet(file.data()))
     throw bad_input("'" + name + "' (" + std::to_string(file.size()) + " bytes) is no SBET file",
                     "records of 17 numbers: time, latitude and longitude in radians, height, ...");
-  std::size_t dropped = 0;
+  std::size_t repeated = 0, impossible = 0;
+  double weeks_s = 0;  // seconds of the GPS week begin anew on Sunday
   for (std::size_t i = 0; i < records; ++i) {
     const std::uint8_t* at = file.data() + i * sbet_record;
-    const double time = load<double>(at);
-    if (!possible_sbet(at) || (!trajectory.empty() && time <= trajectory.poses.back().time_s)) {
-      ++dropped;
+    if (!possible_sbet(at)) {
+      ++impossible;
+      continue;
+    }
+    constexpr double week_s = 604800;
+    const double last = trajectory.empty() ? 0 : trajectory.poses.back().time_s;
+    double time = load<double>(at) + weeks_s;
+    if (last - time > week_s / 2 && load<double>(at) < week_s) {
+      weeks_s += week_s;
+      time += week_s;
+    }
+    if (!trajectory.empty() && time <= last) {
+      ++repeated;
       continue;
     }
     Pose pose = Pose::Identity();
@@ -393,7 +404,8 @@ Trajectory read_sbet(Bytes file, const std::string& name) {
                                          degrees_per_radian * load<double>(at + 8), load<double>(at + 24));
     trajectory.poses.push_back({time, pose});
   }
-  if (dropped > 0) trajectory.facts["repeated_times"] = std::to_string(dropped);
+  if (repeated > 0) trajectory.facts["repeated_times"] = std::to_string(repeated);
+  if (impossible > 0) trajectory.facts["impossible_records"] = std::to_string(impossible);
   set_orientation_unknown(trajectory);
   set_fact(trajectory.facts, facts::crs, geographic_crs);
   return trajectory;
