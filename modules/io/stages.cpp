@@ -194,8 +194,9 @@ pipeline::StageType read_trajectory_stage() {
   static const std::string help = file_help("Trajectory", FileContent::trajectory);
   static const OptionTable table = make_option_table<S>({
       Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help},
-      Option<S, std::optional<TrajectoryFormat>>{"format", &S::format, "auto", Tier::advanced,
-                                                 "Format of the file. auto decides by the number of values in a line."},
+      Option<S, std::optional<TrajectoryFormat>>{
+          "format", &S::format, "auto", Tier::advanced,
+          "Format of the file. auto decides by the header, else by the values in a line."},
       Option<S, Axes>{"axes", &S::axes, Tier::advanced, "Coordinate system of the poses."},
       Option<S, std::string>{"crs",
                              &S::crs,
@@ -220,7 +221,9 @@ pipeline::StageType read_trajectory_stage() {
     trajectory.axes = o.axes;
     place_in_crs(trajectory, o.crs, result.report);
     if (const auto it = trajectory.facts.find("repeated_times"); it != trajectory.facts.end())
-      result.report.warn(it->second + " poses repeat the time of the one before, or cannot be, and were left out");
+      result.report.warn(it->second + " poses repeat the time of an earlier one and were left out");
+    if (const auto it = trajectory.facts.find("impossible_records"); it != trajectory.facts.end())
+      result.report.warn(it->second + " records cannot be (times, angles or heights out of range) and were left out");
     if (trajectory.facts.contains("orientation"))
       result.report.find(Severity::note, "orientation_unknown",
                          "orientations of the path are not known: only its positions can be used");

@@ -1447,8 +1447,8 @@
             <translation>要读取的轨迹:SBET(二进制,经纬度)、named(带表头行的列:GeoSLAM、HDMapping、CSV)、TUM (time tx ty tz qx qy qz qw) 或 KITTI(每个位姿 12 个数字)。</translation>
         </message>
         <message>
-            <source>Format of the file. auto decides by the number of values in a line.</source>
-            <translation>文件格式。自动(auto):按一行中的数值个数判断。</translation>
+            <source>Format of the file. auto decides by the header, else by the values in a line.</source>
+            <translation>文件格式。自动(auto):按文件头判断,否则按一行中的数值判断。</translation>
         </message>
         <message>
             <source>Coordinate system of the poses.</source>

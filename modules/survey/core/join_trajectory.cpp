@@ -78,8 +78,13 @@ double clock_offset(const PathSample& sample, const PathCurve& curve, Report& re
   const TimeSpan path{curve.begin_s(), curve.end_s()};
   constexpr double enough = 0.5;  // of the points must have a pose
   std::vector<ClockOffset> fitting;
-  for (auto& candidate : possible_offsets(sample.span(), path))
-    if (sample.share_with_pose(curve, candidate.offset_s) >= enough) fitting.push_back(std::move(candidate));
+  std::optional<ClockOffset> best;
+  double best_share = 0;
+  for (auto& candidate : possible_offsets(sample.span(), path)) {
+    const double share = sample.share_with_pose(curve, candidate.offset_s);
+    if (share > best_share) best = candidate, best_share = share;
+    if (share >= enough) fitting.push_back(std::move(candidate));
+  }
   const std::string ranges = fmt::format("the times of the points go {}, those of the trajectory {}",
                                          described(sample.span()), described(path));
   if (fitting.size() > 1)
@@ -93,11 +98,38 @@ double clock_offset(const PathSample& sample, const PathCurve& curve, Report& re
                               fitting[0].offset_s));
     return fitting[0].offset_s;
   }
+  if (best)
+    throw bad_input(
+        ranges + fmt::format(": with an offset of {:.3f} s ({}) only {:.2g} % of the points have a pose",
+                             best->offset_s, best->meaning, 100 * best_share),
+        "the path of the whole cloud",
+        fmt::format("Set time_offset={:.3f} where the path is that of a part of the cloud", best->offset_s));
   throw bad_input(
       ranges + ": no clocks are known by which they go together",
       "a trajectory of the same scan, in GPS time, GPS time less 1e9 s, seconds of the GPS week or Unix time",
       fmt::format("Set time_offset; it is {:.3f} where both begin at the same moment",
                   sample.span().begin - path.begin));
+}
+
+// A path that was moved as a whole stays near the points, so that the distances alone do not tell.
+void judge_place(const PathSample& sample, const PathCurve& curve, double offset, const PathSample::Fit& fit,
+                 const JoinOptions& options, Report& report) {
+  if (options.max_distance > JoinOptions{}.max_distance) return;  // the sensor is known to be far from all points
+  constexpr double near_m = 4, aside_m = 3, nearer = 0.75, lowest_m = 0, highest_m = 4;
+  const auto lie = sample.lie(curve, offset);
+  std::string why;
+  const auto add = [&why](const std::string& text) { why += (why.empty() ? "" : ", ") + text; };
+  if (fit.nearest_m > near_m) add(fmt::format("hardly a point is nearer to it than {:.1f} m", fit.nearest_m));
+  if (lie.above_m < lowest_m || lie.above_m > highest_m)
+    add(fmt::format("it is {:.1f} m above the lowest points beneath it", lie.above_m));
+  if (lie.aside_m > aside_m && lie.centred_m < nearer * fit.median_m)
+    add(fmt::format("the middle of the points is {:.1f} m aside of it", lie.aside_m));
+  if (!why.empty())
+    report.find(Severity::look, "path_place_suspect",
+                "the path may be moved against the cloud, so that all rays are wrong: at the times of the points " +
+                    why +
+                    ". Check that both have the same origin and the same heights; raise max_distance where the "
+                    "sensor was carried so");
 }
 
 void check_geometry(const PathSample& sample, const PathCurve& curve, double offset, const JoinOptions& options,
@@ -117,10 +149,12 @@ void check_geometry(const PathSample& sample, const PathCurve& curve, double off
                     fit.median_m, fit.shuffled_m),
         "a path in the coordinate system and clock of the points",
         "Check axes and time_offset, or take the trajectory away");
+  judge_place(sample, curve, offset, fit, options, report);
   const auto shift = sample.best_shift(curve, offset);
-  if (shift.certain && std::abs(shift.seconds) > 2 * PathSample::shift_step_s)
+  constexpr double least_shift_s = 0.2;
+  if (shift.certain && std::abs(shift.seconds) >= least_shift_s)
     report.find(Severity::look, "time_shift_suspect",
-                fmt::format("the points lie nearer the path (median {:.2f} m, now {:.2f} m) with {:+.1f} s more: the "
+                fmt::format("the points lie nearer the path (median {:.2f} m, now {:.2f} m) with {:+.2f} s more: the "
                             "clocks may differ, for instance by leap seconds. Nothing was changed; set "
                             "time_offset={:.3f} where it is so",
                             shift.median_m, fit.median_m, shift.seconds, offset + shift.seconds));
@@ -183,6 +217,8 @@ JoinedCloud join_trajectory(const PointCloud& points, const Trajectory& trajecto
   if (points.has(arrays::sensor_x))
     report.find(Severity::look, "sensor_positions_replaced",
                 "the points had sensor positions: those of the trajectory took their place");
+  if (points.has(arrays::pass))
+    report.find(Severity::look, "passes_replaced", "the points had passes: those of the path took their place");
   out.points = points;
   out.points.set_column(arrays::sensor_x, std::move(x));
   out.points.set_column(arrays::sensor_y, std::move(y));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cloud/trajectory.h"
 
@@ -11,10 +12,10 @@ namespace bole::survey {
 class PathCurve {
  public:
   // Poses further apart than `max_gap_s` are not connected.
-  PathCurve(const Trajectory& trajectory, double max_gap_s) : poses_(trajectory.poses), max_gap_s_(max_gap_s) {}
+  PathCurve(const Trajectory& trajectory, double max_gap_s);
 
-  double begin_s() const { return poses_.front().time_s; }
-  double end_s() const { return poses_.back().time_s; }
+  double begin_s() const { return places_.front().time_s; }
+  double end_s() const { return places_.back().time_s; }
 
   // Nothing before the first pose, after the last one and within gaps.
   std::optional<Eigen::Vector3d> at(double time_s) const;
@@ -22,9 +23,13 @@ class PathCurve {
   Eigen::Vector3d nearest(double time_s) const;
 
  private:
+  struct Place {
+    double time_s = 0;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  };
   Eigen::Vector3d velocity(std::size_t i) const;
 
-  const std::vector<StampedPose>& poses_;
+  std::vector<Place> places_;
   double max_gap_s_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace bole::survey {
 namespace {
@@ -16,7 +18,7 @@ double quantile(std::vector<double> values, double share) {
 
 }  // namespace
 
-PathSample::PathSample(const PointCloud& points) {
+PathSample::PathSample(const PointCloud& points) : points_(points) {
   constexpr std::size_t wanted = 4000;
   const auto& time = points.values<double>(arrays::time);
   const std::size_t step = std::max<std::size_t>(1, points.size() / wanted);
@@ -72,24 +74,63 @@ PathSample::Fit PathSample::fit(const PathCurve& curve, double offset_s) const {
   return out;
 }
 
+PathSample::Lie PathSample::lie(const PathCurve& curve, double offset_s) const {
+  std::vector<Eigen::Vector3d> offsets;
+  for (std::size_t i = 0; i < times_.size(); ++i)
+    if (const auto place = curve.at(times_[i] - offset_s)) offsets.push_back(places_[i] - *place);
+  const auto median_of = [&](auto&& value) {
+    std::vector<double> values;
+    for (const auto& d : offsets) values.push_back(value(d));
+    return quantile(std::move(values), 0.5);
+  };
+  const Eigen::Vector3d middle(median_of([](const auto& d) { return d.x(); }),
+                               median_of([](const auto& d) { return d.y(); }), 0);
+  return {middle.norm(), median_of([&](const auto& d) { return (d - middle).norm(); }), height_over_lowest(curve)};
+}
+
+// Median over the cells of 2 m that the path crosses and that have points.
+double PathSample::height_over_lowest(const PathCurve& curve) const {
+  constexpr double cell_m = 2, step_s = 1;
+  constexpr std::size_t enough_points = 2'000'000, most_places = 20'000;
+  const auto cell_of = [](const Eigen::Vector3d& p) {
+    return std::pair(std::floor(p.x() / cell_m), std::floor(p.y() / cell_m));
+  };
+  struct Cell {
+    double sensor_z, lowest = std::numeric_limits<double>::infinity();
+  };
+  std::map<std::pair<double, double>, Cell> cells;
+  const double length = curve.end_s() - curve.begin_s();
+  const double step = std::max(step_s, length / static_cast<double>(most_places));
+  for (double t = 0; t <= length; t += step)
+    if (const auto place = curve.at(curve.begin_s() + t)) cells.try_emplace(cell_of(*place), Cell{place->z()});
+  for (std::size_t i = 0; i < points_.size(); i += 1 + points_.size() / enough_points) {
+    const auto p = points_.position(i);
+    if (const auto it = cells.find(cell_of(p)); it != cells.end())
+      it->second.lowest = std::min(it->second.lowest, p.z());
+  }
+  std::vector<double> heights;
+  for (const auto& [at, cell] : cells)
+    if (std::isfinite(cell.lowest)) heights.push_back(cell.sensor_z - cell.lowest);
+  return quantile(std::move(heights), 0.5);
+}
+
 PathSample::Shift PathSample::best_shift(const PathCurve& curve, double offset_s) const {
   constexpr int steps = 60;
   constexpr double covered = 0.5, nearer = 0.9;
-  std::vector<double> medians;
-  Shift best;
-  double none = std::numeric_limits<double>::quiet_NaN();
-  for (int k = -steps; k <= steps; ++k) {
-    const double shift = shift_step_s * k;
-    if (share_with_pose(curve, offset_s + shift) < covered) continue;
+  Shift best{0, std::numeric_limits<double>::infinity(), false};
+  const auto consider = [&](double shift) {
+    if (share_with_pose(curve, offset_s + shift) < covered) return;
     const double median = median_distance(curve, offset_s + shift, 0);
-    if (medians.empty() || median < best.median_m) best = {shift, median, false};
-    if (k == 0) none = median;
-    medians.push_back(median);
-  }
-  if (medians.empty()) return best;
-  // Where it is best without a shift, most shifts must be worse for that to mean something.
-  const double usual = quantile(std::move(medians), 0.75);
-  best.certain = best.median_m < nearer * (std::abs(best.seconds) <= shift_step_s ? usual : none);
+    if (median < best.median_m) best = {shift, median, false};
+  };
+  for (int k = -steps; k <= steps; ++k) consider(shift_step_s * k);
+  const Shift coarse = best;
+  const int fine = static_cast<int>(std::lround(shift_step_s / fine_step_s));
+  for (int k = -fine; k <= fine; ++k) consider(coarse.seconds + fine_step_s * k);
+  // The median is flat about its least value: parts of a step are only told where they matter.
+  constexpr double much_nearer = 0.95;
+  if (!(best.median_m < much_nearer * coarse.median_m)) best = coarse;
+  best.certain = best.median_m < nearer * median_distance(curve, offset_s, 0);
   return best;
 }
 

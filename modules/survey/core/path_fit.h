@@ -11,7 +11,7 @@ namespace bole::survey {
 
 class PathSample {
  public:
-  static constexpr double shift_step_s = 0.5;
+  static constexpr double shift_step_s = 0.5, fine_step_s = 0.05;
 
   // Throws Error{bad_input} where no point has a time.
   explicit PathSample(const PointCloud& points);
@@ -29,16 +29,26 @@ class PathSample {
   };
   Fit fit(const PathCurve& curve, double offset_s) const;
 
+  // How the points lie about the sensor at their time.
+  struct Lie {
+    double aside_m = 0;    // horizontal distance of their middle from it
+    double centred_m = 0;  // median distance if the path were moved by that
+    double above_m = 0;    // of the sensor over the lowest points beneath it; not a number where there are none
+  };
+  Lie lie(const PathCurve& curve, double offset_s) const;
+
   // The shift of the clock, up to 30 s, at which the points lie nearest the path.
   struct Shift {
     double seconds = 0, median_m = 0;
-    bool certain = false;  // the points lie farther off at no shift; where that is the best one, at most others
+    bool certain = false;  // the points lie a tenth farther off without it
   };
   Shift best_shift(const PathCurve& curve, double offset_s) const;
 
  private:
+  double height_over_lowest(const PathCurve& curve) const;
   double median_distance(const PathCurve& curve, double offset_s, std::size_t step) const;
 
+  const PointCloud& points_;
   std::vector<Eigen::Vector3d> places_;
   std::vector<double> times_;
   TimeSpan span_;

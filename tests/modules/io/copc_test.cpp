@@ -1,5 +1,6 @@
 // COPC and the options bounds and resolution. The numbers of the fixture are those that laspy finds in it
 // (tests/bench/peers/clouds_against_peers.py compares point by point).
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -136,12 +137,54 @@ TEST(Copc, LyingEntriesAreLeftOutAndTold) {
   EXPECT_TRUE(has_finding(read_damaged(file).report, finding_code::input_incomplete));
 }
 
+TEST(Copc, PointsOfRefusedEntriesAreMissing) {
+  auto file = fixture_bytes();
+  las::store(&file[root_of(file) + 16], ~std::uint64_t{0});
+  EXPECT_TRUE(has_finding(read_damaged(file, "0,0,1e9,1e9").report, finding_code::input_incomplete));
+  file = fixture_bytes();
+  const auto root = root_of(file);  // becomes a page that lies outside
+  las::store(&file[root + 16], ~std::uint64_t{0});
+  las::store(&file[root + 28], std::int32_t{-1});
+  EXPECT_TRUE(has_finding(read_damaged(file, "0,0,1e9,1e9").report, finding_code::input_incomplete));
+}
+
+TEST(Copc, AnEntryOnTopOfOthersCostsItsOwnPoints) {
+  auto file = fixture_bytes();
+  const auto root = root_of(file);
+  const std::uint64_t first = las::load<std::uint64_t>(&file[96]) + 8;  // behind the place of the chunk table
+  const auto last = las::load<std::uint64_t>(&file[root + 16]) + las::load<std::uint32_t>(&file[root + 24]);
+  las::store(&file[root + 16], first);
+  las::store(&file[root + 24], static_cast<std::int32_t>(std::max(last, root_page_of(file)) - first) - 2000);
+  const auto reading = read_damaged(file, "0,0,1e9,1e9");
+  EXPECT_EQ(reading.cloud.size(), 660U);  // all but the 40 points of the root
+  EXPECT_TRUE(has_finding(reading.report, finding_code::input_incomplete));
+}
+
+TEST(Copc, NothingWithinSaysWhy) {
+  // A corner in which the coarse level has no point.
+  const auto all = read_cloud(fixture).cloud;
+  const auto coarse = read_with(fixture, "", 2).cloud;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Eigen::Vector3d p = exact_position(all, i);
+    const auto text = fmt::format("{},{},{},{}", p.x() - 0.01, p.y() - 0.01, p.x() + 0.01, p.y() + 0.01);
+    if (!sorted_points(coarse, *parse_bounds(text)).empty()) continue;
+    EXPECT_THAT(error_of([&] { read_with(fixture, text, 2); }), HasSubstr("smaller resolution"));
+    break;
+  }
+  auto file = fixture_bytes();
+  las::store(&file[375 + 54 + 40], std::uint64_t{10});  // the first page lies in the header
+  EXPECT_THAT(error_of([&] { read_damaged(file); }), HasSubstr("octree of the file are damaged"));
+}
+
 TEST(Copc, ADamagedRecordLeavesALazFile) {
   auto file = fixture_bytes();
   las::store(&file[375 + 54 + 40], ~std::uint64_t{0});
   const auto reading = read_damaged(file);
   EXPECT_EQ(reading.cloud.size(), 38U);
   EXPECT_THAT(reading.report.warnings.front(), HasSubstr("COPC"));
+  CloudReadOptions options;
+  options.resolution = 2;
+  EXPECT_TRUE(has_finding(read_cloud(Bytes(file), "a.copc.laz", options).report, "resolution_ignored"));
 }
 
 TEST(Copc, ACutFileIsTold) {
@@ -164,6 +207,19 @@ TEST(Bounds, OfLasFiles) {
     EXPECT_TRUE(parse_bounds(options.bounds)->contains(exact_position(reading.cloud, i)));
   options.bounds = "0,0,1,1";
   EXPECT_THAT(error_of([&] { read_cloud(Bytes(file), "a.las", options); }), HasSubstr("bounds"));
+}
+
+TEST(Bounds, PointsOnTheEdgeAreInside) {
+  test::LasFile las;
+  for (int i = 0; i < 1000; ++i) las.add(i, 0, 0);
+  const auto file = las.bytes();
+  for (int i = 0; i < 1000; i += 7) {
+    CloudReadOptions options;
+    options.bounds = fmt::format("0,0,{}.{:02},3000", 1000 + i / 100, i % 100);
+    const auto reading = read_cloud(Bytes(file), "a.las", options);
+    EXPECT_EQ(reading.cloud.size(), static_cast<std::size_t>(i + 1)) << options.bounds;
+    EXPECT_EQ(reading.report.counts.at("points_outside_bounds"), 999 - i);
+  }
 }
 
 TEST(Bounds, OfCompressedFilesAreThoseOfAllTheirPoints) {

@@ -100,7 +100,7 @@ TEST(E57, PlacesThatTheFileDoesNotSayAreNotTaken) {
   EXPECT_FALSE(shifted.cloud.has(arrays::range));
   EXPECT_TRUE(has_finding(shifted.report, "scan_positions_unknown"));
   options.scan_positions = ScanPositions::none;
-  file.scans = {ring_scan(100, pose_xml(100, 0, 0))};
+  file.scans = {ring_scan(100, pose_xml(101, 0, 0))};
   EXPECT_TRUE(read(file.bytes()).cloud.has(arrays::sensor_x));
   EXPECT_FALSE(read(file.bytes(), options).cloud.has(arrays::sensor_x));
 }

@@ -71,13 +71,45 @@ TEST(NamedTrajectory, OtherFormatsStayWhatTheyAre) {
 
 TEST(NamedTrajectory, LinesThatCannotBeUsedAreNamed) {
   const std::string head = "time x y z qw qx qy qz\n";
-  EXPECT_THAT(error_of([&] { read(head + "1 2 3\n"); }), HasSubstr("line 1"));
+  EXPECT_THAT(error_of([&] { read(head + "1 2 3\n"); }), HasSubstr("line 2"));
   EXPECT_THAT(error_of([&] { read(head + "1 a 0 0 1 0 0 0\n"); }), HasSubstr("'a'"));
   EXPECT_THAT(error_of([&] { read(head + "1 0 0 0 2 0 0 0\n"); }), HasSubstr("quaternion"));
   EXPECT_THAT(error_of([&] { read(head + "2 0 0 0 1 0 0 0\n1 0 0 0 1 0 0 0\n"); }), HasSubstr("times that increase"));
   EXPECT_THAT(error_of([&] { read(head); }), HasSubstr("no poses"));
   EXPECT_THAT(error_of([&] { read(""); }), HasSubstr("names the columns"));
   EXPECT_EQ(read(head + "1 0 0 0 1 0 0 0\n1 9 0 0 1 0 0 0\n2 0 0 0 1 0 0 0\n").facts.at("repeated_times"), "1");
+}
+
+TEST(NamedTrajectory, UnitsInTheHeaderAreNoColumns) {
+  const auto path = read("Time (s),X (m),Y (m),Z (m),Roll,Pitch,Yaw\n1.5,10,20,30,0.1,0.2,0.3\n");
+  EXPECT_EQ(path.poses[0].time_s, 1.5);
+  EXPECT_EQ(path.poses[0].T_target_sensor.translation(), Eigen::Vector3d(10, 20, 30));
+  EXPECT_EQ(read("timestamp [ns], x [m], y [m], z [m]\n1500000000, 1, 2, 3\n").poses[0].time_s, 1.5);
+  EXPECT_EQ(read("time [s] x [m] y [m] z [m]\n2 1 2 3\n").poses[0].T_target_sensor.translation().z(), 3);
+  const auto riprocess = read("Time[s],Easting[m],Northing[m],Elevation[m]\n7,500000,5400000,300\n");
+  EXPECT_EQ(riprocess.poses[0].T_target_sensor.translation(), Eigen::Vector3d(500000, 5400000, 300));
+  EXPECT_TRUE(is_geographic(read("gps_seconds[s] latitude[deg] longitude[deg] altitude[m]\n7 48 9 300\n")));
+  EXPECT_THAT(error_of([&] { read("time,x [ft],y [ft],z [ft]\n1,2,3,4\n"); }), HasSubstr("names the columns"));
+}
+
+TEST(NamedTrajectory, CellsStandUnderTheirNamesOrAreRefused) {
+  const std::string head = "time;x;y;z\n";
+  EXPECT_THAT(error_of([&] { read(head + "0,00;12,34;56,78;1,20\n"); }), HasSubstr("'0,00'"));
+  EXPECT_THAT(error_of([&] { read("time,x,y,z\n0,00;12,34;56,78;1,20\n"); }), HasSubstr("line 2"));
+  EXPECT_THAT(error_of([&] { read("time,x,y,z,roll\n1.0,,3,4,5\n"); }), HasSubstr("''"));
+  EXPECT_THAT(error_of([&] { read("time,x,y,z\n1,2,3,4,5\n"); }), HasSubstr("5 values"));
+  EXPECT_EQ(read("time,x,y,z,\n1,2,3,4,\n").poses[0].T_target_sensor.translation(), Eigen::Vector3d(2, 3, 4));
+  // An empty cell of another column moves nothing.
+  EXPECT_EQ(read("time,roll,x,y,z\n1,,2,3,4\n").poses[0].T_target_sensor.translation(), Eigen::Vector3d(2, 3, 4));
+}
+
+TEST(NamedTrajectory, SecondsAndNanosecondsAreOneTime) {
+  const auto path = read("sec,nanosec,x,y,z\n5,250000000,1,2,3\n5,750000000,1,2,4\n");
+  ASSERT_EQ(path.poses.size(), 2U);
+  EXPECT_EQ(path.poses[0].time_s, 5.25);
+  EXPECT_EQ(path.poses[1].time_s, 5.75);
+  EXPECT_EQ(read("nanoseconds seconds x y z\n500000000 5 1 2 3\n").poses[0].time_s, 5.5);
+  EXPECT_THAT(error_of([&] { read("sec,nanosec,x,y,z\n5,2500000000,1,2,3\n"); }), HasSubstr("below a second"));
 }
 
 std::string sbet_of(std::vector<std::array<double, 4>> records) {
@@ -113,7 +145,11 @@ TEST(Sbet, CutLyingAndEmptyFiles) {
   const auto file = sbet_of({{1, 48, 9, 300}, {1, 48, 9, 300}, {2, 48, 9, 300}, {3, 480, 9, 300}});
   const auto path = read_sbet(bytes_of(file), "a");
   EXPECT_EQ(path.poses.size(), 2U);
-  EXPECT_EQ(path.facts.at("repeated_times"), "2");
+  EXPECT_EQ(path.facts.at("repeated_times"), "1");
+  EXPECT_EQ(path.facts.at("impossible_records"), "1");
+  const auto rolled = read_sbet(bytes_of(sbet_of({{604799, 48, 9, 300}, {0.5, 48, 9, 300}, {1.5, 48, 9, 300}})), "a");
+  ASSERT_EQ(rolled.poses.size(), 3U);
+  EXPECT_EQ(rolled.poses[2].time_s, 604801.5);
   EXPECT_EQ(read_sbet(bytes_of(file.substr(0, 300)), "a").poses.size(), 1U);
   EXPECT_THAT(error_of([&] { read_sbet(bytes_of(file.substr(0, 100)), "a"); }), HasSubstr("SBET"));
   EXPECT_THAT(error_of([&] { read_sbet({}, "a"); }), HasSubstr("SBET"));

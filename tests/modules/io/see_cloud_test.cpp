@@ -6,6 +6,8 @@
 
 #include "base/angles.h"
 #include "cloud/known_facts.h"
+#include "io/core/las/las_reader.h"
+#include "io/core/las/las_writer.h"
 #include "io_test_tools.h"
 #include "synthetic/stand_cloud.h"
 
@@ -42,6 +44,17 @@ TEST(SeeCloud, ASoundCloudIsLeftAsItIs) {
   EXPECT_THAT(codes(seen), IsEmpty());
   EXPECT_EQ(seen.reading.cloud.positions(), cloud.positions());
   EXPECT_EQ(seen.reading.report.facts.at("kind"), "plot");
+}
+
+TEST(SeeCloud, ACloudThatWasSavedAfterATurnIsNotTurned) {
+  auto cloud = stand_cloud();
+  cloud.facts["turned"] = "unit_found";
+  EXPECT_FALSE(look(cloud).reading.cloud.facts.contains("turned"));
+  EXPECT_TRUE(look(mapped(cloud, y_up())).reading.cloud.facts.contains("turned"));
+  const auto path = std::filesystem::temp_directory_path() / "bole_turned.las";
+  write_las(path, cloud);
+  EXPECT_FALSE(read_las(path).facts.contains("turned"));
+  std::filesystem::remove(path);
 }
 
 TEST(SeeCloud, YUpIsTurnedAndTold) {

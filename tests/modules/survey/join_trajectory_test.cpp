@@ -39,15 +39,16 @@ Trajectory walk(double time_offset, double rate = 10) {
   return out;
 }
 
-// Points of the ground and of trees, 2 to 12 m from where the sensor was.
-PointCloud mapped(double time_offset) {
+// Points of the ground, 1.4 m below the sensor, `nearest` to `farthest` metres aside from where it was.
+PointCloud mapped(double time_offset, double nearest = 2, double farthest = 12) {
   PointCloud::Positions positions;
   std::vector<double> time;
   const Eigen::Vector3d origin(500000, 5400000, 300);
   for (int i = 0; i < 20000; ++i) {
     const double t = 0.5 + (walk_s - 1) * i / 20000;
-    const double bearing = 2.399963 * i, range = 2 + 10 * std::fmod(0.618034 * i, 1);
-    const Eigen::Vector3d place = place_at(t) + range * Eigen::Vector3d(std::cos(bearing), std::sin(bearing), 0.05);
+    const double bearing = 2.399963 * i, range = nearest + (farthest - nearest) * std::fmod(0.618034 * i, 1);
+    const Eigen::Vector3d place =
+        place_at(t) + Eigen::Vector3d(range * std::cos(bearing), range * std::sin(bearing), -1.4);
     positions.push_back((place - origin).cast<float>());
     time.push_back(t + time_offset);
   }
@@ -97,6 +98,16 @@ TEST(PathCurve, GoesThroughPosesAndNotOverGaps) {
   EXPECT_TRUE(PathCurve(path, 5).at(11));
 }
 
+TEST(PathCurve, PosesThatNearlyCoincideInTimeAreOne) {
+  Trajectory path;
+  for (const auto& [t, x] : {std::pair(0.0, 0.0), {0.1, 0.1}, {0.100001, 0.101}, {0.2, 0.2}, {0.3, 0.3}}) {
+    path.poses.push_back({t, Pose::Identity()});
+    path.poses.back().T_target_sensor.translation().x() = x;
+  }
+  const PathCurve curve(path, 0.5);
+  for (double t = 0; t <= 0.3; t += 0.003) EXPECT_NEAR(curve.at(t)->x(), t, 2e-3) << t;
+}
+
 TEST(PathClock, LeapSecondsOfTheDates) {
   EXPECT_EQ(leap_seconds(315964800), 0);  // 1980-01-06
   EXPECT_EQ(leap_seconds(1136073599), 13);
@@ -118,6 +129,7 @@ TEST(JoinTrajectory, GivesEveryPointItsRayAndItsPass) {
   EXPECT_EQ(pose_origin(joined.points.facts), PoseOrigin::given);
   EXPECT_EQ(finding(joined.report, "time_offset"), nullptr);
   EXPECT_EQ(finding(joined.report, "time_shift_suspect"), nullptr);
+  EXPECT_EQ(finding(joined.report, "path_place_suspect"), nullptr);
 }
 
 TEST(JoinTrajectory, KnowsTheClocksThatProgramsWrite) {
@@ -159,6 +171,40 @@ TEST(JoinTrajectory, AShiftOfLeapSecondsIsToldAndNotMade) {
   JoinOptions options;
   options.time_offset = -18;
   EXPECT_LT(worst_sensor(join_trajectory(mapped(1000), walk(1018), options, {}).points, 1000), 0.03);
+}
+
+TEST(JoinTrajectory, ShiftsBelowASecondAreTold) {
+  const auto joined = join_trajectory(mapped(1000, 0.1, 0.6), walk(1001), {}, {});
+  const auto* found = finding(joined.report, "time_shift_suspect");
+  ASSERT_NE(found, nullptr);
+  EXPECT_THAT(found->text, HasSubstr("time_offset=-1.0"));
+  EXPECT_EQ(finding(join_trajectory(mapped(0, 0.1, 0.6), walk(0), {}, {}).report, "time_shift_suspect"), nullptr);
+}
+
+TEST(JoinTrajectory, APathThatWasMovedIsTold) {
+  for (const Eigen::Vector3d& by :
+       {Eigen::Vector3d(10, 0, 0), Eigen::Vector3d(0, -10, 0), Eigen::Vector3d(0, 0, 6), Eigen::Vector3d(0, 0, -3)}) {
+    auto path = walk(0);
+    for (auto& pose : path.poses) pose.T_target_sensor.translation() += by;
+    const auto* found = finding(join_trajectory(mapped(0), path, {}, {}).report, "path_place_suspect");
+    ASSERT_NE(found, nullptr) << by.transpose();
+    EXPECT_THAT(found->text, HasSubstr(by.z() == 0 ? "aside" : "above the lowest"));
+  }
+}
+
+TEST(JoinTrajectory, APathOfAPartNamesTheBestClock) {
+  auto path = walk(0);
+  path.poses.resize(800);  // 80 of 200 s
+  const auto text = error_of([&] { join_trajectory(mapped(0), path, {}, {}); });
+  EXPECT_THAT(text, HasSubstr("same clock"));
+  EXPECT_THAT(text, HasSubstr("40 %"));
+  EXPECT_THAT(text, HasSubstr("time_offset=0.000"));
+}
+
+TEST(JoinTrajectory, PassesOfTheCloudAreReplacedAndTold) {
+  auto cloud = mapped(0);
+  cloud.set_column(arrays::pass, std::vector<std::int32_t>(cloud.size(), 7));
+  EXPECT_NE(finding(join_trajectory(cloud, walk(0), {}, {}).report, "passes_replaced"), nullptr);
 }
 
 TEST(JoinTrajectory, OtherCoordinatesAreRefused) {

@@ -226,6 +226,7 @@ struct CloudBuilder::Parts {
   std::vector<Target> targets;
   Eigen::Matrix3d to_metres_z_up;
   bool plain = true;  // the matrix is the identity
+  double metres = 1;  // per unit of the file
   Axes axes = Axes::unknown;
 
   // The sensor position is a coordinate like that of the point: rotated, scaled and relative to the origin.
@@ -313,7 +314,8 @@ CloudBuilder::CloudBuilder(const std::vector<SourceField>& fields, const CloudRe
                                                                     : "z"),
                     "fields x, y and z", list.empty() ? "There are no fields" : "There are: " + list);
   parts_->take_sensor();
-  parts_->to_metres_z_up = metres_per_unit(options.unit) * rotation_to_z_up(options.up);
+  parts_->metres = metres_per_unit(options.unit);
+  parts_->to_metres_z_up = parts_->metres * rotation_to_z_up(options.up);
   parts_->plain = parts_->to_metres_z_up.isIdentity(0);
   parts_->axes = options.axes;
   parts_->bounds = parse_bounds(options.bounds);
@@ -363,6 +365,8 @@ void CloudBuilder::add(std::span<const double> row) {
       value = (saturated<std::uint32_t>(value) >> t.shift & 0xFF) * 257.0;
     } else if (t.source == SourceType::uint8 && is_colour(t.name)) {
       value *= 257;
+    } else if (t.name == arrays::range.name) {
+      value *= p.metres;
     }
     std::visit([&](auto& v) { v.push_back(saturated<typename std::decay_t<decltype(v)>::value_type>(value)); },
                t.column);

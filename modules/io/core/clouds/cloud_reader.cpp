@@ -93,10 +93,11 @@ CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const Clo
     const auto& format = require_format(FileContent::cloud, file, name);
     auto reading = std::get<CloudAccess>(format.access).read(file, options, run);
     check_coordinates(reading);
-    if (options.resolution > 0 && format.name != "COPC")
-      reading.report.find(Severity::look, "resolution_ignored",
-                          "the option resolution has no effect: a file of the format " + std::string(format.name) +
-                              " has no levels, all of its points were read. Convert it to COPC, or set resolution=0");
+    if (options.resolution > 0 && !reading.report.counts.contains("copc_nodes"))
+      reading.report.find(
+          Severity::look, "resolution_ignored",
+          "the option resolution has no effect: this file of the format " + std::string(format.name) +
+              " has no levels that can be used, all of its points were read. Convert it to COPC, or set resolution=0");
     return reading;
   } catch (const Error& e) {
     throw e.at("'" + name.string() + "'");

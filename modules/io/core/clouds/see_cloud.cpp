@@ -304,6 +304,7 @@ const OptionTable& option_table(const SeeCloudOptions*) {
 }
 
 SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, const Run& run) {
+  reading.cloud.facts.erase("turned");  // of an earlier reading: what was saved since has the axes of its file
   const auto bounds = bounds_of(reading.cloud);
   SeenCloud seen{std::move(reading), {}, bounds};
   if (options.unit) {

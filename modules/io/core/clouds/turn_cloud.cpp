@@ -1,7 +1,9 @@
 #include "io/core/clouds/turn_cloud.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "io/core/clouds/sensor_arrays.h"
@@ -25,10 +27,18 @@ void turn_offsets(PointCloud& cloud, const Turn& turn) {
   for (std::size_t axis = 0; axis < 3; ++axis) cloud.set_column(sensor_arrays[axis], std::move(sensor[axis]));
 }
 
+void scale_ranges(PointCloud& cloud, double factor) {
+  if (!cloud.has(arrays::range) || std::abs(factor - 1) < 1e-12) return;
+  auto range = cloud.values<float>(arrays::range);
+  for (float& r : range) r *= static_cast<float>(factor);
+  cloud.set_column(arrays::range, std::move(range));
+}
+
 }  // namespace
 
 void turn_cloud(PointCloud& cloud, const Eigen::Matrix3d& matrix) {
   if (matrix.isIdentity(0)) return;
+  scale_ranges(cloud, std::cbrt(std::abs(matrix.determinant())));
   turn_offsets(cloud, [&](Eigen::Vector3f& p) { p = (matrix * p.cast<double>()).cast<float>(); });
   cloud.origin = matrix * cloud.origin;
   cloud.scale = (matrix * cloud.scale).cwiseAbs();

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <unordered_set>
+#include <utility>
 
 #include "io/core/las/las_bytes.h"
 
@@ -64,12 +67,12 @@ class Search {
   // Entries of all pages together are no more than the file can hold, so that overlapping pages do not multiply.
   void read_page(std::uint64_t offset, std::uint64_t size) {
     if (offset < header_size || offset > file_.size() || size > file_.size() - offset || !seen_.insert(offset).second) {
-      ++out_.refused;
+      refuse_page();
       return;
     }
     for (std::uint64_t at = offset; at + entry_size <= offset + size; at += entry_size) {
       if (++entries_ > file_.size() / entry_size) {
-        ++out_.refused;
+        refuse_page();
         return;
       }
       take(Entry(file_.data() + at));
@@ -78,7 +81,7 @@ class Search {
 
   void take(const Entry& entry) {
     if (!entry.possible()) {
-      ++out_.refused;
+      refuse(entry.points);
       return;
     }
     if (entry.points == 0 || entry.level > last_level_ || !meets(entry)) return;
@@ -89,12 +92,21 @@ class Search {
     const std::uint64_t first = info_.data_offset + 8;
     if (entry.offset < first || entry.offset > info_.data_end ||
         static_cast<std::uint64_t>(entry.bytes) > info_.data_end - entry.offset) {
-      ++out_.refused;
+      refuse(entry.points);
       return;
     }
     out_.chunks.push_back({entry.offset, entry.offset + static_cast<std::uint64_t>(entry.bytes),
                            static_cast<std::uint64_t>(entry.points)});
     out_.deepest_level = std::max(out_.deepest_level, entry.level);
+  }
+
+  void refuse_page() {
+    ++out_.refused;
+    ++out_.refused_pages;
+  }
+  void refuse(std::int64_t points) {
+    ++out_.refused;
+    if (points > 0) out_.refused_points += static_cast<std::uint64_t>(points);
   }
 
   // Coordinates are rounded to the grid of the file, so that a point may lie a step outside of its node.
@@ -109,14 +121,37 @@ class Search {
   void drop_overlaps() {
     auto& chunks = out_.chunks;
     std::ranges::sort(chunks, {}, &laz::Chunk::begin);
+    if (any_overlap()) drop_unlisted();
     std::uint64_t end = 0;
-    const auto overlaps = [&end](const laz::Chunk& c) {
-      if (c.begin < end) return true;
+    std::erase_if(chunks, [&](const laz::Chunk& c) {
+      if (c.begin < end) return drop(c);
       end = c.end;
       return false;
-    };
-    out_.refused += std::erase_if(chunks, overlaps);
+    });
     for (const auto& chunk : chunks) out_.points += chunk.points;
+  }
+
+  bool drop(const laz::Chunk& chunk) {
+    refuse(static_cast<std::int64_t>(std::min<std::uint64_t>(chunk.points, std::numeric_limits<std::int32_t>::max())));
+    return true;
+  }
+
+  bool any_overlap() const {
+    return std::ranges::adjacent_find(out_.chunks, [](const auto& a, const auto& b) { return b.begin < a.end; }) !=
+           out_.chunks.end();
+  }
+
+  // Of entries on top of one another, those lie that the chunk table of the file does not have.
+  void drop_unlisted() {
+    const auto* record = las::find_vlr(info_, "laszip encoded", 22204);
+    if (record == nullptr) return;
+    const auto table = laz::read_chunk_table(file_.first(info_.data_end), info_.data_offset, info_.points,
+                                             laz::parse_packing(las::vlr_data(file_, *record), info_.record_length),
+                                             info_.record_length);
+    if (!table) return;
+    std::set<std::pair<std::uint64_t, std::uint64_t>> listed;
+    for (const auto& chunk : *table) listed.emplace(chunk.begin, chunk.end);
+    std::erase_if(out_.chunks, [&](const laz::Chunk& c) { return !listed.contains({c.begin, c.end}) && drop(c); });
   }
 
   Bytes file_;

@@ -30,7 +30,9 @@ struct CopcNodes {
   std::vector<laz::Chunk> chunks;  // in the order of the file, none on top of another
   std::uint64_t points = 0;        // of these chunks, as the hierarchy says
   int deepest_level = 0;
-  std::size_t refused = 0;  // entries and pages that lie outside of the file, on top of one another, or nowhere
+  std::size_t refused = 0;        // entries and pages that lie outside of the file, on top of one another, or nowhere
+  std::size_t refused_pages = 0;  // of these; nobody knows how many points they had
+  std::uint64_t refused_points = 0;  // that the refused entries of chunks had, as they say
 };
 
 // The nodes that meet the bounds, down to the first level whose spacing is no greater than `resolution` (0: all

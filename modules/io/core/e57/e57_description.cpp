@@ -15,27 +15,31 @@
 namespace bole::io::e57 {
 namespace {
 
-// An element without text is the number 0 (ASTM E2807, section 8.3).
+// `value` stays as it is where the attribute is absent. False where it is there and no number.
+template <class T>
+bool read_attribute(const pugi::xml_node& node, const char* name, T& value) {
+  const auto attribute = node.attribute(name);
+  return !attribute || (parse_number(trimmed(attribute.value()), value) && std::isfinite(static_cast<double>(value)));
+}
+
+// An element without text is the number 0 (ASTM E2807, section 8.3); the text of a scaled integer is the raw one.
 std::optional<double> number_in(const pugi::xml_node& node) {
   if (!node) return std::nullopt;
   const auto text = trimmed(node.text().get());
-  double value = 0;
-  if (text.empty()) return 0;
-  if (!parse_number(text, value) || !std::isfinite(value)) return std::nullopt;
-  return value;
+  double value = 0, scale = 1, offset = 0;
+  if (!text.empty() && (!parse_number(text, value) || !std::isfinite(value))) return std::nullopt;
+  if (std::string_view(node.attribute("type").value()) != "ScaledInteger") return value;
+  if (!read_attribute(node, "scale", scale) || !read_attribute(node, "offset", offset)) return std::nullopt;
+  return value * scale + offset;
 }
 
-double attribute(const pugi::xml_node& node, const char* name, double otherwise) {
-  double value = 0;
-  return parse_number(trimmed(node.attribute(name).value()), value) && std::isfinite(value) ? value : otherwise;
+// The child of that name, or `otherwise` where there is none; not a number where it cannot be read.
+double child_number(const pugi::xml_node& node, const char* name, double otherwise) {
+  const auto child = node.child(name);
+  return child ? number_in(child).value_or(std::numeric_limits<double>::quiet_NaN()) : otherwise;
 }
 
-std::int64_t integer_attribute(const pugi::xml_node& node, const char* name, std::int64_t otherwise) {
-  std::int64_t value = 0;
-  return parse_number(trimmed(node.attribute(name).value()), value) ? value : otherwise;
-}
-
-// False where a field has an unknown type.
+// False where a field has an unknown type, or limits and scales that are no numbers.
 bool add_field(const pugi::xml_node& node, std::vector<Field>& fields, int depth) {
   constexpr int deepest = 8;
   constexpr std::size_t max_fields = 256;
@@ -51,13 +55,14 @@ bool add_field(const pugi::xml_node& node, std::vector<Field>& fields, int depth
   field.name = node.name();
   if (type == "Integer" || type == "ScaledInteger") {
     field.type = type == "Integer" ? ValueType::integer : ValueType::scaled_integer;
-    field.minimum = integer_attribute(node, "minimum", std::numeric_limits<std::int64_t>::min());
-    field.maximum = integer_attribute(node, "maximum", std::numeric_limits<std::int64_t>::max());
-    if (field.minimum > field.maximum) return false;
-    if (type == "ScaledInteger") {
-      field.scale = attribute(node, "scale", 1);
-      field.offset = attribute(node, "offset", 0);
-    }
+    field.minimum = std::numeric_limits<std::int64_t>::min();
+    field.maximum = std::numeric_limits<std::int64_t>::max();
+    if (!read_attribute(node, "minimum", field.minimum) || !read_attribute(node, "maximum", field.maximum) ||
+        field.minimum > field.maximum)
+      return false;
+    if (type == "ScaledInteger" &&
+        (!read_attribute(node, "scale", field.scale) || !read_attribute(node, "offset", field.offset)))
+      return false;
   } else if (type == "Float") {
     field.type =
         std::string_view(node.attribute("precision").value()) == "single" ? ValueType::float32 : ValueType::float64;
@@ -74,14 +79,14 @@ std::optional<Eigen::Isometry3d> pose_in(const pugi::xml_node& node) {
   if (!node) return std::nullopt;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (const auto r = node.child("rotation")) {
-    const Eigen::Quaterniond q(number_in(r.child("w")).value_or(1), number_in(r.child("x")).value_or(0),
-                               number_in(r.child("y")).value_or(0), number_in(r.child("z")).value_or(0));
+    const Eigen::Quaterniond q(child_number(r, "w", 1), child_number(r, "x", 0), child_number(r, "y", 0),
+                               child_number(r, "z", 0));
     if (!(std::abs(q.norm() - 1) < 0.01)) return std::nullopt;
     pose.linear() = q.normalized().toRotationMatrix();
   }
   if (const auto t = node.child("translation"))
-    pose.translation() = Eigen::Vector3d(number_in(t.child("x")).value_or(0), number_in(t.child("y")).value_or(0),
-                                         number_in(t.child("z")).value_or(0));
+    pose.translation() = Eigen::Vector3d(child_number(t, "x", 0), child_number(t, "y", 0), child_number(t, "z", 0));
+  if (!pose.translation().allFinite()) return std::nullopt;
   return pose;
 }
 
@@ -98,9 +103,8 @@ Scan scan_in(const pugi::xml_node& node, std::size_t number, std::vector<std::st
   const std::string vendor = node.child("sensorVendor").text().get(), model = node.child("sensorModel").text().get();
   scan.sensor = vendor.empty() || model.starts_with(vendor) ? model : model.empty() ? vendor : vendor + " " + model;
   scan.T_file_scan = pose_in(node.child("pose"));
-  if (node.child("pose") && !scan.T_file_scan)
-    warnings.push_back(
-        fmt::format("the pose of scan {} is no rotation and translation: its points are taken as they are", number));
+  const auto merged_from = node.child("originalGuids").children("vectorChild");
+  scan.merged = std::distance(merged_from.begin(), merged_from.end()) > 1;
   scan.start_s = number_in(node.child("acquisitionStart").child("dateTimeValue"));
   scan.intensity = limits_in(node.child("intensityLimits"), "intensity");
   constexpr std::array names{"colorRed", "colorGreen", "colorBlue"};
@@ -110,14 +114,22 @@ Scan scan_in(const pugi::xml_node& node, std::size_t number, std::vector<std::st
   std::uint64_t offset = 0, records = 0;
   if (!points || !parse_number(trimmed(points.attribute("fileOffset").value()), offset) ||
       !parse_number(trimmed(points.attribute("recordCount").value()), records)) {
-    warnings.push_back(fmt::format("scan {} says not where its points lie: it is left out", number));
+    warnings.push_back(fmt::format("{} says not where its points lie: it is left out", described(scan, number)));
     return scan;
   }
   scan.offset = offset;
   scan.records = records;
   if (points.child("codecs").first_child().type() == pugi::node_element) scan.other_codec = true;
   if (!add_field(points.child("prototype"), scan.fields, 0)) {
-    warnings.push_back(fmt::format("scan {} has fields of an unknown type: it is left out", number));
+    warnings.push_back(
+        fmt::format("{} has fields of an unknown type, or with limits or scales that are no numbers: it "
+                    "is left out",
+                    described(scan, number)));
+    scan.fields.clear();
+  }
+  if (node.child("pose") && !scan.T_file_scan) {
+    warnings.push_back(
+        fmt::format("the pose of {} is no rotation and translation: it is left out", described(scan, number)));
     scan.fields.clear();
   }
   return scan;
@@ -143,6 +155,17 @@ double Field::smallest() const { return static_cast<double>(minimum) * scale + o
 double Field::largest() const { return static_cast<double>(maximum) * scale + offset; }
 
 bool Scan::has(std::string_view field) const { return std::ranges::find(fields, field, &Field::name) != fields.end(); }
+
+bool Scan::varies(std::string_view field) const {
+  const auto it = std::ranges::find(fields, field, &Field::name);
+  return it != fields.end() && it->bits() > 0;
+}
+
+std::string described(const Scan& scan, std::size_t number) {
+  constexpr std::size_t longest = 60;
+  return fmt::format("scan {}", number) +
+         (scan.name.empty() ? std::string() : fmt::format(" ('{}')", scan.name.substr(0, longest)));
+}
 
 Description parse_description(Bytes xml) {
   pugi::xml_document document;

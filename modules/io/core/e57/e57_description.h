@@ -35,6 +35,7 @@ struct Scan {
   std::uint64_t offset = 0;   // of the points, physical
   std::uint64_t records = 0;  // as declared
   std::vector<Field> fields;
+  bool merged = false;       // put together from several scans
   bool other_codec = false;  // packed in a way that the standard does not define
   std::optional<Eigen::Isometry3d> T_file_scan;
   std::optional<double> start_s;  // GPS time
@@ -43,8 +44,15 @@ struct Scan {
 
   bool has(std::string_view field) const;
   bool is_spherical() const { return !has("cartesianX") && has("sphericalRange"); }
-  bool is_structured() const { return has("rowIndex") && has("columnIndex"); }
+  // A grid of directions; writers of plain clouds may give indices that are all the same.
+  bool is_structured() const { return varies("rowIndex") && varies("columnIndex"); }
+
+ private:
+  bool varies(std::string_view field) const;
 };
+
+// "scan 3 ('west')".
+std::string described(const Scan& scan, std::size_t number);
 
 struct Description {
   std::vector<Scan> scans;

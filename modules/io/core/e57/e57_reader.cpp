@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <span>
 
 #include "base/error.h"
@@ -82,15 +83,18 @@ class Rows {
     if (any("timeStamp")) add(time_name(scans), SourceType::float64);
     add("scan", SourceType::int32);
     if (scans.size() > 1) add("pass", SourceType::int32);
-    constexpr std::size_t max_columns = 64;
     for (const auto& scan : scans)
       for (const auto& field : scan.fields)
-        if (field.type != e57::ValueType::text && std::ranges::find(handled, field.name) == handled.end() &&
-            place(column_name(field.name)) < 0 && fields_.size() < max_columns)
-          add(column_name(field.name), type_of(field));
+        if (field.type != e57::ValueType::text && std::ranges::find(handled, field.name) == handled.end())
+          add_other(field);
   }
 
   const std::vector<SourceField>& fields() const { return fields_; }
+  // Of a field without a place of its own; -1: none.
+  int place_of_other(const e57::Field& field) const {
+    const auto it = others_.find(field.name);
+    return it == others_.end() ? -1 : it->second;
+  }
   int place(std::string_view name) const {
     const auto it = std::ranges::find(fields_, name, &SourceField::name);
     return it == fields_.end() ? -1 : static_cast<int>(it - fields_.begin());
@@ -105,7 +109,25 @@ class Rows {
 
  private:
   void add(std::string name, SourceType type) { fields_.push_back({std::move(name), type}); }
+
+  // A column of its own for every name that scans give to further fields: never one that Bole fills.
+  void add_other(const e57::Field& field) {
+    constexpr std::size_t max_columns = 64;
+    if (others_.contains(field.name) || fields_.size() >= max_columns) return;
+    std::string name = array_name(column_name(field.name));
+    if (taken(name)) name = array_name(field.name);  // "ext:x" -> "ext_x"
+    for (int number = 2; taken(name); ++number) name = array_name(fmt::format("{}_{}", field.name, number));
+    others_.emplace(field.name, static_cast<int>(fields_.size()));
+    add(std::move(name), type_of(field));
+  }
+  bool taken(std::string_view name) const {
+    constexpr std::array<std::string_view, 11> filled{"x",     "y",    "z",         "sensor_x", "sensor_y", "sensor_z",
+                                                      "range", "time", "scan_time", "scan",     "pass"};
+    return name.starts_with('_') || std::ranges::find(filled, name) != filled.end() || place(name) >= 0;
+  }
+
   std::vector<SourceField> fields_;
+  std::map<std::string, int, std::less<>> others_;  // column of each further field
 };
 
 // Turns the records of one scan into rows.
@@ -133,14 +155,14 @@ class ScanRows {
     set(rows.place("scan"), number_);
     set(rows.place("pass"), number_);
     for (std::size_t f = 0; f < scan.fields.size(); ++f)
-      if (const int to = rows.place(column_name(scan.fields[f].name));
-          to >= 0 && scan.fields[f].type != e57::ValueType::text &&
-          std::ranges::find(handled, scan.fields[f].name) == handled.end())
+      if (const int to = rows.place_of_other(scan.fields[f]); to >= 0 && scan.fields[f].type != e57::ValueType::text)
         others_.emplace_back(static_cast<int>(f), to);
   }
 
   bool has_coordinates() const { return xyz_[0] >= 0 && xyz_[1] >= 0 && xyz_[2] >= 0; }
   bool invalid(const Block& block, std::size_t i) const { return state_ >= 0 && at(block, state_, i) != 0; }
+  // Grids without such a state have zeros in the cells where nothing came back.
+  bool empty_cell() const { return state_ < 0 && scan_.is_structured() && local_.isZero(0); }
   const Eigen::Vector3d& local() const { return local_; }
 
   std::span<const double> row(const Block& block, std::size_t i) {
@@ -202,7 +224,7 @@ class ScanRows {
 
 struct Counts {
   std::uint64_t declared = 0, decoded = 0, damaged = 0;
-  std::int64_t invalid = 0;
+  std::int64_t invalid = 0, empty_cells = 0;
 };
 
 void add_facts(const e57::Description& description, bool with_places, CloudReading& out) {
@@ -247,6 +269,7 @@ void note_losses(const Counts& counts, std::size_t damaged_pages, Report& report
   note_missing_points(report, counts.declared, present,
                       fmt::format("{} of {} points read: the others are damaged or missing", present, counts.declared));
   if (counts.invalid > 0) report.counts["invalid_points"] = counts.invalid;
+  if (counts.empty_cells > 0) report.counts["empty_cells"] = counts.empty_cells;
 }
 
 // The XML, of which every page must be right: a wrong digit in it would be a wrong coordinate.
@@ -281,7 +304,7 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
     counts.declared += std::min(scan.records, std::numeric_limits<std::uint64_t>::max() - counts.declared);
     ScanRows scan_rows(scan, k, rows);
     if (scan.records > 0 && !scan.fields.empty() && !scan_rows.has_coordinates()) {
-      problems.push_back(fmt::format("scan {} has no coordinates: it is left out", k));
+      problems.push_back(fmt::format("{} has no coordinates: it is left out", described(scan, k)));
       continue;
     }
     e57::PointReader points(pages, scan);
@@ -296,7 +319,12 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
           ++counts.invalid;
           continue;
         }
-        builder.add(scan_rows.row(block, i));
+        const auto row = scan_rows.row(block, i);
+        if (scan_rows.empty_cell()) {
+          ++counts.empty_cells;
+          continue;
+        }
+        builder.add(row);
         places.add(k, scan_rows.local());
       }
       run.check_cancel();
@@ -305,8 +333,8 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
     }
     counts.decoded += points.decoded();
     if (!points.problem().empty())
-      problems.push_back(
-          fmt::format("scan {}: {} of {} points read, {}", k, points.decoded(), scan.records, points.problem()));
+      problems.push_back(fmt::format("{}: {} of {} points read, {}", described(scan, k), points.decoded(), scan.records,
+                                     points.problem()));
   }
   if (counts.declared > 0 && counts.decoded == counts.damaged)
     throw bad_input(fmt::format("none of the {} points of the E57 file can be read{}", counts.declared,

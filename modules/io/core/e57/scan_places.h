@@ -1,6 +1,7 @@
 // Whether the poses of the scans of a file say where the scanner stood.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "io/core/clouds/cloud_reader.h"
@@ -16,19 +17,23 @@ class ScanPlaces {
   bool known() const { return known_; }
 
   // A point of a scan, in its own axes.
-  void add(std::size_t scan, const Eigen::Vector3d& local) {
-    boxes_[scan].extend(Eigen::Vector2d(local.x(), local.y()));
-  }
+  void add(std::size_t scan, const Eigen::Vector3d& local);
 
   // Takes the places away from the cloud where one of them cannot be, and reports. Whether the cloud has them.
   bool judge(CloudReading& reading) const;
 
  private:
+  // The points of a scan in its own axes.
+  struct View {
+    Eigen::AlignedBox2d box;
+    std::size_t points = 0, far = 0;
+  };
+  std::string objection(std::size_t scan) const;
+
   const std::vector<Scan>& scans_;
   ScanPositions choice_;
   bool known_ = false;
-  std::vector<bool> certain_;
-  std::vector<Eigen::AlignedBox2d> boxes_;
+  std::vector<View> views_;
 };
 
 }  // namespace bole::io::e57

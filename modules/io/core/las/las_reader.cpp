@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/verdict.h"
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/copc/copc_nodes.h"
@@ -35,7 +36,9 @@ using las::IntegerBox;
 struct Read {
   std::uint64_t points = 0;    // sound ones, also those outside of the bounds
   std::uint64_t declared = 0;  // of the part that was read
-  IntegerBox box;
+  IntegerBox box{};
+  bool by_nodes = false;  // of a COPC file
+  std::size_t refused_entries = 0;
 };
 
 // The bounds that select records; nothing where all are read. Chunks of a COPC file are chosen by them too.
@@ -110,6 +113,11 @@ std::optional<copc::CopcNodes> nodes_of(Bytes file, const LasInfo& info, const L
                   fmt::format("{} entries of the octree of the file are impossible, lie outside of it or on top of "
                               "others: points may be missing. Read the file without bounds and resolution",
                               nodes.refused));
+  if (nodes.refused_pages > 0)
+    findings.find(Severity::refused, finding_code::input_incomplete,
+                  fmt::format("{} pages of the octree of the file cannot be read: nobody knows how many points lie "
+                              "below them. Read the file without bounds and resolution",
+                              nodes.refused_pages));
   return nodes;
 }
 
@@ -120,7 +128,8 @@ Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, co
   const laz::PointsWanted wanted{options.columns_in_memory, selection ? &*selection : nullptr,
                                  nodes ? &nodes->chunks : nullptr};
   const auto read = laz::read_points(file, info, builder, wanted, run, warnings);
-  return {read.sound, nodes ? nodes->points : info.points, read.box};
+  return {read.sound, nodes ? nodes->points + nodes->refused_points : info.points, read.box, nodes.has_value(),
+          nodes ? nodes->refused : 0};
 }
 
 Read read_records(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
@@ -129,6 +138,21 @@ Read read_records(Bytes file, const LasInfo& info, ColumnBuilder& builder, const
   if (const auto selection = selection_of(info, options))
     return select_uncompressed(file, info, builder, *selection, run);
   return read_uncompressed(file, info, builder, options, run, warnings);
+}
+
+// Why there is no point: the octree, its coarse levels, or the bounds.
+Error nothing_found(const Read& read, const LasInfo& info, const LasReadOptions& options) {
+  if (read.refused_entries > 0)
+    return bad_input(fmt::format("no point was found: {} entries or pages of the octree of the file are damaged",
+                                 read.refused_entries),
+                     "a whole octree", "Read the file without bounds and resolution, or convert it to COPC again");
+  const auto& bounds = *options.bounds;
+  if (read.by_nodes && options.resolution > 0 && bounds.meets(info.min, info.max))
+    return bad_input(
+        fmt::format("the levels of the file that have a resolution of {} hold no point within the option bounds",
+                    options.resolution),
+        "points within the bounds", "Set a smaller resolution, or 0 for all points");
+  return nothing_within(bounds, info.min, info.max);
 }
 
 // Records behind those that the header counts are points that nobody would miss.
@@ -167,14 +191,16 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
       info.point_format, info.record_length,
       options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
   const Read read = read_records(file, info, builder, options, run, warnings, findings);
+  if (read.points == 0 && read.refused_entries > 0) throw nothing_found(read, info, options);
   if (read.points == 0 && read.declared > 0)
     throw bad_input(fmt::format("none of the {} points that the header counts can be read", read.declared),
                     "a whole file", "Copy or download the file again");
   note_missing_points(
       findings, read.declared, read.points,
       fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, read.declared));
-  if (options.bounds && builder.size() == 0 && info.points > 0)
-    throw nothing_within(*options.bounds, info.min, info.max);
+  if (options.bounds && builder.size() == 0 && info.points > 0) throw nothing_found(read, info, options);
+  if (options.bounds && !read.by_nodes)  // of a COPC file, most of them are never decoded
+    findings.counts["points_outside_bounds"] = static_cast<std::int64_t>(read.points - builder.size());
   note_points_behind(info, findings);
   bool exact = true;
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);

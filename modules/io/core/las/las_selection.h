@@ -13,12 +13,10 @@ namespace bole::io::las {
 class RecordSelection {
  public:
   RecordSelection(const CloudBounds& bounds, const LasInfo& info)
-      : bounds_(bounds),
+      : bounds_(with_edges(bounds, info.scale)),
         scale_(info.scale),
         offset_(info.offset),
         stride_(static_cast<std::size_t>(info.record_length)) {}
-
-  const CloudBounds& bounds() const { return bounds_; }
 
   // Appends those of `count` records that lie within the bounds.
   void collect(const std::uint8_t* records, std::size_t count, std::vector<std::uint8_t>& kept) const;
@@ -29,6 +27,13 @@ class RecordSelection {
                        IntegerBox& box) const;
 
  private:
+  // Offset and step add up to a rounded coordinate: those on an edge are inside all the same.
+  static CloudBounds with_edges(const CloudBounds& bounds, const Eigen::Vector3d& scale) {
+    constexpr double rounding = 1e-3;  // of a step
+    const Eigen::Vector3d margin = rounding * scale.cwiseAbs();
+    return {bounds.min - margin, bounds.max + margin};
+  }
+
   CloudBounds bounds_;
   Eigen::Vector3d scale_, offset_;
   std::size_t stride_;

@@ -105,7 +105,9 @@ struct Vlrs {
 
 void add_facts(const Facts& facts, Vlrs& vlrs, std::vector<std::string>& warnings) {
   if (facts.empty()) return;
-  const std::string text = facts_to_json(facts);
+  Facts kept = facts;
+  kept.erase("turned");  // the axes of the points are those of this file
+  const std::string text = facts_to_json(kept);
   if (text.size() > las::max_vlr_bytes) {
     warnings.push_back(fmt::format("the facts of the cloud take {} bytes, a LAS record holds {}: they were not written",
                                    text.size(), las::max_vlr_bytes));

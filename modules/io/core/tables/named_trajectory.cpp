@@ -18,7 +18,7 @@ namespace {
 
 constexpr double degrees_per_radian = 57.29577951308232;
 
-enum Role { time_role, x, y, z, qw, qx, qy, qz, matrix, longitude = matrix + 12, latitude, role_count };
+enum Role { time_role, time_part, x, y, z, qw, qx, qy, qz, matrix, longitude = matrix + 12, latitude, role_count };
 
 struct RoleName {
   std::string_view letters;  // lower case, without anything else
@@ -35,6 +35,8 @@ constexpr std::array names{RoleName{"time", time_role},
                            RoleName{"gpstimes", time_role},
                            RoleName{"timesec", time_role},
                            RoleName{"seconds", time_role},
+                           RoleName{"secs", time_role},
+                           RoleName{"gpsseconds", time_role},
                            RoleName{"sec", time_role},
                            RoleName{"tow", time_role},
                            RoleName{"unixtime", time_role},
@@ -102,27 +104,86 @@ std::string letters_of(std::string_view word) {
   return out;
 }
 
+// "X (m)" and "gps_seconds[s]" are a name and a unit.
+struct NameAndUnit {
+  std::string_view name, unit;
+};
+NameAndUnit parted(std::string_view word) {
+  const auto open = word.find_first_of("[(");
+  if (open == std::string_view::npos || open == 0) return {word, {}};
+  return {trimmed(word.substr(0, open)), word.substr(open)};
+}
+
+// What a value of that unit is multiplied by; nothing where the role has no such unit.
+std::optional<double> factor_of(int role, std::string_view unit) {
+  if (unit.empty()) return 1;
+  const bool is_time = role == time_role, is_angle = role == longitude || role == latitude;
+  if (is_time && (unit == "s" || unit == "sec" || unit == "seconds")) return 1;
+  if (is_time && unit == "ms") return 1e-3;
+  if (is_time && unit == "us") return 1e-6;
+  if (is_time && unit == "ns") return 1e-9;
+  if (is_angle && (unit == "deg" || unit == "degrees")) return 1;
+  const bool is_place = role == x || role == y || role == z;
+  if (is_place && (unit == "m" || unit == "metre" || unit == "meter" || unit == "metres" || unit == "meters")) return 1;
+  return std::nullopt;
+}
+
 std::optional<RoleName> role_of(std::string_view word) {
-  const auto plain = letters_of(word);
+  const auto whole = letters_of(word);
   for (const auto& n : names)
-    if (n.letters == plain) return n;
+    if (n.letters == whole) return n;
+  const auto parts = parted(word);
+  const auto plain = letters_of(parts.name);
+  for (const auto& n : names)
+    if (n.letters == plain) {
+      const auto factor = factor_of(n.role, letters_of(parts.unit));
+      if (!factor || (n.factor != 1 && *factor != 1 && n.factor != *factor)) return std::nullopt;
+      return RoleName{n.letters, n.role, n.factor != 1 ? n.factor : *factor};
+    }
   if (plain.size() == 6 && plain.starts_with("pose") && plain[4] >= '0' && plain[4] < '3' && plain[5] >= '0' &&
       plain[5] < '4')
     return RoleName{"", matrix + 4 * (plain[4] - '0') + (plain[5] - '0')};
   return std::nullopt;
 }
 
-// Words between commas, semicolons, tabs and blanks.
-void split(std::string_view line, std::string& copy, std::vector<std::string_view>& words) {
-  copy.assign(line);
-  for (char& c : copy)
-    if (c == ',' || c == ';') c = ' ';
-  split_blanks(copy, words);
+// A column with the part of a time below a second or so, beside one of whole seconds; 0: none.
+double part_factor(std::string_view word) {
+  const auto plain = letters_of(word);
+  const auto holds = [&](std::string_view letters) { return plain.find(letters) != std::string::npos; };
+  if (holds("nsec") || holds("nanosec")) return 1e-9;
+  if (holds("usec") || holds("microsec")) return 1e-6;
+  return holds("msec") || holds("millisec") ? 1e-3 : 0;
+}
+bool counts_seconds(std::string_view word) {
+  const auto plain = letters_of(parted(word).name);
+  return part_factor(word) == 0 && (plain.ends_with("sec") || plain.ends_with("secs") || plain.ends_with("seconds"));
+}
+
+// The character between the columns; a blank stands for any number of blanks and tabs.
+char delimiter_of(std::string_view line) {
+  for (const char c : {';', ',', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ' ';
+}
+
+// The cells of a line, empty ones included, but for one behind the last delimiter.
+void split(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
+  if (delimiter == ' ') return split_blanks(line, cells);
+  cells.clear();
+  for (std::size_t at = 0; at <= line.size();) {
+    const auto end = std::min(line.find(delimiter, at), line.size());
+    cells.push_back(trimmed(line.substr(at, end - at)));
+    at = end + 1;
+  }
+  if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
 }
 
 struct Layout {
   std::array<int, role_count> column{};
-  double time_factor = 1;
+  double time_factor = 1, part_factor = 0;
+  char delimiter = ' ';
+  std::size_t columns = 0;
+  bool open_end = false;  // the last name stands for any number of columns
 
   bool has(int role) const { return column[static_cast<std::size_t>(role)] >= 0; }
   bool has_all(int first, int count) const {
@@ -135,22 +196,40 @@ struct Layout {
   bool is_geographic() const { return has(longitude) && has(latitude) && has(z) && !has(x); }
 };
 
+// "sec" and "nanosec": neither is a time without the other.
+void take_time_part(const std::vector<std::string_view>& words, Layout& layout) {
+  const auto seconds = std::ranges::find_if(words, counts_seconds);
+  const auto part = std::ranges::find_if(words, [](std::string_view w) { return part_factor(w) > 0; });
+  if (seconds == words.end() || part == words.end()) return;
+  const auto time = layout.column[time_role];
+  if (time >= 0 && words.begin() + time != seconds && words.begin() + time != part) return;
+  layout.column[time_role] = static_cast<int>(seconds - words.begin());
+  layout.column[time_part] = static_cast<int>(part - words.begin());
+  layout.time_factor = 1;
+  layout.part_factor = part_factor(*part);
+}
+
 // The line that names the columns: the first one that is not empty, without the sign of a comment.
 // A comment that names only some of the columns, as above TUM poses, is none.
 std::optional<Layout> layout_of(std::string_view line) {
   const bool comment = line.starts_with('#');
   while (!line.empty() && (line.front() == '#' || line.front() == '%' || line.front() == '/' || line.front() == ' '))
     line.remove_prefix(1);
-  std::string copy;
-  std::vector<std::string_view> words;
-  split(line, copy, words);
   Layout layout;
   layout.column.fill(-1);
+  layout.delimiter = delimiter_of(line);
+  std::vector<std::string_view> words;
+  split(line, layout.delimiter, words);
+  if (layout.delimiter == ' ')  // units that stand apart
+    std::erase_if(words, [](std::string_view w) { return w.front() == '[' || w.front() == '('; });
+  layout.columns = words.size();
+  layout.open_end = !words.empty() && letters_of(words.back()) == "userfields";
   for (std::size_t i = 0; i < words.size(); ++i)
     if (const auto found = role_of(words[i]); found && !layout.has(found->role)) {
       layout.column[static_cast<std::size_t>(found->role)] = static_cast<int>(i);
       if (found->role == time_role) layout.time_factor = found->factor;
     }
+  take_time_part(words, layout);
   if (!layout.has(time_role) || !layout.has_place()) return std::nullopt;
   if (comment && !layout.has_matrix() && !layout.has_all(qw, 4)) return std::nullopt;
   return layout;
@@ -158,40 +237,56 @@ std::optional<Layout> layout_of(std::string_view line) {
 
 class Lines {
  public:
-  Lines(Bytes file, const std::string& name) : lines_(file), name_(name) {}
+  // `above`: lines of the file before these.
+  Lines(Bytes file, const std::string& name, const Layout& layout, std::size_t above)
+      : lines_(file), name_(name), layout_(layout), above_(above) {}
 
+  // Throws Error{bad_input} where a line has not as many cells as the header: they would stand in wrong columns.
   bool next() {
     while (lines_.next(line_)) {
       line_ = trimmed(line_);
       if (line_.empty() || line_.front() == '#' || line_.front() == '%') continue;
-      split(line_, copy_, words_);
+      // Below a header that stands in a comment, the lines may have another delimiter.
+      split(line_, line_.find(layout_.delimiter) == line_.npos ? delimiter_of(line_) : layout_.delimiter, words_);
+      const bool fits = layout_.open_end ? words_.size() + 1 >= layout_.columns : words_.size() == layout_.columns;
+      if (!fits)
+        throw bad_input(place() + " has " + std::to_string(words_.size()) + " values",
+                        std::to_string(layout_.columns) + ", as many as the header line names");
       return true;
     }
     return false;
   }
-  std::string place() const { return "'" + name_ + "' line " + std::to_string(lines_.number()); }
-  double number(const Layout& layout, int role) const {
-    const auto i = static_cast<std::size_t>(layout.column[static_cast<std::size_t>(role)]);
+  std::string place() const { return "'" + name_ + "' line " + std::to_string(above_ + lines_.number()); }
+  double number(int role) const {
+    const auto i = static_cast<std::size_t>(layout_.column[static_cast<std::size_t>(role)]);
     double value = 0;
-    if (i >= words_.size())
-      throw bad_input(place() + " has " + std::to_string(words_.size()) + " values",
-                      "as many as the header line names");
-    if (!parse_number(words_[i], value) || !std::isfinite(value))
-      throw bad_input(place() + " has '" + std::string(words_[i].substr(0, 40)) + "'", "a number");
+    if (i >= words_.size() || !parse_number(words_[i], value) || !std::isfinite(value))
+      throw bad_input(place() + " has '" + std::string(i < words_.size() ? words_[i].substr(0, 40) : "") + "'",
+                      "a number, with a decimal point");
     return value;
+  }
+  double time() const {
+    const double time = layout_.time_factor * number(time_role);
+    if (!layout_.has(time_part)) return time;
+    const double part = layout_.part_factor * number(time_part);
+    if (!(part >= 0 && part < 1) || time != std::floor(time))
+      throw bad_input(place() + " has a time of " + std::to_string(time) + " s and " + std::to_string(part) + " s",
+                      "whole seconds, and a part below a second");
+    return time + part;
   }
 
  private:
   LineReader lines_;
   const std::string& name_;
+  const Layout& layout_;
+  std::size_t above_;
   std::string_view line_;
-  std::string copy_;
   std::vector<std::string_view> words_;
 };
 
 Pose pose_of(const Lines& lines, const Layout& layout) {
   Pose pose = Pose::Identity();
-  const auto number = [&](int role) { return lines.number(layout, role); };
+  const auto number = [&](int role) { return lines.number(role); };
   if (layout.has_matrix()) {
     Eigen::Matrix3d rotation;
     for (int r = 0; r < 3; ++r) {
@@ -237,10 +332,10 @@ Trajectory read_named_trajectory(Bytes file, const std::string& name) {
       "a first line that names the columns, with time and x y z (or longitude latitude height)";
   if (!layout) throw bad_input("'" + name + "' begins with '" + std::string(header.substr(0, 80)) + "'", needed);
   Trajectory trajectory;
-  Lines lines(file.subspan(first.position()), name);
+  Lines lines(file.subspan(first.position()), name, *layout, first.number());
   std::size_t repeated = 0;
   while (lines.next()) {
-    const double time = layout->time_factor * lines.number(*layout, time_role);
+    const double time = lines.time();
     if (!trajectory.empty() && time <= trajectory.poses.back().time_s) {
       if (time < trajectory.poses.back().time_s)
         throw bad_input(lines.place() + " has time " + std::to_string(time) + " after " +
@@ -285,12 +380,23 @@ Trajectory read_sbet(Bytes file, const std::string& name) {
   if (records == 0 || !possible_sbet(file.data()))
     throw bad_input("'" + name + "' (" + std::to_string(file.size()) + " bytes) is no SBET file",
                     "records of 17 numbers: time, latitude and longitude in radians, height, ...");
-  std::size_t dropped = 0;
+  std::size_t repeated = 0, impossible = 0;
+  double weeks_s = 0;  // seconds of the GPS week begin anew on Sunday
   for (std::size_t i = 0; i < records; ++i) {
     const std::uint8_t* at = file.data() + i * sbet_record;
-    const double time = load<double>(at);
-    if (!possible_sbet(at) || (!trajectory.empty() && time <= trajectory.poses.back().time_s)) {
-      ++dropped;
+    if (!possible_sbet(at)) {
+      ++impossible;
+      continue;
+    }
+    constexpr double week_s = 604800;
+    const double last = trajectory.empty() ? 0 : trajectory.poses.back().time_s;
+    double time = load<double>(at) + weeks_s;
+    if (last - time > week_s / 2 && load<double>(at) < week_s) {
+      weeks_s += week_s;
+      time += week_s;
+    }
+    if (!trajectory.empty() && time <= last) {
+      ++repeated;
       continue;
     }
     Pose pose = Pose::Identity();
@@ -298,7 +404,8 @@ Trajectory read_sbet(Bytes file, const std::string& name) {
                                          degrees_per_radian * load<double>(at + 8), load<double>(at + 24));
     trajectory.poses.push_back({time, pose});
   }
-  if (dropped > 0) trajectory.facts["repeated_times"] = std::to_string(dropped);
+  if (repeated > 0) trajectory.facts["repeated_times"] = std::to_string(repeated);
+  if (impossible > 0) trajectory.facts["impossible_records"] = std::to_string(impossible);
   set_orientation_unknown(trajectory);
   set_fact(trajectory.facts, facts::crs, geographic_crs);
   return trajectory;
