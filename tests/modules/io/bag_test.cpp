@@ -315,13 +315,13 @@ TEST(Bag, AFolderTellsWhatItsFilesLost) {
   std::filesystem::remove(dir / "walk_0.db3");
   McapWriter writer;
   writer.messages_per_chunk = 5;
-  auto bytes = writer.write(conversation());
-  bytes[bytes.find("bbbb") - 60] ^= 0x7F;  // the length of the first message: told when the chunk is gone through
+  const auto bytes = writer.write(conversation());
   write_file(dir / "walk_0.mcap", bytes.substr(0, bytes.size() / 2));
   const auto bag = open_bag(dir.path());
   messages_in(*bag);
   EXPECT_FALSE(bag->damage().empty());
-  EXPECT_EQ(bag->lost_share(), open_bag(dir / "walk_0.mcap")->lost_share());
+  EXPECT_GT(bag->lost_share(), 0.1);
+  EXPECT_NEAR(bag->lost_share(), open_bag(dir / "walk_0.mcap")->lost_share(), 1e-9);
 }
 
 TEST(Bag, AFolderWithoutMetadataIsOneRecordingOrRefused) {
@@ -346,10 +346,10 @@ TEST(Bag, AFolderWithoutMetadataIsOneRecordingOrRefused) {
 TEST(Bag, ACutCompressedFileTellsItsLossAndOneWithinAnotherIsRefused) {
   const TempDir dir;
   write_database(dir / "a.db3", conversation(2000));
-  std::string noise;  // does not compress: the cut is at half of the content
-  for (unsigned i = 0, x = 1; i < 2'000'000; ++i) noise += static_cast<char>((x = x * 1'664'525 + 1'013'904'223) >> 24);
-  auto messages = conversation();
-  messages.back().bytes = noise;
+  auto messages = conversation(100);  // do not compress: the cut is at half of the content
+  unsigned x = 1;
+  for (auto& m : messages)
+    for (int i = 0; i < 20'000; ++i) m.bytes += static_cast<char>((x = x * 1'664'525 + 1'013'904'223) >> 24);
   McapWriter writer;
   const auto packed = zstd(writer.write(messages));
   write_file(dir / "b.mcap.zstd", packed.substr(0, packed.size() / 2));
