@@ -80,6 +80,24 @@ ordered_json describe_bounds(const ScanFrame& frame) {
   return {low.x(), low.y(), low.z(), high.x(), high.y(), high.z()};
 }
 
+// The frame nearest to the middle that can be read: one that is damaged does not hide the others.
+bool read_near_middle(const FrameSource& source, ScanFrame& frame, std::string& damage) {
+  constexpr std::size_t tried = 20;
+  const auto middle = source.size() / 2;
+  for (std::size_t k = 0; k < 2 * tried; ++k) {
+    const auto step = (k + 1) / 2;
+    if (k % 2 == 1 ? step > middle : middle + step >= source.size()) continue;
+    try {
+      source.read(k % 2 == 1 ? middle - step : middle + step, frame);
+      return true;
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::bad_input) throw;
+      damage += damage.empty() ? e.what() : "";
+    }
+  }
+  return false;
+}
+
 ordered_json describe_recording(const std::filesystem::path& path) {
   Report report;
   const auto source = io::open_frame_source(path, {}, {}, report);
@@ -93,13 +111,20 @@ ordered_json describe_recording(const std::filesystem::path& path) {
                     {"frames", source->size()}};
   if (source->size() > 0) {
     ScanFrame frame;
-    source->read(source->size() / 2, frame);
+    std::string damage;
+    const bool read = read_near_middle(*source, frame, damage);
+    if (!damage.empty()) report.find(Severity::look, "input_damaged", damage);
     json["start_s"] = source->frame_time_s(0);
     json["duration_s"] = source->frame_time_s(source->size() - 1) - source->frame_time_s(0);
-    json["points_in_middle_frame"] = frame.size();
-    json["bounds"] = describe_bounds(frame);
+    if (read) {
+      json["points_in_middle_frame"] = frame.size();
+      json["bounds"] = describe_bounds(frame);
+    }
   }
-  if (const auto* inertial = source->inertial())
+  // The topics of a bag tell the times of its inertial unit: all its messages need not be read for them.
+  if (report.counts.contains("imu_messages"))
+    json["inertial"] = {{"name", report.facts.at("imu")}, {"samples", report.counts.at("imu_messages")}};
+  else if (const auto* inertial = source->inertial())
     json["inertial"] = {{"name", inertial->name},
                         {"samples", inertial->samples.size()},
                         {"start_s", inertial->samples.front().time_s},
@@ -111,7 +136,8 @@ ordered_json describe_recording(const std::filesystem::path& path) {
 // The topics of a bag, and its scan where it is clear which topic that is.
 ordered_json describe_bag(const std::filesystem::path& path) {
   ordered_json topics = ordered_json::object();
-  for (const auto& t : io::describe_topics(*io::open_bag(path))) {
+  const std::shared_ptr<const io::Bag> bag = io::open_bag(path);
+  for (const auto& t : io::describe_topics(*bag)) {
     ordered_json topic{{"type", t.topic.type},
                        {"messages", t.topic.messages},
                        {"start_s", 1e-9 * static_cast<double>(t.topic.first_ns)},

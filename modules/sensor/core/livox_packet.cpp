@@ -21,9 +21,6 @@ std::uint16_t get16(Bytes p, std::size_t at) { return static_cast<std::uint16_t>
 
 double get_float(Bytes p, std::size_t at) { return std::bit_cast<float>(get32(p, at)); }
 
-// Two groups of bits tell noise, by the strength of the return and by its surroundings: 1 is sure, 2 and 3 are less.
-bool is_noise(std::uint8_t tag) { return (tag & 3) == 1 || (tag >> 2 & 3) == 1; }
-
 Eigen::Vector3d on_sphere(double range_m, std::uint16_t zenith_centideg, std::uint16_t azimuth_centideg) {
   constexpr double radians_per_centideg = std::numbers::pi / 18000;
   const double zenith = zenith_centideg * radians_per_centideg, azimuth = azimuth_centideg * radians_per_centideg;
@@ -62,6 +59,11 @@ Eigen::Vector3d place_of(const LivoxLayout& layout, Bytes firing, std::size_t r,
 
 }  // namespace
 
+// Two groups of bits tell noise, by the strength of the return and by its surroundings: 1 is sure, 2 and 3 are less.
+bool is_livox_noise(std::uint8_t tag) { return (tag & 3) == 1 || (tag >> 2 & 3) == 1; }
+
+int livox_return(std::uint8_t tag) { return tag >> 4 & 3; }
+
 std::optional<LivoxLayout> livox_layout(std::uint8_t data_type, bool lvx2) {
   static constexpr std::array lvx1{LivoxLayout{13, 1, Coordinates::cartesian_mm, false, 100},
                                    LivoxLayout{9, 1, Coordinates::spherical, false, 100},
@@ -90,7 +92,7 @@ void decode_livox_points(const LivoxLayout& layout, Bytes data, std::vector<Livo
       std::size_t reflectivity_at = 0;
       const auto place = place_of(layout, firing, static_cast<std::size_t>(r), reflectivity_at);
       if (place.isZero() || (r > 0 && place == previous)) continue;  // none, or the same return again
-      if (layout.tags && is_noise(firing[reflectivity_at + 1])) continue;
+      if (layout.tags && is_livox_noise(firing[reflectivity_at + 1])) continue;
       previous = place;
       out.push_back({place.cast<float>(), static_cast<std::uint16_t>(i), firing[reflectivity_at], ++number});
     }

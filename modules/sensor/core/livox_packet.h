@@ -35,6 +35,11 @@ std::optional<LivoxLayout> livox_layout(std::uint8_t data_type, bool lvx2);
 // dust, between two objects) with high confidence, are left out.
 void decode_livox_points(const LivoxLayout& layout, std::span<const std::uint8_t> data, std::vector<LivoxPoint>& out);
 
+// What the tag of a point says, in packages and in the messages of the drivers: noise with high confidence; the number
+// of the return, counted from 0 or from 1 by the device.
+bool is_livox_noise(std::uint8_t tag);
+int livox_return(std::uint8_t tag);
+
 // The sample of an inertial package; its time is 0. Nothing where it holds no numbers.
 std::optional<InertialSample> decode_livox_inertial(std::span<const std::uint8_t> data);
 

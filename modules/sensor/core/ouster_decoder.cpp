@@ -96,10 +96,8 @@ std::optional<OusterPacketHead> OusterDecoder::head(Bytes packet) const {
   return head;
 }
 
-// The encoder counts with the rotor, clockwise seen from above, from the lidar's x axis, which points backwards.
-Eigen::Vector3f OusterDecoder::position(const Beam& beam, std::uint16_t column, double range_m) const {
-  const double encoder_rad = 2 * std::numbers::pi * (1 - static_cast<double>(column) / metadata_.columns_per_frame);
-  const double c = std::cos(encoder_rad), s = std::sin(encoder_rad);
+Eigen::Vector3f OusterDecoder::position(const Beam& beam, const Encoder& encoder, double range_m) const {
+  const auto [c, s] = encoder;
   const double along = (range_m - beam_origin_m_) * beam.cos_elevation;
   const Eigen::Vector3d p_lidar(
       along * (c * beam.cos_azimuth + s * beam.sin_azimuth) + metadata_.beam_origin_forward_m * c,
@@ -114,6 +112,9 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
   for (int i = 0; i < metadata_.columns_per_packet; ++i) {
     const auto c = column(packet, i);
     if (!c.valid || c.id >= metadata_.columns_per_frame) continue;
+    // The encoder counts with the rotor, clockwise seen from above, from the lidar's x axis, which points backwards.
+    const double encoder_rad = 2 * std::numbers::pi * (1 - static_cast<double>(c.id) / metadata_.columns_per_frame);
+    const Encoder encoder{std::cos(encoder_rad), std::sin(encoder_rad)};
     for (std::size_t b = 0; b < beams_.size(); ++b) {
       const Bytes pixel = c.pixels.subspan(b * layout.bytes, layout.bytes);
       for (int r = 0; r < layout.returns; ++r) {
@@ -122,8 +123,8 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
             static_cast<std::uint32_t>(get(pixel, layout.range_at[echo], layout.range_bytes)) & layout.range_mask;
         if (counts == 0) continue;
         const double range_m = counts * layout.metres_per_count;
-        out.push_back({position(beams_[b], c.id, range_m), static_cast<float>(range_m), c.time_ns, c.id, beams_[b].ring,
-                       pixel[layout.reflectivity_at[echo]], static_cast<std::uint8_t>(r + 1)});
+        out.push_back({position(beams_[b], encoder, range_m), static_cast<float>(range_m), c.time_ns, c.id,
+                       beams_[b].ring, pixel[layout.reflectivity_at[echo]], static_cast<std::uint8_t>(r + 1)});
       }
     }
   }

@@ -61,7 +61,10 @@ class OusterDecoder {
     bool valid;
   };
   Column column(std::span<const std::uint8_t> packet, int index) const;
-  Eigen::Vector3f position(const Beam& beam, std::uint16_t column, double range_m) const;
+  struct Encoder {
+    double cosine, sine;
+  };
+  Eigen::Vector3f position(const Beam& beam, const Encoder& encoder, double range_m) const;
 
   OusterMetadata metadata_;
   std::vector<Beam> beams_;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "../sensor/ouster_packets.h"
 #include "bag_files.h"
 #include "cloud/known_facts.h"
 #include "io/core/bags/bag_topics.h"
@@ -14,7 +15,6 @@
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/scans/velodyne_pcap.h"
 #include "io_test_tools.h"
-#include "../sensor/ouster_packets.h"
 #include "pcap_bytes.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
@@ -538,6 +538,137 @@ TEST(BagSource, CutMessagesAreErrorsOrWhatTheyHold) {
   EXPECT_THAT(error_of([&] { source->read(2, frame); }), HasSubstr("frame 2"));
   source->read(4, frame);
   EXPECT_EQ(frame.size(), rings * columns);
+}
+
+std::vector<CloudColumn> seconds_from_start(std::int64_t) { return {{"time", f32, offset_s}}; }
+
+TEST(BagSource, APointSlightlyBeforeTheStampDoesNotMoveTheStart) {
+  const auto early = [](std::int64_t) {
+    return std::vector<CloudColumn>{{"time", f32, [](std::size_t i) { return offset_s(i) - (i == 0 ? 2e-5 : 0); }}};
+  };
+  Report report;
+  const auto source = open_messages(clouds(Wire::ros1, early), Wire::ros1, report);
+  ScanFrame frame;
+  source->read(1, frame);
+  EXPECT_NEAR(frame.start_time_s, 1e-9 * (start_ns + period_ns), 2e-6);
+  EXPECT_NEAR(frame.time_offset_s[0], -2e-5, 1e-7);
+  EXPECT_NEAR(frame.time_offset_s[rings], offset_s(rings), 1e-7);
+}
+
+TEST(BagSource, TagsOfLivoxPointsTellNoiseAndReturns) {
+  for (const bool from_one : {false, true}) {
+    std::vector<Message> messages;
+    for (int k = 0; k < 3; ++k) {
+      std::vector<LivoxTestPoint> points;
+      for (std::uint32_t i = 0; i < 99; ++i)
+        points.push_back({i * 1'000'000, 2.F + static_cast<float>(i), 1, -1, 5,
+                          static_cast<std::uint8_t>((i % 3 + (from_one ? 1 : 0)) << 4 | (i == 7   ? 1
+                                                                                         : i == 8 ? 4
+                                                                                                  : 0)),
+                          0});
+      messages.push_back({"/livox/lidar", "livox_ros_driver/CustomMsg", start_ns + k * period_ns + 100'000'000,
+                          livox_message(Wire::ros1, start_ns + k * period_ns, points)});
+    }
+    Report report;
+    const auto source = open_messages(messages, Wire::ros1, report);
+    ScanFrame frame;
+    source->read(1, frame);
+    ASSERT_EQ(frame.size(), 97U);
+    EXPECT_EQ(frame.positions[7].x(), 11.F);
+    for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(frame.return_number[i], i % 3 + 1);
+  }
+}
+
+TEST(BagSource, LivoxCloudsWithoutTimesAreTimedByTheirOrder) {
+  std::vector<Message> messages;
+  for (int k = 0; k < 4; ++k) {
+    const auto stamp = start_ns + k * period_ns;
+    messages.push_back({"/livox/lidar", "sensor_msgs/PointCloud2", stamp + period_ns,
+                        cloud_message(Wire::ros1, stamp,
+                                      {{"x", f32, [](std::size_t i) { return 5 + 0.01 * static_cast<double>(i); }},
+                                       {"y", f32, [](std::size_t) { return 0.1; }},
+                                       {"z", f32, [](std::size_t) { return 0.2; }},
+                                       {"tag", u8, [](std::size_t) { return 16.0; }},
+                                       {"line", u8, [](std::size_t i) { return static_cast<double>(i % 6); }}},
+                                      {1, 1000})});
+  }
+  Report report;
+  const auto source = open_messages(messages, Wire::ros1, report);
+  EXPECT_EQ(source->pattern(), ScanPattern::rosette);
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("order of the points")));
+  ScanFrame frame;
+  source->read(2, frame);
+  ASSERT_EQ(frame.size(), 1000U);
+  EXPECT_NEAR(frame.start_time_s, 1e-9 * (start_ns + 2 * period_ns), 1e-6);
+  EXPECT_NEAR(frame.time_offset_s[0], 0, 1e-7);
+  EXPECT_NEAR(frame.time_offset_s[500], 0.05, 1e-6);
+  EXPECT_EQ(source->frame_time_s(2), frame.start_time_s);
+}
+
+TEST(BagSource, CloudsThatAreMissingOrThereTwiceAreCounted) {
+  auto messages = clouds(Wire::ros1, seconds_from_start, {1, rings * columns}, 105'000'000, 12);
+  auto twice = messages;
+  twice.insert(twice.end(), messages.begin(), messages.end());
+  Report doubled;
+  EXPECT_EQ(open_messages(twice, Wire::ros1, doubled)->size(), 12U);
+  EXPECT_EQ(doubled.counts.at("duplicate_messages"), 12);
+  messages.erase(messages.begin() + 3);
+  messages.erase(messages.begin() + 6, messages.begin() + 8);
+  Report holes;
+  EXPECT_EQ(open_messages(messages, Wire::ros1, holes)->size(), 9U);
+  EXPECT_EQ(holes.counts.at("missing_messages"), 3);
+  EXPECT_THAT(holes.findings, Contains(testing::Field(&Finding::code, "messages_missing")));
+}
+
+TEST(BagSource, AClockThatIsSetDuringTheRecordingStartsFramesAtTheirStamps) {
+  for (const double apart_s : {1.6e9, 3.0}) {
+    const auto jumping = [&](std::int64_t stamp) {
+      const double own_s = 1e-9 * static_cast<double>(stamp) - (stamp < start_ns + 6 * period_ns ? apart_s : 0);
+      return std::vector<CloudColumn>{{"timestamp", f64, [=](std::size_t i) { return own_s + offset_s(i); }}};
+    };
+    Report report;
+    const auto source =
+        open_messages(clouds(Wire::ros1, jumping, {1, rings * columns}, 105'000'000, 10), Wire::ros1, report);
+    for (std::size_t k = 0; k < 10; ++k)
+      EXPECT_NEAR(source->frame_time_s(k), 1e-9 * start_ns + 0.1 * static_cast<double>(k), 1e-5) << k;
+    ASSERT_EQ(report.findings.size(), 1U);
+    EXPECT_THAT(report.findings[0].text, HasSubstr("jumps"));
+  }
+}
+
+TEST(BagSource, IntensitiesOfOusterCloudsAreTheReflectivities) {
+  const auto more = [](std::int64_t) {
+    return std::vector<CloudColumn>{{"reflectivity", u16, [](std::size_t i) { return static_cast<double>(i % 50); }},
+                                    {"ambient", u16, [](std::size_t) { return 9.0; }}};
+  };
+  Report report;
+  const auto source = open_messages(clouds(Wire::ros1, more), Wire::ros1, report);
+  ScanFrame frame;
+  source->read(0, frame);
+  EXPECT_EQ(frame.intensity[149], 49.F);
+}
+
+TEST(BagSource, InertialMessagesThatAreNoNumbersOrRepeatedAreTold) {
+  auto messages = clouds(Wire::ros1, seconds_from_start);
+  for (int k = 0; k < 100; ++k) {
+    const auto stamp = start_ns + (k == 5 ? 4 : k) * 5'000'000;
+    const double rate = k == 3 ? std::numeric_limits<double>::quiet_NaN() : 0.01;
+    messages.push_back({"/imu", "sensor_msgs/Imu", start_ns + k * 5'000'000,
+                        imu_message(Wire::ros1, stamp, {rate, 0, 0}, {0, 0, 9.81})});
+  }
+  Report report;
+  const auto source = open_messages(messages, Wire::ros1, report);
+  ASSERT_NE(source->inertial(), nullptr);
+  EXPECT_EQ(source->inertial()->samples.size(), 98U);
+  EXPECT_THAT(report.findings, Contains(testing::Field(&Finding::text, HasSubstr("1 of 100 messages of /imu"))));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("have the time of the one before")));
+}
+
+TEST(BagSource, AnInertialUnitThatCoversAPartIsFound) {
+  const auto scan = clouds(Wire::ros1, seconds_from_start, {1, rings * columns}, 105'000'000, 40);
+  Report report;
+  open_messages(with_imu(scan, Wire::ros1, "/imu", 9.81), Wire::ros1, report);  // 0.5 s of 4 s
+  EXPECT_THAT(report.findings, Contains(testing::Field(&Finding::code, "imu_covers_part")));
 }
 
 TEST(BagSource, TopicsAreDescribed) {

@@ -134,11 +134,11 @@ std::vector<Variant> variants() {
         writer.summary = summary;
         writer.message_indices = indices;
         out.push_back(
-            {"mcap " + name + (summary ? "" : " open") + (indices ? "" : " plain"), writer.write(messages), !summary});
+            {"mcap " + name + (summary ? "" : " open") + (indices ? "" : " plain"), writer.write(messages), false});
       }
   McapWriter loose;
   loose.messages_per_chunk = 0;
-  out.push_back({"mcap without chunks", loose.write(messages), true});
+  out.push_back({"mcap without chunks", loose.write(messages), false});
   return out;
 }
 
@@ -298,6 +298,133 @@ TEST(Bag, ACutDatabaseGivesWhatItHolds) {
   EXPECT_GT(held, 500U);
   EXPECT_LT(held, 2000U);
   EXPECT_NEAR(bag->lost_share(), 0.5, 0.01);
+}
+
+std::size_t messages_in(const Bag& bag) {
+  std::size_t held = 0;
+  for (std::size_t t = 0; t < bag.topics().size(); ++t) held += bag.index(t, {}).size();
+  return held;
+}
+
+TEST(Bag, AFolderTellsWhatItsFilesLost) {
+  const TempDir dir;
+  write_database(dir / "walk_0.db3", conversation(2000));
+  const auto whole = read_file(dir / "walk_0.db3");
+  write_file(dir / "walk_0.db3", whole.substr(0, whole.size() / 2));
+  EXPECT_NEAR(open_bag(dir.path())->lost_share(), 0.5, 0.01);
+  std::filesystem::remove(dir / "walk_0.db3");
+  McapWriter writer;
+  writer.messages_per_chunk = 5;
+  const auto bytes = writer.write(conversation());
+  write_file(dir / "walk_0.mcap", bytes.substr(0, bytes.size() / 2));
+  const auto bag = open_bag(dir.path());
+  messages_in(*bag);
+  EXPECT_FALSE(bag->damage().empty());
+  EXPECT_GT(bag->lost_share(), 0.1);
+  EXPECT_NEAR(bag->lost_share(), open_bag(dir / "walk_0.mcap")->lost_share(), 1e-9);
+}
+
+TEST(Bag, AFolderWithoutMetadataIsOneRecordingOrRefused) {
+  const TempDir dir;
+  const auto messages = conversation(24);
+  write_database(dir / "walk_0.db3", {messages.begin(), messages.begin() + 12});
+  write_file(dir / "walk_0.db3.zstd", zstd(read_file(dir / "walk_0.db3")));
+  {
+    const auto one = open_bag(dir.path());
+    EXPECT_EQ(messages_in(*one), 12U);
+    EXPECT_TRUE(one->damage().empty());
+  }
+  write_database(dir / "walk_1.db3", {messages.begin() + 12, messages.end()});
+  expect_same(*open_bag(dir.path()), messages);
+  EXPECT_THAT(open_bag(dir.path())->damage(), ElementsAre(HasSubstr("no metadata.yaml")));
+  auto later = conversation();
+  for (auto& m : later) m.time_ns += 7'200'000'000'000;
+  write_database(dir / "other.db3", later);
+  EXPECT_THAT(error_of([&] { open_bag(dir.path()); }), HasSubstr("hours apart"));
+}
+
+TEST(Bag, ACutCompressedFileTellsItsLossAndOneWithinAnotherIsRefused) {
+  const TempDir dir;
+  write_database(dir / "a.db3", conversation(2000));
+  auto messages = conversation(100);  // do not compress: the cut is at half of the content
+  unsigned x = 1;
+  for (auto& m : messages)
+    for (int i = 0; i < 20'000; ++i) m.bytes += static_cast<char>((x = x * 1'664'525 + 1'013'904'223) >> 24);
+  McapWriter writer;
+  const auto packed = zstd(writer.write(messages));
+  write_file(dir / "b.mcap.zstd", packed.substr(0, packed.size() / 2));
+  const auto bag = open_bag(dir / "b.mcap.zstd");
+  EXPECT_NEAR(bag->lost_share(), 0.5, 0.1);
+  EXPECT_THAT(bag->damage(), testing::Contains(HasSubstr("compressed file is cut off")));
+  write_file(dir / "twice.db3.zstd", zstd(zstd(read_file(dir / "a.db3"))));
+  EXPECT_THAT(error_of([&] { open_bag(dir / "twice.db3.zstd"); }), HasSubstr("compressed again"));
+}
+
+TEST(Bag, TheLastChunkOfAnUnclosedBagIsRead) {
+  for (const bool packed : {false, true}) {
+    Ros1Writer writer;
+    writer.closed = false;
+    writer.chunk_indices = false;
+    writer.messages_per_chunk = 10;
+    if (packed) {
+      writer.compression = "bz2";
+      writer.compress = bz2;
+    }
+    auto bytes = writer.write(conversation());
+    // As rosbag leaves it: both lengths of the last chunk are to be filled in.
+    const auto header = bytes.rfind("compression=");
+    const auto size = bytes.rfind("size=");
+    ASSERT_GT(size, header);
+    bytes.replace(size + 5, 4, std::string(4, '\0'));
+    bytes.replace(size + 9, 4, std::string(4, '\0'));
+    const auto bag = open_bag(bytes_of(bytes), "a", {});
+    EXPECT_EQ(messages_in(*bag), 20U);
+    EXPECT_THAT(bag->damage(), testing::Contains(HasSubstr("last chunk")));
+  }
+}
+
+TEST(Bag, AViewInADatabaseIsNotRun) {
+  const TempDir dir;
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((dir / "a.db3").c_str(), &database), SQLITE_OK);
+  sqlite3_exec(database,
+               "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT);"
+               "INSERT INTO topics VALUES(1,'/a','std_msgs/msg/String','cdr');"
+               "CREATE VIEW messages AS WITH RECURSIVE c(i) AS (SELECT 1 UNION ALL SELECT i+1 FROM c LIMIT 100000) "
+               "SELECT i AS id, 1 AS topic_id, i AS timestamp, x'00' AS data FROM c",
+               nullptr, nullptr, nullptr);
+  sqlite3_close(database);
+  EXPECT_THAT(error_of([&] { open_bag(dir / "a.db3"); }), HasSubstr("no recording of ROS 2"));
+}
+
+TEST(Bag, AChunkThatIsListedManyTimesIsReadOnce) {
+  const auto messages = conversation();
+  McapWriter writer;
+  writer.messages_per_chunk = 20;
+  auto bytes = writer.write(messages);
+  // The record of the chunk's index once more, before the footer (1 + 8 + 20 bytes, and 8 of the magic).
+  const auto footer = bytes.size() - 8 - 29;
+  std::size_t at = 0;
+  std::memcpy(&at, bytes.data() + footer + 9, 8);
+  std::size_t last = at;
+  while (at < footer) {
+    std::size_t length = 0;
+    std::memcpy(&length, bytes.data() + at + 1, 8);
+    last = at;
+    at += 9 + length;
+  }
+  const auto record = bytes.substr(last, footer - last);
+  ASSERT_EQ(record[0], 8);
+  for (int i = 0; i < 50; ++i) bytes.insert(footer, record);
+  expect_same(*open_bag(bytes_of(bytes), "a", {}), messages);
+}
+
+TEST(Bag, MessagesOfAnMcapFileMayBeCompressedOneByOne) {
+  auto messages = conversation();
+  for (auto& m : messages) m.bytes = zstd(m.bytes);
+  McapWriter writer;
+  const auto bytes = writer.write(messages);
+  expect_same(*open_bag(bytes_of(bytes), "a", {}), conversation());
 }
 
 }  // namespace

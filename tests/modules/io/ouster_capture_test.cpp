@@ -35,15 +35,21 @@ struct Recording {
   std::uint16_t first_frame_id = 65534;
   int skip_packet = -1, drop_column = -1;
   std::size_t mtu = 65535;
+  int clock_set_at = -1;  // packet from which the sensor counts UTC
+  bool twice = false;     // each lidar packet
+  bool with_other_sensor = false;
+  int first_lost = -1, last_lost = -1;  // packets
 
   // 64 columns per frame, 16 per packet, 0.1 s; an inertial packet before every lidar packet.
   PcapBytes capture() const {
     PcapBytes out(mtu);
     for (int p = 0; p < 4 * frames; ++p) {
       const double time_s = start_s + 0.025 * p;
-      const auto ns = sensor_start_ns + static_cast<std::uint64_t>(p) * 25'000'000;
+      const auto ns =
+          (clock_set_at >= 0 && p >= clock_set_at ? std::uint64_t{1'700'000'000'000'000'000} : sensor_start_ns) +
+          static_cast<std::uint64_t>(p) * 25'000'000;
       out.add(maker::Sensor::inertial_packet(ns + 1000, {0, 0, 1}, {0, 0, 10}), time_s, 7503);
-      if (p == skip_packet) continue;
+      if (p == skip_packet || (p >= first_lost && p <= last_lost)) continue;
       std::vector<maker::Column> columns(16);
       for (int c = 0; c < 16; ++c) {
         auto& column = columns[static_cast<std::size_t>(c)];
@@ -55,6 +61,10 @@ struct Recording {
       }
       const auto id = static_cast<std::uint16_t>(first_frame_id + p / 4);
       out.add(sensor.packet(id, columns), time_s, 7502);
+      if (twice) out.add(sensor.packet(id, columns), time_s, 7502);
+      auto other = sensor;
+      other.serial = 77;
+      if (with_other_sensor) out.add(other.packet(static_cast<std::uint16_t>(id + 900), columns), time_s, 7502);
     }
     return out;
   }
@@ -183,6 +193,77 @@ TEST(OusterCapture, TheJsonFileIsFoundOrAskedFor) {
   EXPECT_THAT(error_of([&] { open_frame_source(path, named); }), HasSubstr("the JSON file of the sensor"));
   for (const char* name : {"twin.json", "second.json", "other.json"}) std::filesystem::remove(folder / name);
   EXPECT_THAT(error_of([&] { open_frame_source(path); }), HasSubstr("there is no Ouster JSON file beside"));
+}
+
+TEST(OusterCapture, PacketsAsLongAsThoseOfTheInertialUnitAreNone) {
+  const TempDir folder;
+  const Recording recording;
+  auto capture = recording.capture();
+  for (int i = 0; i < 5; ++i) capture.add(std::string(48, static_cast<char>(35 + i)), start_s, 123);  // NTP
+  capture.add(maker::Sensor::inertial_packet(sensor_start_ns + 1'000'000'000'000, {0, 0, 1}, {0, 0, 10}), start_s,
+              7503);
+  const auto path = recording.write(folder);
+  write_file(path, capture.bytes());
+  Report report;
+  const auto source = open_frame_source(path, {}, {}, report);
+  ASSERT_NE(source->inertial(), nullptr);
+  EXPECT_EQ(source->inertial()->samples.size(), 16U);
+  EXPECT_EQ(report.counts.at("inertial_packets"), 16);
+  EXPECT_EQ(report.counts.at("other_packets"), 6);
+}
+
+TEST(OusterCapture, LostRevolutionsAndDoubledPacketsAreCounted) {
+  const TempDir folder;
+  Recording recording;
+  recording.frames = 10;
+  recording.first_lost = 16;  // frames 4 to 6
+  recording.last_lost = 27;
+  recording.twice = true;
+  recording.skip_packet = 6;
+  Report report;
+  const auto source = open_frame_source(recording.write(folder), {}, {}, report);
+  EXPECT_EQ(source->size(), 7U);
+  EXPECT_EQ(report.counts.at("lost_revolutions"), 3);
+  EXPECT_EQ(report.counts.at("lost_packets"), 13);
+  EXPECT_EQ(report.counts.at("duplicate_packets"), 27);
+  EXPECT_EQ(report.counts.at("incomplete_frames"), 1);
+}
+
+TEST(OusterCapture, AClockThatIsSetDoesNotMoveTheTimes) {
+  const TempDir folder;
+  Recording recording;
+  recording.frames = 6;
+  recording.clock_set_at = 12;
+  Report report;
+  const auto source = open_frame_source(recording.write(folder), {}, {}, report);
+  ASSERT_EQ(source->size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k)
+    EXPECT_NEAR(source->frame_time_s(k), start_s + 0.1 * static_cast<double>(k), 1e-5) << k;
+  EXPECT_EQ(report.counts.at("clock_jumps"), 1);
+  ASSERT_EQ(source->inertial()->samples.size(), 24U);
+  EXPECT_NEAR(source->inertial()->samples[12].time_s, start_s + 0.3 + 1e-6, 1e-5);
+  EXPECT_THAT(report.findings, testing::Contains(testing::Field(&Finding::code, "clock_jumped")));
+}
+
+TEST(OusterCapture, PacketsOfASecondSensorAreLeftOut) {
+  const TempDir folder;
+  Recording recording;
+  recording.with_other_sensor = true;
+  Report report;
+  const auto source = open_frame_source(recording.write(folder), {}, {}, report);
+  EXPECT_EQ(source->size(), 4U);
+  EXPECT_EQ(points_of(*source), points_of(*open_frame_source(Recording().write(folder, "alone"))));
+  EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("16 packets of a second sensor")));
+}
+
+TEST(OusterCapture, AJsonFileThatIsNotReadableDoesNotBlockTheOthers) {
+  const TempDir folder;
+  const auto path = Recording().write(folder);
+  std::filesystem::rename(folder / "walk.json", folder / "sensor.json");
+  write_file(folder / "a_later.json", small_sensor("SOME_LATER_PROFILE").metadata(true).dump());
+  EXPECT_EQ(open_frame_source(path)->size(), 4U);
+  std::filesystem::remove(folder / "sensor.json");
+  EXPECT_THAT(error_of([&] { open_frame_source(path); }), HasSubstr("a_later.json"));
 }
 
 // The numbers of points are those of ouster-sdk 1.0 (tests/bench/peers/ouster_against_sdk.py compares every point).

@@ -76,22 +76,41 @@ void Bag::note_damage(const std::string& text) const {
   if (std::ranges::find(damage_, text) == damage_.end()) damage_.push_back(text);
 }
 
-std::unique_ptr<Bag> open_bag(const std::filesystem::path& path, const Run& run) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return std::make_unique<BagFolder>(path, run);
+void Bag::note_loss(double share, const std::string& text) {
+  lost_share_ = std::max(lost_share_, share);
+  note_damage(text);
+}
+
+namespace {
+
+// `name` is that of the file that somebody chose, where `path` is its content.
+std::unique_ptr<Bag> open_file(const std::filesystem::path& path, const std::string& name, bool compressed,
+                               const Run& run) {
   auto file = std::make_unique<MappedFile>(path);
-  const auto name = path.filename().string();
   if (is_sqlite(file->bytes())) {
     file.reset();
     return std::make_unique<SqliteBag>(path, run);
   }
   if (is_zstd(file->bytes())) {
+    if (compressed)
+      throw bad_input("the content of '" + name + "' is compressed again", "a recording compressed once",
+                      "Decompress it with zstd -d");
     const ScratchCopy copy(file->bytes(), name, run);
     file.reset();
-    return open_bag(copy.path(), run);  // the opened bag holds on to the content when the copy's name goes
+    auto bag = open_file(copy.path(), name, true, run);  // holds on to the content when the copy's name goes
+    if (!copy.damage().empty()) bag->note_loss(copy.lost_share(), copy.damage());
+    return bag;
   }
   if (is_mcap(file->bytes())) return std::make_unique<MappedBag<McapBag>>(std::move(file), name, run);
   return std::make_unique<MappedBag<Ros1Bag>>(std::move(file), name, run);
+}
+
+}  // namespace
+
+std::unique_ptr<Bag> open_bag(const std::filesystem::path& path, const Run& run) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return std::make_unique<BagFolder>(path, run);
+  return open_file(path, path.filename().string(), false, run);
 }
 
 std::unique_ptr<Bag> open_bag(Bytes file, const std::string& name, const Run& run) {

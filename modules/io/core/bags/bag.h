@@ -48,6 +48,8 @@ class Bag {
   const std::vector<std::string>& damage() const { return damage_; }
   // Of the bytes or messages that the recording should have, 0 to 1.
   double lost_share() const { return lost_share_; }
+  // What was lost before the bag got its bytes.
+  void note_loss(double share, const std::string& text);
 
  protected:
   // The topic with this name, type and encoding, added where there is none.

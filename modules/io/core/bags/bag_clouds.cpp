@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/file_pages.h"
+#include "io/core/bags/message_order.h"
 #include "io/core/scans/frame_estimates.h"
 #include "io/core/scans/sensor_facts.h"
 
@@ -14,16 +15,8 @@ namespace bole::io {
 namespace {
 
 constexpr std::size_t sampled_frames = 9;
-
-// The usual time between messages, by their recording times. 0.1 s where there are too few.
-double usual_period_s(const std::vector<BagMessage>& messages) {
-  std::vector<std::int64_t> steps;
-  for (std::size_t i = 1; i < messages.size(); ++i)
-    if (messages[i].time_ns > messages[i - 1].time_ns) steps.push_back(messages[i].time_ns - messages[i - 1].time_ns);
-  if (steps.empty()) return 0.1;
-  std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
-  return 1e-9 * static_cast<double>(steps[steps.size() / 2]);
-}
+// Of the period: a driver may give the first points of a frame times slightly before its start.
+constexpr double early_share = 0.01;
 
 double seconds(std::int64_t ns) { return 1e-9 * static_cast<double>(ns); }
 
@@ -37,6 +30,7 @@ BagCloudSource::BagCloudSource(std::shared_ptr<const Bag> bag, std::size_t topic
       options_(options),
       messages_(bag_->index(topic, run)) {
   if (messages_.empty()) throw bad_input("topic " + topic_.name + " has no messages", "messages of " + topic_.type);
+  check_order(*bag_, topic_, messages_, run, report_);
   start_times_s_.assign(messages_.size(), std::numeric_limits<double>::quiet_NaN());
   period_s_ = usual_period_s(messages_);
   rosette_ = topic_.type != message_type::cloud;
@@ -91,10 +85,13 @@ void BagCloudSource::decode(std::size_t index, RawPoints& points) const {
   const auto bytes = bag_->read(messages_[index]);
   if (topic_.type == message_type::cloud) {
     const auto message = parse_cloud(bytes, topic_.encoding);
-    read_cloud_points(message, layout_of(message.fields), points);
+    auto layout = layout_of(message.fields);
+    if (times_by_order_) layout.time.reset();
+    read_cloud_points(message, layout, points);
   } else {
     parse_livox(bytes, topic_.encoding, livox_);
     read_livox_points(livox_, points);
+    if (times_.from_base) points.stamp_ns = points.base_ns;
   }
   leave_memory(bytes.data(), bytes.size());
   keep_valid(points, options_.min_range, options_.max_range);
@@ -105,14 +102,24 @@ void BagCloudSource::learn_times(const std::vector<Sample>& samples) {
   for (const auto& sample : samples)
     if (const auto s = time_sample(sample.points, sample.recorded_ns)) seen.push_back(*s);
   if (rosette_) {
-    times_.origin = TimeOrigin::after_stamp;
-    times_.unit_s = 1e-9;
-    times_.text = "offset_time, ns from the time base of the message";
+    learn_livox_clock(samples);
   } else if (!seen.empty()) {
     times_ = find_time_dialect(layout_->time, seen, period_s_);
   } else {
     times_.text = "none";
   }
+  if (times_.origin == TimeOrigin::none && layout_ && layout_->livox) {
+    times_by_order_ = true;
+    times_.origin = TimeOrigin::after_stamp;
+    times_.unit_s = period_s_;
+    times_.text = "none: by the order of the points";
+    report_.warn(
+        "the points have no times: they follow from the order of the points, evenly over the time between two "
+        "messages, from the stamp of the message");
+  }
+  starts_at_stamp_ = times_.origin == TimeOrigin::after_stamp && std::ranges::all_of(seen, [this](const auto& s) {
+                       return s.first * times_.unit_s > -early_share * period_s_;
+                     });
   report_.facts["point_times"] = times_.text;
   if (!times_.warning.empty()) report_.find(Severity::look, "point_times_unclear", times_.warning);
   if (times_.origin == TimeOrigin::none)
@@ -121,6 +128,14 @@ void BagCloudSource::learn_times(const std::vector<Sample>& samples) {
         "and faces forward at the stamp of the message (as in KITTI)");
   set_fact(facts_, Clock::recorder);
   report_.facts["clock"] = "stamps of the messages";
+}
+
+void BagCloudSource::learn_livox_clock(const std::vector<Sample>& samples) {
+  double apart_s = 0;
+  for (const auto& s : samples)
+    apart_s = std::max(apart_s,
+                       1e-9 * std::abs(static_cast<double>(s.points.base_ns) - static_cast<double>(s.points.stamp_ns)));
+  times_ = livox_dialect(apart_s, period_s_);
 }
 
 void BagCloudSource::learn_rings(const std::vector<RawPoints>& samples) {
@@ -200,8 +215,9 @@ void BagCloudSource::set_times(const RawPoints& points, ScanFrame& frame) const 
   } else {
     const double first = *std::ranges::min_element(points.time);
     const bool from_stamp = times_.origin == TimeOrigin::after_stamp;
-    const double origin = from_stamp ? std::min(first, 0.0) : first;
+    const double origin = starts_at_stamp_ ? 0 : from_stamp ? std::min(first, 0.0) : first;
     frame.start_time_s = (from_stamp ? stamp_s : times_.shift_s) + origin * times_.unit_s;
+    if (!from_stamp && std::abs(frame.start_time_s - stamp_s) > times_.jump_s) frame.start_time_s = stamp_s;
     for (std::size_t i = 0; i < points.time.size(); ++i)
       frame.time_offset_s[i] = static_cast<float>((points.time[i] - origin) * times_.unit_s);
   }
@@ -252,15 +268,22 @@ double BagCloudSource::frame_time_s(std::size_t index) const {
   double& start_s = start_times_s_.at(index);
   if (!std::isnan(start_s)) return start_s;
   try {
-    decode(index, scratch_);
-    ScanFrame frame;
-    set_times(scratch_, frame);
-    start_s = frame.start_time_s;
+    start_s = start_time_s(index);
   } catch (const Error& e) {
     if (e.kind() != ErrorKind::bad_input) throw;
     start_s = seconds(messages_[index].time_ns);  // what is wrong is told when the frame is read
   }
   return start_s;
+}
+
+// Points are decoded only where the start follows from their times.
+double BagCloudSource::start_time_s(std::size_t index) const {
+  if (topic_.type == message_type::cloud && starts_at_stamp_)
+    return seconds(parse_stamp_ns(bag_->read(messages_[index]), topic_.encoding));
+  decode(index, scratch_);
+  ScanFrame frame;
+  set_times(scratch_, frame);
+  return frame.start_time_s;
 }
 
 int BagCloudSource::rings() const { return rosette_ ? 1 : static_cast<int>(elevations_rad_.size()); }

@@ -42,9 +42,11 @@ class BagCloudSource : public FrameSource {
   std::vector<Sample> read_samples(const Run& run);
   void decode(std::size_t index, RawPoints& points) const;
   void learn_times(const std::vector<Sample>& samples);
+  void learn_livox_clock(const std::vector<Sample>& samples);
   void learn_rings(const std::vector<RawPoints>& samples);
   void learn_intensity(const std::vector<RawPoints>& samples);
   void check_axes(const std::vector<RawPoints>& samples);
+  double start_time_s(std::size_t index) const;
   void set_times(const RawPoints& points, ScanFrame& frame) const;
   void set_rings(const RawPoints& points, ScanFrame& frame) const;
 
@@ -57,6 +59,7 @@ class BagCloudSource : public FrameSource {
   std::optional<CloudLayout> layout_;  // of the samples; nothing for Livox messages
   TimeDialect times_;
   double period_s_ = 0.1;
+  bool starts_at_stamp_ = false, times_by_order_ = false;
   RingOrder ring_order_;
   bool rosette_ = false, rings_by_order_ = false;
   float intensity_factor_ = 1;

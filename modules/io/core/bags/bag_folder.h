@@ -15,10 +15,16 @@ class BagFolder : public Bag {
 
  private:
   struct File {
+    std::filesystem::path name;
     std::unique_ptr<Bag> bag;
     std::vector<std::size_t> topics;  // of this bag, by the topic of the file
   };
+  void open(const std::filesystem::path& folder, const std::filesystem::path& name, const Run& run);
+  void refuse_separate_walks(const std::filesystem::path& folder) const;
+  void forward_damage(const File& file) const;
+
   std::vector<File> files_;
+  double expected_bytes_ = 0, lost_bytes_ = 0;
 };
 
 // The files that a metadata.yaml lists, in its order, and the number of messages that it declares (-1: none).

@@ -30,20 +30,35 @@ BagInertial::BagInertial(std::shared_ptr<const Bag> bag, std::size_t topic, cons
     : bag_(std::move(bag)), topic_(bag_->topics()[topic]), messages_(bag_->index(topic, run)) {
   std::vector<InertialSample> seen;
   std::string trouble = "no message";
+  std::size_t damaged = 0, repeated = 0;
   stamped_ = false;
   for (const auto i : sampled(messages_.size())) {
     try {
       const auto message = parse_imu(bag_->read(messages_[i]), topic_.encoding);
+      if (!message.angular_rate.allFinite() || !message.acceleration.allFinite()) {
+        ++damaged;
+        trouble = "values that are no numbers";
+        continue;
+      }
       stamped_ = stamped_ || message.header.stamp_ns != 0;
       seen.push_back({1e-9 * static_cast<double>(message.header.stamp_ns), message.angular_rate, message.acceleration});
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::bad_input) throw;
+      ++damaged;
       trouble = e.found();
     }
   }
+  for (std::size_t i = 1; i < seen.size(); ++i) repeated += seen[i].time_s == seen[i - 1].time_s ? 1 : 0;
   if (seen.empty())
     throw bad_input("topic " + topic_.name + " holds no measurement that can be read (" + trouble + ")",
                     "sensor_msgs/Imu");
+  const auto of_seen =
+      " of " + std::to_string(seen.size() + damaged) + " messages of " + topic_.name + " that were looked at ";
+  if (damaged > 0)
+    report.find(Severity::look, "input_damaged",
+                std::to_string(damaged) + of_seen + "cannot be used (" + trouble + "): such messages are gaps");
+  if (repeated > 0 && stamped_)
+    report.warn(std::to_string(repeated) + of_seen + "have the time of the one before: such messages are left out");
   first_s_ = seen.front().time_s;
   last_s_ = seen.back().time_s;
   if (!stamped_) {

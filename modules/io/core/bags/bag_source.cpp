@@ -1,9 +1,11 @@
 #include "io/core/bags/bag_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/error.h"
+#include "base/option.h"
 #include "base/verdict.h"
 #include "io/core/bags/bag_clouds.h"
 #include "io/core/bags/bag_inertial.h"
@@ -83,6 +85,8 @@ std::shared_ptr<const FrameSource> open_topic(const std::shared_ptr<const Bag>& 
   return source;
 }
 
+constexpr double max_uncovered = 0.02;  // of the time of the scan
+
 // The unit measures on the clock of the frames, or it cannot be used with them.
 void compare_clocks(const FrameSource& frames, const BagInertial& inertial, Report& report) {
   const double first_s = frames.frame_time_s(0), last_s = frames.frame_time_s(frames.size() - 1);
@@ -91,6 +95,14 @@ void compare_clocks(const FrameSource& frames, const BagInertial& inertial, Repo
                 "the stamps of the inertial unit and of the scan do not overlap (they begin " +
                     std::to_string(std::llround(inertial.first_s() - first_s)) +
                     " s apart): the two have different clocks, and the unit cannot be used");
+  else if (const double without_s =
+               std::max(0.0, inertial.first_s() - first_s) + std::max(0.0, last_s - inertial.last_s());
+           without_s > std::max(1.0, max_uncovered * (last_s - first_s)))
+    report.find(Severity::look, "imu_covers_part",
+                number_text(std::round(10 * without_s) / 10) + " s of the scan, of " +
+                    number_text(std::round(10 * (last_s - first_s)) / 10) +
+                    " s, have no measurement of the inertial unit: was it started with the scanner, and are the "
+                    "clocks the same?");
 }
 
 }  // namespace

@@ -8,12 +8,13 @@
 #include <array>
 #include <memory>
 
+#include "base/error.h"
 #include "base/file_pages.h"
 
 namespace bole::io {
 namespace {
 
-constexpr std::size_t kept_chunks = 4;
+constexpr std::size_t kept_chunks = 4, kept_bytes = std::size_t{256} << 20;  // and the newest
 constexpr std::uint64_t max_chunk_bytes = std::uint64_t{1} << 30;
 constexpr std::size_t step_bytes = std::size_t{1} << 18;
 
@@ -123,9 +124,31 @@ Decompressed decompress(Compression compression, Bytes stored, std::uint64_t max
   return {};
 }
 
+Bytes whole_message(Bytes stored, const std::string& name, std::vector<std::uint8_t>& room) {
+  constexpr std::array<std::uint8_t, 4> zstd_magic{0x28, 0xB5, 0x2F, 0xFD};
+  // The first byte of a CDR message is 0, so that the two cannot be taken for each other.
+  if (stored.size() < zstd_magic.size() || !std::equal(zstd_magic.begin(), zstd_magic.end(), stored.begin()))
+    return stored;
+  auto content = decompress(Compression::zstd, stored, max_chunk_bytes);
+  if (!content.whole) throw bad_input("a compressed message of '" + name + "' is damaged", "a whole zstd frame");
+  room = std::move(content.bytes);
+  return room;
+}
+
 std::uint32_t ChunkStore::add(Compression compression, Bytes stored, std::uint64_t size) {
   chunks_.push_back({compression, stored, size});
   return static_cast<std::uint32_t>(chunks_.size() - 1);
+}
+
+// Before a chunk is decompressed, so that the old ones are not held beside it.
+void ChunkStore::make_way() const {
+  std::size_t held = 0, count = 0;
+  for (auto it = kept_.begin(); it != kept_.end(); ++it) {
+    held += it->content.bytes.capacity();
+    if (held <= kept_bytes && ++count < kept_chunks) continue;
+    kept_.erase(it, kept_.end());
+    return;
+  }
 }
 
 Bytes ChunkStore::bytes(std::uint32_t index, bool* whole) const {
@@ -136,7 +159,7 @@ Bytes ChunkStore::bytes(std::uint32_t index, bool* whole) const {
   }
   auto found = std::ranges::find(kept_, index, &Kept::chunk);
   if (found == kept_.end()) {
-    if (kept_.size() >= kept_chunks) kept_.pop_back();
+    make_way();
     auto content = decompress(chunk.compression, chunk.stored, std::min(chunk.size, max_chunk_bytes));
     content.whole = content.bytes.size() == chunk.size;
     leave_memory(chunk.stored.data(), chunk.stored.size());

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <list>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,11 +25,13 @@ struct Decompressed {
 // gives what comes before the damage.
 Decompressed decompress(Compression compression, Bytes stored, std::uint64_t max_bytes);
 
+// A message of rosbag2, decompressed into `room` where the recorder compressed each by itself. Throws
+// Error{bad_input} where it is damaged.
+Bytes whole_message(Bytes stored, const std::string& name, std::vector<std::uint8_t>& room);
+
 class ChunkStore {
  public:
   std::uint32_t add(Compression compression, Bytes stored, std::uint64_t size);
-  std::size_t size() const { return chunks_.size(); }
-  bool compressed(std::uint32_t chunk) const { return chunks_[chunk].compression != Compression::none; }
 
   // The content of a chunk. That of the last few chunks is kept. `whole` is false where it is damaged.
   Bytes bytes(std::uint32_t chunk, bool* whole = nullptr) const;
@@ -43,6 +46,8 @@ class ChunkStore {
     std::uint32_t chunk;
     Decompressed content;
   };
+  void make_way() const;
+
   std::vector<Chunk> chunks_;
   mutable std::list<Kept> kept_;  // last used first
 };

@@ -39,7 +39,8 @@ McapBag::McapBag(Bytes file, const std::string& name, const Run& run) : file_(fi
   schemas_.clear();
   topic_of_channel_.clear();
   store_ = {};
-  note_damage("the file has no usable summary (not closed, or cut off): its records were gone through");
+  if (ending_ == Ending::missing)
+    note_damage("the file has no usable summary (not closed, or cut off): its records were gone through");
   scan(run);
 }
 
@@ -59,8 +60,8 @@ McapBag::Record McapBag::record_at(Bytes bytes, std::size_t at) {
 void McapBag::add_schema(Bytes data) {
   RecordReader reader(data);
   const auto id = reader.get<std::uint16_t>();
-  const auto name = reader.text(), encoding = reader.text();
-  if (reader.ok()) schemas_[id] = {std::string(name), std::string(encoding)};
+  const auto name = reader.text();
+  if (reader.ok()) schemas_[id] = std::string(name);
 }
 
 void McapBag::add_channel(Bytes data) {
@@ -69,7 +70,7 @@ void McapBag::add_channel(Bytes data) {
   const auto topic = reader.text(), encoding = reader.text();
   if (!reader.ok()) return;
   const auto known = schemas_.find(schema);
-  topic_of_channel_[id] = topic_of(topic, known == schemas_.end() ? "" : known->second.name,
+  topic_of_channel_[id] = topic_of(topic, known == schemas_.end() ? "" : known->second,
                                    encoding == "cdr"    ? MessageEncoding::cdr
                                    : encoding == "ros1" ? MessageEncoding::ros1
                                                         : MessageEncoding::other);
@@ -106,8 +107,9 @@ void McapBag::add_chunk_index(Bytes data) {
     chunk.channels.push_back(offsets.get<std::uint16_t>());
     offsets.get<std::uint64_t>();
   }
-  if (!open_chunk(record_at(file_, static_cast<std::size_t>(begin)), chunk)) return;
-  chunk.index_at = static_cast<std::size_t>(begin + length);
+  const auto record = record_at(file_, static_cast<std::size_t>(begin));
+  if (record.end != begin + length || !open_chunk(record, chunk)) return;
+  chunk.index_at = record.end;
   chunk.index_end =
       chunk.index_at + static_cast<std::size_t>(std::min<std::uint64_t>(index_length, file_.size() - chunk.index_at));
   chunk.indexed = !chunk.channels.empty();
@@ -140,6 +142,7 @@ bool McapBag::read_summary() {
   const auto end = file_.size() - magic.size() - footer_bytes;
   const auto last = record_at(file_, end);
   const auto begin = RecordReader(last.data).get<std::uint64_t>();
+  if (last.operation == footer && begin == 0) ending_ = Ending::whole;  // written without a summary
   if (last.operation != footer || begin < magic.size() || begin >= end) return false;
   std::vector<Record> records;
   for (auto at = static_cast<std::size_t>(begin); at < end;) {
@@ -160,8 +163,20 @@ bool McapBag::read_summary() {
     ++declared;
     add_chunk_index(data);
   });
+  if (chunks_.size() != declared || overlapping_indices()) return false;
+  ending_ = Ending::whole;
   // Without repeated channels, counts or chunks the summary does not say where messages are.
-  return counted && !topic_of_channel_.empty() && declared > 0 && chunks_.size() == declared;
+  return counted && !topic_of_channel_.empty() && declared > 0;
+}
+
+// Each index belongs to one chunk: no entry is there twice.
+bool McapBag::overlapping_indices() const {
+  std::vector<std::pair<std::size_t, std::size_t>> ranges;
+  for (const auto& chunk : chunks_) ranges.emplace_back(chunk.index_at, chunk.index_end);
+  std::ranges::sort(ranges);
+  for (std::size_t i = 1; i < ranges.size(); ++i)
+    if (ranges[i].first < ranges[i - 1].second || ranges[i].first == ranges[i - 1].first) return true;
+  return false;
 }
 
 void McapBag::count_message(std::uint16_t channel, std::int64_t time_ns) {
@@ -187,7 +202,8 @@ void McapBag::scan(const Run& run) {
       loose_[channel].push_back({time_ns, 0, outside_chunks, at});
     }
     if (Chunk chunk; open_chunk(record, chunk)) {
-      scan_chunk(chunk);
+      chunk.index_at = chunk.index_end = record.end;
+      if (!count_by_index(chunk)) scan_chunk(chunk);
       chunks_.push_back(std::move(chunk));
     }
     if (record.operation == data_end || record.operation == footer) return;
@@ -197,6 +213,28 @@ void McapBag::scan(const Run& run) {
   lost_share_ = 1 - static_cast<double>(at) / static_cast<double>(file_.size());
   note_damage("the file is cut off or damaged at byte " + std::to_string(at) + " of " + std::to_string(file_.size()) +
               ": what comes before is read");
+}
+
+// The index behind a chunk saves its decompression where all its channels are known.
+bool McapBag::count_by_index(Chunk& chunk) {
+  while (chunk.index_end < file_.size()) {
+    const auto record = record_at(file_, chunk.index_end);
+    if (!record.whole || record.operation != message_index) break;
+    chunk.index_end = record.end;
+  }
+  chunk.indexed = chunk.index_end > chunk.index_at;
+  std::vector<std::pair<std::uint16_t, std::int64_t>> seen;
+  const auto see = [&seen](std::uint16_t channel, const BagMessage& m) { seen.emplace_back(channel, m.time_ns); };
+  const auto known = [this](const auto& s) { return topic_of_channel_.contains(s.first); };
+  // A file that was cut off behind a chunk may have a part of its index.
+  const bool ends_here = chunk.index_end >= file_.size() || !record_at(file_, chunk.index_end).whole;
+  chunk.indexed = chunk.indexed && !ends_here && visit_index(chunk, see);
+  if (!chunk.indexed || !std::ranges::all_of(seen, known)) return false;
+  for (const auto& [channel, time_ns] : seen) {
+    if (std::ranges::find(chunk.channels, channel) == chunk.channels.end()) chunk.channels.push_back(channel);
+    count_message(channel, time_ns);
+  }
+  return true;
 }
 
 void McapBag::scan_chunk(Chunk& chunk) {
@@ -285,8 +323,9 @@ Bytes McapBag::read(const BagMessage& message) const {
   const auto record = record_at(content, static_cast<std::size_t>(message.offset));
   constexpr std::size_t header_bytes = 2 + 4 + 8 + 8;
   if (!record.whole || record.operation != message_record || record.data.size() < header_bytes)
-    throw bad_input("a message of '" + name_ + "' cannot be read: its chunk is damaged", "a whole chunk");
-  return record.data.subspan(header_bytes);
+    throw bad_input("a message of '" + name_ + "' cannot be read: its chunk is damaged", "a whole chunk",
+                    "Copy the file again from where it was recorded");
+  return whole_message(record.data.subspan(header_bytes), name_, decompressed_);
 }
 
 }  // namespace bole::io

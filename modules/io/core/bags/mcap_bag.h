@@ -25,18 +25,19 @@ class McapBag : public Bag {
     std::size_t end = 0;
     bool whole = false;
   };
-  struct Schema {
-    std::string name, encoding;
-  };
   struct Chunk {
     std::uint32_t part = 0;
     std::vector<std::uint16_t> channels;  // with messages in it
     std::size_t index_at = 0, index_end = 0;
     bool indexed = false;
   };
+  // The end of the file is as it should be, with or without the summary.
+  enum class Ending { missing, whole };
 
   static Record record_at(Bytes bytes, std::size_t at);
   bool read_summary();
+  bool overlapping_indices() const;
+  bool count_by_index(Chunk& chunk);
   void add_chunk_index(Bytes data);
   void add_schema(Bytes data);
   void add_channel(Bytes data);
@@ -53,8 +54,10 @@ class McapBag : public Bag {
   Bytes file_;
   std::string name_;
   ChunkStore store_;
+  Ending ending_ = Ending::missing;
+  mutable std::vector<std::uint8_t> decompressed_;
   std::vector<Chunk> chunks_;
-  std::map<std::uint16_t, Schema> schemas_;
+  std::map<std::uint16_t, std::string> schemas_;  // their names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
   std::map<std::uint16_t, std::vector<BagMessage>> loose_;  // messages outside of chunks
 };

@@ -34,7 +34,9 @@ class MessageReader {
     if (bytes_.size() < 4) fail();
     const int kind = bytes_[1];
     if (bytes_[0] != 0 || (kind > 1 && kind != 6 && kind != 7))
-      throw bad_input("the message is serialised in another way (" + std::to_string(kind) + ")", "plain CDR");
+      throw bad_input(
+          "the message is serialised in another way (" + std::to_string(kind) + ")", "plain CDR",
+          "Record it again with the middleware's standard serialisation, or convert it with ros2 bag convert");
     swapped_ = kind % 2 == 0;
     max_alignment_ = kind >= 6 ? 4 : 8;
     bytes_ = bytes_.subspan(4);

@@ -56,11 +56,6 @@ std::string_view field_type_name(FieldType type) {
   return names[static_cast<std::size_t>(type)];
 }
 
-const CloudField* CloudMessage::find(std::string_view name) const {
-  const auto found = std::ranges::find(fields, name, &CloudField::name);
-  return found == fields.end() ? nullptr : &*found;
-}
-
 template <class T>
 void CloudMessage::values(const CloudField& field, std::vector<T>& out) const {
   out.assign(size(), T{});
@@ -87,6 +82,11 @@ void CloudMessage::values(const CloudField& field, std::vector<T>& out) const {
 template void CloudMessage::values(const CloudField&, std::vector<float>&) const;
 template void CloudMessage::values(const CloudField&, std::vector<double>&) const;
 template void CloudMessage::values(const CloudField&, std::vector<std::int64_t>&) const;
+
+std::int64_t parse_stamp_ns(Bytes message, MessageEncoding encoding) {
+  MessageReader reader(message, encoding);
+  return header_of(reader).stamp_ns;
+}
 
 CloudMessage parse_cloud(Bytes message, MessageEncoding encoding) {
   MessageReader reader(message, encoding);

@@ -47,7 +47,6 @@ struct CloudMessage {
   Bytes data;
   std::size_t declared = 0;  // points by the header
 
-  const CloudField* find(std::string_view name) const;
   // Points that the data hold, and the first byte of one.
   std::size_t size() const { return held_; }
   const std::uint8_t* point(std::size_t index) const {
@@ -63,6 +62,8 @@ struct CloudMessage {
   bool padded_ = false;  // rows have bytes behind their points
 };
 CloudMessage parse_cloud(Bytes message, MessageEncoding encoding);
+// The stamp of any message that begins with a header.
+std::int64_t parse_stamp_ns(Bytes message, MessageEncoding encoding);
 
 extern template void CloudMessage::values(const CloudField&, std::vector<float>&) const;
 extern template void CloudMessage::values(const CloudField&, std::vector<double>&) const;

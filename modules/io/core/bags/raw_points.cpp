@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "sensor/core/livox_packet.h"
 
 namespace bole::io {
 namespace {
@@ -36,6 +37,21 @@ void keep_of(std::vector<T>& values, const std::vector<std::size_t>& indices) {
   values.resize(indices.size());
 }
 
+// Takes the return numbers from the tags, and leaves out what the device is sure is noise. Devices count the returns
+// from 0 or from 1.
+void use_tags(const std::vector<std::int64_t>& tags, RawPoints& points) {
+  if (tags.size() != points.positions.size() || tags.empty()) return;
+  const auto number = [](std::int64_t tag) { return sensor::livox_return(static_cast<std::uint8_t>(tag)); };
+  int first = number(tags.front());
+  for (const auto tag : tags) first = std::min(first, number(tag));
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    if (!sensor::is_livox_noise(static_cast<std::uint8_t>(tags[i]))) kept.push_back(i);
+  points.return_number.resize(tags.size());
+  for (std::size_t i = 0; i < tags.size(); ++i) points.return_number[i] = number(tags[i]) - first + 1;
+  points.keep(kept);
+}
+
 }  // namespace
 
 CloudLayout layout_of(const std::vector<CloudField>& fields) {
@@ -45,13 +61,16 @@ CloudLayout layout_of(const std::vector<CloudField>& fields) {
     for (const auto& field : fields) names += (names.empty() ? "" : ", ") + field.name;
     throw bad_input("the clouds have the fields " + (names.empty() ? "none" : names), "fields x, y and z");
   }
-  CloudLayout out{*x, *y, *z, {}, {}, {}, {}, false};
-  out.intensity = field_named(fields, {"intensity", "reflectivity", "intensities", "i"});
+  CloudLayout out{*x, *y, *z, {}, {}, {}, {}, {}, false};
+  // The Ouster drivers call the raw signal the intensity. Its packets give the calibrated reflectivity.
+  if (field_named(fields, {"ambient", "nearir"})) out.intensity = field_named(fields, {"reflectivity"});
+  if (!out.intensity) out.intensity = field_named(fields, {"intensity", "reflectivity", "intensities", "i"});
   out.ring = field_named(fields, {"ring", "channel", "laserid", "line"});
   out.time =
       field_named(fields, {"t", "time", "timestamp", "offsettime", "timeoffset", "timens", "toffset", "reltime"});
   out.return_number = field_named(fields, {"returnnumber", "returnid"});
   out.livox = field_named(fields, {"tag"}) && field_named(fields, {"line"});
+  if (out.livox) out.tag = field_named(fields, {"tag"});
   return out;
 }
 
@@ -84,15 +103,19 @@ void read_cloud_points(const CloudMessage& message, const CloudLayout& layout, R
   take(layout.ring, out.ring);
   take(layout.return_number, out.return_number);
   take(layout.time, out.time);
+  if (layout.livox && !layout.time) {
+    out.time.resize(message.size());
+    for (std::size_t i = 0; i < out.time.size(); ++i)
+      out.time[i] = static_cast<double>(i) / static_cast<double>(out.time.size());
+  }
+  std::vector<std::int64_t> tags;
+  take(layout.tag, tags);
+  use_tags(tags, out);
 }
 
 void read_livox_points(const LivoxMessage& message, RawPoints& out) {
-  // The time base is the stamp on the sensor's clock. Where that is another clock the stamp counts.
-  constexpr std::int64_t same_clock_ns = 5'000'000'000;
-  const auto base = static_cast<std::int64_t>(message.timebase_ns);
-  const bool same_clock =
-      std::abs(static_cast<double>(base) - static_cast<double>(message.header.stamp_ns)) < same_clock_ns;
-  out.stamp_ns = same_clock ? base : message.header.stamp_ns;
+  out.stamp_ns = message.header.stamp_ns;
+  out.base_ns = static_cast<std::int64_t>(message.timebase_ns & 0x7FFF'FFFF'FFFF'FFFF);
   out.frame_id = std::string(message.header.frame_id);
   out.height = 1;
   out.width = static_cast<std::uint32_t>(message.points.size());
@@ -103,12 +126,15 @@ void read_livox_points(const LivoxMessage& message, RawPoints& out) {
   out.time.resize(count);
   out.ring.clear();
   out.return_number.clear();
+  std::vector<std::int64_t> tags(count);
   for (std::size_t i = 0; i < count; ++i) {
     const auto& point = message.points[i];
+    tags[i] = point.tag;
     out.positions[i] = point.position;
     out.intensity[i] = point.reflectivity;
     out.time[i] = point.offset_ns;
   }
+  use_tags(tags, out);
 }
 
 void keep_valid(RawPoints& points, double min_range_m, double max_range_m) {

@@ -13,7 +13,7 @@ namespace bole::io {
 // Which fields of a cloud hold what.
 struct CloudLayout {
   CloudField x, y, z;
-  std::optional<CloudField> intensity, ring, time, return_number;
+  std::optional<CloudField> intensity, ring, time, return_number, tag;
   bool livox = false;  // fields of the Livox drivers: no rings
 };
 
@@ -22,6 +22,7 @@ CloudLayout layout_of(const std::vector<CloudField>& fields);
 
 struct RawPoints {
   std::int64_t stamp_ns = 0;
+  std::int64_t base_ns = 0;  // of Livox messages: the stamp on the clock of the sensor
   std::string frame_id;
   std::uint32_t height = 0, width = 0;
   std::vector<Eigen::Vector3f> positions;
@@ -34,6 +35,7 @@ struct RawPoints {
   void keep(const std::vector<std::size_t>& indices);  // sorted
 };
 
+// Livox clouds without times get the share of the points that come before each, as the sensor fires evenly.
 void read_cloud_points(const CloudMessage& message, const CloudLayout& layout, RawPoints& out);
 // Times are nanoseconds after the stamp.
 void read_livox_points(const LivoxMessage& message, RawPoints& out);

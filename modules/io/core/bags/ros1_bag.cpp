@@ -1,6 +1,7 @@
 #include "io/core/bags/ros1_bag.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.h"
 #include "base/file_pages.h"
@@ -102,9 +103,12 @@ std::optional<Ros1Bag::Chunk> Ros1Bag::open_chunk(const Record& record) {
     return {};
   }
   Chunk chunk;
-  const auto size = number<std::uint32_t>(record.header, "size").value_or(0);
+  auto size = number<std::uint32_t>(record.header, "size").value_or(0);
+  if (size == 0 && !record.data.empty()) size = std::numeric_limits<std::uint32_t>::max();  // not filled in
   chunk.part = store_.add(compression, record.data, compression == Compression::none ? record.data.size() : size);
+  chunk.begin = record.begin;
   chunk.index_at = record.end;
+  chunk.index_end = file_.size();
   return chunk;
 }
 
@@ -134,7 +138,26 @@ bool Ros1Bag::read_index(std::uint64_t position) {
     }
     chunks_.push_back(std::move(*chunk));
   }
-  return !chunk_count || *chunk_count == chunks_.size();
+  return (!chunk_count || *chunk_count == chunks_.size()) && bound_indices(static_cast<std::size_t>(position));
+}
+
+// The index of a chunk ends at the next chunk. False where chunks overlap: then no index is to be trusted.
+bool Ros1Bag::bound_indices(std::size_t end) {
+  std::vector<Chunk*> order;
+  for (auto& chunk : chunks_) order.push_back(&chunk);
+  std::ranges::sort(order, {}, &Chunk::begin);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i]->index_end = i + 1 < order.size() ? order[i + 1]->begin : end;
+    if (order[i]->index_at > order[i]->index_end) return false;
+  }
+  return true;
+}
+
+// The recorder fills in the length of a chunk when the chunk is full.
+bool Ros1Bag::is_unfinished(const Record& record) const {
+  if (operation(record) != chunk_data || !record.data.empty() || record.end >= file_.size()) return false;
+  const int next = operation(record_at(file_, record.end));
+  return next != index_data && next != chunk_data && next != chunk_info;
 }
 
 void Ros1Bag::scan(const Run& run) {
@@ -142,8 +165,14 @@ void Ros1Bag::scan(const Run& run) {
   while (at < file_.size()) {
     run.check_cancel();
     run.report(static_cast<double>(at) / static_cast<double>(file_.size()), "looking for messages");
-    const auto record = record_at(file_, at);
+    auto record = record_at(file_, at);
     if (record.end == 0) break;
+    const bool unfinished = is_unfinished(record);
+    if (unfinished) {
+      record.data = file_.subspan(record.end);
+      record.end = file_.size();
+      note_damage("the last chunk of the bag was not finished: what it holds is read");
+    }
     if (operation(record) == connection) add_connection(record);
     if (auto chunk = open_chunk(record)) {
       scan_chunk(*chunk);
@@ -194,10 +223,10 @@ void Ros1Bag::scan_chunk(Chunk& chunk) {
 template <class Visit>
 bool Ros1Bag::visit_index(const Chunk& chunk, Visit&& visit) const {
   bool found = false;
-  for (std::size_t at = chunk.index_at; at < file_.size();) {
+  for (std::size_t at = chunk.index_at; at < chunk.index_end;) {
     const auto record = record_at(file_, at);
     const auto id = number<std::uint32_t>(record.header, "conn");
-    if (!record.whole || operation(record) != index_data || !id) break;
+    if (!record.whole || record.end > chunk.index_end || operation(record) != index_data || !id) break;
     at = record.end;
     found = true;
     RecordReader entries(record.data);
@@ -245,6 +274,9 @@ std::vector<BagMessage> Ros1Bag::index(std::size_t topic, const Run& run) const 
     if (!visit_index(chunk, take) || static_cast<std::int64_t>(out.size() - before) != declared) {
       out.resize(before);
       visit_content(chunk, take);
+      if (const auto held = static_cast<std::int64_t>(out.size() - before); held != declared)
+        note_damage("a chunk has " + std::to_string(held) + " messages of " + topics_[topic].name +
+                    ", and the bag declares " + std::to_string(declared));
     }
   }
   std::ranges::stable_sort(out, {}, &BagMessage::time_ns);
@@ -255,7 +287,8 @@ Bytes Ros1Bag::read(const BagMessage& message) const {
   const auto content = store_.bytes(message.part);
   const auto record = record_at(content, static_cast<std::size_t>(message.offset));
   if (!record.whole || operation(record) != message_data)
-    throw bad_input("a message of '" + name_ + "' cannot be read: its chunk is damaged", "a whole chunk");
+    throw bad_input("a message of '" + name_ + "' cannot be read: its chunk is damaged", "a whole chunk",
+                    "Copy the bag again from where it was recorded");
   return record.data;
 }
 

@@ -27,8 +27,9 @@ class Ros1Bag : public Bag {
     bool whole = false;
   };
   struct Chunk {
-    std::uint32_t part = 0;                          // in chunks_
-    std::size_t index_at = 0;                        // of the first record behind it
+    std::uint32_t part = 0;  // in chunks_
+    std::size_t begin = 0;
+    std::size_t index_at = 0, index_end = 0;         // the records behind it
     std::map<std::uint32_t, std::int64_t> messages;  // by connection
   };
 
@@ -38,10 +39,11 @@ class Ros1Bag : public Bag {
   static std::optional<T> number(Bytes header, std::string_view name);
   static int operation(const Record& record);
 
+  bool bound_indices(std::size_t end);
+  bool is_unfinished(const Record& record) const;
   bool read_index(std::uint64_t position);
   void scan(const Run& run);
   void scan_chunk(Chunk& chunk);
-  void count_index_records(Chunk& chunk);
   std::optional<Chunk> open_chunk(const Record& record);
   void add_connection(const Record& record);
   // Calls visit(connection, message) for each entry of the index behind a chunk, or of its content. False: no index.

@@ -24,6 +24,18 @@ void write_all(int file, const std::uint8_t* data, std::size_t size) {
   }
 }
 
+// A small file may hold a very large one: the disk keeps some room for others.
+void keep_room(const std::filesystem::path& path, const std::string& name, std::uint64_t written) {
+  constexpr std::uintmax_t kept_bytes = std::uintmax_t{512} << 20;
+  std::error_code failed;
+  const auto space = std::filesystem::space(path.parent_path(), failed);
+  if (!failed && space.available < kept_bytes)
+    throw failure("the content of '" + name + "' has more than " + std::to_string(written >> 20) +
+                      " MB, and the disk of '" + path.parent_path().string() + "' has " +
+                      std::to_string(space.available >> 20) + " MB left",
+                  "room on the disk for the whole content, and " + std::to_string(kept_bytes >> 20) + " MB more");
+}
+
 }  // namespace
 
 bool is_zstd(Bytes file) {
@@ -44,7 +56,9 @@ ScratchCopy::ScratchCopy(Bytes zstd_file, const std::string& name, const Run& ru
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
   std::vector<std::uint8_t> block(ZSTD_DStreamOutSize());
   ZSTD_inBuffer in{zstd_file.data(), zstd_file.size(), 0};
-  std::size_t left = 1, written = 0;
+  constexpr std::uint64_t room_step_bytes = std::uint64_t{64} << 20;
+  std::size_t left = 1;
+  std::uint64_t written = 0, next_look = 0;
   try {
     while (true) {
       run.check_cancel();
@@ -53,16 +67,32 @@ ScratchCopy::ScratchCopy(Bytes zstd_file, const std::string& name, const Run& ru
       const auto before = in.pos;
       left = ZSTD_decompressStream(context.get(), &out, &in);
       if (ZSTD_isError(left)) break;
+      if (written >= next_look) {
+        keep_room(path_, name, written);
+        next_look = written + room_step_bytes;
+      }
       write_all(file, block.data(), out.pos);
       written += out.pos;
       if (in.pos == in.size && out.pos < out.size) break;
       if (in.pos == before && out.pos == 0) break;
     }
     if (written == 0) throw bad_input("'" + name + "' holds nothing that can be decompressed", "a whole zstd file");
+    judge(zstd_file, left == 0 && in.pos == in.size, written);
   } catch (...) {
     ::unlink(path_.c_str());
     throw;
   }
+}
+
+void ScratchCopy::judge(Bytes zstd_file, bool whole, std::uint64_t written) {
+  if (whole) return;
+  damage_ = "the compressed file is cut off or damaged: what comes before is read";
+  const auto declared = ZSTD_getFrameContentSize(zstd_file.data(), zstd_file.size());
+  if (declared == ZSTD_CONTENTSIZE_UNKNOWN || declared == ZSTD_CONTENTSIZE_ERROR || declared <= written) {
+    damage_ += ". It does not say how much is missing";
+    return;
+  }
+  lost_share_ = 1 - static_cast<double>(written) / static_cast<double>(declared);
 }
 
 ScratchCopy::~ScratchCopy() { ::unlink(path_.c_str()); }

@@ -21,9 +21,17 @@ class ScratchCopy {
   ScratchCopy& operator=(const ScratchCopy&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  // What the compressed file does not hold: empty where it is whole. The share is 0 where the file does not say how
+  // much it should hold.
+  const std::string& damage() const { return damage_; }
+  double lost_share() const { return lost_share_; }
 
  private:
+  void judge(Bytes zstd_file, bool whole, std::uint64_t written);
+
   std::filesystem::path path_;
+  std::string damage_;
+  double lost_share_ = 0;
 };
 
 }  // namespace bole::io

@@ -3,7 +3,6 @@
 #include <sqlite3.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "base/error.h"
@@ -11,9 +10,6 @@
 
 namespace bole::io {
 namespace {
-
-constexpr std::array<std::uint8_t, 4> zstd_magic{0x28, 0xB5, 0x2F, 0xFD};
-constexpr std::uint64_t max_message_bytes = std::uint64_t{1} << 30;
 
 // The path as SQLite's address: characters with a meaning there are written as numbers.
 std::string address(const std::filesystem::path& path, bool immutable) {
@@ -48,22 +44,29 @@ SqliteBag::SqliteBag(const std::filesystem::path& path, const Run& run) : name_(
   // A log beside the file holds messages that are not in it yet. Without one nothing is locked or written beside it.
   std::error_code ignored;
   const auto log_bytes = std::filesystem::file_size(path.string() + "-wal", ignored);
-  const bool has_log = !ignored && log_bytes > 0;
+  bool has_log = !ignored && log_bytes > 0;
   sqlite3* database = nullptr;
   int status =
       sqlite3_open_v2(address(path, !has_log).c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   database_.reset(database);
+  protect();
   if (status == SQLITE_OK && has_log && !prepare("SELECT 1 FROM messages LIMIT 1")) {
     note_damage(
         "the log '" + path.filename().string() +
         "-wal' cannot be read: its messages are missing. Copy the recording to a folder that may be written to");
     status = sqlite3_open_v2(address(path, true).c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
     database_.reset(database);
+    protect();
+    has_log = false;
   }
   if (status != SQLITE_OK)
-    throw bad_input("'" + path.string() + "' cannot be opened: " + sqlite3_errstr(status), "an SQLite database");
-  const MappedFile file(path);
-  accept_cut_file(file.bytes(), file.bytes().size());
+    throw bad_input("'" + path.string() + "' cannot be opened: " + sqlite3_errstr(status), "an SQLite database",
+                    "Copy it to a folder of your own that may be read");
+  // The log may hold pages that the file lacks.
+  if (!has_log) {
+    const MappedFile file(path);
+    accept_cut_file(file.bytes(), file.bytes().size());
+  }
   read_tables(run);
 }
 
@@ -75,6 +78,7 @@ SqliteBag::SqliteBag(Bytes file, const std::string& name, const Run& run) : name
   if (opened != SQLITE_OK || sqlite3_deserialize(database, "main", const_cast<std::uint8_t*>(file.data()), size, size,
                                                  SQLITE_DESERIALIZE_READONLY) != SQLITE_OK)
     throw bad_input("'" + name + "' is no SQLite database", "an SQLite database");
+  protect();
   accept_cut_file(file, file.size());
   read_tables(run);
 }
@@ -101,9 +105,14 @@ void SqliteBag::accept_cut_file(Bytes head, std::uint64_t file_bytes) {
   sqlite3_exec(database_.get(), "PRAGMA writable_schema=ON", nullptr, nullptr, nullptr);
 }
 
-void SqliteBag::read_tables(const Run& run) {
-  // A database that somebody made up must not run its own code.
+// A database that somebody made up must not run its own code, nor give rows without end.
+void SqliteBag::protect() const {
+  if (!database_) return;
   sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(database_.get(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+}
+
+void SqliteBag::read_tables(const Run& run) {
   const auto topics = prepare("SELECT id, name, type, serialization_format FROM topics ORDER BY id");
   const auto messages = prepare("SELECT id, topic_id, timestamp FROM messages");
   read_message_ = prepare("SELECT data FROM messages WHERE id = ?");
@@ -146,13 +155,7 @@ Bytes SqliteBag::read(const BagMessage& message) const {
                     "a whole database");
   const auto* data = static_cast<const std::uint8_t*>(sqlite3_column_blob(statement, 0));
   const Bytes bytes(data, data == nullptr ? 0 : static_cast<std::size_t>(sqlite3_column_bytes(statement, 0)));
-  // The first byte of a CDR message is 0, so that the two cannot be taken for each other.
-  if (bytes.size() < zstd_magic.size() || !std::equal(zstd_magic.begin(), zstd_magic.end(), bytes.begin()))
-    return bytes;
-  auto content = decompress(Compression::zstd, bytes, max_message_bytes);
-  if (!content.whole) throw bad_input("a compressed message of '" + name_ + "' is damaged", "a whole zstd frame");
-  decompressed_ = std::move(content.bytes);
-  return decompressed_;
+  return whole_message(bytes, name_, decompressed_);
 }
 
 }  // namespace bole::io

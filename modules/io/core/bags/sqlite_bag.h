@@ -29,6 +29,7 @@ class SqliteBag : public Bag {
 
   Statement prepare(const char* sql) const;
   void accept_cut_file(Bytes head, std::uint64_t file_bytes);
+  void protect() const;
   void read_tables(const Run& run);
 
   std::string name_;

@@ -17,7 +17,7 @@ constexpr std::array units{TimeUnit{1, "s"}, TimeUnit{1e-3, "ms"}, TimeUnit{1e-6
 
 // A sweep may cover a small sector, but it cannot last much longer than the messages are apart.
 constexpr double min_share = 0.03, max_share = 2;
-constexpr double same_clock_s = 5;
+constexpr double same_clock_periods = 2, jump_periods = 3;
 
 double median(std::vector<double> values) {
   std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
@@ -32,6 +32,25 @@ double median_of(const std::vector<TimeSample>& samples, F&& value) {
 }
 
 std::string milliseconds(double seconds) { return number_text(std::round(seconds * 1e4) / 10) + " ms"; }
+
+// From the clock of the points to that of the stamps. A clock that was set in between gets the stamps from there.
+void judge_clock(const std::vector<TimeSample>& samples, double period_s, TimeDialect& out) {
+  const auto behind = [&](const TimeSample& s) { return s.stamp_s - s.first * out.unit_s; };
+  const double behind_s = median_of(samples, behind);
+  out.jump_s = jump_periods * period_s;
+  if (std::abs(behind_s) > same_clock_periods * period_s) {
+    out.shift_s = behind_s;
+    out.warning = "the clock of the points differs from that of the messages by " +
+                  number_text(std::round(behind_s * 1e3) / 1e3) +
+                  " s: points get the times of the messages' clock, with the start of the sweep at the stamp";
+  }
+  double most_s = 0;
+  for (const auto& s : samples) most_s = std::max(most_s, std::abs(behind(s) - out.shift_s));
+  if (most_s > out.jump_s)
+    out.warning += (out.warning.empty() ? "" : ". ") +
+                   ("the clock of the points jumps by up to " + number_text(std::round(most_s * 1e3) / 1e3) +
+                    " s against that of the messages: such frames start at the stamps of their messages");
+}
 
 // Where in the sweep the stamp lies, by the signs of the times.
 void judge_stamp(const std::vector<TimeSample>& samples, double span_s, TimeDialect& out) {
@@ -98,12 +117,19 @@ TimeDialect find_time_dialect(const std::optional<CloudField>& field, const std:
   }
   out.origin = TimeOrigin::own_clock;
   out.text += ", absolute";
-  const double behind_s = median_of(samples, [&](const TimeSample& s) { return s.stamp_s - s.first * out.unit_s; });
-  if (std::abs(behind_s) < same_clock_s) return out;
-  out.shift_s = behind_s;
-  out.warning = "the clock of the points differs from that of the messages by " +
-                number_text(std::round(behind_s * 1e3) / 1e3) +
-                " s: points get the times of the messages' clock, with the start of the sweep at the stamp";
+  judge_clock(samples, period_s, out);
+  return out;
+}
+
+TimeDialect livox_dialect(double apart_s, double period_s) {
+  TimeDialect out;
+  out.origin = TimeOrigin::after_stamp;
+  out.unit_s = 1e-9;
+  out.from_base = apart_s < same_clock_periods * period_s;
+  out.text = std::string("offset_time, ns from the ") + (out.from_base ? "time base" : "stamp") + " of the message";
+  if (!out.from_base)
+    out.warning = "the time bases of the messages differ from their stamps by up to " +
+                  number_text(std::round(apart_s * 1e3) / 1e3) + " s: points are timed from the stamps";
   return out;
 }
 

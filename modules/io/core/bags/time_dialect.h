@@ -15,9 +15,11 @@ enum class TimeOrigin { none, after_stamp, own_clock };
 struct TimeDialect {
   TimeOrigin origin = TimeOrigin::none;
   double unit_s = 1;
-  double shift_s = 0;   // from the points' clock to that of the stamps
-  std::string text;     // for the report: "t, ns after the stamp of the message, which is the start of the sweep"
-  std::string warning;  // empty where all is clear
+  double shift_s = 0;      // from the points' clock to that of the stamps
+  double jump_s = 0;       // own_clock: a frame that starts further from its stamp than this starts at the stamp
+  bool from_base = false;  // of Livox messages: after their time base, not after their stamp
+  std::string text;        // for the report: "t, ns after the stamp of the message, which is the start of the sweep"
+  std::string warning;     // empty where all is clear
 };
 
 // What one message shows.
@@ -31,5 +33,9 @@ std::optional<TimeSample> time_sample(const RawPoints& points, std::int64_t reco
 // Times far from zero are absolute.
 TimeDialect find_time_dialect(const std::optional<CloudField>& field, const std::vector<TimeSample>& samples,
                               double period_s);
+
+// Of Livox messages, whose time bases and stamps are up to `apart_s` apart. The time base is the stamp on the sensor's
+// clock. Where that is another clock the stamps count, in all messages.
+TimeDialect livox_dialect(double apart_s, double period_s);
 
 }  // namespace bole::io

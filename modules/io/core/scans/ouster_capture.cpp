@@ -95,13 +95,19 @@ MetadataFile choose(const fs::path& capture, const Sample& sample) {
     throw bad_input("there is no Ouster JSON file beside '" + capture.filename().string() + "'",
                     "the beams and the packet layout of the sensor, which the packets do not have", remedy);
   std::vector<MetadataFile> fitting;
-  for (const auto& f : files)
-    if (auto file = load(f); fits(file, sample)) fitting.push_back(std::move(file));
+  std::string others;  // why each does not fit
+  for (const auto& f : files) try {
+      auto file = load(f);
+      others += (others.empty() ? "" : ", ") + f.filename().string() + ": " +
+                std::to_string(sensor::OusterDecoder(file.metadata).lidar_packet_bytes()) + " bytes";
+      if (fits(file, sample)) fitting.push_back(std::move(file));
+    } catch (const Error& e) {
+      if (e.kind() != ErrorKind::bad_input) throw;
+      others += (others.empty() ? "" : ", ") + f.filename().string() + ": " + e.found();
+    }
   if (fitting.empty())
-    throw bad_input("none of the JSON files beside '" + capture.filename().string() + "' (" + list_of(files) +
-                        ") belongs to it: its packets have " + lengths_of(sample) + " bytes, those of " +
-                        files.front().filename().string() + " " +
-                        std::to_string(sensor::OusterDecoder(load(files.front()).metadata).lidar_packet_bytes()),
+    throw bad_input("none of the JSON files beside '" + capture.filename().string() + "' (" + others +
+                        ") belongs to it: its packets have " + lengths_of(sample) + " bytes",
                     "the JSON file of this recording", remedy);
   if (fitting.size() == 1) return fitting.front();
   const auto only = [&](auto&& keep) {
