@@ -97,6 +97,7 @@ pipeline::StageType read_scan() {
       "lost, "
       "damaged or out of order are counted. A recording that is cut off is read as far as it goes.";
   type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
+  type.version = 2;
   type.outputs = {{"frames",
                    DataKind::frames,
                    "The frames of the scan, in sensor axes.",
@@ -126,6 +127,7 @@ pipeline::StageType read_cloud_stage() {
       "lean "
       "of its stems, repeated points, and an axis or a unit that do not fit what stands in it.";
   type.source = "Bole";
+  type.version = 2;
   type.outputs = {{"points", DataKind::cloud, "The points of the file, with the arrays it has.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {

@@ -52,7 +52,7 @@ pipeline::StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
-  t.version = 5;
+  t.version = 6;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = {{"points",
                DataKind::cloud,

@@ -61,6 +61,12 @@ TEST(NamedTrajectory, ColumnsInAnyOrderWithOrWithoutOrientation) {
       1478254247676381327 * 1e-9);
 }
 
+TEST(NamedTrajectory, CommentsAboveTumPosesMayGoOn) {
+  const std::string poses = "1 1 2 3 0 0 0 1\n2 1 2 4 0 0 0 1\n";
+  EXPECT_EQ(read("# time_s x_m y_m z_m qx qy qz qw (sensor in plot axes)\n" + poses).poses.size(), 2U);
+  EXPECT_EQ(format_of("# timestamp tx ty tz qx qy qz qw from the second walk\n" + poses, "a.txt"), "TUM");
+}
+
 TEST(NamedTrajectory, OtherFormatsStayWhatTheyAre) {
   EXPECT_EQ(format_of("# time x y z\n1 0 0 0 0 0 0 1\n", "a.tum"), "TUM");
   EXPECT_EQ(format_of("# timestamp tx ty tz qx qy qz qw\n1 0 0 0 0 0 0 1\n", "a.tum"), "named");

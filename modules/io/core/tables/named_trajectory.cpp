@@ -209,6 +209,20 @@ void take_time_part(const std::vector<std::string_view>& words, Layout& layout) 
   layout.part_factor = part_factor(*part);
 }
 
+// Leaves out what stands in brackets over several words: "(sensor in plot axes)" is a remark, "(m)" a unit.
+std::string without_remarks(std::string_view line) {
+  std::string out(line);
+  for (auto open = out.find('('); open != out.npos; open = out.find('(', open)) {
+    const auto close = out.find(')', open);
+    if (close == out.npos) break;
+    if (out.find(' ', open) < close)
+      out.erase(open, close + 1 - open);
+    else
+      open = close;
+  }
+  return out;
+}
+
 // The line that names the columns: the first one that is not empty, without the sign of a comment.
 // A comment that names only some of the columns, as above TUM poses, is none.
 std::optional<Layout> layout_of(std::string_view line) {
@@ -217,9 +231,10 @@ std::optional<Layout> layout_of(std::string_view line) {
     line.remove_prefix(1);
   Layout layout;
   layout.column.fill(-1);
-  layout.delimiter = delimiter_of(line);
+  const std::string named = without_remarks(line);
+  layout.delimiter = delimiter_of(named);
   std::vector<std::string_view> words;
-  split(line, layout.delimiter, words);
+  split(named, layout.delimiter, words);
   if (layout.delimiter == ' ')  // units that stand apart
     std::erase_if(words, [](std::string_view w) { return w.front() == '[' || w.front() == '('; });
   layout.columns = words.size();
@@ -320,7 +335,16 @@ bool looks_like_named_trajectory(Bytes file) {
   LineReader lines(file.first(std::min<std::size_t>(file.size(), 1 << 16)));
   std::string_view line;
   while (lines.next(line) && trimmed(line).empty()) continue;
-  return layout_of(trimmed(line)).has_value();
+  const auto layout = layout_of(trimmed(line));
+  if (!layout || !trimmed(line).starts_with('#') || layout->open_end) return layout.has_value();
+  // A comment above TUM poses may go on behind the names.
+  std::vector<std::string_view> words;
+  while (lines.next(line))
+    if (line = trimmed(line); !line.empty() && line.front() != '#') {
+      split(line, line.find(layout->delimiter) == line.npos ? delimiter_of(line) : layout->delimiter, words);
+      return words.size() == layout->columns;
+    }
+  return true;
 }
 
 Trajectory read_named_trajectory(Bytes file, const std::string& name) {
