@@ -1139,6 +1139,10 @@
             <translation>范围</translation>
         </message>
         <message>
+            <source>Topic</source>
+            <translation>话题</translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation>分辨率</translation>
         </message>

@@ -151,8 +151,8 @@ void check_geometry(const PathSample& sample, const PathCurve& curve, double off
         "Check axes and time_offset, or take the trajectory away");
   judge_place(sample, curve, offset, fit, options, report);
   const auto shift = sample.best_shift(curve, offset);
-  constexpr double least_shift_s = 0.2;
-  if (shift.certain && std::abs(shift.seconds) >= least_shift_s)
+  constexpr double min_shift_s = 0.2;
+  if (shift.certain && std::abs(shift.seconds) >= min_shift_s)
     report.find(Severity::look, "time_shift_suspect",
                 fmt::format("the points lie nearer the path (median {:.2f} m, now {:.2f} m) with {:+.2f} s more: the "
                             "clocks may differ, for instance by leap seconds. Nothing was changed; set "

@@ -91,7 +91,7 @@ PathSample::Lie PathSample::lie(const PathCurve& curve, double offset_s) const {
 // Median over the cells of 2 m that the path crosses and that have points.
 double PathSample::height_over_lowest(const PathCurve& curve) const {
   constexpr double cell_m = 2, step_s = 1;
-  constexpr std::size_t enough_points = 2'000'000, most_places = 20'000;
+  constexpr std::size_t enough_points = 2'000'000, max_places = 20'000;
   const auto cell_of = [](const Eigen::Vector3d& p) {
     return std::pair(std::floor(p.x() / cell_m), std::floor(p.y() / cell_m));
   };
@@ -100,7 +100,7 @@ double PathSample::height_over_lowest(const PathCurve& curve) const {
   };
   std::map<std::pair<double, double>, Cell> cells;
   const double length = curve.end_s() - curve.begin_s();
-  const double step = std::max(step_s, length / static_cast<double>(most_places));
+  const double step = std::max(step_s, length / static_cast<double>(max_places));
   for (double t = 0; t <= length; t += step)
     if (const auto place = curve.at(curve.begin_s() + t)) cells.try_emplace(cell_of(*place), Cell{place->z()});
   for (std::size_t i = 0; i < points_.size(); i += 1 + points_.size() / enough_points) {

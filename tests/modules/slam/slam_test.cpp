@@ -41,7 +41,7 @@ TEST(SlamOptions, EveryPresetDecidesEverythingThatIsLeftToIt) {
     o.preset = choice_from_name<Preset>(name);
     const SlamOptions filled = filled_in(o);
     for (const auto& spec : table.specs) {
-      EXPECT_FALSE(spec.is_unset(spec.get(&filled))) << name << " " << spec.name;
+      EXPECT_FALSE(spec.unset == "preset" && spec.is_unset(spec.get(&filled))) << name << " " << spec.name;
       EXPECT_NO_THROW(spec.checked(spec.get(&filled))) << name << " " << spec.name;
     }
   }

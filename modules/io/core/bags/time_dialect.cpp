@@ -44,11 +44,11 @@ void judge_clock(const std::vector<TimeSample>& samples, double period_s, TimeDi
                   number_text(std::round(behind_s * 1e3) / 1e3) +
                   " s: points get the times of the messages' clock, with the start of the sweep at the stamp";
   }
-  double most_s = 0;
-  for (const auto& s : samples) most_s = std::max(most_s, std::abs(behind(s) - out.shift_s));
-  if (most_s > out.jump_s)
+  double max_s = 0;
+  for (const auto& s : samples) max_s = std::max(max_s, std::abs(behind(s) - out.shift_s));
+  if (max_s > out.jump_s)
     out.warning += (out.warning.empty() ? "" : ". ") +
-                   ("the clock of the points jumps by up to " + number_text(std::round(most_s * 1e3) / 1e3) +
+                   ("the clock of the points jumps by up to " + number_text(std::round(max_s * 1e3) / 1e3) +
                     " s against that of the messages: such frames start at the stamps of their messages");
 }
 
