@@ -117,7 +117,7 @@ class JointFit {
   }
 
   double gate_share(double impact) const {
-    constexpr double half_width = 0.08;  // of the radius
+    constexpr double half_width = 0.03;  // of the radius
     const double u = std::clamp((impact - options_.ray_gate) / half_width, -1.0, 1.0);
     return 0.5 - 0.25 * u * (3 - u * u);
   }
