@@ -6,7 +6,8 @@ namespace bole {
 inline namespace cloud {
 
 std::string_view data_kind_name(DataKind kind) {
-  constexpr std::array<std::string_view, 6> names{"none", "cloud", "table", "raster", "trajectory", "frames"};
+  constexpr std::array<std::string_view, 7> names{"none", "cloud", "table", "raster", "trajectory", "frames",
+                                                  "views"};
   return names[static_cast<std::size_t>(kind)];
 }
 

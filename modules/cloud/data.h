@@ -7,6 +7,7 @@
 #include <string_view>
 #include <variant>
 
+#include "cloud/core/view_source.h"
 #include "cloud/point_cloud.h"
 #include "cloud/raster.h"
 #include "cloud/scan_frame.h"
@@ -17,12 +18,12 @@ namespace bole {
 inline namespace cloud {
 
 // In the order of the variant below.
-enum class DataKind { none, cloud, table, raster, trajectory, frames };
+enum class DataKind { none, cloud, table, raster, trajectory, frames, views };
 std::string_view data_kind_name(DataKind kind);
 
-using Data =
-    std::variant<std::monostate, std::shared_ptr<const PointCloud>, std::shared_ptr<const Table>,
-                 std::shared_ptr<const Raster>, std::shared_ptr<const Trajectory>, std::shared_ptr<const FrameSource>>;
+using Data = std::variant<std::monostate, std::shared_ptr<const PointCloud>, std::shared_ptr<const Table>,
+                          std::shared_ptr<const Raster>, std::shared_ptr<const Trajectory>,
+                          std::shared_ptr<const FrameSource>, std::shared_ptr<const ViewSource>>;
 
 inline DataKind data_kind(const Data& data) { return static_cast<DataKind>(data.index()); }
 
@@ -42,6 +43,7 @@ class DataSet {
   const Raster& raster(std::string_view port) const { return *get<Raster>(port); }
   const Trajectory& trajectory(std::string_view port) const { return *get<Trajectory>(port); }
   const FrameSource& frames(std::string_view port) const { return *get<FrameSource>(port); }
+  const ViewSource& views(std::string_view port) const { return *get<ViewSource>(port); }
 
   const std::map<std::string, Data, std::less<>>& all() const { return data_; }
 

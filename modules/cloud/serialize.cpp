@@ -270,6 +270,9 @@ std::string store_data(const Data& data, BlobStore& store) {
     case DataKind::frames:
       j = {{"locator", std::get<std::shared_ptr<const FrameSource>>(data)->locator()}};
       break;
+    case DataKind::views:
+      j = {{"locator", std::get<std::shared_ptr<const ViewSource>>(data)->locator()}};
+      break;
   }
   j["kind"] = data_kind_name(data_kind(data));
   try {
@@ -279,7 +282,7 @@ std::string store_data(const Data& data, BlobStore& store) {
   }
 }
 
-Data load_data(std::string_view text, const BlobStore& store, const FrameOpener& open_frames) {
+Data load_data(std::string_view text, const BlobStore& store, const SourceOpener& open_source) {
   try {
     const json j = json::parse(text);
     const auto kind = j.at("kind").get<std::string>();
@@ -287,7 +290,7 @@ Data load_data(std::string_view text, const BlobStore& store, const FrameOpener&
     if (kind == "table") return load_table(j, store);
     if (kind == "raster") return load_raster(j, store);
     if (kind == "trajectory") return load_trajectory(j, store);
-    if (kind == "frames") return open_frames(j.at("locator").get<std::string>());
+    if (kind == "frames" || kind == "views") return open_source(j.at("locator").get<std::string>());
     if (kind == "none") return {};
     throw damaged("kind '" + kind + "'");
   } catch (const json::exception& e) {

@@ -34,14 +34,14 @@ class BlobStore {
   mutable std::map<std::string, std::weak_ptr<const void>> loaded_;
 };
 
-// Opens the frames that a locator names (FrameSource::locator()).
-using FrameOpener = std::function<std::shared_ptr<const FrameSource>(const std::string& locator)>;
+// Opens the frames or views that a locator names (FrameSource::locator(), ViewSource::locator()).
+using SourceOpener = std::function<Data(const std::string& locator)>;
 
 // The JSON text that load_data() takes. Frames are kept as their locator alone.
 std::string store_data(const Data& data, BlobStore& store);
 
 // Throws Error{failed} when the text or an array is damaged.
-Data load_data(std::string_view json, const BlobStore& store, const FrameOpener& open_frames);
+Data load_data(std::string_view json, const BlobStore& store, const SourceOpener& open_source);
 
 // The ids of the arrays that a stored text refers to.
 std::vector<std::string> stored_blobs(std::string_view json);

@@ -10,6 +10,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedShortArray.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -154,6 +155,33 @@ void to_vtk(ScanFrame frame, vtkPolyData* out) {
   if (frame.ring.size() == size) cloud->set_column(arrays::ring, std::move(frame.ring));
   if (frame.intensity.size() == size) cloud->set_column(arrays::intensity, std::move(frame.intensity));
   if (frame.return_number.size() == size) cloud->set_column(arrays::return_number, std::move(frame.return_number));
+  to_vtk(std::shared_ptr<const PointCloud>(cloud), out);
+}
+
+void to_vtk(const View& view, const RgbdCamera& camera, vtkPolyData* out) {
+  const CameraModel& model = camera.of_depth();
+  PointCloud::Positions positions;
+  std::array<std::vector<std::uint16_t>, 3> colors;
+  for (int y = 0; y < view.depth.height; ++y)
+    for (int x = 0; x < view.depth.width; ++x) {
+      const double depth = static_cast<double>(view.depth.at(x, y));
+      if (!(depth > 0)) continue;
+      const Eigen::Vector3d point = camera.T_color_depth * (model.direction(Eigen::Vector2d(x, y)) * depth);
+      positions.push_back(point.cast<float>());
+      const auto pixel = view.color.empty() ? std::nullopt : camera.color.project(point);
+      const bool seen = pixel && camera.color.contains(*pixel);
+      for (int c = 0; c < 3; ++c)
+        colors[static_cast<std::size_t>(c)].push_back(
+            seen ? static_cast<std::uint16_t>(257 * view.color.at(static_cast<int>(std::lround(pixel->x())),
+                                                                  static_cast<int>(std::lround(pixel->y())), c))
+                 : std::uint16_t{0});
+    }
+  auto cloud = std::make_shared<PointCloud>();
+  cloud->axes = Axes::sensor;
+  cloud->set_positions(std::move(positions));
+  if (!view.color.empty())
+    for (std::size_t c = 0; c < 3; ++c)
+      cloud->set_column(std::array{arrays::red, arrays::green, arrays::blue}[c], std::move(colors[c]));
   to_vtk(std::shared_ptr<const PointCloud>(cloud), out);
 }
 

@@ -62,7 +62,7 @@ const char* vtk_input_class_name(DataKind kind) {
   return vtk_class_name(kind);
 }
 
-void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index) {
+void to_vtk(const Data& data, vtkDataObject* out, std::size_t step) {
   switch (data_kind(data)) {
     case DataKind::none:
       out->Initialize();
@@ -82,12 +82,32 @@ void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index) {
     case DataKind::frames: {
       const auto& source = *std::get<std::shared_ptr<const FrameSource>>(data);
       ScanFrame frame;
-      if (frame_index < source.size()) source.read(frame_index, frame);
+      if (step < source.size()) source.read(step, frame);
       to_vtk(std::move(frame), require<vtkPolyData>(out, "vtkPolyData"));
       set_facts(out, source.facts());
       break;
     }
+    case DataKind::views: {
+      const auto& source = *std::get<std::shared_ptr<const ViewSource>>(data);
+      View view;
+      RgbdCamera camera;
+      if (step < source.size()) source.read(step, view), camera = source.camera(step);
+      to_vtk(view, camera, require<vtkPolyData>(out, "vtkPolyData"));
+      set_facts(out, source.facts());
+      break;
+    }
   }
+}
+
+bool has_steps(DataKind kind) { return kind == DataKind::frames || kind == DataKind::views; }
+
+std::vector<double> step_times_s(const Data& data) {
+  std::vector<double> times;
+  if (const auto* frames = std::get_if<std::shared_ptr<const FrameSource>>(&data); frames && *frames)
+    for (std::size_t i = 0; i < (*frames)->size(); ++i) times.push_back((*frames)->frame_time_s(i));
+  if (const auto* views = std::get_if<std::shared_ptr<const ViewSource>>(&data); views && *views)
+    for (std::size_t i = 0; i < (*views)->size(); ++i) times.push_back((*views)->time_s(i));
+  return times;
 }
 
 Data core_from_vtk(vtkDataObject* object, DataKind wanted) {
@@ -103,6 +123,9 @@ Data core_from_vtk(vtkDataObject* object, DataKind wanted) {
     case DataKind::frames:
       throw bad_input("data without the frames of a scan is connected", "the output of a scan reader",
                       "Connect io.read_scan");
+    case DataKind::views:
+      throw bad_input("data without the pictures of a camera is connected", "the output of a reader of pictures",
+                      "Connect io.read_views");
     case DataKind::none:
       break;
   }

@@ -9,10 +9,12 @@
 //   Trajectory   vtkPolyData: a poly-line; point data: time (s), orientation (quaternion w, x, y, z); field
 //                data: axes, facts.
 //   ScanFrame    vtkPolyData in sensor axes: time, range, ring, intensity, return_number; field data: facts.
+//   View         vtkPolyData in the axes of the colour camera: the points of the depth image with red, green, blue.
 // A fact is a string array of one value.
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "cloud/data.h"
 #include "vtkBoleBridgeModule.h"
@@ -33,8 +35,13 @@ VTKBOLEBRIDGE_EXPORT void to_vtk(const std::shared_ptr<const Table>& table, vtkT
 VTKBOLEBRIDGE_EXPORT void to_vtk(const std::shared_ptr<const Raster>& raster, vtkImageData* out);
 VTKBOLEBRIDGE_EXPORT void to_vtk(const Trajectory& trajectory, vtkPolyData* out);
 VTKBOLEBRIDGE_EXPORT void to_vtk(ScanFrame frame, vtkPolyData* out);
-// Any of them into a data object of the class that vtk_class_name() names; frames: the one at `frame_index`.
-VTKBOLEBRIDGE_EXPORT void to_vtk(const Data& data, vtkDataObject* out, std::size_t frame_index = 0);
+VTKBOLEBRIDGE_EXPORT void to_vtk(const View& view, const RgbdCamera& camera, vtkPolyData* out);
+// Any of them into a data object of the class that vtk_class_name() names; frames and views: the one at `step`.
+VTKBOLEBRIDGE_EXPORT void to_vtk(const Data& data, vtkDataObject* out, std::size_t step = 0);
+
+// Frames and views are shown one at a time, as VTK's time steps. The times of the steps; empty for other data.
+VTKBOLEBRIDGE_EXPORT bool has_steps(DataKind kind);
+VTKBOLEBRIDGE_EXPORT std::vector<double> step_times_s(const Data& data);
 
 // One poly-vertex cell over all points, so that any mapper draws them.
 VTKBOLEBRIDGE_EXPORT void add_vertices(vtkPolyData* cloud);

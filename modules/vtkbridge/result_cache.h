@@ -59,8 +59,8 @@ class ResultCache : private BlobStore {
                                            const Run& run = {});
   void remove(const std::string& key);
   // Throws Error{failed} when an array is damaged.
-  Data load(const std::string& stored, const FrameOpener& open_frames) const {
-    return load_data(stored, *this, open_frames);
+  Data load(const std::string& stored, const SourceOpener& open_source) const {
+    return load_data(stored, *this, open_source);
   }
 
   // Removes the results not used for longest until the folder holds at most `max_bytes`. Returns the bytes removed.

@@ -59,7 +59,7 @@ class StoredResult {
   Data load(const std::string& port, const std::string& stored) {
     const std::lock_guard lock(mutex_);
     try {
-      return cache_->load(stored, [&](const std::string&) { return again().get<FrameSource>(port); });
+      return cache_->load(stored, [&](const std::string&) { return again().all().at(port); });
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::failed) throw;
       spdlog::warn("{}; running the stage again", e.what());

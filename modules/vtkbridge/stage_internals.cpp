@@ -156,7 +156,7 @@ bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::
   });
 }
 
-void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t frame, bool core_only) {
+void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t step, bool core_only) {
   const auto& declared = type->outputs[static_cast<std::size_t>(port)];
   if (!result || !object) return;
   const auto it = result->outputs.find(declared.name);
@@ -167,32 +167,27 @@ void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t 
   if (core_only) {
     object->Initialize();
   } else {
-    bole::vtkbridge::to_vtk(it->second->get(), object, frame);
-    const bool drawn_as_points = declared.kind == bole::DataKind::cloud || declared.kind == bole::DataKind::frames;
+    bole::vtkbridge::to_vtk(it->second->get(), object, step);
+    const bool drawn_as_points = declared.kind == bole::DataKind::cloud || bole::vtkbridge::has_steps(declared.kind);
     if (vertices && drawn_as_points) bole::vtkbridge::add_vertices(vtkPolyData::SafeDownCast(object));
-    if (declared.kind == bole::DataKind::frames)
-      if (const auto source = frames(declared.name); frame < source->size())
-        object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), source->frame_time_s(frame));
+    if (bole::vtkbridge::has_steps(declared.kind))
+      if (const auto times = step_times_s(declared.name); step < times.size())
+        object->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), times[step]);
   }
   bole::vtkbridge::attach(object, it->second);
 }
 
-std::shared_ptr<const bole::FrameSource> vtkBoleStage::Internals::frames(const std::string& port) {
-  const auto data = result->outputs.at(port)->get();
-  if (const auto* source = std::get_if<std::shared_ptr<const bole::FrameSource>>(&data); source && *source)
-    return *source;
-  throw bole::failure("output '" + port + "' holds no frames");
+std::vector<double> vtkBoleStage::Internals::step_times_s(const std::string& port) {
+  return bole::vtkbridge::step_times_s(result->outputs.at(port)->get());
 }
 
 void vtkBoleStage::Internals::tell_times(const bole::pipeline::Port& port, vtkInformation* info) {
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   info->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
-  if (port.kind != bole::DataKind::frames || !result || !result->outputs.contains(port.name) || control.core_only)
+  if (!bole::vtkbridge::has_steps(port.kind) || !result || !result->outputs.contains(port.name) || control.core_only)
     return;
-  const auto source = frames(port.name);
-  if (source->size() == 0) return;
-  std::vector<double> times(source->size());
-  for (std::size_t i = 0; i < times.size(); ++i) times[i] = source->frame_time_s(i);
+  const auto times = step_times_s(port.name);
+  if (times.empty()) return;
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   const double range[]{times.front(), times.back()};
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
@@ -206,18 +201,14 @@ void vtkBoleStage::Internals::tell_extent(vtkDataObject* object, vtkInformation*
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
 }
 
-std::size_t vtkBoleStage::Internals::frame_wanted(int port, vtkInformation* info) {
+std::size_t vtkBoleStage::Internals::step_wanted(int port, vtkInformation* info) {
   const auto& declared = type->outputs[static_cast<std::size_t>(port)];
-  if (declared.kind != bole::DataKind::frames || control.core_only ||
+  if (!bole::vtkbridge::has_steps(declared.kind) || control.core_only ||
       !info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
     return 0;
   const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-  const auto source = frames(declared.name);
-  // The last frame that starts at or before the time asked for.
-  std::size_t first = 0, last = source->size();
-  while (last - first > 1) {
-    const std::size_t middle = (first + last) / 2;
-    (source->frame_time_s(middle) <= time ? first : last) = middle;
-  }
-  return first;
+  const auto times = step_times_s(declared.name);
+  // The last one that starts at or before the time asked for.
+  const auto after = std::ranges::upper_bound(times, time);
+  return after == times.begin() ? 0 : static_cast<std::size_t>(after - times.begin()) - 1;
 }

@@ -69,17 +69,17 @@ class vtkBoleStage::Internals {
   // error.
   bool update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs);
   // Puts an output into its VTK object.
-  void fill(int port, vtkDataObject* object, std::size_t frame, bool core_only);
+  void fill(int port, vtkDataObject* object, std::size_t step, bool core_only);
 
-  // Frames as VTK time steps; other outputs have none.
+  // Frames and views as VTK time steps; other outputs have none.
   void tell_times(const bole::pipeline::Port& port, vtkInformation* info);
   void tell_extent(vtkDataObject* object, vtkInformation* info);
-  std::size_t frame_wanted(int port, vtkInformation* info);
+  std::size_t step_wanted(int port, vtkInformation* info);
 
  private:
   bole::Run make_run(vtkBoleStage* self);
   bool is_current(const vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) const;
-  std::shared_ptr<const bole::FrameSource> frames(const std::string& port);
+  std::vector<double> step_times_s(const std::string& port);
 
   vtkMTimeType result_time_ = 0;
   bole::vtkbridge::PortData result_inputs_;

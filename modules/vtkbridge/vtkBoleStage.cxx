@@ -279,11 +279,11 @@ bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInfo
     return false;
   }
   const auto& ports = this->Inner->type->outputs;
-  // Times of frames are known once the scan is open. A source can be run now; after other stages they come with the
-  // data.
-  const bool has_frames =
-      std::ranges::any_of(ports, [](const bole::pipeline::Port& p) { return p.kind == bole::DataKind::frames; });
-  if (has_frames && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
+  // Times of frames and views are known once their reader ran. A source can be run now; after other stages they come
+  // with the data.
+  const bool has_steps =
+      std::ranges::any_of(ports, [](const bole::pipeline::Port& p) { return bole::vtkbridge::has_steps(p.kind); });
+  if (has_steps && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
   for (std::size_t p = 0; p < ports.size(); ++p) {
     vtkInformation* info = outputs->GetInformationObject(static_cast<int>(p));
     this->Inner->tell_times(ports[p], info);
@@ -313,7 +313,7 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
     if (!this->Inner->update(this, data)) return;
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
       vtkInformation* info = outputs->GetInformationObject(port);
-      this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->frame_wanted(port, info),
+      this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->step_wanted(port, info),
                         this->Inner->control.core_only);
     }
   });

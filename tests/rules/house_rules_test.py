@@ -10,7 +10,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULES = ROOT / "modules"
 SOURCES = {".h", ".cpp", ".cxx"}
 # The vocabulary of all others: their namespaces are inline, so that bole::PointCloud is bole::cloud::PointCloud.
-INLINE = {"base", "cloud"}
+INLINE = {"base", "camera", "cloud"}
 MOST_SOURCES_IN_A_FOLDER = 40
 
 NAMESPACE = re.compile(r"^(inline )?namespace ([\w:]+) \{", re.M)
@@ -38,7 +38,7 @@ def foreign_namespaces(module, text):
     for line in NAMESPACE.finditer(code_of(text)):
         inline, name = line.groups()
         if name == "bole" or inline or "=" in line.group(0):
-            continue  # `namespace bole {` holds the inline namespaces of base and cloud, and forward declarations
+            continue  # `namespace bole {` holds the inline namespaces of base, camera and cloud, and forward declarations
         if name.startswith("bole") and name != own and not name.startswith(own + "::"):
             found.append(name)
     return found

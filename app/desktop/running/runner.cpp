@@ -27,7 +27,7 @@ Results collect(const vtkbridge::PipelineExecutor& executor, const vtkbridge::Ru
     auto* object = executor.stage(stage.record.id);
     if (!object) continue;
     for (const auto& port : object->GetType()->outputs) {
-      if (port.kind == DataKind::frames) continue;
+      if (vtkbridge::has_steps(port.kind)) continue;
       auto* output = object->GetOutputDataObject(object->FindOutputPort(port.name.c_str()));
       const auto data = output ? vtkbridge::attached(output) : nullptr;  // none of a stage that was left out
       if (data && (!in_memory || data->loaded())) results[stage.record.id].set(port.name, data->get());
