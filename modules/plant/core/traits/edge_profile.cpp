@@ -21,19 +21,45 @@ double bell(double x) { return std::exp(-0.5 * x * x) / std::sqrt(2 * std::numbe
 constexpr double pixel_variance = 1.0 / 12;
 constexpr double slope_length = 6;  // pixels over which a background may change by its own contrast
 
-struct Shape {
-  double left, right, spread;  // spread: with the pixel
+// Values of the seven parts of the picture across the strip, blurred.
+class Shape {
+ public:
+  // `rounded`: with the shading of a cylinder. Without it the strip is a plain one, which is cheaper.
+  Shape(double l, double r, double sigma, bool rounded)
+      : left(l),
+        right(r),
+        spread(std::sqrt(sigma * sigma + pixel_variance)),
+        middle_((l + r) / 2),
+        half_(std::max((r - l) / 2, 1e-6)) {
+    if (!rounded) return;
+    // Gauss and Chebyshev's quadrature of the second kind, fine enough for the point spread.
+    const int n = std::clamp(static_cast<int>(std::ceil(5 * half_ / spread)), 10, 60);
+    for (int k = 1; k <= n; ++k) {
+      const double angle = k * std::numbers::pi / (n + 1);
+      nodes_.push_back(middle_ + half_ * std::cos(angle));
+      weights_.push_back(half_ * std::numbers::pi / (n + 1) * std::sin(angle) * std::sin(angle) / spread);
+    }
+  }
 
-  Shape(double l, double r, double sigma) : left(l), right(r), spread(std::sqrt(sigma * sigma + pixel_variance)) {}
-
+  // The light that falls on a round stem from one direction is a + b u + c sqrt(1 - u^2), u from -1 to 1 across it.
   Basis basis(double x) const {
     const double a = step((x - left) / spread), b = step((x - right) / spread);
-    const double inside = a - b, u = (2 * x - left - right) / std::max(right - left, 1e-6);
+    const double inside = a - b;
+    const double slope =
+        (x - middle_) / half_ * inside + spread / half_ * (bell((x - left) / spread) - bell((x - right) / spread));
+    double round = 0;
+    for (std::size_t k = 0; k < nodes_.size(); ++k)
+      if (const double d = (x - nodes_[k]) / spread; std::abs(d) < 6) round += weights_[k] * bell(d);
     Basis out;
-    out << 1 - a, (1 - a) * (x - left) / slope_length, inside, inside * u, inside * u * u, b,
-        b * (x - right) / slope_length;
+    out << 1 - a, (1 - a) * (x - left) / slope_length, inside, slope, round, b, b * (x - right) / slope_length;
     return out;
   }
+
+  double left, right, spread;
+
+ private:
+  double middle_, half_;
+  std::vector<double> nodes_, weights_;
 };
 
 struct Linear {
@@ -66,34 +92,31 @@ Linear solve(std::span<const StripPixel> pixels, const Shape& shape, std::vector
   return out;
 }
 
-// Derivatives of the picture by left, right and spread where the colours stay.
-Eigen::Matrix3d derivatives(double x, const Shape& s, const Colours& c) {
-  const double u = (2 * x - s.left - s.right) / std::max(s.right - s.left, 1e-6);
-  const double dl = (x - s.left) / s.spread, dr = (x - s.right) / s.spread;
-  const Eigen::RowVector3d strip = c.row(2) + u * c.row(3) + u * u * c.row(4);
-  const Eigen::RowVector3d at_left = strip - c.row(0) - (x - s.left) / slope_length * c.row(1);
-  const Eigen::RowVector3d at_right = c.row(5) + (x - s.right) / slope_length * c.row(6) - strip;
-  Eigen::Matrix3d out;
-  out.row(0) = -bell(dl) / s.spread * at_left;
-  out.row(1) = -bell(dr) / s.spread * at_right;
-  out.row(2) = -(dl * bell(dl) * at_left + dr * bell(dr) * at_right) / s.spread;
-  return out;
-}
+struct Parameters {
+  double left, right, sigma;
+  Shape shape() const { return {left, right, sigma, true}; }
+};
 
 struct Steps {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
 };
 
-Steps steps_of(std::span<const StripPixel> pixels, const Shape& shape, const Linear& linear,
+Steps steps_of(std::span<const StripPixel> pixels, const Parameters& at, const Linear& linear,
                const std::vector<Basis>& rows) {
+  constexpr double h = 1e-3;
+  const std::array<Shape, 3> moved{Parameters{at.left + h, at.right, at.sigma}.shape(),
+                                   Parameters{at.left, at.right + h, at.sigma}.shape(),
+                                   Parameters{at.left, at.right, at.sigma + h}.shape()};
   // The part of the derivatives that a change of the colours would make is taken out (Kaufman 1975).
   std::vector<Eigen::Matrix3d> j(pixels.size());
   std::array<Colours, 3> moments{Colours::Zero(), Colours::Zero(), Colours::Zero()};
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    j[i] = derivatives(pixels[i].across, shape, linear.colours);
-    for (int k = 0; k < 3; ++k) moments[static_cast<std::size_t>(k)] += rows[i] * j[i].row(k);
-  }
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const Basis change = (moved[static_cast<std::size_t>(k)].basis(pixels[i].across) - rows[i]) / h;
+      j[i].row(k) = change.transpose() * linear.colours;
+      moments[static_cast<std::size_t>(k)] += rows[i] * j[i].row(k);
+    }
   std::array<Colours, 3> taken;
   for (std::size_t k = 0; k < 3; ++k) taken[k] = linear.solver.solve(moments[k]);
   Steps out;
@@ -107,17 +130,21 @@ Steps steps_of(std::span<const StripPixel> pixels, const Shape& shape, const Lin
   return out;
 }
 
-constexpr double min_width = 1.2, min_sigma = 0.15, max_sigma = 4;
-
-bool possible(double left, double right, double sigma) {
-  return right - left >= min_width && sigma >= min_sigma && sigma <= max_sigma;
+// The spread is known: only the edges move.
+void hold_sigma(Steps& steps) {
+  steps.normal.row(2).setZero();
+  steps.normal.col(2).setZero();
+  steps.normal(2, 2) = 1;
+  steps.gradient[2] = 0;
 }
+
+constexpr double min_width = 1.2, min_sigma = 0.15, max_sigma = 4;
 
 }  // namespace
 
 double strip_cost(std::span<const StripPixel> pixels, double left, double right, double sigma) {
   std::vector<Basis> rows;
-  return solve(pixels, Shape(left, right, sigma), rows).squares / (3.0 * static_cast<double>(pixels.size()));
+  return solve(pixels, Shape(left, right, sigma, false), rows).squares / (3.0 * static_cast<double>(pixels.size()));
 }
 
 std::optional<StripEdges> fit_strip(std::span<const StripPixel> pixels, const StripStart& start,
@@ -127,67 +154,51 @@ std::optional<StripEdges> fit_strip(std::span<const StripPixel> pixels, const St
   const auto before = std::ranges::count_if(pixels, [&](const auto& p) { return p.across < start.left - 1; });
   const auto behind = std::ranges::count_if(pixels, [&](const auto& p) { return p.across > start.right + 1; });
   if (inside < 2 || before < 3 || behind < 3 || pixels.size() < 12) return std::nullopt;
-  double left = start.left, right = start.right, sigma = start.sigma, damping = 1e-3;
-  std::vector<Basis> rows;
-  Shape shape(left, right, sigma);
-  Linear linear = solve(pixels, shape, rows);
-  for (int round = 0; round < 25; ++round) {
-    Steps s = steps_of(pixels, shape, linear, rows);
-    if (!start.fit_sigma) {
-      s.normal.row(2).setZero();
-      s.normal.col(2).setZero();
-      s.normal(2, 2) = 1;
-      s.gradient[2] = 0;
-    }
+  Parameters at{start.left, start.right, start.sigma};
+  double damping = 1e-3;
+  std::vector<Basis> rows, moved_rows;
+  Linear linear = solve(pixels, at.shape(), rows);
+  bool moved_since = true;
+  Steps s;
+  for (int round = 0; round < 25 && damping < 1e6; ++round) {
+    if (moved_since) s = steps_of(pixels, at, linear, rows);
+    if (!start.fit_sigma) hold_sigma(s);
+    moved_since = false;
     Eigen::Matrix3d a = s.normal;
     a.diagonal() *= 1 + damping;
     a.diagonal().array() += 1e-12 * (s.normal.trace() + 1e-12);
     const Eigen::Vector3d d = a.ldlt().solve(s.gradient).cwiseMax(-1.0).cwiseMin(1.0);
     if (!d.allFinite()) return std::nullopt;
-    const double spread = std::max(shape.spread + d[2], std::sqrt(pixel_variance + min_sigma * min_sigma));
-    const double next_sigma = std::clamp(std::sqrt(spread * spread - pixel_variance), min_sigma, max_sigma);
-    if (!possible(left + d[0], right + d[1], next_sigma)) {
-      damping *= 10;
-      if (damping > 1e6) return std::nullopt;
-      continue;
-    }
-    const Shape moved(left + d[0], right + d[1], next_sigma);
-    std::vector<Basis> moved_rows;
-    Linear better = solve(pixels, moved, moved_rows);
-    if (better.squares > linear.squares) {
-      damping *= 10;
-      if (damping > 1e6) break;
-      continue;
-    }
-    left += d[0];
-    right += d[1];
-    sigma = next_sigma;
-    shape = moved;
+    const Parameters next{at.left + d[0], at.right + d[1], std::clamp(at.sigma + d[2], min_sigma, max_sigma)};
+    damping *= 10;
+    if (next.right - next.left < min_width) continue;
+    Linear better = solve(pixels, next.shape(), moved_rows);
+    if (better.squares > linear.squares) continue;
+    at = next;
     linear = std::move(better);
-    rows = std::move(moved_rows);
-    damping = std::max(damping / 5, 1e-9);
-    if (d.norm() < 1e-4) break;
+    std::swap(rows, moved_rows);
+    moved_since = true;
+    damping = std::max(damping / 50, 1e-9);
+    if (d.norm() < 2e-4) break;
   }
+  if (at.right - at.left < min_width) return std::nullopt;
   StripEdges out;
-  out.left = left;
-  out.right = right;
-  out.sigma = sigma;
+  out.left = at.left;
+  out.right = at.right;
+  out.sigma = at.sigma;
   const double freedom = std::max(3.0 * (static_cast<double>(pixels.size()) - parts) - 3, 3.0);
   const double variance = linear.squares / freedom;
   out.residual = std::sqrt(variance);
-  Steps s = steps_of(pixels, shape, linear, rows);
-  if (!start.fit_sigma) {
-    s.normal.row(2).setZero();
-    s.normal.col(2).setZero();
-    s.normal(2, 2) = 1;
-  }
+  s = steps_of(pixels, at, linear, rows);
+  if (!start.fit_sigma) hold_sigma(s);
   s.normal.diagonal().array() += 1e-12 * (s.normal.trace() + 1e-12);
   const Eigen::Matrix3d covariance = s.normal.inverse() * variance;
   out.sd_left = std::sqrt(std::max(covariance(0, 0), 0.0));
   out.sd_right = std::sqrt(std::max(covariance(1, 1), 0.0));
   const auto& c = linear.colours;
-  const Eigen::RowVector3d left_step = c.row(2) - c.row(3) + c.row(4) - c.row(0);
-  const Eigen::RowVector3d right_step = c.row(2) + c.row(3) + c.row(4) - c.row(5);
+  // Half way to the middle of the strip its edges have their usual colour.
+  const Eigen::RowVector3d left_step = c.row(2) - 0.5 * c.row(3) + 0.87 * c.row(4) - c.row(0);
+  const Eigen::RowVector3d right_step = c.row(2) + 0.5 * c.row(3) + 0.87 * c.row(4) - c.row(5);
   out.contrast = std::min(left_step.norm(), right_step.norm()) / std::sqrt(3.0);
   if (!std::isfinite(out.sd_left) || !std::isfinite(out.sd_right) || !std::isfinite(out.residual)) return std::nullopt;
   if (explained != nullptr) {
