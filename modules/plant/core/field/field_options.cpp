@@ -10,7 +10,7 @@ const OptionTable& option_table(const FieldOptions*) {
       {
           Option<S, EncoderKind>{"encoder", &S::encoder, Tier::basic,
                                  "What holds density and colour: grid is a voxel lattice, hash a multiresolution hash "
-                                 "table with a small network, paper a network alone (slow)."},
+                                 "table with a small network."},
           Option<S, double>{"voxel", &S::voxel, Unit::metre, {0.0002, 1}, Tier::basic,
                             "Finest detail of the field. Smaller values keep thinner parts and need more memory and "
                             "time."},

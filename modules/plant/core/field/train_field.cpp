@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/grid_start.h"
+#include "plant/core/field/hash_encoder.h"
 #include "plant/core/field/train_step.h"
 
 namespace bole::plant {
@@ -86,9 +87,15 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   model.space = std::make_shared<const FieldSpace>(build_space(views, posed, region, options, run.part(0, 0.05), report));
   out.views = load_field_views(views, posed, {options.max_width, options.hold_out, noise}, run.part(0.05, 0.1), report);
   model.exposures = Exposures(out.views.size());
-  auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{});
-  start_grid(*grid, *model.space, out.views, noise, 32, run);
-  model.encoder = std::move(grid);
+  if (options.encoder == EncoderKind::grid) {
+    auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{});
+    start_grid(*grid, *model.space, out.views, noise, 32, run);
+    model.encoder = std::move(grid);
+  } else {
+    HashEncoder::Settings settings;
+    settings.seed = options.seed;
+    model.encoder = std::make_unique<HashEncoder>(model.space, settings);
+  }
 
   std::vector<std::size_t> training;
   std::vector<PixelWindow> windows;
@@ -149,6 +156,19 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   out.progress.set("seconds", std::move(rows.seconds));
   run.report(0.86, "testing on the views kept back");
   test_held_out(out, run);
+  if (std::isfinite(out.psnr)) {
+    report.metrics["held_out_psnr_db"] = {out.psnr, Unit::none};
+    if (std::isfinite(out.region_psnr)) report.metrics["held_out_region_psnr_db"] = {out.region_psnr, Unit::none};
+    report.message = fmt::format("{} steps, {:.1f} dB on {} views kept back", step, out.psnr, out.held_out.rows());
+    if (out.psnr < 20)
+      report.find(Severity::look, "field_does_not_fit",
+                  fmt::format("Views kept back are shown with {:.1f} dB only (28 or more is usual). Check the poses, the "
+                              "region, and whether the plant moved.",
+                              out.psnr));
+  } else {
+    report.message = fmt::format("{} steps, no views kept back", step);
+    report.find(Severity::note, "field_not_tested", "No views were kept back, so nothing tells how good the field is.");
+  }
   return out;
 }
 

@@ -52,9 +52,68 @@ PixelWindow window_of_region(const FieldSpace& space, const FieldView& view) {
           within(last.x() + 1, view.camera.width), within(last.y() + 1, view.camera.height)};
 }
 
+namespace {
+
+// Price of light that stops at `t`, where depth was measured: little near the measured depth, at most one far from it.
+float depth_price(const TrainBatch::Target& target, float z_per_t, float t, const DepthNoise& noise) {
+  const float off = (t * z_per_t - target.depth) / (2 * static_cast<float>(noise.sigma(target.depth)));
+  return off * off / (1 + off * off);
+}
+
+// Chooses and renders the rays of a chunk.
+void render_rays(const FieldModel& field, const std::vector<FieldView>& views, const std::vector<std::size_t>& training,
+                 const std::vector<PixelWindow>& windows, const TrainSetting& setting, int step, std::size_t c,
+                 RayChunk& chunk, std::vector<TrainBatch::Target>& targets) {
+  chunk.clear();
+  chunk.rays.resize(rays_per_chunk);
+  targets.assign(rays_per_chunk, {});
+  for (std::size_t r = 0; r < rays_per_chunk; ++r)
+    choose_ray(field, views, training, windows,
+               Random(static_cast<std::uint64_t>(setting.seed), static_cast<std::uint64_t>(step), c * rays_per_chunk + r),
+               chunk.rays[r], targets[r]);
+  render_chunk(*field.space, *field.encoder, chunk, 1e-3F);
+  for (std::size_t r = 0; r < rays_per_chunk; ++r) {
+    const auto& ray = chunk.rays[r];
+    auto& target = targets[r];
+    const Eigen::Array3f factor = field.exposures.factor(static_cast<std::size_t>(target.view));
+    const Eigen::Vector3f behind = field.environment.color(target.behind);
+    target.error = ((ray.color + ray.transmittance * behind).array() * factor).matrix() - target.color;
+  }
+}
+
+std::size_t chunk_count(const TrainSetting& setting) {
+  return static_cast<std::size_t>((setting.rays + rays_per_chunk - 1) / rays_per_chunk);
+}
+
+}  // namespace
+
+double train_loss(const FieldModel& field, const std::vector<FieldView>& views, const std::vector<std::size_t>& training,
+                  const std::vector<PixelWindow>& windows, const TrainSetting& setting, int step, TrainBatch& batch) {
+  const auto count = chunk_count(setting);
+  batch.chunks.resize(count);
+  batch.targets.resize(count);
+  double sum = 0;
+  for (std::size_t c = 0; c < count; ++c) {
+    auto& chunk = batch.chunks[c];
+    render_rays(field, views, training, windows, setting, step, c, chunk, batch.targets[c]);
+    for (std::size_t r = 0; r < rays_per_chunk; ++r) {
+      const auto& target = batch.targets[c][r];
+      sum += target.error.squaredNorm() / 3;
+      if (target.depth > 0) sum += setting.depth_weight * chunk.rays[r].transmittance;
+    }
+    for (const auto& sample : chunk.samples) {
+      const auto& target = batch.targets[c][static_cast<std::size_t>(sample.ray)];
+      if (target.depth > 0)
+        sum += setting.depth_weight * sample.before * sample.alpha *
+               depth_price(target, chunk.rays[static_cast<std::size_t>(sample.ray)].z_per_t, sample.place.t, setting.noise);
+    }
+  }
+  return sum / static_cast<double>(count * rays_per_chunk);
+}
+
 double train_step(FieldModel& field, const std::vector<FieldView>& views, const std::vector<std::size_t>& training,
                   const std::vector<PixelWindow>& windows, const TrainSetting& setting, int step, TrainBatch& batch) {
-  const auto count = static_cast<std::size_t>((setting.rays + rays_per_chunk - 1) / rays_per_chunk);
+  const auto count = chunk_count(setting);
   batch.chunks.resize(count);
   batch.gradients.resize(count);
   batch.targets.resize(count);
@@ -63,21 +122,12 @@ double train_step(FieldModel& field, const std::vector<FieldView>& views, const 
     auto& chunk = batch.chunks[c];
     auto& targets = batch.targets[c];
     auto& gradients = batch.gradients[c];
-    chunk.clear();
-    chunk.rays.resize(rays_per_chunk);
-    targets.assign(rays_per_chunk, {});
+    render_rays(field, views, training, windows, setting, step, c, chunk, targets);
     gradients.assign(rays_per_chunk, {});
-    for (std::size_t r = 0; r < rays_per_chunk; ++r)
-      choose_ray(field, views, training, windows,
-                 Random(static_cast<std::uint64_t>(setting.seed), static_cast<std::uint64_t>(step), c * rays_per_chunk + r),
-                 chunk.rays[r], targets[r]);
-    render_chunk(*field.space, *field.encoder, chunk, 1e-3F);
     for (std::size_t r = 0; r < rays_per_chunk; ++r) {
-      const auto& ray = chunk.rays[r];
-      auto& target = targets[r];
+      const auto& target = targets[r];
       const Eigen::Array3f factor = field.exposures.factor(static_cast<std::size_t>(target.view));
       const Eigen::Vector3f behind = field.environment.color(target.behind);
-      target.error = ((ray.color + ray.transmittance * behind).array() * factor).matrix() - target.color;
       const Eigen::Vector3f by_color = (2.0F / 3.0F * share * target.error.array() * factor).matrix();
       gradients[r].color = by_color;
       gradients[r].transmittance = by_color.dot(behind);
@@ -85,10 +135,8 @@ double train_step(FieldModel& field, const std::vector<FieldView>& views, const 
       if (target.depth > 0) gradients[r].transmittance += setting.depth_weight * share;
     }
     differentiate_chunk(chunk, gradients, [&](std::size_t r, float t) {
-      const float z = targets[r].depth;
-      if (z <= 0) return 0.0F;
-      const float off = (t * chunk.rays[r].z_per_t - z) / (2 * static_cast<float>(setting.noise.sigma(z)));
-      return setting.depth_weight * share * off * off / (1 + off * off);
+      if (targets[r].depth <= 0) return 0.0F;
+      return setting.depth_weight * share * depth_price(targets[r], chunk.rays[r].z_per_t, t, setting.noise);
     });
     field.encoder->backward(chunk);
   });
