@@ -2,8 +2,10 @@
 #include "pipeline/stage.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/train_field.h"
+#include "plant/core/separate/separate.h"
 #include "plant/core/surface/surface_points.h"
 #include "plant/core/surface/tsdf.h"
+#include "plant/core/traits/traits.h"
 
 namespace bole::plant {
 namespace {
@@ -43,8 +45,8 @@ pipeline::StageType fuse_stage() {
     if (options.mesh) mesh = surface_mesh(grid, options.min_weight);
     result.report.counts["points"] = static_cast<std::int64_t>(points.size());
     result.report.counts["triangles"] = static_cast<std::int64_t>(mesh.triangles.rows());
-    result.report.message = std::to_string(points.size()) + " surface points from " + std::to_string(posed.size()) +
-                            " views";
+    result.report.message =
+        std::to_string(points.size()) + " surface points from " + std::to_string(posed.size()) + " views";
     result.outputs.set("points", std::move(points));
     result.outputs.set("vertices", std::move(mesh.vertices));
     result.outputs.set("triangles", std::move(mesh.triangles));
@@ -65,9 +67,10 @@ pipeline::StageType field_stage() {
   t.source = "Mildenhall et al.: NeRF. ECCV 2020; SPEC C";
   t.inputs = {{"views", DataKind::views, "Views with colour, and depth where there is any.", false, {}},
               {"poses", DataKind::trajectory, "Pose of each view, at its time.", false, {}}};
-  t.outputs = {{"points", DataKind::cloud, "Fine cloud with normals, colours and the number of views that agree.", false, {}},
-               {"progress", DataKind::table, "step, loss, psnr_db (of two views kept back, thinned), seconds.", false, {}},
-               {"held_out", DataKind::table, "Views kept back: view, name, psnr_db (all pixels), region_psnr_db.", false, {}}};
+  t.outputs = {
+      {"points", DataKind::cloud, "Fine cloud with normals, colours and the number of views that agree.", false, {}},
+      {"progress", DataKind::table, "step, loss, psnr_db (of two views kept back, thinned), seconds.", false, {}},
+      {"held_out", DataKind::table, "Views kept back: view, name, psnr_db (all pixels), region_psnr_db.", false, {}}};
   t.options = &option_table(static_cast<const FieldOptions*>(nullptr));
   t.main_numbers = {"held_out_psnr_db", "points", "voxel"};
   t.run = [](const DataSet& inputs, const OptionSet& set, const Run& run) {
@@ -91,11 +94,97 @@ pipeline::StageType field_stage() {
   return t;
 }
 
+void add_field_stages(pipeline::StageRegistry& registry) {
+  registry.add(fuse_stage());
+  registry.add(field_stage());
+}
+
+// ---- parts and traits ----
+
+pipeline::StageType separate_stage() {
+  pipeline::StageType t;
+  t.name = "plant.separate";
+  t.vtk_class = "vtkBoleSeparatePlant";
+  t.title = "Separate the plant";
+  t.help =
+      "Divides the cloud of a potted plant into plant, pot, soil, mat and floaters. The table is the lowest level "
+      "surface, the pot a body of revolution on it, the soil the surface inside of its rim; the plant is what grows "
+      "out "
+      "of the soil, with the parts that a gap separates from it.";
+  t.source = "Bole";
+  t.inputs = {
+      {"points", DataKind::cloud, "Coloured cloud in world axes.", false, {}},
+      {"views", DataKind::views, "Views that the cloud was made from: tell whether the scale is known.", true, {}},
+      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}}};
+  t.outputs = {{"points",
+                DataKind::cloud,
+                "The points with `part`: 0 other, 1 plant, 2 pot, 3 soil, 4 mat, 5 floater. Facts hold the soil, the "
+                "foot of the stem and the pot.",
+                false,
+                {}}};
+  t.options = &option_table(static_cast<const SeparateOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
+    const bool depth = in.has("views") && in.views("views").has_depth();
+    const Trajectory* poses = in.has("poses") ? &in.trajectory("poses") : nullptr;
+    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run);
+    pipeline::StageResult result;
+    result.outputs.set("points", std::move(separated.points));
+    result.report = std::move(separated.report);
+    return result;
+  };
+  return t;
+}
+
+pipeline::StageType traits_stage() {
+  pipeline::StageType t;
+  t.name = "plant.traits";
+  t.vtk_class = "vtkBolePlantTraits";
+  t.title = "Measure the plant";
+  t.help =
+      "Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point "
+      "above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected "
+      "for "
+      "the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed "
+      "cylinder "
+      "is fitted to them, with the point spread of each picture.";
+  t.source = "Noise of extents: Cook and Stefanski (1994), JASA 89 (simulation extrapolation); otherwise Bole";
+  t.inputs = {{"points", DataKind::cloud, "Points of plant.separate.", false, {}},
+              {"views", DataKind::views, "Pictures for the stem; without them the cloud must do.", true, {}},
+              {"poses", DataKind::trajectory, "Poses of the views in the axes of the points.", true, {}}};
+  t.outputs = {{"traits", DataKind::table, "One row: the traits with their intervals.", false, {}},
+               {"stem", DataKind::table, "Sections of the stem.", false, {}},
+               {"leaves", DataKind::table, "One row per leaf.", false, {}},
+               {"internodes", DataKind::table, "One row per internode.", false, {}},
+               {"contours", DataKind::table, "Edges of the stem in the pictures.", false, {}}};
+  t.options = &option_table(static_cast<const TraitOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
+    TraitInputs inputs;
+    inputs.points = &in.cloud("points");
+    if (in.has("views")) inputs.views = &in.views("views");
+    if (in.has("poses")) inputs.poses = &in.trajectory("poses");
+    auto traits = measure_traits(inputs, options.as<TraitOptions>(), run);
+    pipeline::StageResult result;
+    result.outputs.set("traits", std::move(traits.traits));
+    result.outputs.set("stem", std::move(traits.stem));
+    result.outputs.set("leaves", std::move(traits.leaves));
+    result.outputs.set("internodes", std::move(traits.internodes));
+    result.outputs.set("contours", std::move(traits.contours));
+    result.report = std::move(traits.report);
+    return result;
+  };
+  return t;
+}
+
+void add_trait_stages(pipeline::StageRegistry& registry) {
+  registry.add(separate_stage());
+  registry.add(traits_stage());
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
-  registry.add(fuse_stage());
-  registry.add(field_stage());
+  add_field_stages(registry);
+  add_trait_stages(registry);
 }
 
 }  // namespace bole::plant

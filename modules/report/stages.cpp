@@ -2,6 +2,7 @@
 // modules, because they draw.
 #include "pipeline/result_names.h"
 #include "report/make_report.h"
+#include "report/plant_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
@@ -16,14 +17,22 @@ void register_result_names() {
                               "chm.tif",
                               "cloud.las",
                               "cloud.laz",
+                              "cloud.ply",
+                              "contours.csv",
                               "dem.tif",
                               "diameter_classes.csv",
                               "edits.csv",
+                              "field.json",
                               "figures",
                               "height_curve.csv",
+                              "held_out.csv",
+                              "internodes.csv",
+                              "leaves.csv",
                               "loops.csv",
                               "matches.csv",
+                              "mesh.ply",
                               "odometry.csv",
+                              "plant.xlsx",
                               "plants.csv",
                               "plot.gpkg",
                               "plot_values.csv",
@@ -32,6 +41,7 @@ void register_result_names() {
                               "rows.csv",
                               "rows.geojson",
                               "rows.gpkg",
+                              "scene.ply",
                               "sections.csv",
                               "slope.tif",
                               "steering_errors.csv",
@@ -40,6 +50,7 @@ void register_result_names() {
                               "steering_passes.csv",
                               "steering_summary.csv",
                               "steering_tuning.csv",
+                              "stem.csv",
                               "stem_curves.vtp",
                               "stems.csv",
                               "stems.geojson",
@@ -49,6 +60,8 @@ void register_result_names() {
                               "strays.csv",
                               "survey.xlsx",
                               "tally.html",
+                              "tracking.csv",
+                              "traits.csv",
                               "trajectory.tum",
                               "tree_values.csv"});
 }
@@ -83,6 +96,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(std::move(type));
   registry.add(rows_report_stage());
   registry.add(steering_report_stage());
+  registry.add(plant_report_stage());
 }
 
 }  // namespace bole::report

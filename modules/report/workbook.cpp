@@ -179,4 +179,13 @@ void write_workbook(const std::filesystem::path& path, const SurveyData& data, c
   });
 }
 
+void write_workbook(const std::filesystem::path& path, const std::vector<NamedTable>& tables, const Run& run) {
+  write_atomically(path, [&](const std::filesystem::path& draft) {
+    Workbook book(draft);
+    for (const auto& [sheet, table] : tables) add_table(book, sheet, table);
+    if (run.record != nullptr && !run.record->stages.empty()) add_options(book, *run.record);
+    book.close();
+  });
+}
+
 }  // namespace bole::report

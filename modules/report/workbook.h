@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "base/run.h"
 #include "report/survey_data.h"
@@ -13,5 +14,12 @@ namespace bole::report {
 // whose input is not connected or has no rows are left out; Trees is always there. Numbers are numbers; a missing one
 // is an empty cell. Throws Error{failed} where the file cannot be written.
 void write_workbook(const std::filesystem::path& path, const SurveyData& data, const Run& run);
+
+// A sheet per table, and Options. Tables without columns are left out.
+struct NamedTable {
+  const char* sheet;
+  const Table* table;
+};
+void write_workbook(const std::filesystem::path& path, const std::vector<NamedTable>& tables, const Run& run);
 
 }  // namespace bole::report

@@ -1383,8 +1383,8 @@
             <translation>要读取的扫描数据:LVX(Livox,.lvx 与 .lvx2)、Ouster capture(附带传感器的 JSON 文件)、Hesai capture(PandarXT-32、Pandar40P)、Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
         </message>
         <message>
-            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, or beams as JSON.</source>
-            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或您所用设备自己的文件:Ouster JSON、Hesai 校正 CSV,或以 JSON 给出的各光束。</translation>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, Velodyne calibration (db.xml), or beams as JSON.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或您所用设备自己的文件:Ouster JSON、Hesai 校正 CSV、Velodyne 标定文件(db.xml),或以 JSON 给出的各光束。</translation>
         </message>
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/resources.h"
+#include "sensor/core/velodyne_calibration.h"
 
 namespace bole::sensor {
 namespace {
@@ -179,8 +180,26 @@ std::vector<std::string> sensor_model_names() {
   return names;
 }
 
+namespace {
+
+SensorModel load_velodyne_calibration(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw bad_input("cannot open '" + path.string() + "'", "the calibration of a Velodyne unit (db.xml)");
+  const std::string xml((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  try {
+    auto model = velodyne_model_from_xml(xml);
+    model.file = path;
+    return model;
+  } catch (const Error& e) {
+    throw e.at(path.string());
+  }
+}
+
+}  // namespace
+
 SensorModel load_sensor_model(std::string_view name_or_path) {
   std::filesystem::path path(name_or_path);
+  if (path.extension() == ".xml") return load_velodyne_calibration(path);
   std::string id = path.stem().string();
   const bool named_file = path.extension() == ".json";
   if (!named_file) {
@@ -190,7 +209,7 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
       std::string list;
       for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
       throw bad_input("there is no sensor '" + std::string(name_or_path) + "'",
-                      "one of " + list + ", or the path of a JSON file");
+                      "one of " + list + ", or the path of a JSON file or of a Velodyne calibration (db.xml)");
     }
     id = *it;
     path = resource_path("sensors/" + id + ".json");

@@ -13,12 +13,25 @@
 
 namespace bole::sensor {
 
+// What the calibration of a unit adds to a laser beside its angles (Velodyne HDL-64E S2 manual, appendix F). All
+// metres.
+struct LaserOffsets {
+  double range = 0;       // added to every range; with `near_x` that of far targets
+  double vertical = 0;    // of the laser above the sensor's centre, across its beam
+  double horizontal = 0;  // of the laser to the left of the beam through the centre
+  // Added in place of `range` to targets 2.4 m aside (x) and 1.93 m ahead or behind (y); linear in between and beyond.
+  double near_x = 0, near_y = 0;
+  bool two_points = false;  // near_x and near_y are known
+  bool operator==(const LaserOffsets&) const = default;
+};
+
 // One laser, in the order in which the sensor's packets list them.
 struct LaserChannel {
   double elevation_rad = 0;       // above the sensor's xy plane
   double azimuth_offset_rad = 0;  // added to the rotor's azimuth; clockwise seen from above
   double firing_time_s = 0;       // after the start of the firing sequence
   int ring = 0;                   // 0: lowest elevation
+  LaserOffsets offsets = {};
 };
 
 enum class PacketFormat { none, velodyne, hesai };
@@ -63,9 +76,9 @@ struct SensorModel {
   std::vector<double> ring_elevations_rad() const;  // lowest first; empty for a rosette
 };
 
-// `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C", "Livox Mid-360", "XT-32"), or the path of a JSON
-// file of the same form with the calibration of a unit. Throws Error{bad_input} that lists the known names, or names
-// the wrong entry.
+// `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C", "Livox Mid-360", "XT-32"), or the path of a file
+// with the calibration of a unit: JSON of the same form, or Velodyne's XML (velodyne_calibration.h). Throws
+// Error{bad_input} that lists the known names, or names the wrong entry.
 SensorModel load_sensor_model(std::string_view name_or_path);
 
 // The model that a JSON value describes. Throws Error{bad_input} that names the wrong entry.

@@ -57,8 +57,8 @@ void shift_behind_blind_sector(double mean_advance_centideg, double firing_perio
 SpinningBeams::SpinningBeams(const SensorModel& model) : usual_rate_centideg_s_(full_turn * model.rotation_hz) {
   for (const auto& c : model.channels)
     beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)),
-                      c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s,
-                      static_cast<std::uint16_t>(c.ring)});
+                      c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s, static_cast<std::uint16_t>(c.ring),
+                      c.offsets, c.offsets != LaserOffsets{}});
 }
 
 void SpinningBeams::set_advances(double firing_period_s, std::vector<VelodyneFiring>& out) const {
@@ -85,6 +85,31 @@ void SpinningBeams::set_advances(double firing_period_s, std::vector<VelodyneFir
     shift_behind_blind_sector(mean, firing_period_s, out);
 }
 
+// Velodyne HDL-64E S2 manual, appendix F: the laser stands beside the centre, and the correction of its range depends
+// on how far the target is, along each of the two axes.
+Eigen::Vector3f SpinningBeams::point_with_offsets(const Beam& beam, double range_m, double cos_azimuth,
+                                                  double sin_azimuth) {
+  constexpr double far = 25.04, near_aside = 2.4, near_ahead = 1.93;  // metres, of the calibration's targets
+  const auto& o = beam.offsets;
+  const double cos_elevation = static_cast<double>(beam.cos_elevation),
+               sin_elevation = static_cast<double>(beam.sin_elevation);
+  const auto in_plan = [&](double range) { return range * cos_elevation - o.vertical * sin_elevation; };
+  const auto ahead_at = [&](double range) { return in_plan(range) * cos_azimuth + o.horizontal * sin_azimuth; };
+  const auto right_at = [&](double range) { return in_plan(range) * sin_azimuth - o.horizontal * cos_azimuth; };
+  const double range = range_m + o.range;
+  double range_ahead = range, range_aside = range;
+  if (o.two_points) {
+    const auto change = [&](double near_offset, double distance, double near) {
+      return (o.range - near_offset) * (std::abs(distance) - near) / (far - near) + near_offset - o.range;
+    };
+    range_aside += change(o.near_x, right_at(range), near_aside);
+    range_ahead += change(o.near_y, ahead_at(range), near_ahead);
+  }
+  return Eigen::Vector3d(ahead_at(range_ahead), -right_at(range_aside),
+                         range_ahead * sin_elevation + o.vertical * cos_elevation)
+      .cast<float>();
+}
+
 void SpinningBeams::append(float range_m, std::uint8_t intensity, std::size_t beam, const VelodyneFiring& firing,
                            double firing_period_s, double sequence_time_s, std::uint8_t firing_index,
                            std::uint8_t return_number, std::vector<VelodyneReturn>& out) const {
@@ -94,14 +119,12 @@ void SpinningBeams::append(float range_m, std::uint8_t intensity, std::size_t be
       direction(firing.azimuth_centideg + firing.advance_centideg * time_s / firing_period_s + b.offset_centideg);
   const float horizontal = range_m * b.cos_elevation;
   // The rotor turns clockwise seen from above, y points to the left.
-  out.push_back({{horizontal * d.cos, -horizontal * d.sin, range_m * b.sin_elevation},
-                 range_m,
-                 static_cast<float>(firing.time_offset_s + time_s),
-                 static_cast<std::uint16_t>(beam),
-                 b.ring,
-                 firing_index,
-                 intensity,
-                 return_number});
+  Eigen::Vector3f position(horizontal * d.cos, -horizontal * d.sin, range_m * b.sin_elevation);
+  if (b.has_offsets)
+    position =
+        point_with_offsets(b, static_cast<double>(range_m), static_cast<double>(d.cos), static_cast<double>(d.sin));
+  out.push_back({position, b.has_offsets ? position.norm() : range_m, static_cast<float>(firing.time_offset_s + time_s),
+                 static_cast<std::uint16_t>(beam), b.ring, firing_index, intensity, return_number});
 }
 
 }  // namespace bole::sensor

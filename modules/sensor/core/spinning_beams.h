@@ -53,7 +53,10 @@ class SpinningBeams {
     float cos_elevation, sin_elevation;
     double offset_centideg, time_s;
     std::uint16_t ring;
+    LaserOffsets offsets;
+    bool has_offsets;
   };
+  static Eigen::Vector3f point_with_offsets(const Beam& beam, double range_m, double cos_azimuth, double sin_azimuth);
   std::vector<Beam> beams_;
   double usual_rate_centideg_s_ = 0;
 };

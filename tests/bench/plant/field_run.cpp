@@ -1,5 +1,6 @@
-// field_run FOLDER|scene OUT [option=value ...]: trains a field and prints what it reaches. FOLDER as in folder_views.h;
-// stride=n takes every n-th view. Writes the cloud as ply and pictures of the views kept back beside the real ones.
+// field_run FOLDER|scene OUT [option=value ...]: trains a field and prints what it reaches. FOLDER as in
+// folder_views.h; stride=n takes every n-th view. Writes the cloud as ply and pictures of the views kept back beside
+// the real ones.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -35,12 +36,14 @@ void write_picture(const std::string& path, const FieldPicture& picture, const F
 void write_ply(const std::string& path, const PointCloud& cloud) {
   std::ofstream out(path, std::ios::binary);
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << cloud.size()
-      << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty uchar "
+      << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty "
+         "uchar "
          "blue\nend_header\n";
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f p = cloud.position(i).cast<float>();
     out.write(reinterpret_cast<const char*>(p.data()), 12);
-    for (const auto* name : {"red", "green", "blue"}) out.put(static_cast<char>(cloud.values<std::uint16_t>(name)[i] / 257));
+    for (const auto* name : {"red", "green", "blue"})
+      out.put(static_cast<char>(cloud.values<std::uint16_t>(name)[i] / 257));
   }
 }
 
@@ -74,8 +77,8 @@ int work(int argc, char** argv) {
   bole::Run run;
   const auto given = region_from_text(options.region);
   const auto region = given ? *given : find_region(*views, posed, options.min_share, run, report);
-  fmt::print("region {:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f} ({:.0f} s)\n", region.min.x(), region.min.y(), region.min.z(),
-             region.max.x(), region.max.y(), region.max.z(), seconds());
+  fmt::print("region {:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f} ({:.0f} s)\n", region.min.x(), region.min.y(),
+             region.min.z(), region.max.x(), region.max.y(), region.max.z(), seconds());
   double said = 0;
   run.progress = [&](double f, std::string_view what) {
     if (seconds() < said) return;
@@ -87,13 +90,16 @@ int work(int argc, char** argv) {
   fmt::print("held out: {:.2f} dB all, {:.2f} dB region ({:.0f} s)\n", field.psnr, field.region_psnr, seconds());
   for (std::size_t i = 0; i < field.progress.rows(); ++i)
     fmt::print("  step {} loss {:.5f} psnr {:.2f} at {:.1f} s\n", field.progress.integers("step")[i],
-               field.progress.numbers("loss")[i], field.progress.numbers("psnr_db")[i], field.progress.numbers("seconds")[i]);
+               field.progress.numbers("loss")[i], field.progress.numbers("psnr_db")[i],
+               field.progress.numbers("seconds")[i]);
   int shown = 0;
   for (std::size_t i = 0; i < field.views.size(); ++i)
     if (field.views[i].held_out && shown++ < 3) {
       const auto& v = field.views[i];
-      write_picture(out / fmt::format("held_out_{}.png", i),
-                    render_field(field.model, v.camera, *v.directions, v.T_world_camera, field.model.exposures.factor(i), run), v);
+      write_picture(
+          out / fmt::format("held_out_{}.png", i),
+          render_field(field.model, v.camera, *v.directions, v.T_world_camera, field.model.exposures.factor(i), run),
+          v);
     }
   const auto cloud = field_cloud(field, options, run, report);
   fmt::print("cloud: {} points ({:.0f} s, peak {:.0f} MiB)\n", cloud.size(), seconds(), peak_resident_mib());
@@ -102,7 +108,8 @@ int work(int argc, char** argv) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < cloud.size(); ++i) errors.push_back(1000 * scene->scene().distance(cloud.position(i)));
     std::ranges::sort(errors);
-    fmt::print("surface error: median {:.3f}, 90 % {:.3f} mm\n", errors[errors.size() / 2], errors[errors.size() * 9 / 10]);
+    fmt::print("surface error: median {:.3f}, 90 % {:.3f} mm\n", errors[errors.size() / 2],
+               errors[errors.size() * 9 / 10]);
   }
   for (const auto& [name, count] : report.counts) fmt::print("  {} {}\n", name, count);
   for (const auto& [name, metric] : report.metrics) fmt::print("  {} {:.5g}\n", name, metric.value);

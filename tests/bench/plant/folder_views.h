@@ -87,9 +87,11 @@ class FolderViews : public ViewSource {
   }
   static CameraModel model(const nlohmann::json& j) {
     CameraModel c;
-    c.width = j.at("width"), c.height = j.at("height"), c.fx = j.at("fx"), c.fy = j.at("fy"), c.cx = j.at("cx"), c.cy = j.at("cy");
+    c.width = j.at("width"), c.height = j.at("height"), c.fx = j.at("fx"), c.fy = j.at("fy"), c.cx = j.at("cx"),
+    c.cy = j.at("cy");
     if (j.contains("distortion"))
-      for (std::size_t k = 0; k < std::min<std::size_t>(5, j["distortion"].size()); ++k) c.distortion[k] = j["distortion"][k];
+      for (std::size_t k = 0; k < std::min<std::size_t>(5, j["distortion"].size()); ++k)
+        c.distortion[k] = j["distortion"][k];
     return c;
   }
   void read_rgbd(int stride) {

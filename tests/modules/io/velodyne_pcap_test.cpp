@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "modules/sensor/velodyne_calibration.h"
 #include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io_test_tools.h"
@@ -92,7 +93,8 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
                                          [](float a, float b) { return a < b - 1e-4F; }));
     }
     EXPECT_EQ(source.report().counts.at("lost_packets"), 0);
-    EXPECT_TRUE(source.report().warnings.empty());
+    // Units of the HDL-64E differ, and this one has no calibration.
+    EXPECT_EQ(source.report().warnings.size(), model.channels.size() == 64 ? 1U : 0U);
     EXPECT_EQ(source.report().facts.at("clock"), "sensor (UTC)");
     ScanFrame again;
     source.read(3, again);
@@ -377,6 +379,40 @@ TEST(VelodynePcap, AgreesWithAnotherDecoderOnAVlp32c) {
   // The sensor left out the sector behind it: five frames of half a turn, and the firings behind the last jump.
   EXPECT_EQ(source->size(), 6U);
   EXPECT_EQ(report.counts.at("lost_packets"), 0);
+}
+
+TEST(VelodynePcap, TheCalibrationBesideACaptureWins) {
+  const TempDir dir;
+  auto model = sensor::load_sensor_model("hdl64e_s2");
+  const Recorder recorder{model};
+  const auto path = write_pcap(dir / "walk.pcap", recorder.packets(0.35));
+  const auto codes = [](const Report& report) {
+    std::vector<std::string> out;
+    for (const auto& finding : report.findings) out.push_back(finding.code);
+    return out;
+  };
+  const VelodynePcapSource nominal(path, FrameSourceOptions{}, {});
+  EXPECT_THAT(codes(nominal.report()), testing::ElementsAre("sensor_not_calibrated"));
+  // A unit whose lasers all lie in one plane, 1.5 m short.
+  write_file(dir / "db.xml",
+             testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(64, {0, 0, 150, 0, 0, 0, 0})));
+  const VelodynePcapSource calibrated(path, FrameSourceOptions{}, {});
+  EXPECT_TRUE(calibrated.report().findings.empty());
+  EXPECT_EQ(calibrated.report().facts.at("calibration"), "db.xml");
+  ScanFrame frame;
+  calibrated.read(0, frame);
+  ASSERT_GT(frame.size(), 10000U);
+  for (const auto& p : frame.positions) {
+    EXPECT_NEAR(p.norm(), 11.5, 0.002);
+    EXPECT_NEAR(p.z(), 0, 1e-5);
+  }
+  write_file(dir / "other.xml", testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(64)));
+  EXPECT_THAT(error_of([&] { VelodynePcapSource(path, FrameSourceOptions{}, {}); }),
+              HasSubstr("several calibrations"));
+  std::filesystem::remove(dir / "other.xml");
+  write_file(dir / "db.xml", testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(16)));
+  const VelodynePcapSource other(path, FrameSourceOptions{}, {});
+  EXPECT_THAT(codes(other.report()), testing::ElementsAre("calibration_of_another_sensor"));
 }
 
 }  // namespace

@@ -262,6 +262,19 @@ TEST(InertialTerms, TheMountsDerivativesAgreeWithDifferences) {
   }
 }
 
+// The path of the hand at 20 Hz, each place off by noise of this standard deviation.
+std::vector<StampedPose> jittering_nodes(double duration_s, double sd) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, sd);
+  std::vector<StampedPose> nodes;
+  for (int i = 0; i <= std::lround(20 * duration_s); ++i) {
+    Pose T = hand(0.05 * i);
+    for (int k = 0; k < 3; ++k) T.translation()[k] += normal(random);
+    nodes.push_back({0.05 * i, T});
+  }
+  return nodes;
+}
+
 // A mount and a clock that are somewhat wrong come right with a path that is known to millimetres.
 TEST(InertialTerms, FindTheMount) {
   const double late_s = 0.004;
@@ -271,14 +284,7 @@ TEST(InertialTerms, FindTheMount) {
   unit.T_sensor_imu.linear() = truth.linear() * so3_exp({0.01, -0.008, 0.012}).toRotationMatrix();
   unit.T_sensor_imu.translation() += Eigen::Vector3d(0.04, 0.03, -0.05);
   unit.mount_sigmas = MountSigmas{0.01, 0.05, 0.005};
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal(0, 0.003);
-  std::vector<StampedPose> nodes;
-  for (int i = 0; i <= 600; ++i) {
-    Pose T = hand(0.05 * i);
-    for (int k = 0; k < 3; ++k) T.translation()[k] += normal(random);
-    nodes.push_back({0.05 * i, T});
-  }
+  const auto nodes = jittering_nodes(30, 0.003);
   Path path(nodes);
   InertialState state = state_at(unit, 0);
   InertialTerms terms(unit, state, 0, 30, 1);
@@ -318,14 +324,7 @@ TEST(InertialTerms, FindTheMount) {
 TEST(InertialTerms, SmoothAPathAndFindTheBiases) {
   const auto errors = synthetic::small_unit();
   const auto unit = unit_of(inertial_record(hand, -1, 22, errors));
-  std::mt19937 random(5);
-  std::normal_distribution<double> normal(0, 0.01);
-  std::vector<StampedPose> nodes;
-  for (int i = 0; i <= 400; ++i) {
-    Pose T = hand(0.05 * i);
-    for (int k = 0; k < 3; ++k) T.translation()[k] += normal(random);
-    nodes.push_back({0.05 * i, T});
-  }
+  const auto nodes = jittering_nodes(20, 0.01);
   Path path(nodes);
   InertialState state = state_at(unit, 0);
   state.gravity = Eigen::Vector3d(0.2, -0.1, -9.8);

@@ -26,7 +26,7 @@ TEST(Rosette, AWalkIsMapped) {
   const auto result = run_slam(scan, options, {});
   // Two frames at rest tell too little by themselves, and are left out.
   EXPECT_GE(result.report.counts.at("frames"), 28) << testing::PrintToString(result.report.warnings);
-  EXPECT_LT(worst_m(result.trajectory, scan), 0.06);
+  EXPECT_LT(worst_m(result.trajectory, scan), 0.03);
   EXPECT_GT(result.points.size(), 10000u);
   const auto& rings = result.points.values<std::uint16_t>(arrays::ring);
   EXPECT_TRUE(std::ranges::all_of(rings, [](auto r) { return r == 0; }));
@@ -46,7 +46,7 @@ TEST(Rosette, WithAnInertialUnitItIsLevelAndAtLeastAsGood) {
   EXPECT_LT(worst_m(with.trajectory, scan), std::max(0.03, worst_m(without.trajectory, scan) + 0.005));
 }
 
-// A view of 80 by 25 deg sees a part of the plot only.
+// A view of 80 by 25 deg sees a part of the plot only: the walk of a circle is 8 cm off at its worst place.
 TEST(Rosette, ANarrowViewIsMappedWithAnInertialUnit) {
   RosetteModel model;
   model.half_width_deg = 40.85;

@@ -20,7 +20,7 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, "
                                  "pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction "
-                                 "CSV, or beams as JSON."},
+                                 "CSV, Velodyne calibration (db.xml), or beams as JSON."},
           Option<S, std::string>{"topic",
                                  &S::topic,
                                  TextKind::plain,

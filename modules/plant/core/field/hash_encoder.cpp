@@ -15,8 +15,8 @@ constexpr float density_shift = 2;  // the field begins thin
 std::array<float, 8> corner_weights_of(const Eigen::Vector3f& f) {
   std::array<float, 8> w;
   for (int k = 0; k < 8; ++k)
-    w[static_cast<std::size_t>(k)] = ((k & 4) != 0 ? f.x() : 1 - f.x()) * ((k & 2) != 0 ? f.y() : 1 - f.y()) *
-                                     ((k & 1) != 0 ? f.z() : 1 - f.z());
+    w[static_cast<std::size_t>(k)] =
+        ((k & 4) != 0 ? f.x() : 1 - f.x()) * ((k & 2) != 0 ? f.y() : 1 - f.y()) * ((k & 1) != 0 ? f.z() : 1 - f.z());
   return w;
 }
 
@@ -76,12 +76,13 @@ HashEncoder::Corners HashEncoder::corners(const Level& level, const Eigen::Vecto
   const Eigen::Vector3f u = unit * static_cast<float>(level.cells);
   const Eigen::Array3i i = u.array().floor().cast<int>();
   out.within = u - i.matrix().cast<float>();
-  const auto x = static_cast<std::uint32_t>(i.x()), y = static_cast<std::uint32_t>(i.y()), z = static_cast<std::uint32_t>(i.z());
+  const auto x = static_cast<std::uint32_t>(i.x()), y = static_cast<std::uint32_t>(i.y()),
+             z = static_cast<std::uint32_t>(i.z());
   const auto row = static_cast<std::uint32_t>(level.cells + 1);
   for (std::uint32_t k = 0; k < 8; ++k) {
     const std::uint32_t cx = x + (k >> 2), cy = y + (k >> 1 & 1), cz = z + (k & 1);
-    out.index[k] = level.hashed ? (cx ^ (cy * 2654435761U) ^ (cz * 805459861U)) & (level.entries - 1)
-                                : (cx * row + cy) * row + cz;
+    out.index[k] =
+        level.hashed ? (cx ^ (cy * 2654435761U) ^ (cz * 805459861U)) & (level.entries - 1) : (cx * row + cy) * row + cz;
   }
   return out;
 }
@@ -102,7 +103,8 @@ void HashEncoder::forward(RayChunk& chunk, std::size_t first, std::size_t end) c
       memory[at_features() + 2 * static_cast<int>(l)] = sum(0);
       memory[at_features() + 2 * static_cast<int>(l) + 1] = sum(1);
     }
-    spherical_harmonics(chunk.rays[static_cast<std::size_t>(chunk.samples[i].ray)].march.direction, memory + at_harmonics());
+    spherical_harmonics(chunk.rays[static_cast<std::size_t>(chunk.samples[i].ray)].march.direction,
+                        memory + at_harmonics());
   }
   float* start = chunk.memory.data() + first * static_cast<std::size_t>(size);
   const auto n = static_cast<Eigen::Index>(end - first);
@@ -153,7 +155,8 @@ void HashEncoder::backward(RayChunk& chunk) const {
   d_out.bottomRows(geometry - 1).noalias() = third_.weights(p).leftCols(geometry - 1).transpose() * d_hidden;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto s = static_cast<std::size_t>(i);
-    d_out(0, i) = chunk.d_density[s] * sigmoid(out(0, i) - density_shift) / space_->boxes[chunk.samples[s].place.box].voxel;
+    d_out(0, i) =
+        chunk.d_density[s] * sigmoid(out(0, i) - density_shift) / space_->boxes[chunk.samples[s].place.box].voxel;
   }
   second_.weights(g).noalias() += d_out * hidden.transpose();
   second_.bias(g) += d_out.rowwise().sum();
@@ -170,10 +173,13 @@ void HashEncoder::backward(RayChunk& chunk) const {
     Eigen::Vector3f by_unit = Eigen::Vector3f::Zero();
     for (std::size_t l = 0; l < levels_.size(); ++l) {
       const auto c = corners(levels_[l], unit);
-      const Eigen::Array2f d(memory[at_features() + 2 * static_cast<int>(l)], memory[at_features() + 2 * static_cast<int>(l) + 1]);
+      const Eigen::Array2f d(memory[at_features() + 2 * static_cast<int>(l)],
+                             memory[at_features() + 2 * static_cast<int>(l) + 1]);
       for (int k = 0; k < 8; ++k) {
-        const float value = (d * levels_[l].values[c.index[static_cast<std::size_t>(k)]]).sum() * static_cast<float>(levels_[l].cells);
-        const float wx = (k & 4) != 0 ? c.within.x() : 1 - c.within.x(), wy = (k & 2) != 0 ? c.within.y() : 1 - c.within.y(),
+        const float value =
+            (d * levels_[l].values[c.index[static_cast<std::size_t>(k)]]).sum() * static_cast<float>(levels_[l].cells);
+        const float wx = (k & 4) != 0 ? c.within.x() : 1 - c.within.x(),
+                    wy = (k & 2) != 0 ? c.within.y() : 1 - c.within.y(),
                     wz = (k & 1) != 0 ? c.within.z() : 1 - c.within.z();
         by_unit += value * Eigen::Vector3f((k & 4) != 0 ? wy * wz : -wy * wz, (k & 2) != 0 ? wx * wz : -wx * wz,
                                            (k & 1) != 0 ? wx * wy : -wx * wy);
@@ -219,7 +225,8 @@ void HashEncoder::update(const AdamStep& step) {
       const Eigen::Array2f& g = level.gradients[at];
       level.first[at] = step.beta1 * level.first[at] + (1 - step.beta1) * g;
       level.second[at] = step.beta2 * level.second[at] + (1 - step.beta2) * g * g;
-      level.values[at] -= settings_.table_rate * step.rate * correction * level.first[at] / (level.second[at].sqrt() + step.epsilon);
+      level.values[at] -=
+          settings_.table_rate * step.rate * correction * level.first[at] / (level.second[at].sqrt() + step.epsilon);
     }
     level.touched.clear();
   });

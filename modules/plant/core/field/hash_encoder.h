@@ -10,9 +10,9 @@ class HashEncoder : public FieldEncoder {
  public:
   struct Settings {
     int levels = 8;
-    int table_bits = 17;   // entries of a level: 2^bits at most
-    int width = 32;        // of the hidden layers
-    int base_cells = 32;   // of the coarsest level, along the whole contracted space
+    int table_bits = 17;  // entries of a level: 2^bits at most
+    int width = 32;       // of the hidden layers
+    int base_cells = 32;  // of the coarsest level, along the whole contracted space
     int seed = 1;
     float table_rate = 0.02F, network_rate = 0.004F;
   };
@@ -31,7 +31,7 @@ class HashEncoder : public FieldEncoder {
   static constexpr int features_per_level = 2;
   static constexpr int geometry = 16;  // outputs of the first network: density and 15 for the second
   struct Level {
-    int cells = 0;               // along an axis
+    int cells = 0;  // along an axis
     std::uint32_t entries = 0;
     bool hashed = false;
     std::vector<Eigen::Array2f> values, gradients, first, second;
