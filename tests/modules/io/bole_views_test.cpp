@@ -87,7 +87,7 @@ TEST(BoleViews, JpegIsReadToo) {
   EXPECT_EQ(view.color.width, view_width);
   EXPECT_FALSE(views->has_depth());
   EXPECT_TRUE(view.depth.empty());
-  EXPECT_THAT(finding_text(report, "depth_absent"), HasSubstr("there is no folder depth/"));
+  EXPECT_THAT(finding_text(report, "depth_absent"), HasSubstr("does not exist"));
 }
 
 TEST(BoleViews, MissingImagesAreToldAndTheOthersKeepTheirTimes) {

@@ -28,6 +28,21 @@ void take_distortion(const Json& json, CameraModel& camera) {
   std::copy_n(values.begin(), std::min<std::size_t>(values.size(), 5), camera.distortion.begin());
 }
 
+// Open3D's {"width", "height", "intrinsic_matrix"}: nine numbers, columns first; rows first are told from them by the
+// place of the principal point.
+void take_matrix(Json& json) {
+  constexpr const char* needed = "fx, 0, 0, 0, fy, 0, cx, cy, 1";
+  const auto m = numbers_of(json["intrinsic_matrix"], "intrinsic_matrix", needed);
+  const bool columns = m.size() == 9 && m[2] == 0 && m[5] == 0;
+  const bool rows = m.size() == 9 && m[6] == 0 && m[7] == 0;
+  if ((!columns && !rows) || m[8] != 1)
+    throw bad_input("the entry 'intrinsic_matrix' is " + shown(json["intrinsic_matrix"]), needed);
+  json["fx"] = m[0];
+  json["fy"] = m[4];
+  json["cx"] = columns ? m[6] : m[2];
+  json["cy"] = columns ? m[7] : m[5];
+}
+
 CameraModel camera_of(const Json& json) {
   CameraModel camera;
   camera.width = whole_number_at(json, "width");
@@ -134,7 +149,8 @@ void take_markers(const Json& json, double square_mm, BoardFacts& board) {
 }  // namespace
 
 RgbdCamera parse_camera(Bytes text, bool with_depth, Report& report) {
-  const auto json = parse_object(text, camera_needed);
+  auto json = parse_object(text, camera_needed);
+  if (holds(json, "intrinsic_matrix")) take_matrix(json);
   RgbdCamera camera;
   camera.color = camera_of(json);
   take_depth_scale(json, with_depth, camera, report);

@@ -18,7 +18,7 @@ namespace bole::io {
 //
 // `distortion`, `depth` and `depth_to_color` may be absent: none, registered to colour, the same axes. depth_scale is
 // in units of the depth image per metre; where it is absent it is 1000, and the report says so if `with_depth`. Throws
-// Error{bad_input} that names the entry.
+// Error{bad_input} that names the entry. Open3D's intrinsic_matrix is understood in place of fx, fy, cx and cy.
 RgbdCamera parse_camera(Bytes text, bool with_depth, Report& report);
 RgbdCamera read_camera_file(const std::filesystem::path& path, bool with_depth, Report& report);
 std::string camera_text(const RgbdCamera& camera);

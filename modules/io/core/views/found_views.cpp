@@ -66,9 +66,14 @@ bool check_color(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble
   return false;
 }
 
-bool check_depth(const ViewFile& file, const RgbdCamera& camera, ImageTrouble& trouble) {
+bool check_depth(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble) {
   const auto header = header_of(file.depth, file.name, trouble);
   if (!header) return false;
+  if (camera.depth && camera.depth->width == 0) {
+    camera.depth->width = header->width;
+    camera.depth->height = header->height;
+    camera.depth->check();
+  }
   const auto& model = camera.of_depth();
   if (header->channels != 1 || header->bits != 16) {
     trouble.other_depth.add(file.name + " has " + std::to_string(header->channels) + " of " +

@@ -22,8 +22,8 @@ const OptionTable& option_table(const ReadViewsOptions*) {
                              TextKind::input_path_or_name,
                              {},
                              Tier::advanced,
-                             "Camera of the views: a file camera.json, or fx,fy,cx,cy in pixels. Empty takes the one "
-                             "of the folder."},
+                             "Camera of the views: a file camera.json, fx,fy,cx,cy in pixels, or a name such as "
+                             "tum_freiburg1, icl_nuim or primesense. Empty takes the one of the folder."},
       Option<S, int>{"every",
                      &S::every,
                      Unit::none,
@@ -81,17 +81,19 @@ std::string sight_of(const fs::path& folder) {
   return "holds no views (first entry: '" + files.front().filename().string() + "')";
 }
 
-// A folder of colour images whose camera comes by the option may have any layout that has such a folder.
+const LayoutRow& row_of(ViewLayout layout) { return view_layouts()[static_cast<std::size_t>(layout)]; }
+
+// Folders of colour and depth whose camera comes by the option.
 const LayoutRow* layout_with_camera(const fs::path& path, const ReadViewsOptions& options) {
   std::error_code ignored;
-  return !options.camera.empty() && fs::is_directory(path / "color", ignored) ? &view_layouts().front() : nullptr;
+  return !options.camera.empty() && fs::is_directory(path / "color", ignored) ? &row_of(ViewLayout::bole) : nullptr;
 }
 
 const LayoutRow& layout_of(const fs::path& path, const ReadViewsOptions& options) {
   if (path.empty()) throw bad_input("no folder of views is named", layout_list(), "Set the option folder");
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw bad_input("there is no file or folder '" + path.string() + "'", layout_list());
-  if (options.layout) return view_layouts()[static_cast<std::size_t>(*options.layout)];
+  if (options.layout) return row_of(*options.layout);
   if (const auto* row = find_layout(path)) return *row;
   if (const auto* row = layout_with_camera(path, options)) return *row;
   if (fs::is_directory(path, ignored))

@@ -1,0 +1,117 @@
+#include "plant/core/field/field_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace bole::plant {
+namespace {
+
+// Mean of n x n pixels. Rows and columns that fill no whole pixel are left out.
+ColorImage smaller(const ColorImage& image, int n) {
+  if (n == 1) return image;
+  ColorImage out(image.width / n, image.height / n, image.channels);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      for (int c = 0; c < out.channels; ++c) {
+        int sum = 0;
+        for (int v = 0; v < n; ++v)
+          for (int u = 0; u < n; ++u) sum += image.at(x * n + u, y * n + v, c);
+        out.at(x, y, c) = static_cast<std::uint8_t>((sum + n * n / 2) / (n * n));
+      }
+  return out;
+}
+
+CameraModel smaller(const CameraModel& camera, int n) {
+  CameraModel out = camera;
+  out.width = camera.width / n;
+  out.height = camera.height / n;
+  out.fx = camera.fx / n;
+  out.fy = camera.fy / n;
+  out.cx = (camera.cx + 0.5) / n - 0.5;
+  out.cy = (camera.cy + 0.5) / n - 0.5;
+  return out;
+}
+
+}  // namespace
+
+std::shared_ptr<const PixelDirections> pixel_directions(const CameraModel& camera) {
+  auto directions = std::make_shared<PixelDirections>(camera.width, camera.height, 2);
+  for (int y = 0; y < camera.height; ++y)
+    for (int x = 0; x < camera.width; ++x) {
+      const Eigen::Vector3d d = camera.direction({x, y});
+      directions->at(x, y, 0) = static_cast<float>(d.x());
+      directions->at(x, y, 1) = static_cast<float>(d.y());
+    }
+  return directions;
+}
+
+DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
+                            const Pose& T_color_depth, const CameraModel& color_camera) {
+  DepthImage out(color_camera.width, color_camera.height, 1, 0.0F), left(color_camera.width, color_camera.height, 1, 0);
+  // A depth pixel covers this many pixels of the picture to each side.
+  const double ratio = std::abs(color_camera.fx / depth_camera.fx);
+  const int reach = std::clamp(static_cast<int>(std::ceil(0.5 * ratio - 0.25)), 0, 4);
+  for (int y = 0; y < depth.height; ++y)
+    for (int x = 0; x < depth.width; ++x) {
+      const double z = depth.at(x, y);
+      if (!(z > 0) || !std::isfinite(z)) continue;
+      const Eigen::Vector3d p = T_color_depth * Eigen::Vector3d(depth_camera.direction({x, y}) * z);
+      const auto pixel = color_camera.project(p);
+      if (!pixel || !color_camera.contains(*pixel)) continue;
+      const bool keeps = left_out.empty() || left_out.at(x, y) == 0;
+      const int cx = static_cast<int>(std::lround(pixel->x())), cy = static_cast<int>(std::lround(pixel->y()));
+      for (int v = std::max(0, cy - reach); v <= std::min(out.height - 1, cy + reach); ++v)
+        for (int u = std::max(0, cx - reach); u <= std::min(out.width - 1, cx + reach); ++u) {
+          float& there = out.at(u, v);
+          if (there > 0 && there <= static_cast<float>(p.z())) continue;
+          there = static_cast<float>(p.z());
+          left.at(u, v) = keeps ? 0.0F : 1.0F;
+        }
+    }
+  for (std::size_t i = 0; i < out.values.size(); ++i)
+    if (left.values[i] > 0) out.values[i] = 0;
+  return out;
+}
+
+std::vector<FieldView> load_field_views(const ViewSource& views, const std::vector<PosedView>& posed,
+                                        const FieldViewOptions& options, const Run& run, Report& report) {
+  bool split_given = false;
+  for (const auto& p : posed) split_given = split_given || views.split(p.index) == "test";
+  std::vector<FieldView> out;
+  View view;
+  std::optional<CameraModel> last_camera;
+  std::shared_ptr<const PixelDirections> directions;
+  int place = 0;
+  for (const auto& p : posed) {
+    run.check_cancel();
+    run.report(static_cast<double>(place) / static_cast<double>(posed.size()), "reading views");
+    views.read(p.index, view, {.color = true, .depth = views.has_depth(), .mask = false});
+    if (view.color.empty() || view.color.channels != 3)
+      throw bad_input("view " + views.name(p.index) + " has no colour image", "colour images with three channels");
+    const auto& camera = views.camera(p.index);
+    FieldView f;
+    f.index = p.index;
+    f.time_s = views.time_s(p.index);
+    f.name = views.name(p.index);
+    f.held_out = split_given ? views.split(p.index) == "test"
+                             : options.hold_out > 0 && place % options.hold_out == options.hold_out / 2;
+    const int n = std::max(1, static_cast<int>(std::lround(static_cast<double>(view.color.width) / options.max_width)));
+    f.camera = smaller(camera.color, n);
+    f.T_world_camera = p.T_world_camera;
+    f.color = smaller(view.color, n);
+    if (!last_camera || !(*last_camera == f.camera)) directions = pixel_directions(f.camera);
+    last_camera = f.camera;
+    f.directions = directions;
+    if (!view.depth.empty())
+      f.depth = registered_depth(view.depth, depth_edges(view.depth, options.noise, 3), camera.of_depth(),
+                                 camera.T_color_depth, f.camera);
+    out.push_back(std::move(f));
+    ++place;
+  }
+  report.counts["held_out"] = std::ranges::count_if(out, &FieldView::held_out);
+  return out;
+}
+
+}  // namespace bole::plant

@@ -1,0 +1,147 @@
+#include "sim/core/seedling/simulate_seedling.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/version.h"
+#include "sim/core/scene/random.h"
+#include "sim/core/seedling/depth_sensor.h"
+#include "sim/core/seedling/plant_truth.h"
+#include "sim/core/seedling/seedling_files.h"
+#include "sim/core/seedling/seedling_scene.h"
+
+namespace bole::sim {
+namespace {
+
+constexpr int light_samples = 192;
+
+// Slow changes of the exposure, in stops.
+class ExposureDrift {
+ public:
+  ExposureDrift(double stops, std::uint64_t seed) : stops_(stops) {
+    Random random(seed, Stream::picture, 2);
+    for (auto& p : phases_) p = random.angle();
+  }
+  double factor(double view) const {
+    const double periods[] = {61, 27, 11};
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += std::sin(2 * std::numbers::pi * view / periods[k] + phases_[k]) / (k + 1);
+    return std::exp2(stops_ * 1.2 * sum);
+  }
+
+ private:
+  double stops_;
+  double phases_[3]{};
+};
+
+class SeedlingSimulator {
+ public:
+  SeedlingSimulator(const SeedlingSimulationOptions& o, const std::filesystem::path& folder, const Run& run)
+      : o_(o),
+        folder_(folder),
+        run_(run),
+        seed_(static_cast<std::uint64_t>(o.seed)),
+        scene_(build_seedling_scene(o)),
+        pixels_(scene_.camera),
+        drift_(o.exposure_drift, seed_) {}
+
+  Report simulate() {
+    // Pictures of an earlier simulation would be taken for views of this one.
+    if (std::filesystem::exists(folder_ / "color"))
+      throw bad_input(folder_.string() + " already holds pictures", "a folder without the subfolder color",
+                      "Remove it, or choose another folder");
+    for (const char* name : {"color", "depth", "truth"}) std::filesystem::create_directories(folder_ / name);
+    write_facts();
+    run_.report(0, "lighting the seedling");
+    light_scene(scene_.picture, scene_.lighting, light_samples, true, seed_);
+    for (int i = 0; i < o_.views; ++i) {
+      run_.check_cancel();
+      write_view(i);
+      run_.report((i + 1.0) / o_.views, "rendering views");
+    }
+    return report();
+  }
+
+ private:
+  std::uint64_t view_seed(int view, int purpose) const {
+    return mix64(mix64(seed_ + 77) ^ (static_cast<std::uint64_t>(view) << 8 | static_cast<std::uint64_t>(purpose)));
+  }
+
+  void write_view(int i) {
+    const auto& view = scene_.route[static_cast<std::size_t>(i)];
+    scene_.picture.T_room_world = view.T_room_world;
+    PictureOptions picture;
+    picture.samples = o_.samples;
+    picture.point_spread = o_.point_spread;
+    const auto light =
+        render_picture(scene_.picture, scene_.lighting, scene_.colors, pixels_, view.pose, picture, view_seed(i, 1));
+    SensorNoise noise;
+    noise.shot *= o_.noise;
+    noise.read *= o_.noise;
+    const auto name = fmt::format("{:06}.png", i);
+    write_color(folder_ / "color" / name, develop(light, 0.95 * drift_.factor(i), noise, view_seed(i, 2)));
+    run_.check_cancel();
+    const auto depth = o_.sensor == SeedlingSensor::exact
+                           ? render_depth(scene_.picture, pixels_, view.pose).depth
+                           : kinect_depth(scene_.picture, pixels_, view.pose, o_.noise, view_seed(i, 3));
+    write_depth(folder_ / "depth" / name, depth, o_.depth_scale);
+  }
+
+  void write_facts() {
+    RgbdCamera camera;
+    camera.color = scene_.camera;
+    camera.depth_scale = o_.depth_scale;
+    write_json(folder_ / "camera.json", camera_json(camera));
+    if (o_.mat) write_json(folder_ / "mat.json", mat_json());
+    std::vector<Pose> poses;
+    for (const auto& view : scene_.route) poses.push_back(view.pose.T_world_camera);
+    if (o_.given_poses) write_poses(folder_ / "poses.tum", poses);
+    const auto truth = folder_ / "truth";
+    write_poses(truth / "poses.tum", poses);
+    traits_ = plant_traits(scene_.plant, scene_.picture.world, folder_name(), o_.stem_height);
+    write_csv(truth / "traits.csv", traits_);
+    write_csv(truth / "leaves.csv", leaf_table(scene_.plant));
+    write_csv(truth / "internodes.csv", internode_table(scene_.plant));
+    write_csv(truth / "stem.csv", stem_table(scene_.plant));
+    write_csv(truth / "branches.csv", branch_table(scene_.plant));
+    write_mesh(truth / "mesh.ply", scene_.picture.world);
+    nlohmann::json recipe{{"recipe", seedling_json(scene_.recipe)}, {"version", version()}};
+    for (const auto& spec : option_table(&o_).specs) recipe["options"][spec.name] = option_text(spec.get(&o_));
+    write_json(folder_ / "recipe.json", recipe);
+  }
+
+  std::string folder_name() const { return fmt::format("{}_{}", scene_.recipe.name, o_.seed); }
+
+  Report report() const {
+    Report r;
+    r.counts["views"] = o_.views;
+    r.counts["leaves"] = traits_.integers("leaf_count").front();
+    r.message = fmt::format("{}: {} views, height {:.1f} mm, breadth {:.1f} x {:.1f} mm, stem {:.2f} mm, {} leaves",
+                            folder_name(), o_.views, traits_.numbers("height_mm").front(),
+                            traits_.numbers("breadth_length_mm").front(), traits_.numbers("breadth_width_mm").front(),
+                            traits_.numbers("stem_diameter_mm").front(), traits_.integers("leaf_count").front());
+    return r;
+  }
+
+  const SeedlingSimulationOptions& o_;
+  std::filesystem::path folder_;
+  const Run& run_;
+  std::uint64_t seed_;
+  SeedlingScene scene_;
+  PixelDirections pixels_;
+  ExposureDrift drift_;
+  Table traits_;
+};
+
+}  // namespace
+
+Report simulate_seedling(const SeedlingSimulationOptions& options, const std::filesystem::path& folder,
+                         const Run& run) {
+  return SeedlingSimulator(options, folder, run).simulate();
+}
+
+}  // namespace bole::sim
