@@ -93,9 +93,10 @@ class PlantTest : public QObject {
 
   void the_result_of_a_plant_pipeline_is_shown() {
     window_->open(at("plant.json"));
-    QSignalSpy finished(&window_->runner(), &Runner::finished);
+    QSignalSpy finished(&window_->runner(), &Runner::finished), begun(&window_->runner(), &Runner::survey_begun);
     window_->refresh();
     QVERIFY(finished.wait(60000));
+    QVERIFY(!begun.isEmpty());  // poses are shown before there is a cloud
     QVERIFY(window_->scene().survey().points);
     QVERIFY(window_->scene().survey().poses);
     QCOMPARE(window_->scene().settings().color, std::string("photo"));

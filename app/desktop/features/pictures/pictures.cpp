@@ -160,12 +160,12 @@ void Pictures::take_views(const std::shared_ptr<const ViewSource>& views) {
 }
 
 void Pictures::show_survey(const Survey& survey) {
+  // Poses of the data and those that are estimated may have other axes.
+  const bool first = (survey.points && !survey_.points) || (survey.poses && !survey_.poses);
   survey_ = survey;
-  const bool first = !survey.empty() && !had_survey_;
-  had_survey_ = !survey.empty();
   if (!views_) return;
   follow();
-  if (first && survey.poses) bench_.scene().reset_camera();  // cameras and cloud have other axes than before
+  if (first) bench_.scene().reset_camera();
 }
 
 const Trajectory* Pictures::poses() const {
