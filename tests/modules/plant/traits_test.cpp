@@ -41,7 +41,7 @@ Truth truth_of(const PottedPlant& plant) {
     t.height = std::max(t.height, p.z() - plant.foot.z());
     plan.emplace_back(p.head<2>());
   }
-  const auto r = least_rectangle(plan);
+  const auto r = smallest_rectangle(plan);
   t.length = r.length;
   t.width = r.width;
   return t;
@@ -78,9 +78,10 @@ TEST(Traits, StemByContours) {
       const auto out = traits_of(plant, cloud, &pictures);
       const double truth = 1000 * plant.diameter(0.03);
       const auto& t = out.traits;
-      std::printf("stem %.3f of %.3f [%.3f %.3f] %s, light %s, %s\n", cell(t, "stem_diameter_mm"), truth,
+      std::printf("stem %.3f of %.3f [%.3f %.3f] %s, light %s %.3f, %s\n", cell(t, "stem_diameter_mm"), truth,
                   cell(t, "stem_diameter_lo_mm"), cell(t, "stem_diameter_hi_mm"), t.text("stem_method", 0).c_str(),
-                  out.report.facts.at("picture_light").c_str(), out.report.message.c_str());
+                  out.report.facts.at("picture_light").c_str(), out.report.metrics.at("light_ratio").value,
+                  out.report.message.c_str());
       EXPECT_EQ(t.text("stem_method", 0), "contours");
       EXPECT_NEAR(cell(t, "stem_diameter_mm"), truth, 0.01 * truth);
       EXPECT_LE(cell(t, "stem_diameter_lo_mm"), truth);

@@ -17,7 +17,7 @@ struct PlanRectangle {
 };
 
 // Of at least three points that do not lie on one line; else zero.
-PlanRectangle least_rectangle(const std::vector<Eigen::Vector2d>& points);
+PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points);
 
 struct Extent {
   double value = 0;  // corrected
@@ -36,7 +36,7 @@ struct Extents {
 
 // `plant`: metres, z up. Noise widens every extent, the more the denser the points. So the same noise is added again,
 // several times over, and what the extents gain by it is extrapolated back to none (SIMEX: Cook and Stefanski 1994,
-// here linear in the standard deviation, as the largest of many deviates grows). The scatter of that, what half of the
+// quadratic in the variance). The scatter of that, what half of the
 // points would lose, and what the outermost points carry alone make the standard deviation.
 Extents measure_extents(const Points3& plant, const Run& run);
 

@@ -173,8 +173,9 @@ class Measurement {
     for (const auto& [view, c] : cost[1])
       if (const auto it = cost[0].find(view); it != cost[0].end() && it->second > 0) ratios.push_back(c / it->second);
     const double ratio = ratios.empty() ? 1 : median(ratios);
-    report_.facts["picture_light"] = ratio <= 1.02 ? "srgb" : "linear";
-    return ratio <= 1.02;
+    report_.metrics["light_ratio"] = {ratio, Unit::none};
+    report_.facts["picture_light"] = ratio <= 1.045 ? "srgb" : "linear";
+    return ratio <= 1.045;
   }
 
   std::size_t used_views() const {
