@@ -106,7 +106,7 @@ void SceneView::show_survey(const Survey& survey) {
     show_clip_handles(false);
     layer_.set_clip({});
     if (std::exchange(photo_by_itself_, false)) settings_.color = ViewSettings().color;
-    if (survey.points && survey.poses &&
+    if (survey.points && (survey.poses || survey.traits) &&
         render::paint_by(*survey.points, "photo").kind == render::PointPaint::Kind::photo) {
       settings_.color = "photo";
       photo_by_itself_ = true;
