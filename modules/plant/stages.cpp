@@ -115,7 +115,8 @@ pipeline::StageType separate_stage() {
   t.inputs = {
       {"points", DataKind::cloud, "Coloured cloud in world axes.", false, {}},
       {"views", DataKind::views, "Views that the cloud was made from: tell whether the scale is known.", true, {}},
-      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}}};
+      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}},
+      {"depth_surface", DataKind::cloud, "Surface of the fused depth images: tells where the soil is.", true, {}}};
   t.outputs = {{"points",
                 DataKind::cloud,
                 "The points with `part`: 0 other, 1 plant, 2 pot, 3 soil, 4 mat, 5 floater. Facts hold the soil, the "
@@ -126,7 +127,8 @@ pipeline::StageType separate_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     const bool depth = in.has("views") && in.views("views").has_depth();
     const Trajectory* poses = in.has("poses") ? &in.trajectory("poses") : nullptr;
-    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run);
+    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run,
+                              in.has("depth_surface") ? &in.cloud("depth_surface") : nullptr);
     pipeline::StageResult result;
     result.outputs.set("points", std::move(separated.points));
     result.report = std::move(separated.report);
