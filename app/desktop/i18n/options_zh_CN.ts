@@ -1163,6 +1163,96 @@
             <comment>survey.join_trajectory</comment>
             <translation>最大时间间隔</translation>
         </message>
+        <message>
+            <source>Folder</source>
+            <comment>io.read_views</comment>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>Layout</source>
+            <comment>io.read_views</comment>
+            <translation>文件夹格式</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <comment>io.read_views</comment>
+            <translation>相机</translation>
+        </message>
+        <message>
+            <source>Every</source>
+            <comment>io.read_views</comment>
+            <translation>抽取间隔</translation>
+        </message>
+        <message>
+            <source>Max views</source>
+            <comment>io.read_views</comment>
+            <translation>最多视图数</translation>
+        </message>
+        <message>
+            <source>Depth scale</source>
+            <comment>io.read_views</comment>
+            <translation>深度比例</translation>
+        </message>
+        <message>
+            <source>Max depth</source>
+            <comment>io.read_views</comment>
+            <translation>最大深度</translation>
+        </message>
+        <message>
+            <source>Board</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标定板</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>横向方格数</translation>
+        </message>
+        <message>
+            <source>Rows</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>纵向方格数</translation>
+        </message>
+        <message>
+            <source>Square</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>方格边长</translation>
+        </message>
+        <message>
+            <source>Marker</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标记边长</translation>
+        </message>
+        <message>
+            <source>Dictionary</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标记字典</translation>
+        </message>
+        <message>
+            <source>Distortion</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>畸变系数</translation>
+        </message>
+        <message>
+            <source>Bad view</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>坏视图倍数</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标定深度</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>图像宽度</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>图像高度</translation>
+        </message>
     </context>
     <context>
         <name>option help</name>
@@ -2426,6 +2516,78 @@
             <source>Greatest distance of the nearest hundredth of the points from the sensor. More means that path and points have different coordinate systems, and is refused.</source>
             <translation>距传感器最近的百分之一的点所允许的最大距离。超过则说明路径与点云的坐标系不同,会被拒绝。</translation>
         </message>
+        <message>
+            <source>Folder of views to read, or the file that describes them: Bole (color/, depth/, camera.json), TUM (rgb.txt, depth.txt, groundtruth.txt), ICL or Open3D (color/, depth/, trajectory.log or pose.txt), 7-Scenes (frame-000000.color.png, .depth.png, .pose.txt), ScanNet (color/, depth/, pose/, intrinsic/), RealSense (NAME_Color_TIME.png, NAME_Depth_TIME.png), NeRF (transforms.json), COLMAP (cameras and images, .bin or .txt), ROMI (images/, metadata/images/) or Images (pictures and camera.json).</source>
+            <translation>要读取的视图文件夹,或描述它的文件:Bole(color/、depth/、camera.json)、TUM(rgb.txt、depth.txt、groundtruth.txt)、ICL 或 Open3D(color/、depth/、trajectory.log 或 pose.txt)、7-Scenes(frame-000000.color.png、.depth.png、.pose.txt)、ScanNet(color/、depth/、pose/、intrinsic/)、RealSense(NAME_Color_TIME.png、NAME_Depth_TIME.png)、NeRF(transforms.json)、COLMAP(cameras 和 images,.bin 或 .txt)、ROMI(images/、metadata/images/)或仅有图片(图片和 camera.json)。</translation>
+        </message>
+        <message>
+            <source>Layout of the folder. auto decides by the names of its files.</source>
+            <translation>文件夹的组织格式。自动(auto):按其中的文件名判断。</translation>
+        </message>
+        <message>
+            <source>Camera of the views: a file camera.json, fx,fy,cx,cy in pixels, or a name such as tum_freiburg1, icl_nuim or primesense; unknown for pictures of a calibration board. Empty takes the one of the folder.</source>
+            <translation>视图的相机:文件 camera.json、以像素表示的 fx,fy,cx,cy,或名称,如 tum_freiburg1、icl_nuim、primesense;标定板图片用 unknown。留空则用文件夹中的相机。</translation>
+        </message>
+        <message>
+            <source>Take one view of this many. A larger value is faster and has less overlap.</source>
+            <translation>每隔这么多视图取一个。数值越大越快,重叠越少。</translation>
+        </message>
+        <message>
+            <source>Largest number of views, spread evenly over the sequence.</source>
+            <translation>最多取用的视图数,在序列中均匀分布。</translation>
+        </message>
+        <message>
+            <source>Units of the depth images per metre: 1000 for millimetres, 5000 for TUM and ICL. auto takes what the folder says.</source>
+            <translation>深度图像每米的单位数:毫米为 1000,TUM 和 ICL 为 5000。自动(auto):按文件夹中的说明。</translation>
+        </message>
+        <message>
+            <source>Depth beyond this is ignored.</source>
+            <translation>忽略大于此值的深度。</translation>
+        </message>
+        <message>
+            <source>Kind of the board. auto takes the board that comes with the views (mat.json).</source>
+            <translation>标定板的种类。自动(auto):取随视图给出的标定板(mat.json)。</translation>
+        </message>
+        <message>
+            <source>Squares of the board across.</source>
+            <translation>标定板横向的方格数。</translation>
+        </message>
+        <message>
+            <source>Squares of the board downwards.</source>
+            <translation>标定板纵向的方格数。</translation>
+        </message>
+        <message>
+            <source>Side of a square.</source>
+            <translation>一个方格的边长。</translation>
+        </message>
+        <message>
+            <source>Side of a marker.</source>
+            <translation>一个标记的边长。</translation>
+        </message>
+        <message>
+            <source>Dictionary of the markers, for instance DICT_4X4_50.</source>
+            <translation>标记所用的字典,例如 DICT_4X4_50。</translation>
+        </message>
+        <message>
+            <source>Coefficients of the lens that are fitted. auto takes those that the corners support (Bayesian information criterion).</source>
+            <translation>要拟合的镜头畸变系数。自动(auto):取角点所支持的系数(贝叶斯信息准则)。</translation>
+        </message>
+        <message>
+            <source>Views whose residual is larger than the median by this factor are left out, up to a third of all.</source>
+            <translation>残差大于中位数这么多倍的视图会被舍去,最多舍去三分之一。</translation>
+        </message>
+        <message>
+            <source>Compare depth images with the board: the place of the depth camera, and how its depth is off.</source>
+            <translation>将深度图像与标定板比较:求深度相机的位置和深度的偏差。</translation>
+        </message>
+        <message>
+            <source>Width of the images; needed for a table of corners.</source>
+            <translation>图像宽度;使用角点表时需要。</translation>
+        </message>
+        <message>
+            <source>Height of the images; needed for a table of corners.</source>
+            <translation>图像高度;使用角点表时需要。</translation>
+        </message>
     </context>
     <context>
         <name>choices</name>
@@ -2902,6 +3064,131 @@
             <source>none</source>
             <comment>scan_positions</comment>
             <translation>不采用</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>layout</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>bole</source>
+            <comment>layout</comment>
+            <translation>Bole</translation>
+        </message>
+        <message>
+            <source>tum</source>
+            <comment>layout</comment>
+            <translation>TUM</translation>
+        </message>
+        <message>
+            <source>icl</source>
+            <comment>layout</comment>
+            <translation>ICL 或 Open3D</translation>
+        </message>
+        <message>
+            <source>7scenes</source>
+            <comment>layout</comment>
+            <translation>7-Scenes</translation>
+        </message>
+        <message>
+            <source>scannet</source>
+            <comment>layout</comment>
+            <translation>ScanNet</translation>
+        </message>
+        <message>
+            <source>realsense</source>
+            <comment>layout</comment>
+            <translation>RealSense</translation>
+        </message>
+        <message>
+            <source>nerf</source>
+            <comment>layout</comment>
+            <translation>NeRF</translation>
+        </message>
+        <message>
+            <source>colmap</source>
+            <comment>layout</comment>
+            <translation>COLMAP</translation>
+        </message>
+        <message>
+            <source>romi</source>
+            <comment>layout</comment>
+            <translation>ROMI</translation>
+        </message>
+        <message>
+            <source>images</source>
+            <comment>layout</comment>
+            <translation>仅有图片</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <comment>max_views</comment>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>depth_scale</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>max_depth</comment>
+            <translation>不限</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>board</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>charuco</source>
+            <comment>board</comment>
+            <translation>ChArUco 板</translation>
+        </message>
+        <message>
+            <source>chessboard</source>
+            <comment>board</comment>
+            <translation>棋盘格</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>distortion</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>distortion</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>k1</source>
+            <comment>distortion</comment>
+            <translation>k1</translation>
+        </message>
+        <message>
+            <source>k1_k2</source>
+            <comment>distortion</comment>
+            <translation>k1_k2</translation>
+        </message>
+        <message>
+            <source>k1_k2_p1_p2</source>
+            <comment>distortion</comment>
+            <translation>k1_k2_p1_p2</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <comment>distortion</comment>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>width</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>height</comment>
+            <translation>自动</translation>
         </message>
     </context>
 </TS>
