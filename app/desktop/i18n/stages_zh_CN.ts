@@ -135,6 +135,10 @@
             <source>Join points and trajectory</source>
             <translation>连接点云与轨迹</translation>
         </message>
+        <message>
+            <source>Estimate camera poses</source>
+            <translation>估计相机位姿</translation>
+        </message>
     </context>
     <context>
         <name>stage help</name>
@@ -269,6 +273,10 @@
         <message>
             <source>Joins a cloud that another program mapped with the path of its sensor: every point gets the place of the sensor at its time, its range and its pass, so that stems are measured along the rays. The clocks of the two are recognised (GPS time, GPS time less 1e9 s, seconds of the GPS week, Unix time), and the offset is reported. Clocks that do not go together for certain, and a path that does not run through the cloud, are refused. Without a trajectory the points stay as they are.</source>
             <translation>把其他程序生成的点云与传感器的路径连接起来:每个点得到其时刻的传感器位置、距离和所属的趟次,从而可沿射线测量单木。自动识别两者的时钟(GPS 时间、减去 1e9 秒的 GPS 时间、GPS 周内秒、Unix 时间),并报告时间差。时钟不能确定对应、或路径不穿过点云时会被拒绝。没有轨迹时点云保持不变。</translation>
+        </message>
+        <message>
+            <source>Finds the pose of the camera for every view. Features are matched with neighbouring views and around loops, and screened by ratio, by their neighbours' motion and by depth. Bundle adjustment fits poses and points to pixels, depths and the corners of a ChArUco board, which gives axes and scale. Without a board the axes are those of the first view and the scale is that of the depth. Views that cannot be connected are reported as lost.</source>
+            <translation>求出每个视图的相机位姿。特征与相邻视图以及绕行回环上的视图匹配,并按比值、邻近匹配的运动和深度筛选。光束法平差使位姿和点符合像素、深度以及给出坐标轴和尺度的 ChArUco 标定板角点。没有标定板时,坐标轴取第一个视图,尺度取自深度。无法连接的视图会作为丢失报告。</translation>
         </message>
     </context>
 </TS>

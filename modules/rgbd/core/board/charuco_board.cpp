@@ -43,7 +43,7 @@ constexpr int min_markers = 2;
 constexpr double max_second_move_px = 1.5;  // once the corners next to markers tell where the others are
 constexpr std::size_t min_corners_for_others = 8;
 constexpr double homography_tolerance_px = 2.5;
-constexpr int small_image = 1000;  // pixels across: markers may be too small for the detector, and are made larger
+constexpr int small_image = 1000;    // pixels across: markers may be too small for the detector, and are made larger
 constexpr double max_move_px = 2.5;  // of a corner from where the markers say it is
 
 cv::Ptr<cv::aruco::Dictionary> dictionary_of(const std::string& name) {
