@@ -1253,7 +1253,72 @@
             <comment>rgbd.calibrate</comment>
             <translation>图像高度</translation>
         </message>
-    </context>
+            <message>
+            <source>Source</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>位姿来源</translation>
+        </message>
+        <message>
+            <source>Max features</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最多特征数</translation>
+        </message>
+        <message>
+            <source>Max width</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大宽度</translation>
+        </message>
+        <message>
+            <source>Max ratio</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大比值</translation>
+        </message>
+        <message>
+            <source>Gms</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>网格运动统计</translation>
+        </message>
+        <message>
+            <source>Max match error</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大匹配误差</translation>
+        </message>
+        <message>
+            <source>Min matches</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最少匹配数</translation>
+        </message>
+        <message>
+            <source>Neighbours</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>相邻视图数</translation>
+        </message>
+        <message>
+            <source>Depth noise</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>深度噪声</translation>
+        </message>
+        <message>
+            <source>Use board</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>使用标定板</translation>
+        </message>
+        <message>
+            <source>Turntable</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>转台</translation>
+        </message>
+        <message>
+            <source>Refine focal</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>优化焦距</translation>
+        </message>
+        <message>
+            <source>Allow unscaled</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>允许无尺度</translation>
+        </message>
+</context>
     <context>
         <name>option help</name>
         <message>
@@ -2588,7 +2653,67 @@
             <source>Height of the images; needed for a table of corners.</source>
             <translation>图像高度;使用角点表时需要。</translation>
         </message>
-    </context>
+            <message>
+            <source>slam: poses from features, depth and the board. given: poses that came with the views, checked against matches and depth.</source>
+            <translation>slam:由特征、深度和标定板求位姿。given:采用随视图给出的位姿,并用匹配和深度检查。</translation>
+        </message>
+        <message>
+            <source>Kind of features: sift finds more of them again, orb is faster.</source>
+            <translation>特征的类型:sift 能更多地重新找到同一特征,orb 更快。</translation>
+        </message>
+        <message>
+            <source>Largest number of features in a view, spread over the image. More features take longer to match and help where texture is poor.</source>
+            <translation>每个视图中特征的最大数目,在图像上均匀分布。特征越多匹配越慢,纹理贫乏时有帮助。</translation>
+        </message>
+        <message>
+            <source>Wider images are reduced to this width for features. A larger width finds finer texture and takes longer.</source>
+            <translation>更宽的图像在提取特征前缩小到此宽度。宽度越大,能找到的纹理越细,耗时越长。</translation>
+        </message>
+        <message>
+            <source>Largest distance to the best descriptor over that to the next best. A larger ratio keeps more matches, of which more are wrong.</source>
+            <translation>最佳描述子距离与次佳描述子距离之比的上限。比值越大保留的匹配越多,其中错误也越多。</translation>
+        </message>
+        <message>
+            <source>Drops matches that do not move along with their neighbours (grid-based motion statistics).</source>
+            <translation>剔除不随邻近匹配一起移动的匹配(基于网格的运动统计)。</translation>
+        </message>
+        <message>
+            <source>Largest distance of a match from the rigid motion of its pair, in an image 1280 pixels wide.</source>
+            <translation>匹配偏离该视图对刚体运动的最大距离,按 1280 像素宽的图像计。</translation>
+        </message>
+        <message>
+            <source>Two views are connected when at least this many matches agree with one rigid motion.</source>
+            <translation>至少有这么多匹配符合同一刚体运动时,两个视图才相连。</translation>
+        </message>
+        <message>
+            <source>Each view is matched with this many views after it.</source>
+            <translation>每个视图与其后这么多个视图匹配。</translation>
+        </message>
+        <message>
+            <source>Largest number of further views that each view is matched with because they show the same place. 0: no loops are closed.</source>
+            <translation>每个视图因拍到同一处而另外匹配的视图的最大数目。0:不闭合回环。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a depth of 1 m; it grows with the square of the depth. auto: learnt from the residuals.</source>
+            <translation>1 m 处深度的标准差;它随深度的平方增大。auto:由残差估计。</translation>
+        </message>
+        <message>
+            <source>Uses the ChArUco board under the plant for axes, scale and poses, where the views have one.</source>
+            <translation>视图中有植株下的 ChArUco 标定板时,用它确定坐标轴、尺度和位姿。</translation>
+        </message>
+        <message>
+            <source>Whether the camera stands still and the object turns, so that the still background is left out. auto: decided from the motions in the images.</source>
+            <translation>相机静止而物体转动时,排除静止的背景。auto:由图像中的运动判断。</translation>
+        </message>
+        <message>
+            <source>Estimates one factor of the focal lengths along with the poses. Needs a board or good depth.</source>
+            <translation>与位姿一起估计焦距的一个系数。需要标定板或良好的深度。</translation>
+        </message>
+        <message>
+            <source>Also finds poses where there is neither depth nor a board. Lengths are then in units of the median distance of the points, not in metres.</source>
+            <translation>既无深度也无标定板时也求位姿。此时长度以各点距离的中位数为单位,而不是米。</translation>
+        </message>
+</context>
     <context>
         <name>choices</name>
         <message>
@@ -3190,5 +3315,30 @@
             <comment>height</comment>
             <translation>自动</translation>
         </message>
-    </context>
+            <message>
+            <source>slam</source>
+            <comment>source</comment>
+            <translation>SLAM</translation>
+        </message>
+        <message>
+            <source>sift</source>
+            <comment>features</comment>
+            <translation>SIFT</translation>
+        </message>
+        <message>
+            <source>orb</source>
+            <comment>features</comment>
+            <translation>ORB</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <comment>turntable</comment>
+            <translation>是</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <comment>turntable</comment>
+            <translation>否</translation>
+        </message>
+</context>
 </TS>

@@ -143,7 +143,11 @@
             <source>Calibrate a camera</source>
             <translation>标定相机</translation>
         </message>
-    </context>
+            <message>
+            <source>Estimate camera poses</source>
+            <translation>估计相机位姿</translation>
+        </message>
+</context>
     <context>
         <name>stage help</name>
         <message>
@@ -286,5 +290,9 @@
             <source>Fits focal lengths, principal point and distortion to pictures of a chessboard or a ChArUco board (Zhang's method). Views that do not fit the others are left out. Depth images of the same views give the place of the depth camera and the bias of its depth, by the planes of the board; pictures of the depth camera (infrared) give its intrinsics too. Writes camera.json, which io.read_views takes, and residuals.svg.</source>
             <translation>用棋盘格或 ChArUco 板的图片拟合焦距、主点和畸变(张氏标定法)。与其余视图不符的视图会被舍去。同一视图的深度图像借助标定板平面给出深度相机的位置和深度偏差;深度相机的图片(红外)还可给出其内参。写出 camera.json(供 io.read_views 使用)和 residuals.svg。</translation>
         </message>
-    </context>
+            <message>
+            <source>Finds the pose of the camera for every view. Features are matched with neighbouring views and around loops, and screened by ratio, by their neighbours' motion and by depth. Bundle adjustment fits poses and points to pixels, depths and the corners of a ChArUco board, which gives axes and scale. Without a board the axes are those of the first view and the scale is that of the depth. Views that cannot be connected are reported as lost.</source>
+            <translation>求出每个视图的相机位姿。特征与相邻视图以及绕行回环上的视图匹配,并按比值、邻近匹配的运动和深度筛选。光束法平差使位姿和点符合像素、深度以及给出坐标轴和尺度的 ChArUco 标定板角点。没有标定板时,坐标轴取第一个视图,尺度取自深度。无法连接的视图会作为丢失报告。</translation>
+        </message>
+</context>
 </TS>
