@@ -72,7 +72,7 @@ int work(int argc, char** argv) {
     triangles.emplace_back(point(mesh.vertices[t[0]]), point(mesh.vertices[t[1]]), point(mesh.vertices[t[2]]));
     areas.push_back(std::sqrt(triangles.back().squared_area()));
   }
-  const Tree tree(triangles.begin(), triangles.end());
+  Tree tree(triangles.begin(), triangles.end());
   tree.accelerate_distance_queries();
 
   std::array<std::vector<double>, 2> errors;  // plant alone; plant, pot and soil

@@ -36,17 +36,6 @@ CameraModel smaller(const CameraModel& camera, int n) {
 
 }  // namespace
 
-std::shared_ptr<const PixelDirections> pixel_directions(const CameraModel& camera) {
-  auto directions = std::make_shared<PixelDirections>(camera.width, camera.height, 2);
-  for (int y = 0; y < camera.height; ++y)
-    for (int x = 0; x < camera.width; ++x) {
-      const Eigen::Vector3d d = camera.direction({x, y});
-      directions->at(x, y, 0) = static_cast<float>(d.x());
-      directions->at(x, y, 1) = static_cast<float>(d.y());
-    }
-  return directions;
-}
-
 DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
                             const Pose& T_color_depth, const CameraModel& color_camera) {
   // Where the pixels of the depth image land. Those to be left out hide others all the same.
@@ -66,7 +55,8 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
       const Eigen::Vector3d p = T_color_depth * Eigen::Vector3d(depth_camera.direction({x, y}) * z);
       const auto pixel = color_camera.project(p);
       if (!pixel || !color_camera.contains(*pixel)) continue;
-      const auto at = landed.index(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
+      const auto at =
+          landed.index(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
       landings.push_back({at, static_cast<float>(p.z()), left_out.empty() || left_out.at(x, y) == 0});
       float& nearest = nearest_of.values[at];
       nearest = nearest > 0 ? std::min(nearest, landings.back().z) : landings.back().z;
@@ -126,7 +116,7 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
   for (const auto& p : posed) {
     run.check_cancel();
     run.report(static_cast<double>(place) / static_cast<double>(posed.size()), "reading views");
-    views.read(p.index, view, {.color = true, .depth = views.has_depth(), .mask = false});
+    views.read(p.index, view, {.color = true, .depth = options.depth && views.has_depth(), .mask = false});
     if (view.color.empty() || view.color.channels != 3)
       throw bad_input("view " + views.name(p.index) + " has no colour image", "colour images with three channels");
     const auto& camera = views.camera(p.index);
@@ -143,7 +133,7 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
     if (!last_camera || !(*last_camera == f.camera)) directions = pixel_directions(f.camera);
     last_camera = f.camera;
     f.directions = directions;
-    if (!view.depth.empty())
+    if (options.depth && !view.depth.empty())
       f.depth = registered_depth(view.depth, depth_edges(view.depth, options.noise, 3), camera.of_depth(),
                                  camera.T_color_depth, f.camera);
     out.push_back(std::move(f));
