@@ -21,6 +21,7 @@
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
 #include "shell/main_window.h"
+#include "shell/modes.h"
 #include "small_plot.h"
 #include "small_views.h"
 #include "views/scene_view.h"
@@ -301,16 +302,30 @@ class PlantTest : public QObject {
     QVERIFY(!trait_places(survey).stem);
   }
 
-  // BOLE_PLANT_SCREENSHOT=file.png takes a picture; BOLE_PLANT_VIEWS, BOLE_PLANT_PIPELINE name other data.
+  // BOLE_PLANT_SCREENSHOT=file.png takes a picture; of another pipeline with BOLE_PLANT_PIPELINE=file.json.
   void a_picture_of_the_window() {
     const auto file = qEnvironmentVariable("BOLE_PLANT_SCREENSHOT");
     if (file.isEmpty()) QSKIP("BOLE_PLANT_SCREENSHOT is not set");
-    choose(qEnvironmentVariableIntValue("BOLE_PLANT_KIND"));
-    panel().findChild<QCheckBox*>("picture_points")->setChecked(qEnvironmentVariableIsSet("BOLE_PLANT_POINTS"));
-    window_->selection().select_view(6);
+    const auto other = qEnvironmentVariable("BOLE_PLANT_PIPELINE");
+    window_->open(other.isEmpty() ? at("plant.json") : other);
+    for (const auto& mode : shipped_modes())
+      if (mode.id == "plants") apply_mode(*window_, mode);
+    QSignalSpy finished(&window_->runner(), &Runner::finished);
+    window_->refresh();
+    QVERIFY(finished.wait(1200000));
     QTRY_VERIFY(window_->scene().refined());
-    QTest::qWait(500);
-    QVERIFY(window_->grab().save(file));
+    for (int kind = 0; kind < 3; ++kind) {
+      choose(kind);
+      panel().findChild<QCheckBox*>("picture_points")->setChecked(kind == 0);
+      window_->selection().select_view(static_cast<std::size_t>(qEnvironmentVariableIntValue("BOLE_PLANT_VIEW")));
+      QTest::qWait(2000);
+      QVERIFY(window_->grab().save(file + QString::number(kind) + ".png"));
+    }
+    auto* partner = panel().findChild<QComboBox*>("picture_partner");
+    choose(0);
+    if (partner->count() > 1) partner->setCurrentIndex(1);
+    QTest::qWait(2000);
+    QVERIFY(window_->grab().save(file + "3.png"));
   }
 
   void another_document_takes_the_views_away() {
