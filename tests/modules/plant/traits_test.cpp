@@ -80,7 +80,9 @@ TEST(Traits, StemByContours) {
       const auto& t = out.traits;
       std::printf("stem %.3f of %.3f [%.3f %.3f] %s, light %s %.3f, %s\n", cell(t, "stem_diameter_mm"), truth,
                   cell(t, "stem_diameter_lo_mm"), cell(t, "stem_diameter_hi_mm"), t.text("stem_method", 0).c_str(),
-                  out.report.facts.at("picture_light").c_str(), out.report.metrics.at("light_ratio").value,
+                  out.report.facts.at("picture_light").c_str(),
+                  double(out.report.counts.at("tone_for_srgb")) /
+                      double(out.report.counts.at("tone_for_srgb") + out.report.counts.at("tone_for_linear")),
                   out.report.message.c_str());
       EXPECT_EQ(t.text("stem_method", 0), "contours");
       EXPECT_NEAR(cell(t, "stem_diameter_mm"), truth, 0.01 * truth);

@@ -104,7 +104,8 @@ int agreeing_views(const std::vector<DepthMap>& maps, std::size_t own, const Eig
 std::uint64_t cube_key(const Eigen::Vector3f& p, double spacing) {
   std::uint64_t key = 0;
   for (int k = 0; k < 3; ++k)
-    key = key << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(p(k) / spacing)) + (1 << 20)) & 0x1FFFFF);
+    key = key << 21 |
+          (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(p(k) / spacing)) + (1 << 20)) & 0x1FFFFF);
   return key;
 }
 
@@ -117,12 +118,14 @@ PointCloud merged(std::vector<CloudPoint> points, const Eigen::Vector3d& origin,
   for (std::size_t i = 0; i < points.size();) {
     std::size_t end = i + 1;
     while (thin && end < points.size() && points[end].key == points[i].key) ++end;
-    Eigen::Vector3f position = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero(), color = Eigen::Vector3f::Zero();
+    Eigen::Vector3f position = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero(),
+                    color = Eigen::Vector3f::Zero();
     std::int32_t most = 0;
     for (std::size_t k = i; k < end; ++k) {
       position += points[k].position;
       // Both sides of a thin leaf may meet in one cube: the first decides the side.
-      normal += points[k].normal.dot(points[i].normal) < 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : points[k].normal;
+      normal +=
+          points[k].normal.dot(points[i].normal) < 0 ? Eigen::Vector3f(Eigen::Vector3f::Zero()) : points[k].normal;
       color += points[k].color;
       most = std::max(most, points[k].views);
     }
@@ -132,7 +135,9 @@ PointCloud merged(std::vector<CloudPoint> points, const Eigen::Vector3d& origin,
     nx.push_back(normal.x());
     ny.push_back(normal.y());
     nz.push_back(normal.z());
-    const auto value = [&](float c) { return static_cast<std::uint16_t>(std::lround(std::clamp(c / n, 0.0F, 255.0F) * 257)); };
+    const auto value = [&](float c) {
+      return static_cast<std::uint16_t>(std::lround(std::clamp(c / n, 0.0F, 255.0F) * 257));
+    };
     red.push_back(value(color.x()));
     green.push_back(value(color.y()));
     blue.push_back(value(color.z()));

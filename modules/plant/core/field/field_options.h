@@ -10,8 +10,8 @@
 
 namespace bole::plant {
 
-enum class EncoderKind { grid, hash, paper };
-constexpr std::array<std::string_view, 3> choice_names(EncoderKind) { return {"grid", "hash", "paper"}; }
+enum class EncoderKind { grid, hash };
+constexpr std::array<std::string_view, 2> choice_names(EncoderKind) { return {"grid", "hash"}; }
 
 // scene: learned by direction; white, black: pictures of an object alone.
 enum class Background { scene, white, black };

@@ -49,10 +49,9 @@ std::shared_ptr<const PixelDirections> pixel_directions(const CameraModel& camer
 
 DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
                             const Pose& T_color_depth, const CameraModel& color_camera) {
-  DepthImage out(color_camera.width, color_camera.height, 1, 0.0F), left(color_camera.width, color_camera.height, 1, 0);
-  // A depth pixel covers this many pixels of the picture to each side.
-  const double ratio = std::abs(color_camera.fx / depth_camera.fx);
-  const int reach = std::clamp(static_cast<int>(std::ceil(0.5 * ratio - 0.25)), 0, 4);
+  // Where pixels of the depth image land, the nearest of each; those to be left out hide others all the same.
+  DepthImage landed(color_camera.width, color_camera.height, 1, 0.0F), out = landed;
+  MaskImage keeps(color_camera.width, color_camera.height, 1, 0);
   for (int y = 0; y < depth.height; ++y)
     for (int x = 0; x < depth.width; ++x) {
       const double z = depth.at(x, y);
@@ -60,18 +59,42 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
       const Eigen::Vector3d p = T_color_depth * Eigen::Vector3d(depth_camera.direction({x, y}) * z);
       const auto pixel = color_camera.project(p);
       if (!pixel || !color_camera.contains(*pixel)) continue;
-      const bool keeps = left_out.empty() || left_out.at(x, y) == 0;
-      const int cx = static_cast<int>(std::lround(pixel->x())), cy = static_cast<int>(std::lround(pixel->y()));
-      for (int v = std::max(0, cy - reach); v <= std::min(out.height - 1, cy + reach); ++v)
-        for (int u = std::max(0, cx - reach); u <= std::min(out.width - 1, cx + reach); ++u) {
-          float& there = out.at(u, v);
-          if (there > 0 && there <= static_cast<float>(p.z())) continue;
-          there = static_cast<float>(p.z());
-          left.at(u, v) = keeps ? 0.0F : 1.0F;
-        }
+      const int u = static_cast<int>(std::lround(pixel->x())), v = static_cast<int>(std::lround(pixel->y()));
+      float& there = landed.at(u, v);
+      if (there > 0 && there <= static_cast<float>(p.z())) continue;
+      there = static_cast<float>(p.z());
+      keeps.at(u, v) = left_out.empty() || left_out.at(x, y) == 0 ? 255 : 0;
     }
-  for (std::size_t i = 0; i < out.values.size(); ++i)
-    if (left.values[i] > 0) out.values[i] = 0;
+  // Pixels between those that were hit have the mean of their neighbours. What shines through between the pixels of a
+  // nearer surface is dropped. Taking the nearest neighbour instead would pull slanted surfaces towards the camera.
+  const double ratio = std::abs(color_camera.fx / depth_camera.fx);
+  const int reach = std::clamp(static_cast<int>(std::ceil(ratio / 2)), 1, 4);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x) {
+      float nearest = 0, sum = 0;
+      int count = 0, kept = 0;
+      const auto each = [&](auto visit) {
+        for (int v = std::max(0, y - reach); v <= std::min(out.height - 1, y + reach); ++v)
+          for (int u = std::max(0, x - reach); u <= std::min(out.width - 1, x + reach); ++u)
+            if (landed.at(u, v) > 0) visit(landed.at(u, v), keeps.at(u, v));
+      };
+      each([&](float z, std::uint8_t) { nearest = nearest > 0 ? std::min(nearest, z) : z; });
+      if (nearest <= 0) continue;
+      const float limit = nearest * 1.03F;
+      const float own = landed.at(x, y);
+      if (own > 0 && own <= limit) {
+        if (keeps.at(x, y) != 0) out.at(x, y) = own;
+        continue;
+      }
+      if (own <= 0 && ratio <= 1.05) continue;  // a hole of the depth image itself
+      each([&](float z, std::uint8_t keep) {
+        if (z > limit) return;
+        sum += z;
+        ++count;
+        kept += keep != 0;
+      });
+      if (kept == count) out.at(x, y) = sum / static_cast<float>(count);
+    }
   return out;
 }
 

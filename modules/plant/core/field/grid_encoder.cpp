@@ -80,14 +80,13 @@ void GridEncoder::backward(RayChunk& chunk) const {
     std::array<float, 8> dot;
     for (std::size_t k = 0; k < 8; ++k) dot[k] = (raw * boxes_[sample.box].values[at[k]]).sum();
     const Eigen::Vector3f f = sample.within, g = Eigen::Vector3f::Ones() - f;
-    chunk.d_position[i] =
-        Eigen::Vector3f((dot[4] - dot[0]) * g.y() * g.z() + (dot[5] - dot[1]) * g.y() * f.z() +
-                            (dot[6] - dot[2]) * f.y() * g.z() + (dot[7] - dot[3]) * f.y() * f.z(),
-                        (dot[2] - dot[0]) * g.x() * g.z() + (dot[3] - dot[1]) * g.x() * f.z() +
-                            (dot[6] - dot[4]) * f.x() * g.z() + (dot[7] - dot[5]) * f.x() * f.z(),
-                        (dot[1] - dot[0]) * g.x() * g.y() + (dot[3] - dot[2]) * g.x() * f.y() +
-                            (dot[5] - dot[4]) * f.x() * g.y() + (dot[7] - dot[6]) * f.x() * f.y()) /
-        voxel;
+    chunk.d_position[i] = Eigen::Vector3f((dot[4] - dot[0]) * g.y() * g.z() + (dot[5] - dot[1]) * g.y() * f.z() +
+                                              (dot[6] - dot[2]) * f.y() * g.z() + (dot[7] - dot[3]) * f.y() * f.z(),
+                                          (dot[2] - dot[0]) * g.x() * g.z() + (dot[3] - dot[1]) * g.x() * f.z() +
+                                              (dot[6] - dot[4]) * f.x() * g.z() + (dot[7] - dot[5]) * f.x() * f.z(),
+                                          (dot[1] - dot[0]) * g.x() * g.y() + (dot[3] - dot[2]) * g.x() * f.y() +
+                                              (dot[5] - dot[4]) * f.x() * g.y() + (dot[7] - dot[6]) * f.x() * f.y()) /
+                          voxel;
   }
 }
 
@@ -108,8 +107,10 @@ void GridEncoder::accumulate_parity(std::span<RayChunk> chunks, int parity) {
       std::uint32_t block = static_cast<std::uint32_t>(sample.block);
       if ((nx | ny | nz) > 7)
         block = static_cast<std::uint32_t>(
-            space_->boxes[sample.box].neighbours[block][static_cast<std::size_t>((nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3))]);
-      const auto at = block * FieldBox::block_voxels + static_cast<std::uint32_t>(((nx & 7) * 8 + (ny & 7)) * 8 + (nz & 7));
+            space_->boxes[sample.box]
+                .neighbours[block][static_cast<std::size_t>((nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3))]);
+      const auto at =
+          block * FieldBox::block_voxels + static_cast<std::uint32_t>(((nx & 7) * 8 + (ny & 7)) * 8 + (nz & 7));
       auto& v = boxes_[sample.box];
       if (v.touched_in[at] != step_) {
         v.touched_in[at] = step_;

@@ -10,7 +10,7 @@ class GridEncoder : public FieldEncoder {
  public:
   struct Rates {
     float density = 0.25F, color = 0.1F;
-    float smoothness = 2e-6F;  // of the density: pull towards the mean of the six neighbours
+    float smoothness = 1e-8F;  // of the density: pull towards the mean of the six neighbours
   };
 
   GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/grid_start.h"
+#include "plant/core/field/hash_encoder.h"
 #include "plant/core/field/train_step.h"
 
 namespace bole::plant {
@@ -48,8 +49,8 @@ void test_held_out(TrainedField& out, const Run& run) {
   for (std::size_t i = 0; i < out.views.size(); ++i) {
     const auto& view = out.views[i];
     if (!view.held_out) continue;
-    const auto picture = render_field(out.model, view.camera, *view.directions, view.T_world_camera,
-                                      out.model.exposures.factor(i), run);
+    const auto picture =
+        render_field(out.model, view.camera, *view.directions, view.T_world_camera, out.model.exposures.factor(i), run);
     const auto psnr = psnr_of(out.model, picture, view);
     index.push_back(static_cast<std::int64_t>(view.index));
     names.push_back(view.name);
@@ -83,12 +84,19 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   const DepthNoise noise{options.depth_sigma};
   model.background = options.background;
   model.environment = Environment(options.background);
-  model.space = std::make_shared<const FieldSpace>(build_space(views, posed, region, options, run.part(0, 0.05), report));
+  model.space =
+      std::make_shared<const FieldSpace>(build_space(views, posed, region, options, run.part(0, 0.05), report));
   out.views = load_field_views(views, posed, {options.max_width, options.hold_out, noise}, run.part(0.05, 0.1), report);
   model.exposures = Exposures(out.views.size());
-  auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{});
-  start_grid(*grid, *model.space, out.views, noise, 32, run);
-  model.encoder = std::move(grid);
+  if (options.encoder == EncoderKind::grid) {
+    auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{});
+    start_grid(*grid, *model.space, out.views, noise, 32, run);
+    model.encoder = std::move(grid);
+  } else {
+    HashEncoder::Settings settings;
+    settings.seed = options.seed;
+    model.encoder = std::make_unique<HashEncoder>(model.space, settings);
+  }
 
   std::vector<std::size_t> training;
   std::vector<PixelWindow> windows;
@@ -98,7 +106,8 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   }
   if (training.empty()) throw bad_input("all views are kept back", "views to learn from", "Set hold_out to 0");
 
-  const TrainSetting setting{options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure, noise};
+  const TrainSetting setting{options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure,
+                             noise};
   TrainBatch batch;
   ProgressRows rows;
   const auto start = Clock::now();
@@ -126,9 +135,9 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
       rows.seconds.push_back(seconds_since(start));
     }
     if (step % 10 == 0)
-      run.report(0.1 + 0.75 * done,
-                 fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", step,
-                             -10 * std::log10(std::max(1e-12, loss / decayed)), rows.psnr.empty() ? 0.0 : rows.psnr.back()));
+      run.report(0.1 + 0.75 * done, fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", step,
+                                                -10 * std::log10(std::max(1e-12, loss / decayed)),
+                                                rows.psnr.empty() ? 0.0 : rows.psnr.back()));
   }
   if (step < options.steps) {
     if (run.asked_to_finish()) {
@@ -149,6 +158,20 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   out.progress.set("seconds", std::move(rows.seconds));
   run.report(0.86, "testing on the views kept back");
   test_held_out(out, run);
+  if (std::isfinite(out.psnr)) {
+    report.metrics["held_out_psnr_db"] = {out.psnr, Unit::none};
+    if (std::isfinite(out.region_psnr)) report.metrics["held_out_region_psnr_db"] = {out.region_psnr, Unit::none};
+    report.message = fmt::format("{} steps, {:.1f} dB on {} views kept back", step, out.psnr, out.held_out.rows());
+    if (out.psnr < 20)
+      report.find(
+          Severity::look, "field_does_not_fit",
+          fmt::format("Views kept back are shown with {:.1f} dB only (28 or more is usual). Check the poses, the "
+                      "region, and whether the plant moved.",
+                      out.psnr));
+  } else {
+    report.message = fmt::format("{} steps, no views kept back", step);
+    report.find(Severity::note, "field_not_tested", "No views were kept back, so nothing tells how good the field is.");
+  }
   return out;
 }
 

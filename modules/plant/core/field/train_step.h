@@ -35,4 +35,9 @@ struct TrainSetting {
 double train_step(FieldModel& field, const std::vector<FieldView>& views, const std::vector<std::size_t>& training,
                   const std::vector<PixelWindow>& windows, const TrainSetting& setting, int step, TrainBatch& batch);
 
+// The whole loss of the same rays, without gradients: for tests of the gradients.
+double train_loss(const FieldModel& field, const std::vector<FieldView>& views,
+                  const std::vector<std::size_t>& training, const std::vector<PixelWindow>& windows,
+                  const TrainSetting& setting, int step, TrainBatch& batch);
+
 }  // namespace bole::plant

@@ -6,6 +6,7 @@
 
 #include "base/statistics.h"
 #include "rgbd/core/matching/gms.h"
+#include "rgbd/core/matching/ray_motion.h"
 #include "rgbd/core/matching/rigid_motion.h"
 
 namespace bole::rgbd {
@@ -99,6 +100,13 @@ class Screening {
     return out;
   }
 
+  // Whether depth is so rare that it could not decide.
+  bool lacks_depth(const std::vector<RayMatch>& matches) const {
+    const auto with =
+        std::ranges::count_if(matches, [](const auto& m) { return m.inverse_depth_a > 0 || m.inverse_depth_b > 0; });
+    return with < 2 * o_.min_inliers;
+  }
+
   MotionOptions motion_options() const {
     const double focal = std::sqrt(std::abs(a_.camera->fx * b_.camera->fx));
     const double scale = std::max(1.0, a_.camera->width / reference_width);
@@ -152,7 +160,12 @@ class Screening {
     } else {
       look_for_two_motions(moving, still);
     }
-    const auto found = find_motion(rays(kept), motion_options());
+    const auto matches = rays(kept);
+    auto found = find_motion(matches, motion_options());
+    if (!found && lacks_depth(matches)) {
+      found = find_motion_of_rays(matches, motion_options());
+      out_.by_rays = found.has_value();
+    }
     for (std::size_t k = 0; k < kept.size(); ++k)
       if (!found || !found->inlier[k]) matches_[kept[k]].fate = MatchFate::depth;
     if (found) out_.T_b_a = found->T_b_a;

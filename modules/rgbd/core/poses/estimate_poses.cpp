@@ -10,6 +10,7 @@
 #include "cloud/known_facts.h"
 #include "rgbd/core/matching/view_graph.h"
 #include "rgbd/core/poses/given_poses.h"
+#include "rgbd/core/poses/grow_poses.h"
 #include "rgbd/core/poses/make_bundle.h"
 #include "rgbd/core/poses/match_views.h"
 #include "rgbd/core/poses/pose_tables.h"
@@ -44,6 +45,7 @@ class Estimator {
     first_poses(matcher);
     matcher.match_overlapping(poses_, run_.part(0.66, 0.75));
     first_poses(matcher);
+    grow(matcher);
     solve(matcher);
     tell(matcher);
     return std::move(out_);
@@ -109,10 +111,11 @@ class Estimator {
   }
 
   void need_scale() {
-    if (any_depth() || any_board()) return;
+    if (any_depth() || any_board() || o_.allow_unscaled) return;
     throw bad_input(views_.has_depth() ? "no feature of any view has depth" : "the views have no depth and no board",
                     "depth images, or a ChArUco board in the views",
-                    "Check the depth images and depth_scale, or give poses and source=given.");
+                    "Check the depth images and depth_scale, or give poses and source=given. Poses without scale: "
+                    "allow_unscaled=true.");
   }
 
   double usual_depth() const {
@@ -128,7 +131,8 @@ class Estimator {
     const int world = static_cast<int>(data_.size());
     std::vector<GraphEdge> edges;
     for (const auto& p : matcher.pairs())
-      if (p.connected()) edges.push_back({p.view_a, p.view_b, p.T_b_a, static_cast<double>(p.kept.size())});
+      if (p.connected() && !p.by_rays)
+        edges.push_back({p.view_a, p.view_b, p.T_b_a, static_cast<double>(p.kept.size())});
     for (int v = 0; v < world; ++v)
       if (const auto& board = data_[at(v)].board)
         edges.push_back({v, world, board->T_board_camera,
@@ -140,13 +144,23 @@ class Estimator {
       if (!wrong[i]) good.push_back(edges[i]);
     contradicted_ = static_cast<int>(edges.size() - good.size());
     const auto spanned = span_poses(world + 1, good, world);
-    with_board_ = spanned.T_root_node[at(world)].has_value();
-    if (spanned.nodes < 2)
+    with_board_ = spanned.nodes > 1 && spanned.T_root_node[at(world)].has_value();
+    root_ = spanned.root;
+    poses_.assign(data_.size(), std::nullopt);
+    if (spanned.nodes < 2) return;
+    poses_.assign(spanned.T_root_node.begin(), spanned.T_root_node.end() - 1);
+  }
+
+  // Views that no depth and no board ties follow by the points that the others see.
+  void grow(const ViewMatcher& matcher) {
+    const auto grown = grow_poses(data_, matcher.pairs(), with_board_, o_, poses_, run_.part(0.75, 0.8));
+    out_.report.counts["views_by_points"] = grown.added;
+    unscaled_ = grown.start >= 0;
+    if (unscaled_) root_ = grown.start;
+    if (std::ranges::none_of(poses_, [](const auto& p) { return p.has_value(); }))
       throw bad_input("no two of the views show the same thing",
                       fmt::format("at least {} matches between two views", o_.min_matches),
                       "Take views that overlap by half or more, with texture in them.");
-    root_ = spanned.root;
-    poses_.assign(spanned.T_root_node.begin(), spanned.T_root_node.end() - 1);
   }
 
   void solve(const ViewMatcher& matcher) {
@@ -160,11 +174,26 @@ class Estimator {
     options.free_depth = with_board_;
     options.free_focal = o_.refine_focal;
     options.learn_depth_sigma = !o_.depth_noise;
-    const auto report = adjust(b, options, run_.part(0.75, 0.98));
+    const auto report = adjust(b, options, run_.part(0.8, 0.98));
     if (!report.converged)
       out_.report.find(Severity::look, "adjustment_failed",
                        "the bundle adjustment found no solution, and the first poses are kept: " + report.message);
+    if (unscaled_) set_unit_scale();
     keep_tracked();
+  }
+
+  // Without depth and board the median distance of the points becomes 1.
+  void set_unit_scale() {
+    auto& b = made_.bundle;
+    std::vector<double> distances;
+    for (const auto& o : b.observations)
+      distances.push_back((b.points[at(o.point)] - b.T_world_camera[at(o.view)].translation()).norm());
+    const double unit = distances.empty() ? 1 : median(std::move(distances));
+    for (auto& p : b.points) p /= unit;
+    for (auto& T : b.T_world_camera) T.translation() /= unit;
+    out_.report.find(Severity::refused, "no_scale",
+                     "the views have neither depth nor a board: lengths are in units of the median distance of the "
+                     "points, not in metres");
   }
 
   // A pair whose motion is far from the first poses has matched two places that look alike.
@@ -191,7 +220,7 @@ class Estimator {
     }
     auto& report = out_.report;
     report.facts["world_axes"] = with_board_ ? "board" : "first_view";
-    report.facts["scale_source"] = with_board_ ? "board" : "depth";
+    report.facts["scale_source"] = with_board_ ? "board" : (unscaled_ ? "none" : "depth");
     if (with_board_ && any_depth()) {
       report.metrics["depth_scale"] = {made_.bundle.depth_scale * corrected_, Unit::none};
       report.metrics["depth_bias_mm"] = {1000 * made_.bundle.depth_bias * corrected_, Unit::millimetre};
@@ -250,7 +279,10 @@ class Estimator {
     report.message = fmt::format(
         "{} of {} views {}; axes of {}", tracked, data_.size(),
         o_.source == PoseSource::given ? "have a given pose" : "tracked",
-        axes == "board" ? "the board" : (axes == "given" ? "the given poses" : "the first view, scale from depth"));
+        axes == "board"
+            ? "the board"
+            : (axes == "given" ? "the given poses"
+                               : (unscaled_ ? "the first view, without scale" : "the first view, scale from depth")));
   }
 
   void tell_lost(const std::vector<int>& lost) {
@@ -271,7 +303,7 @@ class Estimator {
   MadeBundle made_;
   EstimatedPoses out_;
   double depth_ratio_ = 1, corrected_ = 1;
-  bool with_board_ = false;
+  bool with_board_ = false, unscaled_ = false;
   int root_ = 0, contradicted_ = 0;
 };
 

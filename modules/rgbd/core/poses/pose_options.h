@@ -32,6 +32,7 @@ struct PoseOptions {
   bool use_board = true;
   Turntable turntable = Turntable::automatic;
   bool refine_focal = false;
+  bool allow_unscaled = false;
 };
 
 const OptionTable& option_table(const PoseOptions*);
