@@ -13,7 +13,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr int ring_sides = 32;
-constexpr double tick_m = 0.02;
+constexpr double trait_tick_m = 0.02;
 
 double first_of(const Table& table, const char* column, double factor) {
   const auto values = render::numbers_or_nan(table, column);
@@ -79,7 +79,7 @@ SceneDrawing height_drawing(const TraitPlaces& places, double height_m) {
   d.id = "height";
   d.lines = {{*places.base, top}};
   for (const auto& p : {*places.base, top})
-    for (const auto& side : {u, v}) d.lines.push_back({p - tick_m * side, p + tick_m * side});
+    for (const auto& side : {u, v}) d.lines.push_back({p - trait_tick_m * side, p + trait_tick_m * side});
   d.label = millimetres(height_m, 1);
   d.label_at = top;
   return d;
@@ -95,7 +95,7 @@ SceneDrawing stem_drawing(const TraitPlaces& places, double diameter_m) {
     ring.emplace_back(*places.stem + diameter_m / 2 * (std::cos(a) * u + std::sin(a) * v));
   }
   // A few millimetres are hard to see: a line leads to them.
-  d.lines = {ring, {*places.stem + diameter_m / 2 * u, *places.stem + (diameter_m / 2 + tick_m) * u}};
+  d.lines = {ring, {*places.stem + diameter_m / 2 * u, *places.stem + (diameter_m / 2 + trait_tick_m) * u}};
   d.label = "⌀ " + millimetres(diameter_m, 2);
   d.label_at = d.lines[1].back();
   return d;
