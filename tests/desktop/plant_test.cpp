@@ -277,9 +277,9 @@ class PlantTest : public QObject {
     cloud.facts["plant_base_m"] = "0.1 0.2 0.05";
     survey.points = std::make_shared<const PointCloud>(cloud);
     stem->set("height_mm", std::vector<double>{20, 40});
-    stem->set("x_m", std::vector<double>{0.1, 0.102});
-    stem->set("y_m", std::vector<double>{0.2, 0.2});
-    stem->set("z_m", std::vector<double>{0.07, 0.09});
+    stem->set("x_m", std::vector<double>{0, 0.002});
+    stem->set("y_m", std::vector<double>{0, 0});
+    stem->set("z_m", std::vector<double>{0.02, 0.04});
     survey.stem = stem;
     const auto drawings = trait_drawings(survey);
     QCOMPARE(drawings.size(), std::size_t{4});

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/transform.h"
 #include "render/charts/columns.h"
 
 namespace bole::desktop {
@@ -117,7 +118,11 @@ TraitPlaces trait_places(const Survey& survey) {
              z = render::numbers_or_nan(*survey.stem, "z_m");
   auto heights_m = render::numbers_or_nan(*survey.stem, "height_mm");
   for (auto& h : heights_m) h /= 1000;
-  for (std::size_t i = 0; i < x.size(); ++i) places.axis.emplace_back(x[i], y[i], z[i]);
+  // The table has the axes of the plant: z up, the origin in the base.
+  if (!places.base) return places;
+  const Eigen::Matrix3d up_from_world = rotation_between(places.up, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    places.axis.emplace_back(*places.base + up_from_world.transpose() * Eigen::Vector3d(x[i], y[i], z[i]));
   if (std::ranges::any_of(places.axis, [](const auto& p) { return !p.allFinite(); })) places.axis.clear();
   if (!places.axis.empty()) places.stem = on_axis(heights_m, places.axis, millimetres_of(t, "stem_height_mm"));
   return places;
