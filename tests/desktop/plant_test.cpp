@@ -94,10 +94,9 @@ class PlantTest : public QObject {
 
   void the_result_of_a_plant_pipeline_is_shown() {
     window_->open(at("plant.json"));
-    QSignalSpy finished(&window_->runner(), &Runner::finished), begun(&window_->runner(), &Runner::survey_begun);
+    QSignalSpy finished(&window_->runner(), &Runner::finished);
     window_->refresh();
     QVERIFY(finished.wait(60000));
-    QVERIFY(!begun.isEmpty());  // poses are shown before there is a cloud
     QVERIFY(window_->scene().survey().points);
     QVERIFY(window_->scene().survey().poses);
     QCOMPARE(window_->scene().settings().color, std::string("photo"));
@@ -175,7 +174,9 @@ class PlantTest : public QObject {
     for (const float v : moved.residual.values)
       if (std::isfinite(v)) signed_off.push_back(v);
     std::ranges::sort(signed_off);
-    QVERIFY(std::abs(signed_off[signed_off.size() / 2] + 0.01F) < 0.001F);
+    // Of the table, which is seen at a slant, a little less than of what faces the camera.
+    const float middle = signed_off[signed_off.size() / 2];
+    QVERIFY2(middle > -0.011F && middle < -0.008F, qPrintable(QString::number(static_cast<double>(middle))));
     choose(1);
     QCOMPARE(panel().canvas().picture().size(), QSize(160, 120));
     choose(2);
@@ -326,6 +327,22 @@ class PlantTest : public QObject {
     if (partner->count() > 1) partner->setCurrentIndex(1);
     QTest::qWait(2000);
     QVERIFY(window_->grab().save(file + "3.png"));
+  }
+
+  void poses_are_seen_while_the_cloud_is_made() {
+    std::ofstream(at("fused.json").toStdString()) << R"({"title": "Fused", "stages": [
+      {"id": "frames", "type": "io.read_views", "options": {"folder": "ball"}},
+      {"id": "fuse", "type": "plant.fuse_depth", "inputs": {"views": "frames.views", "poses": "frames.poses"}}]})";
+    window_->open(at("fused.json"));
+    QSignalSpy finished(&window_->runner(), &Runner::finished);
+    bool seen_before = false;
+    connect(&window_->runner(), &Runner::survey_begun, this,
+            [&] { seen_before = window_->runner().survey().poses && !window_->runner().survey().points; });
+    window_->refresh();
+    QVERIFY(finished.wait(120000));
+    QVERIFY(seen_before);
+    QVERIFY2(window_->runner().survey().points, window_->runner().outcome().error.c_str());
+    QTRY_COMPARE(window_->scene().cameras().size(), std::size_t{small_views});
   }
 
   void another_document_takes_the_views_away() {
