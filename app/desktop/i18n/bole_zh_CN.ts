@@ -704,8 +704,8 @@
             <translation>打开文件夹…</translation>
         </message>
         <message>
-            <source>Open a folder with a scan or with views</source>
-            <translation>打开含扫描或视图的文件夹</translation>
+            <source>Open a folder with a scan or with views…</source>
+            <translation>打开含扫描或视图的文件夹…</translation>
         </message>
     </context>
     <context>

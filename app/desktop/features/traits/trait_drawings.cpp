@@ -7,13 +7,14 @@
 #include <limits>
 #include <numbers>
 
+#include "base/transform.h"
 #include "render/charts/columns.h"
 
 namespace bole::desktop {
 namespace {
 
 constexpr int ring_sides = 32;
-constexpr double tick_m = 0.02;
+constexpr double trait_tick_m = 0.02;
 
 double first_of(const Table& table, const char* column, double factor) {
   const auto values = render::numbers_or_nan(table, column);
@@ -79,7 +80,7 @@ SceneDrawing height_drawing(const TraitPlaces& places, double height_m) {
   d.id = "height";
   d.lines = {{*places.base, top}};
   for (const auto& p : {*places.base, top})
-    for (const auto& side : {u, v}) d.lines.push_back({p - tick_m * side, p + tick_m * side});
+    for (const auto& side : {u, v}) d.lines.push_back({p - trait_tick_m * side, p + trait_tick_m * side});
   d.label = millimetres(height_m, 1);
   d.label_at = top;
   return d;
@@ -95,7 +96,7 @@ SceneDrawing stem_drawing(const TraitPlaces& places, double diameter_m) {
     ring.emplace_back(*places.stem + diameter_m / 2 * (std::cos(a) * u + std::sin(a) * v));
   }
   // A few millimetres are hard to see: a line leads to them.
-  d.lines = {ring, {*places.stem + diameter_m / 2 * u, *places.stem + (diameter_m / 2 + tick_m) * u}};
+  d.lines = {ring, {*places.stem + diameter_m / 2 * u, *places.stem + (diameter_m / 2 + trait_tick_m) * u}};
   d.label = "⌀ " + millimetres(diameter_m, 2);
   d.label_at = d.lines[1].back();
   return d;
@@ -117,7 +118,11 @@ TraitPlaces trait_places(const Survey& survey) {
              z = render::numbers_or_nan(*survey.stem, "z_m");
   auto heights_m = render::numbers_or_nan(*survey.stem, "height_mm");
   for (auto& h : heights_m) h /= 1000;
-  for (std::size_t i = 0; i < x.size(); ++i) places.axis.emplace_back(x[i], y[i], z[i]);
+  // The table has the axes of the plant: z up, the origin in the base.
+  if (!places.base) return places;
+  const Eigen::Matrix3d up_from_world = rotation_between(places.up, Eigen::Vector3d::UnitZ());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    places.axis.emplace_back(*places.base + up_from_world.transpose() * Eigen::Vector3d(x[i], y[i], z[i]));
   if (std::ranges::any_of(places.axis, [](const auto& p) { return !p.allFinite(); })) places.axis.clear();
   if (!places.axis.empty()) places.stem = on_axis(heights_m, places.axis, millimetres_of(t, "stem_height_mm"));
   return places;

@@ -278,6 +278,8 @@ class Measurement {
     row.stem_height = stem_at_;
     row.stem_method = stem_method_;
     row.scale_known = scene_.scale_known;
+    row.T_world_plant = T_plant_world_.inverse();
+    row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
     out.contours = contour_table(contours_, in_.views, fit_);
