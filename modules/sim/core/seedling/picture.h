@@ -2,39 +2,34 @@
 #pragma once
 
 #include <cstdint>
+#include <stop_token>
 
-#include "camera/camera_model.h"
 #include "camera/image.h"
-#include "sim/core/seedling/picture_scene.h"
+#include "sim/core/seedling/pixel_directions.h"
+#include "sim/core/seedling/seen_point.h"
 #include "sim/core/seedling/surface_color.h"
 
 namespace bole::sim {
 
-// Where the camera is in the middle of the exposure, and how it moves during it: twists (rotation rad, translation m,
-// camera axes) over the whole exposure, against the plant and against the room.
-struct ViewPose {
-  Pose T_world_camera = Pose::Identity();
-  Pose T_room_camera = Pose::Identity();
-  Vector6d world_motion = Vector6d::Zero(), room_motion = Vector6d::Zero();
+// A projector of infrared dots near the camera. Its axes are those of the camera, moved by `offset`.
+struct DotProjector {
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // metres, camera axes
+  double cell = 0.016;                               // mean distance of the dots (tangent of the angle)
+  double spread = 0.0024;                            // standard deviation of a dot (tangent of the angle)
+  double strength = 1.1;                             // irradiance in the middle of a dot at 0.5 m
+  std::uint64_t seed = 0;
+
+  // Light on a point, in the projector's axes, without shadows and incidence.
+  float light(const Eigen::Vector3d& point) const;
 };
 
 struct PictureOptions {
-  int samples = 2;             // along each side of a pixel
-  double point_spread = 0.45;  // standard deviation of the lens, pixels
-  bool infrared = false;       // one channel instead of three
-};
-
-// Directions of the pixels of a camera, undistorted once.
-class PixelDirections {
- public:
-  explicit PixelDirections(const CameraModel& camera);
-  const CameraModel& camera() const { return camera_; }
-  // (x / z, y / z, 1) at any place of the image; for distorted cameras linear between pixels.
-  Eigen::Vector3d at(double x, double y) const;
-
- private:
-  CameraModel camera_;
-  std::vector<Eigen::Vector2f> corners_;  // of pixels, by rows; empty without distortion
+  int samples = 2;                          // along each side of a pixel
+  double point_spread = 0.45;               // standard deviation of the lens, pixels
+  bool infrared = false;                    // one channel instead of three
+  const DotProjector* projector = nullptr;  // of infrared pictures
+  double room_light = 1;                    // factor on the light of the room, of infrared pictures
+  std::stop_token cancel;                   // a picture that was stopped is black in part
 };
 
 // Linear light; white paper on the mat is about 0.8.
@@ -48,15 +43,9 @@ struct SensorNoise {
 
 // Exposure (a factor on the light), noise, the sRGB curve and 8 bits.
 ColorImage develop(const Image<float>& light, double exposure, const SensorNoise& noise, std::uint64_t seed);
-
-// Depth along exact rays through the centres of the pixels, and the cosine between ray and surface.
-struct ExactDepth {
-  DepthImage depth;  // metres along z; 0 where nothing is met
-  Image<float> cosine;
-};
-// `shifts`: places in pixels added to the centres, x and y for each pixel, or empty.
-ExactDepth render_depth(const PictureScene& scene, const PixelDirections& pixels, const ViewPose& view,
-                        const std::vector<Eigen::Vector2f>& shifts = {});
+// The same of an infrared picture, with a straight curve.
+Image<std::uint8_t> develop_infrared(const Image<float>& light, double exposure, const SensorNoise& noise,
+                                     std::uint64_t seed);
 
 // About normal with standard deviation 1, bounded by 3.5, from 64 random bits.
 inline float quick_normal(std::uint64_t bits) {
