@@ -9,6 +9,8 @@
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/track_file.h"
 #include "io/core/tables/trajectory_file.h"
+#include "io/core/views/open_views.h"
+#include "io/core/views/view_layouts.h"
 #include "pipeline/stage.h"
 
 namespace bole::io {
@@ -28,6 +30,10 @@ struct ReadTrackOptions : TrackOptions {
 
 struct ReadTableOptions {
   std::string file;
+};
+
+struct ViewFolderOptions : ReadViewsOptions {
+  std::string folder;
 };
 
 struct ReadTrajectoryOptions {
@@ -55,11 +61,10 @@ void place_in_crs(Trajectory& trajectory, const std::string& crs, Report& report
                   "system. Those of the points must be the same");
 }
 
-// The options of a reader, with the option `file` in front of them.
+// The options of a reader, with the path in front of them.
 template <class S, class Base>
-OptionTable with_file(std::string_view help) {
-  auto table =
-      make_option_table<S>({Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic, help}});
+OptionTable with_path(std::string_view name, std::string S::*path, std::string_view help) {
+  auto table = make_option_table<S>({Option<S, std::string>{name, path, TextKind::input_path, {}, Tier::basic, help}});
   const auto& inner = option_table(static_cast<const Base*>(nullptr));
   for (auto spec : inner.specs) {
     spec.get = [get = spec.get](const void* s) { return get(static_cast<const Base*>(static_cast<const S*>(s))); };
@@ -89,7 +94,7 @@ pipeline::StageType new_type(const char* name, const char* vtk_class, const char
 
 pipeline::StageType read_scan() {
   static const std::string help = file_help("Scan", FileContent::scan);
-  static const OptionTable table = with_file<ReadScanOptions, FrameSourceOptions>(help);
+  static const OptionTable table = with_path<ReadScanOptions, FrameSourceOptions>("file", &ReadScanOptions::file, help);
   auto type = new_type("io.read_scan", "vtkBoleReadScan", "Read a scan");
   type.help =
       "Opens the recording of a spinning LiDAR and gives it frame by frame. Frames are decoded when they are needed, "
@@ -115,7 +120,7 @@ pipeline::StageType read_scan() {
 
 pipeline::StageType read_cloud_stage() {
   static const std::string help = file_help("Point cloud", FileContent::cloud);
-  static const OptionTable table = with_file<ReadCloudOptions, SeeCloudOptions>(help);
+  static const OptionTable table = with_path<ReadCloudOptions, SeeCloudOptions>("file", &ReadCloudOptions::file, help);
   auto type = new_type("io.read_cloud", "vtkBoleReadCloud", "Read a point cloud");
   type.help =
       "Reads a point cloud. Its format is recognised by the content of the file, not by its name. Coordinates are "
@@ -169,7 +174,7 @@ pipeline::StageType read_table_stage() {
 
 pipeline::StageType read_track_stage() {
   static const std::string help = file_help("Track", FileContent::track);
-  static const OptionTable table = with_file<ReadTrackOptions, TrackOptions>(help);
+  static const OptionTable table = with_path<ReadTrackOptions, TrackOptions>("file", &ReadTrackOptions::file, help);
   auto type = new_type("io.read_track", "vtkBoleReadTrack", "Read a track");
   type.help =
       "Reads the positions of a GNSS receiver: NMEA 0183 sentences (GGA, RMC, VTG, GST, HDT), also between binary "
@@ -238,6 +243,36 @@ pipeline::StageType read_trajectory_stage() {
   return type;
 }
 
+pipeline::StageType read_views_stage() {
+  static const std::string help = "Folder of views to read, or the file that describes them: " + layout_list() + ".";
+  static const OptionTable table =
+      with_path<ViewFolderOptions, ReadViewsOptions>("folder", &ViewFolderOptions::folder, help);
+  auto type = new_type("io.read_views", "vtkBoleReadViews", "Read views");
+  type.help =
+      "Opens the pictures of a colour camera or an RGB-D camera. Images are decoded when they are needed, so that long "
+      "sequences take little memory. The layout of the folder is found by the names of its files. Images that are "
+      "missing, damaged or of another size than their camera are left out and counted. Depth becomes metres; pixels "
+      "without depth are 0. Poses, the camera and the printed mat are read where the folder has them.";
+  type.source = "Bole";
+  type.outputs = {{"views", DataKind::views, "The pictures with their cameras.", false, {}},
+                  {"poses",
+                   DataKind::trajectory,
+                   "The poses that the folder gives, camera to world (x right, y down, z ahead), at the times of the "
+                   "views. Empty where it gives none.",
+                   false,
+                   {}}};
+  type.options = &table;
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    const auto& o = options.as<ViewFolderOptions>();
+    pipeline::StageResult result;
+    const auto views = open_views(o.folder, o, run, result.report);
+    result.outputs.set("poses", views->given_poses());
+    result.outputs.set("views", Data(views));
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
@@ -246,6 +281,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(read_table_stage());
   registry.add(read_track_stage());
   registry.add(read_trajectory_stage());
+  registry.add(read_views_stage());
 }
 
 }  // namespace bole::io

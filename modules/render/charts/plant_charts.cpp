@@ -146,9 +146,11 @@ Figure plant_drawing(const PlantDrawing& data, double width_mm) {
   const Eigen::Vector3d centre = extent.center();
   figure.draw = [drawn, traits, reach, panel_mm, side_mm, z, centre](Canvas& canvas) {
     const Interval x{centre.x() - reach, centre.x() + reach}, y{centre.y() - reach, centre.y() + reach};
-    const Frame plan{{axis_space_left_mm, 2, axis_space_left_mm + panel_mm, 2 + panel_mm}, x, y};
+    // Both stand on one line.
+    const double foot = canvas.height_mm() - axis_space_below_mm - 2;
+    const Frame plan{{axis_space_left_mm, foot - panel_mm, axis_space_left_mm + panel_mm, foot}, x, y};
     const double left = 2 * axis_space_left_mm + panel_mm + panel_gap_mm;
-    const Frame side{{left, 2, left + panel_mm, 2 + side_mm}, x, z};
+    const Frame side{{left, foot - side_mm, left + panel_mm, foot}, x, z};
     for (const auto& [frame, axis, name] : {std::tuple{plan, 1, "y (m)"}, {side, 2, "z (m)"}}) {
       AxesStyle axes{"x (m)", name};
       axes.x_ticks = axes.y_ticks = 4;

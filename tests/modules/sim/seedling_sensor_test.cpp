@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/angles.h"
-#include "sim/core/seedling/depth_sensor.h"
+#include "sim/core/camera/depth_sensor.h"
 #include "sim/core/seedling/plant_motion.h"
 #include "sim/core/seedling/seedling_scene.h"
 

@@ -14,9 +14,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "sim/core/camera/exact_depth.h"
+#include "sim/core/camera/picture.h"
 #include "sim/core/seedling/charuco_mat.h"
-#include "sim/core/seedling/exact_depth.h"
-#include "sim/core/seedling/picture.h"
 #include "sim/core/seedling/plant_mesh.h"
 #include "sim/core/seedling/plant_truth.h"
 #include "sim/core/seedling/seedling_scene.h"

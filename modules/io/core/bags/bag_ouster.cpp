@@ -1,22 +1,16 @@
 #include "io/core/bags/bag_ouster.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "base/error.h"
 #include "io/core/bags/bag_topics.h"
 #include "io/core/bags/messages.h"
+#include "io/core/scans/beside_capture.h"
 
 namespace bole::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // "/ouster/lidar_packets" is "/ouster".
 std::string_view name_space(std::string_view topic) { return topic.substr(0, topic.rfind('/')); }
@@ -28,7 +22,8 @@ std::vector<fs::path> metadata_files_beside(const fs::path& bag) {
                       : bag.parent_path().empty()    ? fs::path(".")
                                                      : bag.parent_path();
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".json" && sensor::looks_like_ouster_metadata(text_of(entry.path())))
+    if (entry.path().extension() == ".json" &&
+        sensor::looks_like_ouster_metadata(small_file_text(entry.path(), max_metadata_bytes)))
       files.push_back(entry.path());
   const auto same = std::ranges::find(files, bag.stem(), [](const fs::path& p) { return p.stem(); });
   if (same != files.end()) return {*same};
@@ -41,7 +36,7 @@ std::vector<fs::path> metadata_files_beside(const fs::path& bag) {
 sensor::OusterMetadata find_ouster_metadata(const Bag& bag, const fs::path& path, const std::string& sensor_option,
                                             const Run& run, std::string& found) {
   if (sensor_option != "auto") {
-    const auto text = text_of(sensor_option);
+    const auto text = small_file_text(sensor_option, max_metadata_bytes);
     if (!sensor::looks_like_ouster_metadata(text))
       throw bad_input("the bag holds packets of an Ouster sensor, and the option sensor is '" + sensor_option + "'",
                       "the JSON file of the sensor, with its beams and its packet layout");
@@ -61,7 +56,7 @@ sensor::OusterMetadata find_ouster_metadata(const Bag& bag, const fs::path& path
   const auto files = metadata_files_beside(path);
   if (files.size() == 1) {
     found = files.front().filename().string();
-    return sensor::parse_ouster_metadata(text_of(files.front()));
+    return sensor::parse_ouster_metadata(small_file_text(files.front(), max_metadata_bytes));
   }
   throw bad_input(
       "the bag has no topic 'metadata' with the beams of the Ouster sensor, and there " +

@@ -3,15 +3,9 @@
 #include <string>
 
 #include "base/verdict.h"
+#include "io/core/scans/beside_capture.h"
 
 namespace bole::io {
-namespace {
-
-std::string plural(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-}  // namespace
 
 void note_damage(const DatagramReader& reader, std::int64_t data_packets, Report& report) {
   constexpr double whole_enough = 0.99;

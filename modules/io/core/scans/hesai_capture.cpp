@@ -1,10 +1,9 @@
 #include "io/core/scans/hesai_capture.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "base/error.h"
+#include "io/core/scans/beside_capture.h"
 #include "io/core/scans/pcap_reader.h"
 
 namespace bole::io {
@@ -22,15 +21,8 @@ const sensor::HesaiLayout* layout_of(DatagramReader& reader) {
   return nullptr;
 }
 
-std::string text_of(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::file_size(path, ignored) > max_correction_bytes || ignored) return {};
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 bool is_correction(const fs::path& path) {
-  return path.extension() == ".csv" && sensor::looks_like_hesai_correction(text_of(path));
+  return path.extension() == ".csv" && sensor::looks_like_hesai_correction(small_file_text(path, max_correction_bytes));
 }
 
 // The correction file beside a capture, or nothing where there is none or more than one without its name.
@@ -72,7 +64,7 @@ std::unique_ptr<sensor::PacketDecoder> hesai_decoder(const sensor::HesaiLayout& 
     model = sensor::load_sensor_model(sensor_option);
   if (!correction.empty()) {
     try {
-      sensor::apply_hesai_correction(text_of(correction), model);
+      sensor::apply_hesai_correction(small_file_text(correction, max_correction_bytes), model);
     } catch (const Error& e) {
       throw e.at("'" + correction.string() + "'");
     }

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/verdict.h"
+#include "io/core/scans/beside_capture.h"
 #include "io/core/scans/sensor_facts.h"
 #include "sensor/core/livox_packet.h"
 
@@ -73,10 +74,6 @@ Pose extrinsics(Bytes p, std::size_t at) {  // roll, pitch, yaw in degrees; x, y
   T.linear() = rotation_from_rpy(v[0] * degree, v[1] * degree, v[2] * degree);
   T.translation() = Eigen::Vector3d(v[3], v[4], v[5]);
   return T;
-}
-
-std::string plural(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "base/error.h"
+#include "io/core/scans/beside_capture.h"
 #include "io/core/scans/pcap_reader.h"
 
 namespace bole::io {
@@ -15,7 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int sampled_packets = 256;
-constexpr std::uintmax_t max_metadata_bytes = 4 << 20;
 
 // The lengths of the first packets, and the serial numbers that those of the newer profiles have.
 struct Sample {
@@ -42,16 +40,9 @@ struct MetadataFile {
   sensor::OusterMetadata metadata;
 };
 
-std::string text_of(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::file_size(path, ignored) > max_metadata_bytes || ignored) return {};
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 MetadataFile load(const fs::path& path) {
   try {
-    return {path, sensor::parse_ouster_metadata(text_of(path))};
+    return {path, sensor::parse_ouster_metadata(small_file_text(path, max_metadata_bytes))};
   } catch (const Error& e) {
     throw e.at("'" + path.string() + "'");
   }
@@ -61,7 +52,8 @@ std::vector<fs::path> metadata_files(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".json" && sensor::looks_like_ouster_metadata(text_of(entry.path())))
+    if (entry.path().extension() == ".json" &&
+        sensor::looks_like_ouster_metadata(small_file_text(entry.path(), max_metadata_bytes)))
       files.push_back(entry.path());
   std::ranges::sort(files);
   return files;
@@ -153,7 +145,8 @@ sensor::OusterMetadata find_ouster_metadata(const fs::path& capture, const std::
   PcapReader reader(capture);
   const auto sample = sample_of(reader);
   if (sensor_option != "auto") {
-    if (fs::path(sensor_option).extension() != ".json" || !sensor::looks_like_ouster_metadata(text_of(sensor_option)))
+    if (fs::path(sensor_option).extension() != ".json" ||
+        !sensor::looks_like_ouster_metadata(small_file_text(sensor_option, max_metadata_bytes)))
       throw bad_input("'" + capture.filename().string() +
                           "' holds packets of an Ouster sensor, and the option sensor is '" + sensor_option + "'",
                       "the JSON file of the sensor, with its beams and its packet layout", remedy);
@@ -169,7 +162,8 @@ sensor::OusterMetadata find_ouster_metadata(const fs::path& capture, const std::
   auto same_name = capture;
   same_name.replace_extension(".json");
   std::error_code ignored;
-  if (fs::exists(same_name, ignored) && sensor::looks_like_ouster_metadata(text_of(same_name))) {
+  if (fs::exists(same_name, ignored) &&
+      sensor::looks_like_ouster_metadata(small_file_text(same_name, max_metadata_bytes))) {
     auto file = load(same_name);
     if (fits(file, sample)) {
       report.facts["calibration"] = same_name.filename().string();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "io/core/scans/beside_capture.h"
 #include "io/core/scans/capture_damage.h"
 #include "io/core/scans/sensor_facts.h"
 
@@ -12,10 +13,6 @@ namespace bole::io {
 namespace {
 
 constexpr double complete_share = 0.9;  // of the columns in the window
-
-std::string plural(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 }  // namespace
 

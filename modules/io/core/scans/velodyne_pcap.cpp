@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "io/core/scans/beside_capture.h"
 #include "io/core/scans/capture_damage.h"
 #include "io/core/scans/pcap_reader.h"
 #include "io/core/scans/sensor_facts.h"
@@ -23,10 +24,6 @@ std::string product_text(const sensor::VelodynePacket& packet) {
   char text[64];
   std::snprintf(text, sizeof text, "product id 0x%02X, return mode 0x%02X", packet.product_id, packet.return_mode);
   return text;
-}
-
-std::string plural(std::int64_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 bool is_calibration(const std::filesystem::path& path) {

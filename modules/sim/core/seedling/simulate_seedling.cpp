@@ -10,8 +10,8 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/version.h"
+#include "sim/core/camera/depth_sensor.h"
 #include "sim/core/scene/random.h"
-#include "sim/core/seedling/depth_sensor.h"
 #include "sim/core/seedling/plant_motion.h"
 #include "sim/core/seedling/plant_truth.h"
 #include "sim/core/seedling/seedling_files.h"
@@ -128,7 +128,7 @@ class SeedlingSimulator {
   void write_facts() {
     RgbdCamera camera = scene_.camera;
     if (o_.registered) camera.depth.reset();
-    write_json(folder_ / "camera.json", camera_json(camera));
+    write_camera(folder_ / "camera.json", camera);
     if (o_.mat) write_json(folder_ / "mat.json", mat_json());
     std::vector<Pose> poses;
     for (const auto& view : scene_.route) poses.push_back(view.pose.T_world_camera);

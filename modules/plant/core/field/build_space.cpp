@@ -1,0 +1,67 @@
+#include "plant/core/field/build_space.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "plant/core/field/depth_cells.h"
+
+namespace bole::plant {
+namespace {
+
+constexpr double bytes_per_voxel = 4 * 16 + 4;  // values, gradients, two moments, a stamp
+
+// Coarse: nothing is known yet, and the training makes voxels smaller where it finds something.
+FieldSpace without_depth(const Region& region, const FieldOptions& options, double& voxel) {
+  const double most = std::min(4096.0, max_blocks(options));
+  while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > most) voxel *= 1.1;
+  auto space = FieldSpace::around(region, voxel, 1);
+  space.set_cells(0, all_cells(space.boxes.front()));
+  return space;
+}
+
+}  // namespace
+
+double max_blocks(const FieldOptions& options) {
+  return options.max_memory_mib * 1048576.0 / (bytes_per_voxel * FieldBox::block_voxels);
+}
+
+FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
+                       const FieldOptions& options, const Run& run, Report& report) {
+  double voxel = options.voxel;
+  FieldSpace space;
+  if (!views.has_depth()) {
+    space = without_depth(region, options, voxel);
+  } else {
+    const int boxes = options.background == Background::scene ? 3 : 1;
+    while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > 50e6) voxel *= 1.25;
+    for (;; voxel *= 1.25) {
+      space = FieldSpace::around(region, voxel, boxes);
+      DepthCells cells(space, {options.depth_sigma});
+      View view;
+      for (std::size_t i = 0; i < posed.size(); ++i) {
+        run.check_cancel();
+        run.report(static_cast<double>(i) / static_cast<double>(posed.size()), "finding where to look");
+        views.read(posed[i].index, view, {.color = false, .depth = true, .mask = false});
+        const auto& camera = views.camera(posed[i].index);
+        cells.add(view.depth, camera.of_depth(), posed[i].T_world_camera * camera.T_color_depth);
+      }
+      for (std::size_t b = 0; b < space.boxes.size(); ++b) space.set_cells(b, cells.cells(b));
+      if (static_cast<double>(space.block_count()) <= max_blocks(options)) break;
+    }
+    if (space.boxes.front().places.empty())
+      throw bad_input("no depth of two views lies at one place of the region", "depth of the plant",
+                      "Check the region, the poses and the depth scale");
+  }
+  if (views.has_depth() && voxel > options.voxel * 1.001)
+    report.find(Severity::look, "voxel_enlarged",
+                fmt::format("Voxels of {:.2f} mm need more than {} MiB: {:.2f} mm were used. Give a smaller region or "
+                            "more memory.",
+                            options.voxel * 1000, options.max_memory_mib, voxel * 1000));
+  report.metrics["voxel"] = {voxel, Unit::metre};
+  report.counts["blocks"] = static_cast<std::int64_t>(space.block_count());
+  return space;
+}
+
+}  // namespace bole::plant

@@ -1,0 +1,18 @@
+// The space of a field for given views.
+#pragma once
+
+#include "plant/core/field/field_options.h"
+#include "plant/core/field/field_space.h"
+#include "plant/core/surface/posed_views.h"
+
+namespace bole::plant {
+
+// Blocks that the memory holds.
+double max_blocks(const FieldOptions& options);
+
+// Boxes around the region with the cells near measured depth; one full box without depth. Voxels are enlarged where the
+// memory is not enough, with a finding. Throws Error{bad_input} where no depth lies in the region.
+FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
+                       const FieldOptions& options, const Run& run, Report& report);
+
+}  // namespace bole::plant

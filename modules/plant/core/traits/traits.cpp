@@ -1,0 +1,321 @@
+#include "plant/core/traits/traits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "base/statistics.h"
+#include "plant/core/traits/extents.h"
+#include "plant/core/traits/picture_tone.h"
+#include "plant/core/traits/stem_fit.h"
+#include "plant/core/traits/tips.h"
+#include "plant/core/traits/trait_tables.h"
+
+namespace bole::plant {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double edge_px = 0.03;  // what a wrong curve of the picture or shading moves an edge by, all views alike
+
+class Measurement {
+ public:
+  Measurement(const TraitInputs& inputs, const TraitOptions& options, const Run& run)
+      : in_(inputs), options_(options), run_(run) {}
+
+  Traits all() {
+    take_points();
+    run_.report(0.02, "height and breadth");
+    measure_size();
+    run_.report(0.2, "stem");
+    measure_stem();
+    return finished();
+  }
+
+ private:
+  void take_points() {
+    const auto& points = *in_.points;
+    if (!points.has(part_column))
+      throw bad_input("the points have no column 'part'", "points of plant.separate",
+                      "connect the output 'points' of a stage plant.separate");
+    const auto& part = points.values<std::int32_t>(part_column);
+    scene_ = scene_of(points.facts);
+    T_plant_world_.linear() = levelling(scene_.up);
+    T_plant_world_.translation() = -(T_plant_world_.linear() * scene_.base);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d p = T_plant_world_ * points.position(i);
+      if (!p.allFinite()) continue;
+      if (part[i] == static_cast<std::int32_t>(Part::plant)) plant_.push_back(p);
+      if (part[i] != static_cast<std::int32_t>(Part::floater)) solid_.push_back(p);
+    }
+    if (plant_.size() < 20)
+      throw bad_input("the cloud has " + std::to_string(plant_.size()) + " points of the plant", "at least 20",
+                      "look at the column 'part', and set up, box or base of plant.separate");
+    if (!scene_.scale_known)
+      report_.find(Severity::look, "plant_scale_unknown",
+                   "The scale of the cloud is unknown: the columns in mm hold thousandths of its unit.");
+  }
+
+  Interval interval(double value, double sd, double freedom = 1e6) const {
+    const double all = std::hypot(sd, options_.scale_sd / 100 * value);
+    const double half = student_975(freedom) * all;
+    return {value, std::max(0.0, value - half), value + half};
+  }
+
+  void measure_size() {
+    extents_ = measure_extents(plant_, run_);
+    if (in_.views != nullptr && in_.poses != nullptr) measure_tips_in_pictures();
+    const double surface = scene_.scale_known ? options_.surface_sd : 0.002 * extents_.top.value;
+    // The top is one surface, the breadth lies between two.
+    const double slope_sd = scene_.soil_sd;
+    height_ = interval(extents_.top.value, std::hypot(std::hypot(extents_.top.sd, slope_sd), surface));
+    const double both = std::sqrt(2.0) * surface;
+    length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
+    width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
+  }
+
+  void measure_tips_in_pictures() {
+    TipSearch search;
+    search.reach = scene_.scale_known ? options_.tip_reach : 0.03 * extents_.top.value;
+    search.linear_light = options_.light != PictureLight::linear;
+    auto tips = outermost_tips(plant_, search.reach);
+    measure_tips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, chosen_views(), tips,
+                 run_.part(0.04, 0.2));
+    take_tips(plant_, tips, search.reach, extents_);
+    report_.counts["tips"] = static_cast<std::int64_t>(tips.size());
+    report_.counts["tips_in_pictures"] = std::ranges::count_if(tips, &Tip::measured);
+    report_.counts["sides_in_pictures"] = extents_.sides_in_pictures;
+  }
+
+  double stem_unit() const {  // 20 mm where the scale is known
+    return scene_.scale_known ? 0.02 : 0.06 * extents_.top.value;
+  }
+
+  void measure_stem() {
+    const double height =
+        scene_.scale_known ? options_.stem_height : std::min(options_.stem_height, 0.1 * extents_.top.value);
+    stem_at_ = height;
+    const double reach = std::max(0.9 * stem_unit(), 0.6 * options_.stretch);
+    cloud_stem_ =
+        stem_from_cloud(plant_, height, reach, std::max(0.1 * stem_unit(), 1.2 * extents_.spacing), 0.5 * stem_unit());
+    if (!cloud_stem_) cloud_stem_ = stem_from_cloud(plant_, height, 3 * reach, 0.2 * stem_unit(), 0.7 * stem_unit());
+    StemCurve axis;
+    double guess = 0.12 * stem_unit(), shift = 0.3 * stem_unit();
+    if (cloud_stem_) {
+      axis = cloud_stem_->curve;
+      guess = std::clamp(0.7 * cloud_stem_->radius, 0.04 * stem_unit(), stem_unit());
+      shift = std::max(0.5 * cloud_stem_->radius, 2 * cloud_stem_->residual);
+    } else {
+      axis.height = height;
+      axis.unit = reach;
+      report_.find(Severity::look, "stem_not_in_cloud",
+                   "The cloud has no stem around the height of measurement: it is looked for in the pictures above "
+                   "its foot.");
+    }
+    if (options_.stem != StemMethod::cloud) measure_contours(axis, guess, shift);
+    if (fit_) {
+      stem_from_contours();
+    } else {
+      stem_from_points();
+    }
+  }
+
+  std::vector<std::uint32_t> chosen_views() const {
+    std::vector<std::uint32_t> with_pose, out;
+    for (std::uint32_t i = 0; i < in_.views->size(); ++i)
+      if (pose_of_view(*in_.poses, in_.views->time_s(i))) with_pose.push_back(i);
+    const auto most = static_cast<std::size_t>(options_.max_views);
+    if (with_pose.size() <= most) return with_pose;
+    for (std::size_t k = 0; k < most; ++k) out.push_back(with_pose[k * with_pose.size() / most]);
+    return out;
+  }
+
+  void measure_contours(const StemCurve& axis, double guess, double shift) {
+    if (in_.views == nullptr || in_.poses == nullptr) {
+      why_no_contours_ = "no views or poses are connected";
+      return;
+    }
+    const auto which = chosen_views();
+    if (which.size() < 3) {
+      why_no_contours_ = "fewer than three views have a pose";
+      return;
+    }
+    StripSearch search;
+    search.axis = axis;
+    search.radius = guess;
+    search.radius_share = cloud_stem_ ? 2.6 : 4;
+    search.shift = shift;
+    search.bottom = std::max(stem_at_ - options_.stretch / 2, 0.2 * stem_at_);
+    search.top = stem_at_ + options_.stretch / 2;
+    search.linear_light = choose_light(search, which);
+    contours_ = find(search, which, 0.2, 0.55);
+    fit_ = fit_stem(contours_.strips, axis, guess, pose_sigma_px, run_);
+    if (!fit_) {
+      why_no_contours_ = "the pictures show its edges in " + std::to_string(used_views()) + " views only";
+      return;
+    }
+    // Once more from what was found: the axis is now that of the pictures, and widths far off are no longer tried.
+    search.axis = fit_->axis;
+    search.radius = fit_->diameter / 2;
+    search.radius_share = 1.35;
+    search.shift = 0.25 * fit_->diameter;
+    auto again = find(search, which, 0.55, 0.9);
+    if (const auto better = fit_stem(again.strips, fit_->axis, fit_->diameter / 2, pose_sigma_px, run_)) {
+      fit_ = better;
+      contours_ = std::move(again);
+    }
+  }
+
+  StripsFound find(const StripSearch& search, const std::vector<std::uint32_t>& which, double begin, double end) const {
+    return find_strips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, which,
+                       run_.part(begin, end));
+  }
+
+  // A dozen views tell whether the pictures hold sRGB codes or light. Where their steps do not, the edges of the stem
+  // itself do; where those do not either, the usual curve is taken and the doubt widens the interval.
+  bool choose_light(StripSearch search, const std::vector<std::uint32_t>& which) {
+    if (options_.light != PictureLight::automatic) return options_.light == PictureLight::srgb;
+    std::vector<std::uint32_t> few;
+    for (std::size_t k = 0; k < std::min<std::size_t>(12, which.size()); ++k)
+      few.push_back(which[k * which.size() / std::min<std::size_t>(12, which.size())]);
+    ToneVotes votes;
+    View view;
+    for (const auto i : few) {
+      run_.check_cancel();
+      try {
+        in_.views->read(i, view, {true, false, false});
+      } catch (const Error&) {
+        continue;  // listed with the contours
+      }
+      votes.add(tone_votes(view.color));
+    }
+    report_.counts["tone_edges"] = static_cast<std::int64_t>(votes.edges);
+    int tone = tone_of(votes);
+    report_.counts["tone_for_srgb"] = static_cast<std::int64_t>(votes.for_light);
+    report_.counts["tone_for_linear"] = static_cast<std::int64_t>(votes.for_codes);
+    std::array<std::map<std::uint32_t, double>, 2> cost;
+    std::array<std::map<std::uint32_t, double>, 2> width;
+    for (const bool light : {false, true}) {
+      search.linear_light = light;
+      const auto found = find(search, few, 0.2, 0.25);
+      std::map<std::uint32_t, std::vector<double>> widths;
+      for (const auto& s : found.strips) widths[s.view].push_back((s.right - s.left).norm());
+      for (const auto& v : found.views)
+        if (v.state == "used") {
+          cost[light ? 1 : 0][v.view] = v.cost;
+          width[light ? 1 : 0][v.view] = median(widths[v.view]);
+        }
+    }
+    std::vector<double> ratios, shifts;
+    for (const auto& [v, c] : cost[1])
+      if (const auto it = cost[0].find(v); it != cost[0].end() && it->second > 0) {
+        ratios.push_back(c / it->second);
+        shifts.push_back(width[1][v] / width[0][v] - 1);
+      }
+    const double ratio = ratios.empty() ? 1 : median(ratios);
+    const double shift = shifts.empty() ? 0 : median(shifts);
+    const bool by_steps = tone != 0;
+    if (!by_steps) tone = ratio > 1.045 ? -1 : 1;
+    if (!by_steps && ratio > 0.9 && ratio < 1.12) tone_doubt_ = 0.5 * std::abs(shift);
+    report_.facts["picture_light"] = tone > 0 ? "srgb" : "linear";
+    return tone > 0;
+  }
+
+  std::size_t used_views() const {
+    return static_cast<std::size_t>(std::ranges::count(contours_.views, "used", &ViewUse::state));
+  }
+
+  void stem_from_contours() {
+    double ppu = 0;
+    for (const auto& s : contours_.strips) ppu += s.pixels_per_unit / static_cast<double>(contours_.strips.size());
+    const double systematic = std::sqrt(2.0) * edge_px / ppu;
+    const double sd = std::hypot(fit_->standard_error, systematic, tone_doubt_ * fit_->diameter);
+    // A wrong height of the soil is a wrong place on the taper.
+    stem_ = interval(fit_->diameter, std::hypot(sd, fit_->taper * scene_.soil_sd), std::max(fit_->freedom, 3.0));
+    stem_method_ = "contours";
+    if (cloud_stem_ && 2 * cloud_stem_->radius < 0.6 * fit_->diameter)
+      report_.find(Severity::look, "stem_methods_differ",
+                   "The cloud's stem is much thinner than the pictures': look at the contours.");
+    if (scene_.scale_known && (fit_->diameter < 0.0008 || fit_->diameter > 0.1))
+      report_.find(Severity::look, "stem_diameter_odd", "The diameter of the stem is unusual: look at the contours.");
+    report_.metrics["stem_edge_residual"] = {fit_->residual_px, Unit::pixel};
+    report_.counts["stem_views"] = static_cast<std::int64_t>(fit_->views);
+    report_.counts["stem_strips"] = static_cast<std::int64_t>(fit_->strips);
+  }
+
+  void stem_from_points() {
+    if (!cloud_stem_) {
+      stem_ = {nan, nan, nan};
+      stem_method_ = "none";
+      report_.find(Severity::look, "stem_not_measured",
+                   "The stem was not measured: the cloud has none at its height, and " +
+                       (why_no_contours_.empty() ? std::string("contours were not asked for") : why_no_contours_) +
+                       ".");
+      return;
+    }
+    // A cloud of depth reads a thin stem too wide by an unknown amount, at most by its own excess over the noise: the
+    // interval reaches from a small part of what it shows to a little more.
+    const double d = 2 * cloud_stem_->radius;
+    const double noise = std::max({extents_.noise, extents_.spacing / 2, cloud_stem_->radius_sd});
+    const double sharp = std::sqrt(std::max(d * d / 4 - noise * noise, d * d / 64)) * 2;
+    stem_ = {sharp, std::max(0.0, std::min(0.35 * sharp, sharp - 4 * noise)), sharp + 2 * noise};
+    stem_method_ = "cloud";
+    if (options_.stem != StemMethod::cloud)
+      report_.find(Severity::look, "stem_from_cloud",
+                   "The stem was measured in the cloud, since " + why_no_contours_ +
+                       ". Clouds made of depth show thin stems too wide; the interval says by how much.");
+  }
+
+  Traits finished() {
+    Traits out;
+    TraitRow row;
+    row.plant_id = options_.plant_id;
+    row.height = height_;
+    row.length = length_;
+    row.width = width_;
+    row.stem = stem_;
+    row.stem_height = stem_at_;
+    row.stem_method = stem_method_;
+    row.scale_known = scene_.scale_known;
+    row.T_world_plant = T_plant_world_.inverse();
+    row.rectangle = extents_.rectangle;
+    out.traits = trait_table(row);
+    out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
+    out.contours = contour_table(contours_, in_.views, fit_);
+    report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};
+    report_.metrics["breadth_length"] = {1000 * length_.value, Unit::millimetre};
+    report_.metrics["breadth_width"] = {1000 * width_.value, Unit::millimetre};
+    if (std::isfinite(stem_.value)) report_.metrics["stem_diameter"] = {1000 * stem_.value, Unit::millimetre};
+    report_.metrics["noise"] = {1000 * extents_.noise, Unit::millimetre};
+    report_.facts["stem_method"] = stem_method_;
+    report_.message = size_sentence(row);
+    out.report = std::move(report_);
+    return out;
+  }
+
+  static constexpr double pose_sigma_px = 1.0;
+
+  const TraitInputs& in_;
+  const TraitOptions& options_;
+  const Run& run_;
+  Report report_;
+  PlantScene scene_;
+  Pose T_plant_world_ = Pose::Identity();
+  Points3 plant_, solid_;
+  Extents extents_;
+  Interval height_, length_, width_, stem_;
+  double stem_at_ = 0, tone_doubt_ = 0;  // tone_doubt_: of the diameter, as a share
+  std::optional<CloudStem> cloud_stem_;
+  std::optional<StemFit> fit_;
+  StripsFound contours_;
+  std::string stem_method_, why_no_contours_;
+};
+
+}  // namespace
+
+Traits measure_traits(const TraitInputs& inputs, const TraitOptions& options, const Run& run) {
+  return Measurement(inputs, options, run).all();
+}
+
+}  // namespace bole::plant
