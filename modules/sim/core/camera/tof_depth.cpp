@@ -11,8 +11,8 @@ namespace {
 
 constexpr double phase_per_metre = 4 * std::numbers::pi * 80e6 / 299'792'458;
 constexpr int rays_per_side = 3;
-constexpr double usual_amplitude = 1.6;              // of a surface that sends back 0.4 at 0.5 m
-constexpr double weakest = 0.02, most_mixed = 0.45;  // amplitudes below these shares give no depth
+constexpr double usual_amplitude = 1.6;             // of a surface that sends back 0.4 at 0.5 m
+constexpr double weakest = 0.02, min_unity = 0.45;  // shares of the amplitude below which there is no depth
 
 }  // namespace
 
@@ -44,7 +44,7 @@ DepthImage tof_depth(const PictureScene& scene, const SurfaceColors& colors, con
     for (int x = 0; x < camera.width; ++x) {
       const auto k = out.index(x, y);
       const double wave = std::abs(waves[k]), share = wave / (rays_per_side * rays_per_side * usual_amplitude);
-      if (amplitudes[k] <= 0 || share < weakest || wave < most_mixed * amplitudes[k]) continue;
+      if (amplitudes[k] <= 0 || share < weakest || wave < min_unity * amplitudes[k]) continue;
       const double sd = noise * 0.0009 / std::sqrt(share);
       const double range = first[k] + std::arg(waves[k]) / phase_per_metre +
                            sd * static_cast<double>(quick_normal(mix64(seed ^ mix64(k))));
