@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "camera/camera_model.h"
-#include "sim/core/seedling/picture.h"
+#include "sim/core/seedling/seen_point.h"
 
 namespace bole::sim {
 

@@ -15,7 +15,7 @@
 namespace bole::sim {
 namespace {
 
-constexpr float shadow_reach = 0.9F;      // metres; walls are light, not shade
+constexpr float shadow_reach = 0.75F;     // metres; walls are light, not shade
 constexpr float light_of_others = 0.14F;  // radiance of what stands in the way of a lamp
 constexpr float off_surface = 0.0002F;    // metres, so that a surface does not shade itself
 
@@ -49,24 +49,27 @@ Eigen::Matrix3f axes_about(const Eigen::Vector3f& normal) {
 
 class LightBaker {
  public:
-  LightBaker(const PictureScene& scene, const Lighting& lighting, int samples, std::uint64_t seed)
+  LightBaker(const PictureScene& scene, const Lighting& lighting, int samples, std::uint64_t seed,
+             const std::stop_token& cancel)
       : scene_(scene),
         lighting_(lighting),
         samples_(samples),
         seed_(seed),
+        cancel_(cancel),
         T_world_room_(scene.T_room_world.inverse()) {}
 
-  void light(std::vector<ScenePart>& parts, const Pose& T_room_parts) const {
+  void light(std::vector<ScenePart>& parts, const Pose& T_room_parts, bool of_room) const {
     for (std::size_t p = 0; p < parts.size(); ++p) {
       auto& part = parts[p];
       part.light.assign(part.positions.size(), 0.75F);
       part.through.assign(part.positions.size(), 0.0F);
       if (part.surface == PartSurface::wall) continue;
       tbb::parallel_for(tbb::blocked_range<std::size_t>(0, part.positions.size(), 64), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        for (std::size_t i = range.begin(); i < range.end() && !cancel_.stop_requested(); ++i) {
           const std::uint64_t key = mix64(seed_ ^ mix64(p * 1'000'003 + i));
-          part.light[i] = irradiance(T_room_parts * (part.positions[i] + off_surface * part.normals[i]).cast<double>(),
-                                     (T_room_parts.linear() * part.normals[i].cast<double>()).cast<float>(), key);
+          part.light[i] =
+              irradiance(T_room_parts * (part.positions[i] + off_surface * part.normals[i]).cast<double>(),
+                         (T_room_parts.linear() * part.normals[i].cast<double>()).cast<float>(), of_room, key);
         }
       });
     }
@@ -74,7 +77,8 @@ class LightBaker {
   }
 
  private:
-  float irradiance(const Eigen::Vector3d& at_room, const Eigen::Vector3f& normal_room, std::uint64_t key) const {
+  float irradiance(const Eigen::Vector3d& at_room, const Eigen::Vector3f& normal_room, bool of_room,
+                   std::uint64_t key) const {
     const auto u = static_cast<float>(static_cast<double>(key >> 40) * 0x1.0p-24);
     const auto v = static_cast<float>(static_cast<double>((key >> 8) & 0xffffffu) * 0x1.0p-24);
     const Eigen::Matrix3f axes = axes_about(normal_room);
@@ -89,10 +93,19 @@ class LightBaker {
         in_room.set(k, at_room, d.cast<double>());
         in_world.set(k, at_world, T_world_room_.linear() * d.cast<double>());
       }
-      const auto by_world = scene_.world_rays->blocked(in_world, shadow_reach);
-      const auto by_room = scene_.room_rays->blocked(in_room, shadow_reach);
+      auto blocked = scene_.world_rays->blocked(in_world, shadow_reach);
+      // Above the plant there is nothing of the room within reach.
+      bool more = false;
+      for (std::size_t k = 0; k < RayPack::size; ++k) {
+        in_room.active[k] = !blocked[k] && (of_room || directions[k].z() < 0);
+        more = more || in_room.active[k];
+      }
+      if (more) {
+        const auto by_room = scene_.room_rays->blocked(in_room, shadow_reach);
+        for (std::size_t k = 0; k < RayPack::size; ++k) blocked[k] = blocked[k] || by_room[k];
+      }
       for (std::size_t k = 0; k < RayPack::size; ++k)
-        sum += by_world[k] || by_room[k] ? light_of_others : lighting_.radiance(directions[k]);
+        sum += blocked[k] ? light_of_others : lighting_.radiance(directions[k]);
     }
     return sum / static_cast<float>(samples_);
   }
@@ -112,6 +125,7 @@ class LightBaker {
   const Lighting& lighting_;
   int samples_;
   std::uint64_t seed_;
+  const std::stop_token& cancel_;
   Pose T_world_room_;
 };
 
@@ -151,10 +165,11 @@ float Lighting::highlight(const Eigen::Vector3f& normal, const Eigen::Vector3f& 
 
 void PictureScene::trace_again() { world_rays.emplace(world); }
 
-void light_scene(PictureScene& scene, const Lighting& lighting, int samples, bool of_room, std::uint64_t seed) {
-  const LightBaker baker(scene, lighting, samples, seed);
-  baker.light(scene.world, scene.T_room_world);
-  if (of_room) baker.light(scene.room, Pose::Identity());
+void light_scene(PictureScene& scene, const Lighting& lighting, int samples, bool of_room, std::uint64_t seed,
+                 const std::stop_token& cancel) {
+  const LightBaker baker(scene, lighting, samples, seed, cancel);
+  baker.light(scene.world, scene.T_room_world, false);
+  if (of_room) baker.light(scene.room, Pose::Identity(), true);
 }
 
 }  // namespace bole::sim

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "base/transform.h"
@@ -41,6 +42,7 @@ struct PictureScene {
 
 // Sets `light` and `through` of the parts in `world` (and of those in `room`, with `of_room`), from `samples`
 // directions for each vertex (a multiple of 8). The same at any thread count.
-void light_scene(PictureScene& scene, const Lighting& lighting, int samples, bool of_room, std::uint64_t seed);
+void light_scene(PictureScene& scene, const Lighting& lighting, int samples, bool of_room, std::uint64_t seed,
+                 const std::stop_token& cancel = {});
 
 }  // namespace bole::sim

@@ -8,6 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/error.h"
+#include "camera/camera_json.h"
 #include "sim/core/seedling/charuco_mat.h"
 
 namespace bole::sim {
@@ -31,11 +32,6 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw failure("cannot write " + file.string(), "a folder that can be written to, and space on the disk");
-}
-
-Json model_json(const CameraModel& c) {
-  return {{"width", c.width}, {"height", c.height},        {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx},
-          {"cy", c.cy},       {"distortion", c.distortion}};
 }
 
 }  // namespace
@@ -87,14 +83,8 @@ void write_poses(const std::filesystem::path& file, const std::vector<Pose>& T_w
   write_text(file, text);
 }
 
-Json camera_json(const RgbdCamera& camera) {
-  Json json = model_json(camera.color);
-  json["depth_scale"] = camera.depth_scale;
-  if (!camera.depth) return json;
-  json["depth"] = model_json(*camera.depth);
-  const Eigen::Matrix4d T = camera.T_color_depth.matrix();
-  for (int r = 0; r < 4; ++r) json["depth_to_color"].push_back({T(r, 0), T(r, 1), T(r, 2), T(r, 3)});
-  return json;
+void write_camera(const std::filesystem::path& file, const RgbdCamera& camera) {
+  write_text(file, camera_json(camera));
 }
 
 Json mat_json() {

@@ -20,7 +20,7 @@ void write_json(const std::filesystem::path& file, const nlohmann::json& json);
 // TUM: time, translation, quaternion (x, y, z, w). View i has the time i / 30 s.
 void write_poses(const std::filesystem::path& file, const std::vector<Pose>& T_world_camera);
 
-nlohmann::json camera_json(const RgbdCamera& camera);
+void write_camera(const std::filesystem::path& file, const RgbdCamera& camera);  // camera/camera_json.h
 nlohmann::json mat_json();
 
 }  // namespace bole::sim

@@ -18,14 +18,15 @@ struct SeedlingScene {
   PictureScene picture;  // plant, pot, soil and mat are its `world`; not lighted yet
   Lighting lighting;
   SurfaceColors colors;
-  CameraModel camera;  // of colour
+  RgbdCamera camera;
   std::vector<RouteView> route;
 };
 
 // Throws Error{bad_input} for unknown recipes.
 SeedlingScene build_seedling_scene(const SeedlingSimulationOptions& options);
 
-// Colour camera like that of a RealSense D435, with small constants of its own.
-CameraModel draw_color_camera(int width, std::uint64_t seed);
+// Cameras like those of a RealSense D435, with small constants of their own. Stereo and time of flight have a depth
+// camera beside the colour camera, whether its pictures will be registered or not.
+RgbdCamera draw_camera(const SeedlingSimulationOptions& options);
 
 }  // namespace bole::sim

@@ -5,19 +5,20 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/version.h"
+#include "sim/core/camera/depth_sensor.h"
 #include "sim/core/scene/random.h"
-#include "sim/core/seedling/depth_sensor.h"
+#include "sim/core/seedling/plant_motion.h"
 #include "sim/core/seedling/plant_truth.h"
 #include "sim/core/seedling/seedling_files.h"
 #include "sim/core/seedling/seedling_scene.h"
 
 namespace bole::sim {
 namespace {
-
-constexpr int light_samples = 192;
 
 // Slow changes of the exposure, in stops.
 class ExposureDrift {
@@ -46,7 +47,8 @@ class SeedlingSimulator {
         run_(run),
         seed_(static_cast<std::uint64_t>(o.seed)),
         scene_(build_seedling_scene(o)),
-        pixels_(scene_.camera),
+        color_pixels_(scene_.camera.color),
+        depth_pixels_(scene_.camera.of_depth()),
         drift_(o.exposure_drift, seed_) {}
 
   Report simulate() {
@@ -57,7 +59,11 @@ class SeedlingSimulator {
     for (const char* name : {"color", "depth", "truth"}) std::filesystem::create_directories(folder_ / name);
     write_facts();
     run_.report(0, "lighting the seedling");
-    light_scene(scene_.picture, scene_.lighting, light_samples, true, seed_);
+    light_scene(scene_.picture, scene_.lighting, light_samples(), true, seed_, run_.cancel);
+    run_.check_cancel();
+    if (o_.route == SeedlingRoute::turntable)
+      turning_light_.emplace(scene_.picture, scene_.lighting, mat_middle(), light_samples(), seed_, run_.cancel);
+    if (o_.sway > 0) sway_.emplace(scene_.picture.world, scene_.plant, o_.sway * rad_per_deg, seed_);
     for (int i = 0; i < o_.views; ++i) {
       run_.check_cancel();
       write_view(i);
@@ -67,35 +73,62 @@ class SeedlingSimulator {
   }
 
  private:
+  int light_samples() const { return (o_.light_samples + RayPack::size - 1) / RayPack::size * RayPack::size; }
   std::uint64_t view_seed(int view, int purpose) const {
     return mix64(mix64(seed_ + 77) ^ (static_cast<std::uint64_t>(view) << 8 | static_cast<std::uint64_t>(purpose)));
   }
 
   void write_view(int i) {
     const auto& view = scene_.route[static_cast<std::size_t>(i)];
-    scene_.picture.T_room_world = view.T_room_world;
-    PictureOptions picture;
-    picture.samples = o_.samples;
-    picture.point_spread = o_.point_spread;
+    auto& picture = scene_.picture;
+    picture.T_room_world = view.T_room_world;
+    if (turning_light_) turning_light_->update();
+    run_.check_cancel();
+    if (sway_) {
+      sway_->move(picture.world, i);
+      picture.trace_again();
+    }
+    PictureOptions o;
+    o.samples = o_.samples;
+    o.point_spread = o_.point_spread;
+    o.cancel = run_.cancel;
     const auto light =
-        render_picture(scene_.picture, scene_.lighting, scene_.colors, pixels_, view.pose, picture, view_seed(i, 1));
+        render_picture(picture, scene_.lighting, scene_.colors, color_pixels_, view.pose, o, view_seed(i, 1));
+    run_.check_cancel();
     SensorNoise noise;
     noise.shot *= o_.noise;
     noise.read *= o_.noise;
     const auto name = fmt::format("{:06}.png", i);
     write_color(folder_ / "color" / name, develop(light, 0.95 * drift_.factor(i), noise, view_seed(i, 2)));
     run_.check_cancel();
-    const auto depth = o_.sensor == SeedlingSensor::exact
-                           ? render_depth(scene_.picture, pixels_, view.pose).depth
-                           : kinect_depth(scene_.picture, pixels_, view.pose, o_.noise, view_seed(i, 3));
-    write_depth(folder_ / "depth" / name, depth, o_.depth_scale);
+    write_depth(folder_ / "depth" / name, measured_depth(view.pose, view_seed(i, 3)), o_.depth_scale);
+  }
+
+  DepthImage measured_depth(const ViewPose& view, std::uint64_t seed) const {
+    const auto& picture = scene_.picture;
+    const ViewPose own = view.mounted(scene_.camera.T_color_depth);
+    DepthImage depth;
+    switch (o_.sensor) {
+      case SeedlingSensor::exact:
+        return render_depth(picture, color_pixels_, view).depth;
+      case SeedlingSensor::kinect:
+        return kinect_depth(picture, color_pixels_, view, o_.noise, seed);
+      case SeedlingSensor::stereo:
+        depth =
+            match_infrared(render_infrared(picture, scene_.lighting, scene_.colors, depth_pixels_, own, o_.noise, seed),
+                           depth_pixels_.camera());
+        break;
+      case SeedlingSensor::tof:
+        depth = tof_depth(picture, scene_.colors, depth_pixels_, own, o_.noise, seed);
+        break;
+    }
+    return o_.registered ? register_to_color(depth, scene_.camera) : depth;
   }
 
   void write_facts() {
-    RgbdCamera camera;
-    camera.color = scene_.camera;
-    camera.depth_scale = o_.depth_scale;
-    write_json(folder_ / "camera.json", camera_json(camera));
+    RgbdCamera camera = scene_.camera;
+    if (o_.registered) camera.depth.reset();
+    write_camera(folder_ / "camera.json", camera);
     if (o_.mat) write_json(folder_ / "mat.json", mat_json());
     std::vector<Pose> poses;
     for (const auto& view : scene_.route) poses.push_back(view.pose.T_world_camera);
@@ -132,8 +165,10 @@ class SeedlingSimulator {
   const Run& run_;
   std::uint64_t seed_;
   SeedlingScene scene_;
-  PixelDirections pixels_;
+  PixelDirections color_pixels_, depth_pixels_;
   ExposureDrift drift_;
+  std::optional<TurningLight> turning_light_;
+  std::optional<PlantSway> sway_;
   Table traits_;
 };
 

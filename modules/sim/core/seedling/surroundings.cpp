@@ -12,7 +12,7 @@ namespace bole::sim {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-const Eigen::Vector2d mat_middle(CharucoMat::width() / 2, CharucoMat::height() / 2);
+const Eigen::Vector2d middle_of_mat(CharucoMat::width() / 2, CharucoMat::height() / 2);
 
 double draw_from(Random& random, const Span& span) { return random.uniform(span.min, span.max); }
 
@@ -78,7 +78,7 @@ void add_things(std::vector<ScenePart>& parts, Random& random) {
   const int count = 7 + random.index(4);
   for (int i = 0; i < count; ++i) {
     const double azimuth = two_pi * (i + random.uniform(-0.3, 0.3)) / count, distance = random.uniform(1.08, 1.25);
-    const Eigen::Vector2d at = mat_middle + distance * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+    const Eigen::Vector2d at = middle_of_mat + distance * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
     const double height = random.uniform(0.06, 0.30), half = random.uniform(0.05, 0.11), turn = random.angle();
     const Eigen::Vector3d foot(at.x(), at.y(), -table_below_mat);
     if (random.chance(0.4)) {
@@ -102,10 +102,12 @@ void add_things(std::vector<ScenePart>& parts, Random& random) {
 
 }  // namespace
 
+Eigen::Vector3d mat_middle() { return {middle_of_mat.x(), middle_of_mat.y(), 0}; }
+
 Pot draw_pot(const SeedlingPot& recipe, std::uint64_t seed) {
   Random random(seed, Stream::surroundings, 1);
   Pot pot;
-  pot.middle << mat_middle, 0;
+  pot.middle << middle_of_mat, 0;
   pot.middle += Eigen::Vector3d(random.uniform(-0.006, 0.006), random.uniform(-0.006, 0.006), 0);
   pot.top_radius = draw_from(random, recipe.top_mm) / 2000;
   pot.bottom_radius = pot.top_radius * draw_from(random, recipe.bottom_share);
@@ -195,7 +197,7 @@ ScenePart mat_part() {
 }
 
 ScenePart turntable_part() {
-  const Eigen::Vector3d middle(mat_middle.x(), mat_middle.y(), -table_below_mat - 0.02);
+  const Eigen::Vector3d middle(middle_of_mat.x(), middle_of_mat.y(), -table_below_mat - 0.02);
   auto part = turned(middle, refined({{0.23, 0}, {0.23, 0.0205}, {0.001, 0.0205}}, 0.01), 120);
   part.surface = PartSurface::table;
   part.tone = {0.3F, 0.1F, 0.6F, 0.5F};
@@ -205,13 +207,13 @@ ScenePart turntable_part() {
 std::vector<ScenePart> room_parts(std::uint64_t seed) {
   Random random(seed, Stream::surroundings, 4);
   std::vector<ScenePart> parts;
-  const Eigen::Vector3d c(mat_middle.x(), mat_middle.y(), -table_below_mat);
+  const Eigen::Vector3d c(middle_of_mat.x(), middle_of_mat.y(), -table_below_mat);
   const auto add = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& u, const Eigen::Vector3d& v, double cell,
                        PartSurface surface) {
     parts.push_back(plane(from, u, v, cell));
     set_looks(parts.back(), surface, PartLabel::other, random);
   };
-  add(c - Eigen::Vector3d(1.4, 1.35, 0), {2.8, 0, 0}, {0, 2.7, 0}, 0.02, PartSurface::table);
+  add(c - Eigen::Vector3d(1.4, 1.35, 0), {2.8, 0, 0}, {0, 2.7, 0}, 0.03, PartSurface::table);
   add_things(parts, random);
   const double x0 = -random.uniform(1.9, 2.8), x1 = random.uniform(1.9, 2.8), y0 = -random.uniform(1.9, 2.8);
   const double y1 = random.uniform(1.9, 2.8), floor = -0.75, height = random.uniform(2.4, 2.8);

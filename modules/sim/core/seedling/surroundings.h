@@ -21,6 +21,8 @@ struct Pot {
   Eigen::Vector3d soil_middle() const { return middle + Eigen::Vector3d(0, 0, height - soil_below); }
 };
 
+Eigen::Vector3d mat_middle();  // where turntables turn
+
 // Stands in the middle of the mat (world axes: those of the mat).
 Pot draw_pot(const SeedlingPot& recipe, std::uint64_t seed);
 

@@ -2,12 +2,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "base/angles.h"
 #include "base/random.h"
-#include "sim/core/seedling/depth_sensor.h"
+#include "sim/core/camera/depth_sensor.h"
 
 namespace bole::sim {
 namespace {
