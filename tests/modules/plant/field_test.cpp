@@ -77,9 +77,8 @@ TEST(Field, SameResultWithOneThreadAndWithTwo) {
   for (auto* parameters : {&first, &second}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, parameters == &first ? 1 : 2);
     auto t = train(views, options);
-    t.field.model.encoder->visit_parameters([&](std::span<float> values) {
-      parameters->insert(parameters->end(), values.begin(), values.end());
-    });
+    t.field.model.encoder->visit_parameters(
+        [&](std::span<float> values) { parameters->insert(parameters->end(), values.begin(), values.end()); });
   }
   EXPECT_EQ(first, second);
 }
