@@ -1,5 +1,5 @@
-// A small world with exact colour and depth: a textured table, a pot, a stem, and leaves that are ellipsoids, seen by an
-// RGB-D camera that goes around it. All views are made in memory.
+// A small world with exact colour and depth: a textured table, a pot, a stem, and leaves that are ellipsoids, seen by
+// an RGB-D camera that goes around it. All views are made in memory.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -34,7 +34,8 @@ struct PlantScene {
   std::vector<Leaf> leaves{{{0.03, 0.01, 0.16}, {0.03, 0.02, 0.01}, {0.25, 0.6, 0.2}},
                            {{-0.03, 0.02, 0.13}, {0.025, 0.02, 0.008}, {0.3, 0.65, 0.2}},
                            {{0.0, -0.03, 0.145}, {0.02, 0.03, 0.01}, {0.2, 0.55, 0.25}}};
-  std::vector<Cylinder> cylinders{{{0, 0}, 0, 0.06, 0.04, {0.6, 0.35, 0.25}}, {{0, 0}, 0.06, 0.17, 0.003, {0.45, 0.35, 0.2}}};
+  std::vector<Cylinder> cylinders{{{0, 0}, 0, 0.06, 0.04, {0.6, 0.35, 0.25}},
+                                  {{0, 0}, 0.06, 0.17, 0.003, {0.45, 0.35, 0.2}}};
 
   SceneHit cast(const Eigen::Vector3d& o, const Eigen::Vector3d& d) const {
     SceneHit hit;
@@ -75,7 +76,8 @@ struct PlantScene {
       if (t < hit.t && std::abs(at.x()) < 0.4 && std::abs(at.y()) < 0.4) {
         hit.t = t;
         hit.normal = Eigen::Vector3d::UnitZ();
-        const bool dark = (static_cast<int>(std::floor(at.x() / 0.03)) + static_cast<int>(std::floor(at.y() / 0.03))) % 2 != 0;
+        const bool dark =
+            (static_cast<int>(std::floor(at.x() / 0.03)) + static_cast<int>(std::floor(at.y() / 0.03))) % 2 != 0;
         hit.color = dark ? Eigen::Vector3d(0.15, 0.15, 0.2) : Eigen::Vector3d(0.85, 0.85, 0.8);
       }
     }
@@ -105,8 +107,8 @@ class SceneViews : public ViewSource {
   struct Settings {
     int views = 24, width = 160, height = 120;
     double focal = 150, distance = 0.45;
-    double depth_noise = 0;   // m at 0.5 m
-    double exposure = 0;      // amplitude of a slow drift of the brightness
+    double depth_noise = 0;  // m at 0.5 m
+    double exposure = 0;     // amplitude of a slow drift of the brightness
     bool depth = true;
     bool own_depth_camera = false;  // 15 mm beside the colour camera, with another focal length
   };
@@ -125,8 +127,9 @@ class SceneViews : public ViewSource {
       // Two rings of different height.
       const double angle = 2 * std::numbers::pi * i / settings.views * 2, tilt = i * 2 < settings.views ? 0.45 : 0.85;
       const Eigen::Vector3d target(0, 0, 0.09);
-      const Eigen::Vector3d at = target + settings.distance * Eigen::Vector3d(std::cos(angle) * std::cos(tilt),
-                                                                              std::sin(angle) * std::cos(tilt), std::sin(tilt));
+      const Eigen::Vector3d at =
+          target + settings.distance * Eigen::Vector3d(std::cos(angle) * std::cos(tilt),
+                                                       std::sin(angle) * std::cos(tilt), std::sin(tilt));
       Pose T = Pose::Identity();
       const Eigen::Vector3d z = (target - at).normalized(), x = z.cross(Eigen::Vector3d::UnitZ()).normalized();
       T.linear().col(0) = x, T.linear().col(1) = z.cross(x), T.linear().col(2) = z;
@@ -169,7 +172,8 @@ class SceneViews : public ViewSource {
         for (int x = 0; x < camera.width; ++x) {
           const Eigen::Vector3d d = camera.direction({x, y});
           const auto hit = scene_.cast(T_world_depth.translation(), T_world_depth.linear() * d);
-          const double noise = settings_.depth_noise > 0 ? random.normal() * settings_.depth_noise * 4 * hit.t * hit.t : 0;
+          const double noise =
+              settings_.depth_noise > 0 ? random.normal() * settings_.depth_noise * 4 * hit.t * hit.t : 0;
           if (hit.t < 10) view.depth.at(x, y) = static_cast<float>(hit.t + noise);  // d has z = 1
         }
     }

@@ -47,13 +47,16 @@ bool has_views(const vtkbridge::RunOutcome& outcome) {
   });
 }
 
-void take_plant(const vtkbridge::RunOutcome& outcome, const Results& results, Survey& survey) {
+void take_poses(const vtkbridge::RunOutcome& outcome, const Results& results, Survey& survey) {
   survey.poses = latest<Trajectory>(outcome, results, "poses");
   if (!survey.poses || survey.poses->empty()) survey.poses = survey.walk;  // read from a file of its own
   survey.walk.reset();
   survey.view_matches = std::exchange(survey.matches, nullptr);
   survey.tracking = latest<Table>(outcome, results, "tracking");
   survey.contours = latest<Table>(outcome, results, "contours");
+}
+
+void take_plant(const vtkbridge::RunOutcome& outcome, const Results& results, Survey& survey) {
   survey.traits = latest<Table>(outcome, results, "traits");
   survey.stem = latest<Table>(outcome, results, "stem");
   survey.leaves = latest<Table>(outcome, results, "leaves");
@@ -79,7 +82,8 @@ Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, c
     survey.index = before.index;
   else if (survey.points)
     survey.index = make_index(survey.points);
-  if (has_views(outcome)) take_plant(outcome, results, survey);
+  if (has_views(outcome)) take_poses(outcome, results, survey);
+  take_plant(outcome, results, survey);
   return survey;
 }
 

@@ -25,7 +25,7 @@ void ask_and_open(MainWindow* w) {
 
 // Scans and views are folders too, which a dialog for files does not give.
 void ask_and_open_folder(MainWindow* w) {
-  const QString path = QFileDialog::getExistingDirectory(w, MainWindow::tr("Open a folder with a scan or with views"));
+  const QString path = QFileDialog::getExistingDirectory(w, MainWindow::tr("Open a folder with a scan or with views…"));
   if (!path.isEmpty()) w->open(path);
 }
 

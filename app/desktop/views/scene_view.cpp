@@ -95,7 +95,7 @@ void SceneView::follow_theme() {
 }
 
 void SceneView::show_survey(const Survey& survey) {
-  const bool first = !has_survey();
+  const bool first = !has_survey(), first_points = survey.points && (first || !survey_.points);
   survey_ = survey;
   picked_.reset();
   facts_.clear();
@@ -106,11 +106,11 @@ void SceneView::show_survey(const Survey& survey) {
     show_clip_handles(false);
     layer_.set_clip({});
     if (std::exchange(photo_by_itself_, false)) settings_.color = ViewSettings().color;
-    if (survey.points && survey.poses &&
-        render::paint_by(*survey.points, "photo").kind == render::PointPaint::Kind::photo) {
-      settings_.color = "photo";
-      photo_by_itself_ = true;
-    }
+  }
+  if (first_points && (survey.poses || survey.traits) && settings_.color == ViewSettings().color &&
+      render::paint_by(*survey.points, "photo").kind == render::PointPaint::Kind::photo) {
+    settings_.color = "photo";
+    photo_by_itself_ = true;
   }
   rebuild();
   follow_index();

@@ -19,15 +19,15 @@ struct SeenPoint {
 
 struct SeenCloud {
   std::vector<SeenPoint> points;  // in the order of the cloud
-  DepthImage depth;               // of the foremost point in a pixel; 0 where there is none
+  DepthImage depth;               // of the seen point nearest to the middle of a pixel; 0 where there is none
 };
 
 // Median distance of a point from its nearest neighbour, by a sample. 0 for clouds of fewer than two places.
 double point_spacing_m(const PointCloud& cloud, const Run& run = {});
 
 // Points in the picture that no other point hides: each covers a square as wide as two spacings at its depth
-// (point-splatting z-buffer), and counts as seen when it lies no more than three spacings behind what covers it. Throws
-// Error{bad_input} for a camera that check() refuses, Error{cancelled}.
+// (point-splatting z-buffer), and counts as seen when it lies no more than three spacings and two pixels behind what
+// covers it. Throws Error{bad_input} for a camera that check() refuses, Error{cancelled}.
 SeenCloud see_cloud(const PointCloud& cloud, const CameraModel& camera, const Pose& T_world_camera, double spacing_m,
                     const Run& run = {});
 

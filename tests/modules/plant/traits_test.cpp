@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "plant/core/separate/separate.h"
 #include "plant/core/traits/extents.h"
 #include "synthetic/potted_plant_views.h"
@@ -65,6 +67,25 @@ TEST(Traits, HeightAndBreadthOfANoisyCloud) {
     EXPECT_NEAR(cell(t, "breadth_length_mm"), 1000 * truth.length, 0.01 * 1000 * truth.length);
     EXPECT_NEAR(cell(t, "breadth_width_mm"), 1000 * truth.width, 0.01 * 1000 * truth.width);
   }
+}
+
+TEST(Traits, PlacesAreThoseOfThePlant) {
+  const PottedPlant plant;
+  const auto t = traits_of(plant, {}, nullptr).traits;
+  EXPECT_NEAR(cell(t, "base_x_m"), plant.foot.x(), 0.005);
+  EXPECT_NEAR(cell(t, "base_y_m"), plant.foot.y(), 0.005);
+  EXPECT_NEAR(cell(t, "base_z_m"), plant.foot.z(), 0.005);
+  // The rectangle that is drawn holds the plant, and each side touches it.
+  const double angle = cell(t, "breadth_angle_deg") * std::numbers::pi / 180;
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x()),
+      middle(cell(t, "breadth_x_m"), cell(t, "breadth_y_m"));
+  double length = 0, width = 0;
+  for (const auto& p : plant.plant_points(0.001)) {
+    length = std::max(length, std::abs((p.head<2>() - middle).dot(along)));
+    width = std::max(width, std::abs((p.head<2>() - middle).dot(across)));
+  }
+  EXPECT_NEAR(2000 * length, cell(t, "breadth_length_mm"), 4);
+  EXPECT_NEAR(2000 * width, cell(t, "breadth_width_mm"), 4);
 }
 
 TEST(Traits, StemByContours) {

@@ -10,8 +10,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr double max_zoom = 40, wheel_step = 1.25;
-constexpr double pixels_from_zoom = 3;    // from here on pixels are seen as such
-constexpr std::size_t max_dots = 20'000;  // painted of a layer: more cover what lies below
+constexpr double pixels_from_zoom = 3;  // from here on pixels are seen as such
+constexpr double px_per_dot = 30;       // of the widget: denser dots would cover what lies below
 constexpr int bar_width = 14, bar_margin = 10;
 
 QColor color_of(const render::Color& c) { return QColor::fromRgbF(c.r, c.g, c.b); }
@@ -104,7 +104,8 @@ void PictureCanvas::paint_marks(QPainter& painter) {
     std::vector<QPointF> inside;
     for (const auto& dot : layer.dots)
       if (seen.contains(dot)) inside.push_back(dot);
-    const std::size_t step = inside.size() / max_dots + 1;
+    const auto step =
+        static_cast<std::size_t>(static_cast<double>(inside.size()) * px_per_dot / (width() * height())) + 1;
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (std::size_t i = 0; i < inside.size(); i += step) {
       const QPointF at = to_widget(inside[i]);

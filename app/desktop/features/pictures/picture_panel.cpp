@@ -243,8 +243,7 @@ void PicturePanel::tell_view() {
   if (!picture_ || !views_) return readout_->clear();
   QString text = QString::fromStdString(views_->name(picture_->index)) + "   " +
                  tr("view %1 of %2").arg(picture_->index + 1).arg(views_->size());
-  if (picture_->placed)
-    text += "   " + tr("%n point(s) of the cloud seen", nullptr, static_cast<int>(picture_->in_color.points.size()));
+  if (picture_->placed) text += "   " + tr("%1 points of the cloud seen").arg(picture_->in_color.points.size());
   readout_->setText(text);
 }
 

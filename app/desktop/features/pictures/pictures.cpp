@@ -16,7 +16,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr double picture_share = 0.38;  // of the width of the window
+constexpr double picture_share = 0.4, picture_tall = 0.6;  // of the window
 
 const pipeline::StageNode* view_stage(const pipeline::PipelineDocument& document) {
   for (const auto& node : document.stages()) {
@@ -39,7 +39,6 @@ std::shared_ptr<const Table> view_table(const ViewSource& views, const Trajector
   if (tracking != nullptr && tracking->has("name") && tracking->has("state"))
     for (std::size_t i = 0; i < tracking->rows(); ++i) rows.emplace(tracking->text("name", i), i);
   std::vector<std::optional<std::size_t>> row;
-  const bool given = poses == &views.given_poses();
   for (std::size_t i = 0; i < views.size(); ++i) {
     number.push_back(static_cast<std::int64_t>(i) + 1);
     name.push_back(views.name(i));
@@ -47,10 +46,7 @@ std::shared_ptr<const Table> view_table(const ViewSource& views, const Trajector
     const auto it = rows.find(name.back());
     row.push_back(it == rows.end() ? std::nullopt : std::optional(it->second));
     const bool placed = poses != nullptr && pose_of_view(*poses, time_s.back()).has_value();
-    state.push_back(row.back() ? tracking->text("state", *row.back())
-                    : !placed  ? "no pose"
-                    : given    ? "given"
-                               : "placed");
+    state.push_back(row.back() ? tracking->text("state", *row.back()) : placed ? "pose" : "no pose");
   }
   auto table = std::make_shared<Table>();
   table->set("view", number);
@@ -152,6 +148,8 @@ void Pictures::open_views() {
   bench_.docks().raise("picture");
   bench_.resizeDocks({bench_.docks().find("picture")}, {static_cast<int>(picture_share * bench_.width())},
                      Qt::Horizontal);
+  bench_.resizeDocks({bench_.docks().find("picture")}, {static_cast<int>(picture_tall * bench_.height())},
+                     Qt::Vertical);
 }
 
 void Pictures::take_views(const std::shared_ptr<const ViewSource>& views) {
@@ -162,12 +160,12 @@ void Pictures::take_views(const std::shared_ptr<const ViewSource>& views) {
 }
 
 void Pictures::show_survey(const Survey& survey) {
+  // Poses of the data and those that are estimated may have other axes.
+  const bool first = (survey.points && !survey_.points) || (survey.poses && !survey_.poses);
   survey_ = survey;
-  const bool first = !survey.empty() && !had_survey_;
-  had_survey_ = !survey.empty();
   if (!views_) return;
   follow();
-  if (first && survey.poses) bench_.scene().reset_camera();  // cameras and cloud have other axes than before
+  if (first) bench_.scene().reset_camera();
 }
 
 const Trajectory* Pictures::poses() const {

@@ -48,7 +48,7 @@ class Pictures : public QObject {
   std::string opened_;  // what the reader has open
   std::shared_ptr<const ViewSource> views_;
   Survey survey_;
-  bool had_survey_ = false, following_ = false;
+  bool following_ = false;
 };
 
 }  // namespace bole::desktop

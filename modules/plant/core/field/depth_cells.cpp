@@ -39,10 +39,10 @@ void DepthCells::add(const DepthImage& depth, const CameraModel& camera, const P
       for (int x = 0; x < depth.width; ++x) {
         const float z = depth.at(x, y);
         if (!(z > 0) || !std::isfinite(z)) continue;
-        const Eigen::Vector3f direction =
-            distorted ? Eigen::Vector3f(camera.direction({x, y}).cast<float>())
-                      : Eigen::Vector3f(static_cast<float>((x - camera.cx) / camera.fx),
-                                        static_cast<float>((y - camera.cy) / camera.fy), 1);
+        const Eigen::Vector3f direction = distorted
+                                              ? Eigen::Vector3f(camera.direction({x, y}).cast<float>())
+                                              : Eigen::Vector3f(static_cast<float>((x - camera.cx) / camera.fx),
+                                                                static_cast<float>((y - camera.cy) / camera.fy), 1);
         const Eigen::Vector3f middle = T_field_depth * Eigen::Vector3f(direction * z);
         const bool inside = (middle.array() >= low.array()).all() && (middle.array() <= high.array()).all();
         const float voxel = inside ? inner.voxel : space_.boxes.back().voxel / 2;

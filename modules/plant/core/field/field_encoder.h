@@ -12,8 +12,8 @@
 namespace bole::plant {
 
 struct AdamStep {
-  int step = 1;           // from 1
-  float rate = 1;         // factor of the encoder's own learning rates
+  int step = 1;    // from 1
+  float rate = 1;  // factor of the encoder's own learning rates
   float beta1 = 0.9F, beta2 = 0.99F, epsilon = 1e-12F;
 };
 

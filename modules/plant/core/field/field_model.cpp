@@ -29,7 +29,7 @@ Environment::Environment(Background background)
       second_(values_) {}
 
 Environment::Place Environment::place(const Eigen::Vector3f& d) const {
-  const float longitude = std::atan2(d.y(), d.x()) / (2 * std::numbers::pi_v<float>) + 0.5F;
+  const float longitude = std::atan2(d.y(), d.x()) / (2 * std::numbers::pi_v<float>)+0.5F;
   const float latitude = std::asin(std::clamp(d.z(), -1.0F, 1.0F)) / std::numbers::pi_v<float> + 0.5F;
   const float u = longitude * width - 0.5F, v = std::clamp(latitude * height - 0.5F, 0.0F, height - 1.001F);
   const int x = static_cast<int>(std::floor(u)), y = static_cast<int>(v);
@@ -96,10 +96,12 @@ FieldPicture render_field(const FieldModel& field, const CameraModel& camera, co
     if (run.cancelled()) return;
     RayChunk chunk;
     for (int x = 0; x < width; ++x) {
-      const Eigen::Vector3f d(directions.at(x * stride, row * stride, 0), directions.at(x * stride, row * stride, 1), 1);
+      const Eigen::Vector3f d(directions.at(x * stride, row * stride, 0), directions.at(x * stride, row * stride, 1),
+                              1);
       ChunkRay ray;
       const float length = d.norm();
       ray.z_per_t = 1 / length;
+      ray.footprint = static_cast<float>(1 / std::abs(camera.fx));
       ray.march = field.space->ray(from, turn * (d / length), 0.5F);
       chunk.rays.push_back(ray);
     }

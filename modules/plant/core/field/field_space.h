@@ -37,16 +37,16 @@ struct FieldSample {
   float t = 0, step = 0;  // metres along the ray; length that the sample stands for
   Eigen::Vector3f position = Eigen::Vector3f::Zero();
   std::uint8_t box = 0;
-  std::int32_t block = 0;              // of the box
-  std::uint16_t voxel = 0;             // of the block, the lattice point below the sample: (x * 8 + y) * 8 + z
+  std::int32_t block = 0;   // of the box
+  std::uint16_t voxel = 0;  // of the block, the lattice point below the sample: (x * 8 + y) * 8 + z
   Eigen::Vector3f within = Eigen::Vector3f::Zero();  // from that lattice point, in voxels
 };
 
 struct FieldRay {
   Eigen::Vector3f origin = Eigen::Vector3f::Zero(), direction = Eigen::Vector3f::UnitZ();  // unit length
-  float end = 0;  // where it leaves the space
-  float at = 0;   // where the march goes on
-  float jitter = 0.5F;  // shift of the samples, in steps
+  float end = 0;                                                                           // where it leaves the space
+  float at = 0;                                                                            // where the march goes on
+  float jitter = 0.5F;                      // shift of the samples, in steps
   std::array<float, 4> enters{}, leaves{};  // of each box
 };
 

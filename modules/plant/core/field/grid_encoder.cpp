@@ -7,8 +7,6 @@
 namespace bole::plant {
 namespace {
 
-constexpr float empty_density = -6;
-
 // Weights of the eight corners, index x * 4 + y * 2 + z.
 std::array<float, 8> corner_weights(const Eigen::Vector3f& f) {
   const float x0 = 1 - f.x(), y0 = 1 - f.y(), z0 = 1 - f.z();
@@ -18,12 +16,12 @@ std::array<float, 8> corner_weights(const Eigen::Vector3f& f) {
 
 }  // namespace
 
-GridEncoder::GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates)
+GridEncoder::GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates, float density)
     : space_(std::move(space)), rates_(rates) {
   for (const auto& box : space_->boxes) {
     Values v;
     const auto count = box.places.size() * FieldBox::block_voxels;
-    v.values.assign(count, Eigen::Array4f(empty_density, 0, 0, 0));
+    v.values.assign(count, Eigen::Array4f(density, 0, 0, 0));
     v.gradients.assign(count, Eigen::Array4f::Zero());
     v.first.assign(count, Eigen::Array4f::Zero());
     v.second.assign(count, Eigen::Array4f::Zero());
@@ -80,14 +78,13 @@ void GridEncoder::backward(RayChunk& chunk) const {
     std::array<float, 8> dot;
     for (std::size_t k = 0; k < 8; ++k) dot[k] = (raw * boxes_[sample.box].values[at[k]]).sum();
     const Eigen::Vector3f f = sample.within, g = Eigen::Vector3f::Ones() - f;
-    chunk.d_position[i] =
-        Eigen::Vector3f((dot[4] - dot[0]) * g.y() * g.z() + (dot[5] - dot[1]) * g.y() * f.z() +
-                            (dot[6] - dot[2]) * f.y() * g.z() + (dot[7] - dot[3]) * f.y() * f.z(),
-                        (dot[2] - dot[0]) * g.x() * g.z() + (dot[3] - dot[1]) * g.x() * f.z() +
-                            (dot[6] - dot[4]) * f.x() * g.z() + (dot[7] - dot[5]) * f.x() * f.z(),
-                        (dot[1] - dot[0]) * g.x() * g.y() + (dot[3] - dot[2]) * g.x() * f.y() +
-                            (dot[5] - dot[4]) * f.x() * g.y() + (dot[7] - dot[6]) * f.x() * f.y()) /
-        voxel;
+    chunk.d_position[i] = Eigen::Vector3f((dot[4] - dot[0]) * g.y() * g.z() + (dot[5] - dot[1]) * g.y() * f.z() +
+                                              (dot[6] - dot[2]) * f.y() * g.z() + (dot[7] - dot[3]) * f.y() * f.z(),
+                                          (dot[2] - dot[0]) * g.x() * g.z() + (dot[3] - dot[1]) * g.x() * f.z() +
+                                              (dot[6] - dot[4]) * f.x() * g.z() + (dot[7] - dot[5]) * f.x() * f.z(),
+                                          (dot[1] - dot[0]) * g.x() * g.y() + (dot[3] - dot[2]) * g.x() * f.y() +
+                                              (dot[5] - dot[4]) * f.x() * g.y() + (dot[7] - dot[6]) * f.x() * f.y()) /
+                          voxel;
   }
 }
 
@@ -108,8 +105,10 @@ void GridEncoder::accumulate_parity(std::span<RayChunk> chunks, int parity) {
       std::uint32_t block = static_cast<std::uint32_t>(sample.block);
       if ((nx | ny | nz) > 7)
         block = static_cast<std::uint32_t>(
-            space_->boxes[sample.box].neighbours[block][static_cast<std::size_t>((nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3))]);
-      const auto at = block * FieldBox::block_voxels + static_cast<std::uint32_t>(((nx & 7) * 8 + (ny & 7)) * 8 + (nz & 7));
+            space_->boxes[sample.box]
+                .neighbours[block][static_cast<std::size_t>((nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3))]);
+      const auto at =
+          block * FieldBox::block_voxels + static_cast<std::uint32_t>(((nx & 7) * 8 + (ny & 7)) * 8 + (nz & 7));
       auto& v = boxes_[sample.box];
       if (v.touched_in[at] != step_) {
         v.touched_in[at] = step_;

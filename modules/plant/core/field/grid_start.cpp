@@ -29,7 +29,8 @@ void add_view(const FieldView& view, const Eigen::Isometry3f& T_camera_field, co
     u = static_cast<float>(view.camera.fx) * q.x() / q.z() + static_cast<float>(view.camera.cx);
     v = static_cast<float>(view.camera.fy) * q.y() / q.z() + static_cast<float>(view.camera.cy);
   }
-  if (!(u >= 0 && v >= 0 && u < static_cast<float>(view.camera.width - 1) && v < static_cast<float>(view.camera.height - 1)))
+  if (!(u >= 0 && v >= 0 && u < static_cast<float>(view.camera.width - 1) &&
+        v < static_cast<float>(view.camera.height - 1)))
     return;
   const int x = static_cast<int>(std::lround(u)), y = static_cast<int>(std::lround(v));
   const float z = view.depth.at(x, y);
@@ -53,7 +54,8 @@ void start_grid(GridEncoder& grid, const FieldSpace& space, const std::vector<Fi
   for (const auto& v : views)
     if (!v.held_out && !v.depth.empty()) used.push_back(&v);
   if (used.empty()) return;
-  const std::size_t stride = (used.size() + static_cast<std::size_t>(max_views) - 1) / static_cast<std::size_t>(max_views);
+  const std::size_t stride =
+      (used.size() + static_cast<std::size_t>(max_views) - 1) / static_cast<std::size_t>(max_views);
   std::vector<std::pair<const FieldView*, Eigen::Isometry3f>> chosen;
   for (std::size_t i = 0; i < used.size(); i += stride) {
     Pose T_field_camera = used[i]->T_world_camera;

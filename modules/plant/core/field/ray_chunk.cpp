@@ -54,10 +54,9 @@ void render_chunk(const FieldSpace& space, const FieldEncoder& encoder, RayChunk
       const float after = sample.before - weight;
       if (ray.median < 0 && after < 0.5F)
         // Within the sample the light falls off exponentially.
-        ray.median = sample.place.t +
-                     sample.place.step * (std::log(std::max(1e-6F, sample.before / 0.5F)) /
-                                              std::max(1e-6F, chunk.density[i] * sample.place.step) -
-                                          0.5F);
+        ray.median = sample.place.t + sample.place.step * (std::log(std::max(1e-6F, sample.before / 0.5F)) /
+                                                               std::max(1e-6F, chunk.density[i] * sample.place.step) -
+                                                           0.5F);
       ray.transmittance = after;
     }
     std::erase_if(alive, [&](std::int32_t r) {

@@ -11,12 +11,13 @@ namespace bole::plant {
 
 struct ChunkRay {
   FieldRay march;
-  float z_per_t = 1;          // depth along the camera's axis per metre along the ray
-  float transmittance = 1;    // behind the samples so far
+  float footprint = 0.0016F;                        // width of a pixel at a distance of one metre, metres
+  float z_per_t = 1;                                // depth along the camera's axis per metre along the ray
+  float transmittance = 1;                          // behind the samples so far
   Eigen::Vector3f color = Eigen::Vector3f::Zero();  // without what is behind the last sample
-  float depth = 0;            // sum of weight * t
-  float median = -1;          // t where the transmittance falls below one half; -1: nowhere
-  std::int32_t last = -1;     // last sample
+  float depth = 0;                                  // sum of weight * t
+  float median = -1;                                // t where the transmittance falls below one half; -1: nowhere
+  std::int32_t last = -1;                           // last sample
 };
 
 struct ChunkSample {

@@ -1,7 +1,7 @@
 // One step of the training: rays of the views, their losses, and the gradients of all that learns.
 #pragma once
 
-#include "plant/core/field/field_model.h"
+#include "plant/core/field/train_poses.h"
 
 namespace bole::plant {
 
@@ -29,10 +29,16 @@ struct TrainSetting {
   float depth_weight = 0.02F;
   bool exposure = true;
   DepthNoise noise;
+  PoseRefinement* poses = nullptr;  // gets gradients; null: the poses stay
 };
 
 // Renders the rays of a step, adds all gradients up and returns the mean squared error of the colours.
 double train_step(FieldModel& field, const std::vector<FieldView>& views, const std::vector<std::size_t>& training,
                   const std::vector<PixelWindow>& windows, const TrainSetting& setting, int step, TrainBatch& batch);
+
+// The whole loss of the same rays, without gradients: for tests of the gradients.
+double train_loss(const FieldModel& field, const std::vector<FieldView>& views,
+                  const std::vector<std::size_t>& training, const std::vector<PixelWindow>& windows,
+                  const TrainSetting& setting, int step, TrainBatch& batch);
 
 }  // namespace bole::plant

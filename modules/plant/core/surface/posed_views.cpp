@@ -18,8 +18,9 @@ std::vector<PosedView> posed_views(const ViewSource& views, const Trajectory& po
                     "at least " + std::to_string(min_views),
                     "Connect the poses that belong to these views (their times must agree)");
   if (const auto missing = views.size() - posed.size(); missing > 0)
-    report.find(missing * 4 > views.size() ? Severity::look : Severity::note, "views_without_pose",
-                std::to_string(missing) + " of " + std::to_string(views.size()) + " views have no pose and are left out.");
+    report.find(
+        missing * 4 > views.size() ? Severity::look : Severity::note, "views_without_pose",
+        std::to_string(missing) + " of " + std::to_string(views.size()) + " views have no pose and are left out.");
   report.counts["views"] = static_cast<std::int64_t>(posed.size());
   return posed;
 }

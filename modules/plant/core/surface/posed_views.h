@@ -31,7 +31,8 @@ MaskImage depth_edges(const DepthImage& depth, const DepthNoise& noise, int reac
 // Weight of each depth pixel in [0, 1]: the cosine between the surface and the line of sight. 0 without depth.
 DepthImage viewing_cosines(const DepthImage& depth, const CameraModel& camera);
 
-// Depth at a subpixel position: bilinear where the four neighbours agree, else the nearest pixel; 0 where there is none.
+// Depth at a subpixel position: bilinear where the four neighbours agree, else the nearest pixel; 0 where there is
+// none.
 float depth_at(const DepthImage& depth, float x, float y, float max_difference);
 
 }  // namespace bole::plant

@@ -124,7 +124,8 @@ void integrate_block(const Tsdf& grid, const Eigen::Vector3i& place, Voxel* voxe
         if (depth <= 0) continue;
         const float distance = depth - p.z();
         if (distance < -truncation) continue;
-        const auto at = view.weights.index(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
+        const auto at =
+            view.weights.index(static_cast<int>(std::lround(pixel.x())), static_cast<int>(std::lround(pixel.y())));
         const float weight = view.weights.values[at] * (distance > truncation ? 0.5F : 1.0F);
         Voxel& v = voxels[(x * size + y) * size + z];
         const float sum = v.weight + weight;

@@ -27,8 +27,8 @@ struct FuseOptions {
 const OptionTable& option_table(const FuseOptions*);
 
 struct Voxel {
-  float distance = 0;  // metres along the line of sight to the surface; negative behind it
-  float weight = 0;    // 0: nothing known
+  float distance = 0;                  // metres along the line of sight to the surface; negative behind it
+  float weight = 0;                    // 0: nothing known
   float red = 0, green = 0, blue = 0;  // 0 to 255
 };
 

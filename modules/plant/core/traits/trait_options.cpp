@@ -30,8 +30,6 @@ const OptionTable& option_table(const TraitOptions*) {
       Option<S, PictureLight>{"light", &S::light, Tier::expert,
                               "How the codes of the pictures become light. srgb undoes the usual curve, linear takes "
                               "the codes as they are, auto takes what explains the edges better."},
-      Option<S, bool>{"tips", &S::tips, Tier::advanced,
-                      "Follows the tips of the outermost leaves in the pictures, where clouds of depth lose them."},
       Option<S, double>{"scale_sd",
                         &S::scale_sd,
                         Unit::percent,
@@ -43,9 +41,16 @@ const OptionTable& option_table(const TraitOptions*) {
                         Unit::metre,
                         {0, 0.05},
                         Tier::expert,
-                        "Error of an outermost tip that the points of the cloud share, so that they cannot show it. It "
-                        "widens the intervals "
-                        "of height and breadth where the pictures do not show the tips."},
+                        "Error of the cloud's outermost surface that its points share, so that they cannot show it. "
+                        "It widens the intervals of height and breadth."},
+      Option<S, double>{
+          "tip_reach",
+          &S::tip_reach,
+          Unit::metre,
+          {0.001, 0.1},
+          Tier::expert,
+          "How far from the outermost points of the cloud the pictures are searched for the ends of leaves. "
+          "A larger value finds tips that the cloud has lost, and more things behind them."},
       Option<S, std::string>{"plant_id",
                              &S::plant_id,
                              TextKind::plain,

@@ -8,9 +8,9 @@
 
 #include "base/statistics.h"
 #include "plant/core/traits/extents.h"
-#include "plant/core/traits/outermost.h"
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
+#include "plant/core/traits/tips.h"
 #include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
@@ -48,10 +48,7 @@ class Measurement {
       const Eigen::Vector3d p = T_plant_world_ * points.position(i);
       if (!p.allFinite()) continue;
       if (part[i] == static_cast<std::int32_t>(Part::plant)) plant_.push_back(p);
-      if (part[i] != static_cast<std::int32_t>(Part::floater)) {
-        solid_.push_back(p);
-        if (part[i] != static_cast<std::int32_t>(Part::plant)) rest_.push_back(p);
-      }
+      if (part[i] != static_cast<std::int32_t>(Part::floater)) solid_.push_back(p);
     }
     if (plant_.size() < 20)
       throw bad_input("the cloud has " + std::to_string(plant_.size()) + " points of the plant", "at least 20",
@@ -69,37 +66,27 @@ class Measurement {
 
   void measure_size() {
     extents_ = measure_extents(plant_, run_);
-    refine_by_pictures();
-    // What the cloud's points share, they cannot show: where no picture told where the plant ends, its tips may be
-    // lost.
-    const double shared = scene_.scale_known ? options_.surface_sd : 0.003 * extents_.top.value;
-    const double top = extents_.top_seen ? tip_sd : shared;
-    // The top is one tip, the breadth lies between two.
-    const double both = std::sqrt(2.0) * (extents_.breadth_seen ? tip_sd : shared);
-    height_ = interval(extents_.top.value, std::hypot(extents_.top.sd, scene_.soil_sd, top));
+    if (in_.views != nullptr && in_.poses != nullptr) measure_tips_in_pictures();
+    const double surface = scene_.scale_known ? options_.surface_sd : 0.002 * extents_.top.value;
+    // The top is one surface, the breadth lies between two.
+    const double slope_sd = scene_.soil_sd;
+    height_ = interval(extents_.top.value, std::hypot(std::hypot(extents_.top.sd, slope_sd), surface));
+    const double both = std::sqrt(2.0) * surface;
     length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
     width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
   }
 
-  // Clouds lose the tips of leaves, where depth is missing or mixed. Where the pictures show how far the plant reaches
-  // beyond its cloud, or how far noise carries the cloud beyond the plant, that is put right.
-  void refine_by_pictures() {
-    if (!options_.tips || in_.views == nullptr || in_.poses == nullptr || !scene_.scale_known) return;
-    const auto which = chosen_views(tip_views);
-    if (which.size() < 4) return;
-    auto queries = outermost_points(plant_, extents_);
+  void measure_tips_in_pictures() {
     TipSearch search;
-    search.spacing = std::max(extents_.spacing, 0.0005);
-    search.reach = std::min(0.02, 0.12 * extents_.top.value);
-    const auto tips =
-        find_tips(*in_.views, *in_.poses, T_plant_world_, plant_, rest_, queries, search, which, run_.part(0.05, 0.2));
-    const auto seen = correct_extents(extents_, queries, tips);
+    search.reach = scene_.scale_known ? options_.tip_reach : 0.03 * extents_.top.value;
+    search.linear_light = options_.light != PictureLight::linear;
+    auto tips = outermost_tips(plant_, search.reach);
+    measure_tips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, chosen_views(), tips,
+                 run_.part(0.04, 0.2));
+    take_tips(plant_, tips, search.reach, extents_);
     report_.counts["tips"] = static_cast<std::int64_t>(tips.size());
-    report_.counts["tips_in_pictures"] = static_cast<std::int64_t>(seen);
-    if (2 * seen < tips.size())
-      report_.find(Severity::look, "tips_not_in_pictures",
-                   "The pictures show " + std::to_string(seen) + " of " + std::to_string(tips.size()) +
-                       " outermost tips: height or breadth rest on the cloud alone.");
+    report_.counts["tips_in_pictures"] = std::ranges::count_if(tips, &Tip::measured);
+    report_.counts["sides_in_pictures"] = extents_.sides_in_pictures;
   }
 
   double stem_unit() const {  // 20 mm where the scale is known
@@ -135,11 +122,11 @@ class Measurement {
     }
   }
 
-  std::vector<std::uint32_t> chosen_views(int max_views) const {
+  std::vector<std::uint32_t> chosen_views() const {
     std::vector<std::uint32_t> with_pose, out;
     for (std::uint32_t i = 0; i < in_.views->size(); ++i)
       if (pose_of_view(*in_.poses, in_.views->time_s(i))) with_pose.push_back(i);
-    const auto most = static_cast<std::size_t>(max_views);
+    const auto most = static_cast<std::size_t>(options_.max_views);
     if (with_pose.size() <= most) return with_pose;
     for (std::size_t k = 0; k < most; ++k) out.push_back(with_pose[k * with_pose.size() / most]);
     return out;
@@ -150,7 +137,7 @@ class Measurement {
       why_no_contours_ = "no views or poses are connected";
       return;
     }
-    const auto which = chosen_views(options_.max_views);
+    const auto which = chosen_views();
     if (which.size() < 3) {
       why_no_contours_ = "fewer than three views have a pose";
       return;
@@ -292,6 +279,8 @@ class Measurement {
     row.stem_height = stem_at_;
     row.stem_method = stem_method_;
     row.scale_known = scene_.scale_known;
+    row.T_world_plant = T_plant_world_.inverse();
+    row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
     put_trait_options(out.traits.facts, options_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
@@ -308,8 +297,6 @@ class Measurement {
   }
 
   static constexpr double pose_sigma_px = 1.0;
-  static constexpr int tip_views = 60;
-  static constexpr double tip_sd = 0.0005;  // metres: what a tip in the pictures leaves open
 
   const TraitInputs& in_;
   const TraitOptions& options_;
@@ -317,7 +304,7 @@ class Measurement {
   Report report_;
   PlantScene scene_;
   Pose T_plant_world_ = Pose::Identity();
-  Points3 plant_, solid_, rest_;  // solid_: both
+  Points3 plant_, solid_;
   Extents extents_;
   Interval height_, length_, width_, stem_;
   double stem_at_ = 0, tone_doubt_ = 0;  // tone_doubt_: of the diameter, as a share

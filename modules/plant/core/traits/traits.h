@@ -28,9 +28,9 @@ struct TraitOptions {
   double stretch = 0.024;
   int max_views = 120;
   PictureLight light = PictureLight::automatic;
-  bool tips = true;
   double scale_sd = 0.1;  // percent
-  double surface_sd = 0.0015;
+  double surface_sd = 0.0005;
+  double tip_reach = 0.008;
   std::string plant_id;
 };
 const OptionTable& option_table(const TraitOptions*);
