@@ -11,6 +11,7 @@
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
 #include "plant/core/traits/tips.h"
+#include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
 namespace bole::plant {
@@ -281,6 +282,7 @@ class Measurement {
     row.T_world_plant = T_plant_world_.inverse();
     row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
+    put_trait_options(out.traits.facts, options_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
     out.contours = contour_table(contours_, in_.views, fit_);
     report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};
