@@ -135,6 +135,22 @@
             <source>Join points and trajectory</source>
             <translation>连接点云与轨迹</translation>
         </message>
+        <message>
+            <source>Fuse depth images</source>
+            <translation>融合深度图</translation>
+        </message>
+        <message>
+            <source>Train a radiance field</source>
+            <translation>训练辐射场</translation>
+        </message>
+        <message>
+            <source>Render a view of a field</source>
+            <translation>渲染辐射场视图</translation>
+        </message>
+        <message>
+            <source>Match views (multi-view stereo)</source>
+            <translation>匹配视图（多视立体）</translation>
+        </message>
     </context>
     <context>
         <name>stage help</name>
@@ -269,6 +285,22 @@
         <message>
             <source>Joins a cloud that another program mapped with the path of its sensor: every point gets the place of the sensor at its time, its range and its pass, so that stems are measured along the rays. The clocks of the two are recognised (GPS time, GPS time less 1e9 s, seconds of the GPS week, Unix time), and the offset is reported. Clocks that do not go together for certain, and a path that does not run through the cloud, are refused. Without a trajectory the points stay as they are.</source>
             <translation>把其他程序生成的点云与传感器的路径连接起来:每个点得到其时刻的传感器位置、距离和所属的趟次,从而可沿射线测量单木。自动识别两者的时钟(GPS 时间、减去 1e9 秒的 GPS 时间、GPS 周内秒、Unix 时间),并报告时间差。时钟不能确定对应、或路径不穿过点云时会被拒绝。没有轨迹时点云保持不变。</translation>
+        </message>
+        <message>
+            <source>Fuses the depth images of all views into truncated signed distances on small voxels, and gives the surface as coloured points with normals, and as a mesh where asked. The region is found from the views. This is the start of plant.field, and the baseline to compare it with.</source>
+            <translation>将所有视图的深度图融合为小体素上的截断有符号距离，给出带法向的彩色表面点，需要时生成网格。区域由视图确定。这是 plant.field 的起点，也是与之比较的基准。</translation>
+        </message>
+        <message>
+            <source>Learns density and colour of the plant from the colour and depth of all views by volume rendering, tests the field on views that were kept back, and makes a fine coloured cloud of it: points where half of the light of a ray is stopped, kept where several views agree. Finishing early keeps the field as it is.</source>
+            <translation>通过体渲染，从所有视图的颜色和深度学习植株的密度和颜色，用保留的视图检验辐射场，并由它生成精细的彩色点云：光线的一半被阻挡之处，且多个视图一致的点。提前结束时保留当前的辐射场。</translation>
+        </message>
+        <message>
+            <source>Renders a trained field from a pose: one of the poses connected, or that of the first view. Gives colours (0 to 1) and depth as rasters whose rows run upwards.</source>
+            <translation>从一个位姿渲染训练好的辐射场：所连接的位姿之一，或第一个视图的位姿。给出颜色（0 到 1）和深度栅格，其行自下而上。</translation>
+        </message>
+        <message>
+            <source>Finds the depth of each view from its colour and that of its neighbours by PatchMatch stereo, and keeps the points on which several views agree. This is the baseline without a depth camera and without a field.</source>
+            <translation>用 PatchMatch 立体匹配，由每个视图及其相邻视图的颜色求深度，保留多个视图一致的点。这是没有深度相机、也没有辐射场时的基准。</translation>
         </message>
     </context>
 </TS>
