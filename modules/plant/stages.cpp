@@ -80,7 +80,7 @@ pipeline::StageType field_stage() {
        false,
        {}},
       {"poses", DataKind::trajectory, "Poses of the views, refined where asked for.", false, {}},
-      {"held_out", DataKind::table, "Views kept back: view, name, psnr_db (all pixels), region_psnr_db.", false, {}}};
+      {"held_out", DataKind::table, "Views kept back: view, name, psnr_db (all pixels), psnr_region_db.", false, {}}};
   t.options = &option_table(static_cast<const FieldOptions*>(nullptr));
   t.main_numbers = {"held_out_psnr_db", "points", "voxel"};
   t.run = [](const DataSet& inputs, const OptionSet& set, const Run& run) {
