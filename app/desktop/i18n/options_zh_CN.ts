@@ -1478,6 +1478,61 @@
             <comment>plant.match_views</comment>
             <translation>点间距</translation>
         </message>
+        <message>
+            <source>Box</source>
+            <comment>plant.separate</comment>
+            <translation>范围框</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <comment>plant.separate</comment>
+            <translation>茎基</translation>
+        </message>
+        <message>
+            <source>Drop floaters</source>
+            <comment>plant.separate</comment>
+            <translation>删除漂浮点</translation>
+        </message>
+        <message>
+            <source>Stem height</source>
+            <comment>plant.traits</comment>
+            <translation>测茎高度</translation>
+        </message>
+        <message>
+            <source>Stem</source>
+            <comment>plant.traits</comment>
+            <translation>茎的测量方法</translation>
+        </message>
+        <message>
+            <source>Stretch</source>
+            <comment>plant.traits</comment>
+            <translation>拟合长度</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <comment>plant.traits</comment>
+            <translation>图像编码</translation>
+        </message>
+        <message>
+            <source>Scale sd</source>
+            <comment>plant.traits</comment>
+            <translation>尺度标准误差</translation>
+        </message>
+        <message>
+            <source>Surface sd</source>
+            <comment>plant.traits</comment>
+            <translation>表面误差</translation>
+        </message>
+        <message>
+            <source>Tip reach</source>
+            <comment>plant.traits</comment>
+            <translation>叶尖搜索距离</translation>
+        </message>
+        <message>
+            <source>Plant id</source>
+            <comment>plant.traits</comment>
+            <translation>植株编号</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3013,6 +3068,78 @@
             <source>Views that must agree on a point. A larger value removes more stray points.</source>
             <translation>一个点须有多少个视图一致。较大的值会去掉更多杂点。</translation>
         </message>
+        <message>
+            <source>Direction that is up. auto takes z where the axes come from a board, else the direction out of the largest plane (table, mat or soil), else z.</source>
+            <translation>朝上的方向。auto：坐标轴来自标定板时取 z，否则取离开最大平面（桌面、标定垫或土壤）的方向，再否则取 z。</translation>
+        </message>
+        <message>
+            <source>Unit of the cloud. auto: metres where a board, given poses or a depth camera fixed the scale, else unknown; traits are then in thousandths of the unit and flagged.</source>
+            <translation>点云的单位。auto：由标定板、给定位姿或深度相机确定尺度时为米，否则未知；此时性状以单位的千分之一给出并作标记。</translation>
+        </message>
+        <message>
+            <source>Box that is kept: min_x min_y min_z max_x max_y max_z in the axes of the cloud. Points outside of it become other.</source>
+            <translation>保留的范围框：点云坐标轴中的 min_x min_y min_z max_x max_y max_z。框外的点归为其他。</translation>
+        </message>
+        <message>
+            <source>Place where the stem leaves the soil: x y z in the axes of the cloud. Empty: it is found from the points.</source>
+            <translation>茎离开土壤的位置：点云坐标轴中的 x y z。留空则由点求得。</translation>
+        </message>
+        <message>
+            <source>Widest gap across which a part of the cloud still belongs to the plant. Larger values keep leaves whose stalks were not reconstructed, and floaters near the plant.</source>
+            <translation>点云的一部分仍算作植株时允许的最大间隙。较大的值会保留叶柄未被重建的叶片，以及植株附近的漂浮点。</translation>
+        </message>
+        <message>
+            <source>Distance from the surfaces of pot, soil and mat within which points belong to them. Raised by itself where the cloud is coarser.</source>
+            <translation>点到花盆、土壤和标定垫表面的距离，在此之内的点归属它们。点云较粗时自动增大。</translation>
+        </message>
+        <message>
+            <source>Removes floaters from the output instead of marking them.</source>
+            <translation>从输出中删除漂浮点，而不是只作标记。</translation>
+        </message>
+        <message>
+            <source>Height above the soil at which the diameter of the stem is measured.</source>
+            <translation>测量茎直径处距土壤的高度。</translation>
+        </message>
+        <message>
+            <source>contours: the edges of the stem in the pictures. cloud: the points about its axis, which are too wide for thin stems. auto: contours where pictures show them, else cloud.</source>
+            <translation>contours：图像中茎的边缘。cloud：茎轴周围的点，对细茎偏宽。auto：图像能看到茎时用 contours，否则用 cloud。</translation>
+        </message>
+        <message>
+            <source>Length of stem around stem_height that is fitted. A longer one takes more pictures of the edges, and more petioles.</source>
+            <translation>在 stem_height 附近参与拟合的茎长。较长时图像中的边缘更多，叶柄也更多。</translation>
+        </message>
+        <message>
+            <source>Most views whose pictures are used for the stem; they are chosen evenly.</source>
+            <translation>用于测茎的视图的最大数目；均匀选取。</translation>
+        </message>
+        <message>
+            <source>How the codes of the pictures become light. srgb undoes the usual curve, linear takes the codes as they are, auto takes what explains the edges better.</source>
+            <translation>图像编码如何换算为光强。srgb 还原常用曲线，linear 直接使用编码，auto 选用更能解释边缘的一种。</translation>
+        </message>
+        <message>
+            <source>Standard error of the scale of the poses. It widens all intervals.</source>
+            <translation>位姿尺度的标准误差。它使所有区间变宽。</translation>
+        </message>
+        <message>
+            <source>Error of the cloud's outermost surface that its points share, so that they cannot show it. It widens the intervals of height and breadth.</source>
+            <translation>点云最外表面上各点共有、因而点自身无法显示的误差。它使高度和冠幅的区间变宽。</translation>
+        </message>
+        <message>
+            <source>How far from the outermost points of the cloud the pictures are searched for the ends of leaves. A larger value finds tips that the cloud has lost, and more things behind them.</source>
+            <translation>在图像中从点云最外侧的点向外搜索叶片末端的距离。较大的值能找到点云丢失的叶尖，也会碰到其后的更多物体。</translation>
+        </message>
+        <message>
+            <source>Name of the plant in the table. Empty: the name of the folder of the views.</source>
+            <translation>表中植株的名称。留空则取视图文件夹的名称。</translation>
+        </message>
+        <message>
+            <source>List of edits as JSON, in the order in which they were made.</source>
+            <translation>JSON 格式的编辑列表，按编辑的先后顺序。</translation>
+        </message>
+        <message>
+            <source>File with such a list, applied before edits.</source>
+            <translation>包含此类列表的文件，先于 edits 应用。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -3669,6 +3796,31 @@
             <source>black</source>
             <comment>background</comment>
             <translation>黑色</translation>
+        </message>
+        <message>
+            <source>-y</source>
+            <comment>up</comment>
+            <translation>-y</translation>
+        </message>
+        <message>
+            <source>metres</source>
+            <comment>scale</comment>
+            <translation>米</translation>
+        </message>
+        <message>
+            <source>contours</source>
+            <comment>stem</comment>
+            <translation>图像轮廓</translation>
+        </message>
+        <message>
+            <source>srgb</source>
+            <comment>light</comment>
+            <translation>sRGB</translation>
+        </message>
+        <message>
+            <source>linear</source>
+            <comment>light</comment>
+            <translation>线性</translation>
         </message>
 </context>
 </TS>

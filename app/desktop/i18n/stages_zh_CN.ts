@@ -163,6 +163,18 @@
             <source>Match views (multi-view stereo)</source>
             <translation>匹配视图（多视立体）</translation>
         </message>
+        <message>
+            <source>Separate the plant</source>
+            <translation>分离植株</translation>
+        </message>
+        <message>
+            <source>Measure the plant</source>
+            <translation>测量植株</translation>
+        </message>
+        <message>
+            <source>Edit the plant</source>
+            <translation>编辑植株</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -325,6 +337,18 @@
         <message>
             <source>Finds the depth of each view from its colour and that of its neighbours by PatchMatch stereo, and keeps the points on which several views agree. This is the baseline without a depth camera and without a field.</source>
             <translation>用 PatchMatch 立体匹配，由每个视图及其相邻视图的颜色求深度，保留多个视图一致的点。这是没有深度相机、也没有辐射场时的基准。</translation>
+        </message>
+        <message>
+            <source>Divides the cloud of a potted plant into plant, pot, soil, mat and floaters. The table is the lowest level surface, the pot a body of revolution on it, the soil the surface inside of its rim; the plant is what grows out of the soil, with the parts that a gap separates from it.</source>
+            <translation>把盆栽植株的点云分为植株、花盆、土壤、标定垫和漂浮点。桌面是最低的水平面，花盆是其上的回转体，土壤是盆沿以内的表面；植株是从土壤中长出的部分，包括被间隙隔开的部分。</translation>
+        </message>
+        <message>
+            <source>Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected for the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed cylinder is fitted to them, with the point spread of each picture.</source>
+            <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。</translation>
+        </message>
+        <message>
+            <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
+            <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
         </message>
 </context>
 </TS>

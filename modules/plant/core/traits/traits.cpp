@@ -272,6 +272,10 @@ class Measurement {
     Traits out;
     TraitRow row;
     row.plant_id = options_.plant_id;
+    if (row.plant_id.empty() && in_.views != nullptr) {
+      const auto description = in_.views->description();  // "plant_07: 120 views, ..."
+      row.plant_id = description.substr(0, description.find(':'));
+    }
     row.height = height_;
     row.length = length_;
     row.width = width_;
