@@ -1,7 +1,10 @@
 // Registers the stages of the module plant.
 #include "pipeline/stage.h"
 #include "plant/core/field/field_cloud.h"
+#include "plant/core/field/field_store.h"
+#include "plant/core/field/render_view.h"
 #include "plant/core/field/train_field.h"
+#include "plant/core/mvs/match_views.h"
 #include "plant/core/separate/separate.h"
 #include "plant/core/surface/surface_points.h"
 #include "plant/core/surface/tsdf.h"
@@ -70,6 +73,12 @@ pipeline::StageType field_stage() {
   t.outputs = {
       {"points", DataKind::cloud, "Fine cloud with normals, colours and the number of views that agree.", false, {}},
       {"progress", DataKind::table, "step, loss, psnr_db (of two views kept back, thinned), seconds.", false, {}},
+      {"field",
+       DataKind::table,
+       "The field itself, column value; plant.render_view shows it from anywhere.",
+       false,
+       {}},
+      {"poses", DataKind::trajectory, "Poses of the views, refined where asked for.", false, {}},
       {"held_out", DataKind::table, "Views kept back: view, name, psnr_db (all pixels), region_psnr_db.", false, {}}};
   t.options = &option_table(static_cast<const FieldOptions*>(nullptr));
   t.main_numbers = {"held_out_psnr_db", "points", "voxel"};
@@ -87,8 +96,73 @@ pipeline::StageType field_stage() {
       report.find(Severity::refused, "no_points",
                   "No two views agree on a surface: check the poses, the region and the number of views.");
     result.outputs.set("points", std::move(points));
+    result.outputs.set("field", store_field(field.model, field.views.front()));
+    field.poses.axes = inputs.trajectory("poses").axes;
+    field.poses.facts = inputs.trajectory("poses").facts;
+    result.outputs.set("poses", std::move(field.poses));
     result.outputs.set("progress", std::move(field.progress));
     result.outputs.set("held_out", std::move(field.held_out));
+    return result;
+  };
+  return t;
+}
+
+pipeline::StageType render_stage() {
+  pipeline::StageType t;
+  t.name = "plant.render_view";
+  t.vtk_class = "vtkBoleRenderPlantView";
+  t.title = "Render a view of a field";
+  t.help =
+      "Renders a trained field from a pose: one of the poses connected, or that of the first view. Gives colours (0 to "
+      "1) and depth as rasters whose rows run upwards.";
+  t.source = "Bole";
+  t.inputs = {{"field", DataKind::table, "Output field of plant.field.", false, {}},
+              {"poses", DataKind::trajectory, "Poses to choose from.", true, {}}};
+  t.outputs = {
+      {"red", DataKind::raster, "Red, 0 to 1.", false, {}},
+      {"green", DataKind::raster, "Green, 0 to 1.", false, {}},
+      {"blue", DataKind::raster, "Blue, 0 to 1.", false, {}},
+      {"depth", DataKind::raster, "Depth along the axis of the camera; no value where light passes.", false, {}}};
+  t.options = &option_table(static_cast<const RenderOptions*>(nullptr));
+  t.run = [](const DataSet& inputs, const OptionSet& set, const Run& run) {
+    const Trajectory* poses = inputs.has("poses") ? &inputs.trajectory("poses") : nullptr;
+    auto view = render_view(inputs.table("field"), poses, set.as<RenderOptions>(), run);
+    pipeline::StageResult result;
+    result.report.message = std::to_string(view.depth.nx) + " x " + std::to_string(view.depth.ny) + " pixels";
+    result.outputs.set("red", std::move(view.red));
+    result.outputs.set("green", std::move(view.green));
+    result.outputs.set("blue", std::move(view.blue));
+    result.outputs.set("depth", std::move(view.depth));
+    return result;
+  };
+  return t;
+}
+
+pipeline::StageType match_stage() {
+  pipeline::StageType t;
+  t.name = "plant.match_views";
+  t.vtk_class = "vtkBoleMatchViews";
+  t.title = "Match views (multi-view stereo)";
+  t.help =
+      "Finds the depth of each view from its colour and that of its neighbours by PatchMatch stereo, and keeps the "
+      "points "
+      "on which several views agree. This is the baseline without a depth camera and without a field.";
+  t.source =
+      "Bleyer et al.: PatchMatch stereo. BMVC 2011; Galliani et al.: Massively parallel multiview stereopsis. ICCV "
+      "2015";
+  t.inputs = {{"views", DataKind::views, "Views with colour.", false, {}},
+              {"poses", DataKind::trajectory, "Pose of each view, at its time.", false, {}}};
+  t.outputs = {
+      {"points", DataKind::cloud, "Points with normals, colours and the number of views that agree.", false, {}}};
+  t.options = &option_table(static_cast<const MatchOptions*>(nullptr));
+  t.main_numbers = {"points"};
+  t.run = [](const DataSet& inputs, const OptionSet& set, const Run& run) {
+    pipeline::StageResult result;
+    const auto& views = inputs.views("views");
+    const auto posed = posed_views(views, inputs.trajectory("poses"), 3, result.report);
+    auto points = match_views(views, posed, set.as<MatchOptions>(), run, result.report);
+    result.report.message = std::to_string(points.size()) + " points from " + std::to_string(posed.size()) + " views";
+    result.outputs.set("points", std::move(points));
     return result;
   };
   return t;
@@ -97,6 +171,8 @@ pipeline::StageType field_stage() {
 void add_field_stages(pipeline::StageRegistry& registry) {
   registry.add(fuse_stage());
   registry.add(field_stage());
+  registry.add(render_stage());
+  registry.add(match_stage());
 }
 
 // ---- parts and traits ----
@@ -115,7 +191,8 @@ pipeline::StageType separate_stage() {
   t.inputs = {
       {"points", DataKind::cloud, "Coloured cloud in world axes.", false, {}},
       {"views", DataKind::views, "Views that the cloud was made from: tell whether the scale is known.", true, {}},
-      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}}};
+      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}},
+      {"depth_surface", DataKind::cloud, "Surface of the fused depth images: tells where the soil is.", true, {}}};
   t.outputs = {{"points",
                 DataKind::cloud,
                 "The points with `part`: 0 other, 1 plant, 2 pot, 3 soil, 4 mat, 5 floater. Facts hold the soil, the "
@@ -126,7 +203,8 @@ pipeline::StageType separate_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     const bool depth = in.has("views") && in.views("views").has_depth();
     const Trajectory* poses = in.has("poses") ? &in.trajectory("poses") : nullptr;
-    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run);
+    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run,
+                              in.has("depth_surface") ? &in.cloud("depth_surface") : nullptr);
     pipeline::StageResult result;
     result.outputs.set("points", std::move(separated.points));
     result.report = std::move(separated.report);

@@ -135,7 +135,19 @@
             <source>Join points and trajectory</source>
             <translation>连接点云与轨迹</translation>
         </message>
-    </context>
+        <message>
+            <source>Read views</source>
+            <translation>读取视图</translation>
+        </message>
+        <message>
+            <source>Calibrate a camera</source>
+            <translation>标定相机</translation>
+        </message>
+            <message>
+            <source>Estimate camera poses</source>
+            <translation>估计相机位姿</translation>
+        </message>
+</context>
     <context>
         <name>stage help</name>
         <message>
@@ -270,5 +282,17 @@
             <source>Joins a cloud that another program mapped with the path of its sensor: every point gets the place of the sensor at its time, its range and its pass, so that stems are measured along the rays. The clocks of the two are recognised (GPS time, GPS time less 1e9 s, seconds of the GPS week, Unix time), and the offset is reported. Clocks that do not go together for certain, and a path that does not run through the cloud, are refused. Without a trajectory the points stay as they are.</source>
             <translation>把其他程序生成的点云与传感器的路径连接起来:每个点得到其时刻的传感器位置、距离和所属的趟次,从而可沿射线测量单木。自动识别两者的时钟(GPS 时间、减去 1e9 秒的 GPS 时间、GPS 周内秒、Unix 时间),并报告时间差。时钟不能确定对应、或路径不穿过点云时会被拒绝。没有轨迹时点云保持不变。</translation>
         </message>
-    </context>
+        <message>
+            <source>Opens the pictures of a colour camera or an RGB-D camera. Images are decoded when they are needed, so that long sequences take little memory. The layout of the folder is found by the names of its files. Images that are missing, damaged or of another size than their camera are left out and counted. Depth becomes metres; pixels without depth are 0. Poses, the camera and the printed mat are read where the folder has them.</source>
+            <translation>打开彩色相机或 RGB-D 相机的图像。图像在需要时才解码,因此长序列占用内存很少。文件夹的格式由其中的文件名判断。缺失、损坏或尺寸与相机不符的图像会被舍去并计数。深度换算为米;没有深度的像素为 0。文件夹中有位姿、相机和印刷垫板时一并读取。</translation>
+        </message>
+        <message>
+            <source>Fits focal lengths, principal point and distortion to pictures of a chessboard or a ChArUco board (Zhang's method). Views that do not fit the others are left out. Depth images of the same views give the place of the depth camera and the bias of its depth, by the planes of the board; pictures of the depth camera (infrared) give its intrinsics too. Writes camera.json, which io.read_views takes, and residuals.svg.</source>
+            <translation>用棋盘格或 ChArUco 板的图片拟合焦距、主点和畸变(张氏标定法)。与其余视图不符的视图会被舍去。同一视图的深度图像借助标定板平面给出深度相机的位置和深度偏差;深度相机的图片(红外)还可给出其内参。写出 camera.json(供 io.read_views 使用)和 residuals.svg。</translation>
+        </message>
+            <message>
+            <source>Finds the pose of the camera for every view. Features are matched with neighbouring views and around loops, and screened by ratio, by their neighbours' motion and by depth. Bundle adjustment fits poses and points to pixels, depths and the corners of a ChArUco board, which gives axes and scale. Without a board the axes are those of the first view and the scale is that of the depth. Views that cannot be connected are reported as lost.</source>
+            <translation>求出每个视图的相机位姿。特征与相邻视图以及绕行回环上的视图匹配,并按比值、邻近匹配的运动和深度筛选。光束法平差使位姿和点符合像素、深度以及给出坐标轴和尺度的 ChArUco 标定板角点。没有标定板时,坐标轴取第一个视图,尺度取自深度。无法连接的视图会作为丢失报告。</translation>
+        </message>
+</context>
 </TS>

@@ -38,12 +38,14 @@ void write_ply(const std::string& path, const PointCloud& cloud) {
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << cloud.size()
       << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty "
          "uchar "
-         "blue\nend_header\n";
+         "blue\nproperty float normal_x\nproperty float normal_y\nproperty float normal_z\nend_header\n";
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f p = cloud.position(i).cast<float>();
     out.write(reinterpret_cast<const char*>(p.data()), 12);
     for (const auto* name : {"red", "green", "blue"})
       out.put(static_cast<char>(cloud.values<std::uint16_t>(name)[i] / 257));
+    for (const auto* name : {"normal_x", "normal_y", "normal_z"})
+      out.write(reinterpret_cast<const char*>(&cloud.values<float>(name)[i]), 4);
   }
 }
 

@@ -12,6 +12,7 @@
 namespace bole::io {
 namespace {
 
+using namespace testing_io;
 using testing::HasSubstr;
 
 namespace fs = std::filesystem;
@@ -292,7 +293,7 @@ TEST(RealSenseViews, DepthInColoursIsRefused) {
   const TempDir dir;
   write_color(dir / "walk_Color_1.png", picture(0));
   write_color(dir / "walk_Depth_1.png", picture(1));
-  EXPECT_THAT(refusal(dir.path()), HasSubstr("no file of their camera"));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("camera.json"));
   EXPECT_THAT(refusal(dir.path(), {.camera = "60,61,31.5,23.5"}), HasSubstr("one channel of 16 bits"));
 }
 

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
+#include "plant/core/field/field_store.h"
 #include "plant/core/field/grid_encoder.h"
 #include "plant/core/field/train_field.h"
 #include "plant/core/field/train_step.h"
@@ -104,6 +105,91 @@ TEST(Field, FinishKeepsTheBestSoFar) {
   EXPECT_TRUE(std::isfinite(field.psnr));
 }
 
+TEST(Field, KeptFieldRendersTheSame) {
+  SceneViews::Settings settings;
+  settings.views = 10;
+  settings.width = 80;
+  settings.height = 60;
+  settings.focal = 75;
+  const SceneViews views(settings);
+  for (const auto kind : {EncoderKind::grid, EncoderKind::hash, EncoderKind::paper}) {
+    auto options = small_options();
+    options.encoder = kind;
+    options.steps = 40;
+    options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
+    const auto t = train(views, options);
+    const auto& first = t.field.views.front();
+    const auto stored = load_field(store_field(t.field.model, first));
+    const auto one = Eigen::Array3f::Ones();
+    const auto before =
+        render_field(t.field.model, first.camera, *first.directions, first.T_world_camera, one, bole::Run{});
+    const auto after =
+        render_field(stored.model, stored.camera, *first.directions, stored.T_world_camera, one, bole::Run{});
+    double square = 0;
+    for (std::size_t i = 0; i < before.color.values.size(); ++i)
+      square += std::pow(before.color.values[i] - after.color.values[i], 2);
+    EXPECT_LT(std::sqrt(square / static_cast<double>(before.color.values.size())), 0.01) << choice_name(kind);
+  }
+}
+
+TEST(Field, DamagedFieldsAreRefused) {
+  SceneViews::Settings settings;
+  settings.views = 10;
+  settings.width = 40;
+  settings.height = 30;
+  settings.focal = 37;
+  const SceneViews views(settings);
+  auto options = small_options();
+  options.voxel = 0.02;
+  options.steps = 1;
+  options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
+  const auto t = train(views, options);
+  const auto table = store_field(t.field.model, t.field.views.front());
+  EXPECT_NO_THROW(load_field(table));
+  EXPECT_THROW(load_field(Table{}), Error);
+  auto values = table.numbers("value");
+  values.resize(values.size() / 2);
+  Table cut;
+  cut.facts = table.facts;
+  cut.set("value", values);
+  EXPECT_THROW(load_field(cut), Error);
+  Table wild = table;
+  values = table.numbers("value");
+  values[1] = 1e30;
+  wild.set("value", values);
+  EXPECT_THROW(load_field(wild), Error);
+  Table torn = table;
+  torn.facts["field"] = "{\"background\": 3";
+  EXPECT_THROW(load_field(torn), Error);
+}
+
+// Poses that are off by a few millimetres come closer to the truth, and the scale stays.
+TEST(Field, PosesAreRefined) {
+  const SceneViews views({});
+  Report report;
+  auto poses = views.given_poses();
+  Random random(5, 5);
+  const auto noise = [&] { return Eigen::Vector3d(random.normal(), random.normal(), random.normal()); };
+  for (auto& p : poses.poses) {
+    p.T_target_sensor.linear() = so3_exp(0.004 * noise()).toRotationMatrix() * p.T_target_sensor.linear();
+    p.T_target_sensor.translation() += 0.002 * noise();
+  }
+  auto options = small_options();
+  options.hold_out = 0;
+  options.steps = 300;
+  const auto posed = posed_views(views, poses, 3, report);
+  const auto region = find_region(views, posed, options.min_share, bole::Run{}, report);
+  const auto field = train_field(views, posed, region, options, bole::Run{}, report);
+  // Where a camera sees the middle of the plant: shift and turn together.
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Eigen::Vector3d truth = views.given_poses().poses[i].T_target_sensor.inverse() * Eigen::Vector3d(0, 0, 0.1);
+    before += (poses.poses[i].T_target_sensor * truth - Eigen::Vector3d(0, 0, 0.1)).squaredNorm();
+    after += (field.poses.poses[i].T_target_sensor * truth - Eigen::Vector3d(0, 0, 0.1)).squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(after), 0.7 * std::sqrt(before));
+}
+
 // The loss of a step as a function of the parameters.
 struct Problem {
   std::vector<FieldView> views;
@@ -181,7 +267,56 @@ TEST_P(Gradients, AreThoseOfTheLoss) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Encoders, Gradients, testing::Values(EncoderKind::grid, EncoderKind::hash),
+// A small motion of one view changes the loss as the gradients of the samples say.
+TEST_P(Gradients, OfPositionsAreThoseOfTheLoss) {
+  auto p = problem(GetParam());
+  PoseRefinement poses(p.views);
+  p.setting.poses = &poses;
+  train_step(p.model, p.views, p.training, p.windows, p.setting, 7, p.batch);
+  // Rays march through cells, so a motion also changes which samples there are: that is no part of the gradient. Here
+  // the same samples are moved.
+  double expected = 0, change = 0;
+  const Eigen::Vector3f shift(3e-5F, -2e-5F, 4e-5F);
+  for (auto& chunk : p.batch.chunks) {
+    RayChunk moved[2];
+    for (int side = 0; side < 2; ++side) {
+      moved[side] = chunk;
+      for (auto& s : moved[side].samples) {
+        const Eigen::Vector3f by = (side == 0 ? 1.0F : -1.0F) * shift;
+        s.place.position += by;
+        s.place.within += by / p.model.space->boxes[s.place.box].voxel;
+      }
+      p.model.encoder->forward(moved[side], 0, moved[side].samples.size());
+    }
+    // d_density and d_color have become derivatives by raw values, so the loss here is a fixed mix of the outputs.
+    RayChunk probe = chunk;
+    p.model.encoder->forward(probe, 0, probe.samples.size());
+    Random random(9, 9);
+    for (std::size_t i = 0; i < probe.samples.size(); ++i) {
+      probe.d_density[i] = 0.003F * static_cast<float>(random.uniform(-1, 1));
+      probe.d_color[i] =
+          Eigen::Vector3f(static_cast<float>(random.uniform(-1, 1)), static_cast<float>(random.uniform(-1, 1)),
+                          static_cast<float>(random.uniform(-1, 1)));
+    }
+    const RayChunk mix = probe;
+    probe.wants_d_position = true;
+    p.model.encoder->backward(probe);
+    for (std::size_t i = 0; i < probe.samples.size(); ++i) {
+      // Samples next to a wall of a voxel have a kink there.
+      const auto& w = chunk.samples[i].place.within;
+      if ((w.array() < 0.01F).any() || (w.array() > 0.99F).any()) continue;
+      const double by = 2.0 * shift.dot(probe.d_position[i]);
+      const double now = mix.d_density[i] * (static_cast<double>(moved[0].density[i]) - moved[1].density[i]) +
+                         mix.d_color[i].dot(moved[0].color[i] - moved[1].color[i]);
+      expected += by * by;
+      change += by * now;
+    }
+  }
+  ASSERT_GT(expected, 0);
+  EXPECT_NEAR(change / expected, 1, 0.05);
+}
+
+INSTANTIATE_TEST_SUITE_P(Encoders, Gradients, testing::Values(EncoderKind::grid, EncoderKind::hash, EncoderKind::paper),
                          [](const auto& p) { return std::string(choice_name(p.param)); });
 
 }  // namespace

@@ -90,6 +90,9 @@ RgbdCamera chosen_camera(const std::string& choice, const std::filesystem::path&
         "the camera of the views", how_to_give());
   } else if (choice.ends_with(".json")) {
     camera = read_camera_file(choice, with_depth, report);
+  } else if (choice == "unknown") {
+    report.find(Severity::look, "camera_unknown",
+                "the camera is not known: its focal length is a guess that serves calibration only");
   } else if (const auto* known = known_camera(choice)) {
     camera = *known;
   } else {

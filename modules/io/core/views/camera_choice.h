@@ -15,8 +15,9 @@ namespace bole::io {
 const RgbdCamera* known_camera(std::string_view name);
 std::string known_camera_names();  // "tum_freiburg1, ..."
 
-// `choice` is the option: a file, "fx,fy,cx,cy", a known name, or empty for `own`, a file that may be absent or
-// unnamed. Throws Error{bad_input} that says how to give a camera.
+// `choice` is the option: a file, "fx,fy,cx,cy", a known name, "unknown" (fx = 0: a guess by the size of the images, to
+// be calibrated), or empty for `own`, a file that may be absent or unnamed. Throws Error{bad_input} that says how to
+// give a camera.
 RgbdCamera chosen_camera(const std::string& choice, const std::filesystem::path& own, bool with_depth, Report& report);
 
 }  // namespace bole::io

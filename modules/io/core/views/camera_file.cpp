@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/option.h"
+#include "camera/camera_json.h"
 #include "io/core/views/json_fields.h"
 #include "io/core/views/pose_matrix.h"
 
@@ -96,16 +97,6 @@ void take_depth_camera(const Json& json, RgbdCamera& camera, Report& report) {
                     "If these are millimetres, divide them by 1000");
 }
 
-Json camera_json(const CameraModel& camera) {
-  return {{"width", camera.width},
-          {"height", camera.height},
-          {"fx", camera.fx},
-          {"fy", camera.fy},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"distortion", camera.distortion}};
-}
-
 // The dictionaries of OpenCV with the number of their markers.
 std::size_t markers_in(const std::string& dictionary) {
   if (dictionary == "DICT_ARUCO_ORIGINAL") return 1024;
@@ -167,19 +158,21 @@ RgbdCamera read_camera_file(const std::filesystem::path& path, bool with_depth, 
   }
 }
 
-std::string camera_text(const RgbdCamera& camera) {
-  Json json = camera_json(camera.color);
-  json["depth_scale"] = camera.depth_scale;
-  if (camera.depth) {
-    json["depth"] = camera_json(*camera.depth);
-    for (int row = 0; row < 4; ++row) {
-      Json numbers = Json::array();
-      for (int column = 0; column < 4; ++column) numbers.push_back(camera.T_color_depth.matrix()(row, column));
-      json["depth_to_color"].push_back(std::move(numbers));
-    }
-  }
-  return json.dump(2) + "\n";
+std::vector<double> read_depth_bias(const std::filesystem::path& path) {
+  constexpr const char* needed = "up to three numbers b0, b1, b2 in metres";
+  const MappedFile file(path);
+  const auto json = parse_object(file.bytes(), camera_needed);
+  if (!holds(json, "depth_bias")) return {};
+  auto bias = numbers_of(json["depth_bias"], "depth_bias", needed);
+  bias.resize(std::max<std::size_t>(bias.size(), 3));
+  bool small = bias.size() == 3;
+  for (const double z : {0.3, 1.0, 5.0}) small = small && std::abs(bias[0] + z * (bias[1] + z * bias[2])) < 0.2 * z;
+  if (!small)
+    throw bad_input("the entry 'depth_bias' is " + shown(json["depth_bias"]), needed).at("'" + path.string() + "'");
+  return bias;
 }
+
+std::string camera_text(const RgbdCamera& camera) { return camera_json(camera); }
 
 void write_camera_file(const std::filesystem::path& path, const RgbdCamera& camera) {
   write_text_file(path, camera_text(camera));

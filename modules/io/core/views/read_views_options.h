@@ -11,9 +11,9 @@
 namespace bole::io {
 
 // How a folder of views is laid out. The rows of view_layouts() have the same order.
-enum class ViewLayout { bole, tum, icl, seven_scenes, scannet, realsense, nerf, colmap, romi };
-constexpr std::array<std::string_view, 9> choice_names(ViewLayout) {
-  return {"bole", "tum", "icl", "7scenes", "scannet", "realsense", "nerf", "colmap", "romi"};
+enum class ViewLayout { bole, tum, icl, seven_scenes, scannet, realsense, nerf, colmap, romi, images };
+constexpr std::array<std::string_view, 10> choice_names(ViewLayout) {
+  return {"bole", "tum", "icl", "7scenes", "scannet", "realsense", "nerf", "colmap", "romi", "images"};
 }
 
 struct ReadViewsOptions {

@@ -19,6 +19,7 @@ std::span<const LayoutRow> view_layouts() {
       LayoutRow{ViewLayout::nerf, "NeRF", "transforms.json", is_nerf_layout, find_nerf_views},
       LayoutRow{ViewLayout::colmap, "COLMAP", "cameras and images, .bin or .txt", is_colmap_layout, find_colmap_views},
       LayoutRow{ViewLayout::romi, "ROMI", "images/, metadata/images/", is_romi_layout, find_romi_views},
+      LayoutRow{ViewLayout::images, "Images", "pictures and camera.json", is_images_layout, find_images_views},
   };
   return rows;
 }

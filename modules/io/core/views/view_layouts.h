@@ -45,5 +45,7 @@ bool is_colmap_layout(const std::filesystem::path& path);
 FoundViews find_colmap_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
 bool is_romi_layout(const std::filesystem::path& path);
 FoundViews find_romi_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_images_layout(const std::filesystem::path& path);
+FoundViews find_images_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
 
 }  // namespace bole::io

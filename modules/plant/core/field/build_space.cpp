@@ -12,18 +12,20 @@ namespace {
 
 constexpr double bytes_per_voxel = 4 * 16 + 4;  // values, gradients, two moments, a stamp
 
-double max_blocks(const FieldOptions& options) {
-  return options.max_memory_mib * 1048576.0 / (bytes_per_voxel * FieldBox::block_voxels);
-}
-
+// Coarse: nothing is known yet, and the training makes voxels smaller where it finds something.
 FieldSpace without_depth(const Region& region, const FieldOptions& options, double& voxel) {
-  while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > max_blocks(options)) voxel *= 1.1;
+  const double most = std::min(4096.0, max_blocks(options));
+  while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > most) voxel *= 1.1;
   auto space = FieldSpace::around(region, voxel, 1);
   space.set_cells(0, all_cells(space.boxes.front()));
   return space;
 }
 
 }  // namespace
+
+double max_blocks(const FieldOptions& options) {
+  return options.max_memory_mib * 1048576.0 / (bytes_per_voxel * FieldBox::block_voxels);
+}
 
 FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
                        const FieldOptions& options, const Run& run, Report& report) {
@@ -52,7 +54,7 @@ FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& po
       throw bad_input("no depth of two views lies at one place of the region", "depth of the plant",
                       "Check the region, the poses and the depth scale");
   }
-  if (voxel > options.voxel * 1.001)
+  if (views.has_depth() && voxel > options.voxel * 1.001)
     report.find(Severity::look, "voxel_enlarged",
                 fmt::format("Voxels of {:.2f} mm need more than {} MiB: {:.2f} mm were used. Give a smaller region or "
                             "more memory.",

@@ -7,6 +7,9 @@
 
 namespace bole::plant {
 
+// Blocks that the memory holds.
+double max_blocks(const FieldOptions& options);
+
 // Boxes around the region with the cells near measured depth; one full box without depth. Voxels are enlarged where the
 // memory is not enough, with a finding. Throws Error{bad_input} where no depth lies in the region.
 FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,

@@ -101,6 +101,7 @@ FieldPicture render_field(const FieldModel& field, const CameraModel& camera, co
       ChunkRay ray;
       const float length = d.norm();
       ray.z_per_t = 1 / length;
+      ray.footprint = static_cast<float>(1 / std::abs(camera.fx));
       ray.march = field.space->ray(from, turn * (d / length), 0.5F);
       chunk.rays.push_back(ray);
     }

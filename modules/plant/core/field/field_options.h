@@ -10,8 +10,8 @@
 
 namespace bole::plant {
 
-enum class EncoderKind { grid, hash };
-constexpr std::array<std::string_view, 2> choice_names(EncoderKind) { return {"grid", "hash"}; }
+enum class EncoderKind { grid, hash, paper };
+constexpr std::array<std::string_view, 3> choice_names(EncoderKind) { return {"grid", "hash", "paper"}; }
 
 // scene: learned by direction; white, black: pictures of an object alone.
 enum class Background { scene, white, black };
@@ -28,11 +28,16 @@ struct FieldOptions {
   int max_width = 640;
   int hold_out = 8;
   bool exposure = true;
+  bool refine_poses = true;
   double depth_weight = 0.02;
   double depth_sigma = 0.0015;
   double min_share = 0.6;
   int max_memory_mib = 1500;
   int seed = 1;
+  int paper_layers = 4;
+  int paper_width = 128;
+  int paper_frequencies = 10;
+  bool paper_integrated = true;
   double cloud_spacing = 0.0005;
   int cloud_min_views = 3;
   double cloud_tolerance = 0.002;

@@ -36,22 +36,18 @@ CameraModel smaller(const CameraModel& camera, int n) {
 
 }  // namespace
 
-std::shared_ptr<const PixelDirections> pixel_directions(const CameraModel& camera) {
-  auto directions = std::make_shared<PixelDirections>(camera.width, camera.height, 2);
-  for (int y = 0; y < camera.height; ++y)
-    for (int x = 0; x < camera.width; ++x) {
-      const Eigen::Vector3d d = camera.direction({x, y});
-      directions->at(x, y, 0) = static_cast<float>(d.x());
-      directions->at(x, y, 1) = static_cast<float>(d.y());
-    }
-  return directions;
-}
-
 DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
                             const Pose& T_color_depth, const CameraModel& color_camera) {
-  // Where pixels of the depth image land, the nearest of each; those to be left out hide others all the same.
-  DepthImage landed(color_camera.width, color_camera.height, 1, 0.0F), out = landed;
-  MaskImage keeps(color_camera.width, color_camera.height, 1, 0);
+  // Where the pixels of the depth image land. Those to be left out hide others all the same.
+  DepthImage nearest_of(color_camera.width, color_camera.height, 1, 0.0F), landed = nearest_of, out = nearest_of;
+  MaskImage keeps(color_camera.width, color_camera.height, 1, 255);
+  Image<std::uint16_t> counts(color_camera.width, color_camera.height);
+  struct Landing {
+    std::size_t at = 0;
+    float z = 0;
+    bool keep = true;
+  };
+  std::vector<Landing> landings;
   for (int y = 0; y < depth.height; ++y)
     for (int x = 0; x < depth.width; ++x) {
       const double z = depth.at(x, y);
@@ -59,12 +55,22 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
       const Eigen::Vector3d p = T_color_depth * Eigen::Vector3d(depth_camera.direction({x, y}) * z);
       const auto pixel = color_camera.project(p);
       if (!pixel || !color_camera.contains(*pixel)) continue;
-      const int u = static_cast<int>(std::lround(pixel->x())), v = static_cast<int>(std::lround(pixel->y()));
-      float& there = landed.at(u, v);
-      if (there > 0 && there <= static_cast<float>(p.z())) continue;
-      there = static_cast<float>(p.z());
-      keeps.at(u, v) = left_out.empty() || left_out.at(x, y) == 0 ? 255 : 0;
+      const auto at =
+          landed.index(static_cast<int>(std::lround(pixel->x())), static_cast<int>(std::lround(pixel->y())));
+      landings.push_back({at, static_cast<float>(p.z()), left_out.empty() || left_out.at(x, y) == 0});
+      float& nearest = nearest_of.values[at];
+      nearest = nearest > 0 ? std::min(nearest, landings.back().z) : landings.back().z;
     }
+  // Of several depths in one pixel the mean: the nearest alone would be the one with the largest error.
+  constexpr float same_surface = 1.03F;
+  for (const auto& l : landings) {
+    if (l.z > nearest_of.values[l.at] * same_surface) continue;
+    landed.values[l.at] += l.z;
+    ++counts.values[l.at];
+    if (!l.keep) keeps.values[l.at] = 0;
+  }
+  for (std::size_t i = 0; i < landed.values.size(); ++i)
+    if (counts.values[i] > 0) landed.values[i] /= static_cast<float>(counts.values[i]);
   // Pixels between those that were hit have the mean of their neighbours. What shines through between the pixels of a
   // nearer surface is dropped. Taking the nearest neighbour instead would pull slanted surfaces towards the camera.
   const double ratio = std::abs(color_camera.fx / depth_camera.fx);
@@ -80,7 +86,7 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
       };
       each([&](float z, std::uint8_t) { nearest = nearest > 0 ? std::min(nearest, z) : z; });
       if (nearest <= 0) continue;
-      const float limit = nearest * 1.03F;
+      const float limit = nearest * same_surface;
       const float own = landed.at(x, y);
       if (own > 0 && own <= limit) {
         if (keeps.at(x, y) != 0) out.at(x, y) = own;
@@ -110,7 +116,7 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
   for (const auto& p : posed) {
     run.check_cancel();
     run.report(static_cast<double>(place) / static_cast<double>(posed.size()), "reading views");
-    views.read(p.index, view, {.color = true, .depth = views.has_depth(), .mask = false});
+    views.read(p.index, view, {.color = true, .depth = options.depth && views.has_depth(), .mask = false});
     if (view.color.empty() || view.color.channels != 3)
       throw bad_input("view " + views.name(p.index) + " has no colour image", "colour images with three channels");
     const auto& camera = views.camera(p.index);
@@ -127,7 +133,7 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
     if (!last_camera || !(*last_camera == f.camera)) directions = pixel_directions(f.camera);
     last_camera = f.camera;
     f.directions = directions;
-    if (!view.depth.empty())
+    if (options.depth && !view.depth.empty())
       f.depth = registered_depth(view.depth, depth_edges(view.depth, options.noise, 3), camera.of_depth(),
                                  camera.T_color_depth, f.camera);
     out.push_back(std::move(f));

@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "base/run.h"
+#include "plant/core/surface/depth_maps.h"
 #include "plant/core/surface/posed_views.h"
 
 namespace bole::plant {
-
-// Directions of the pixels of a camera, (x / z, y / z), two floats a pixel: distortion is undone once.
-using PixelDirections = Image<float>;
 
 struct FieldView {
   std::size_t index = 0;  // in the source
@@ -29,12 +27,11 @@ struct FieldViewOptions {
   int max_width = 640;  // pictures wider than about 1.5 times this are made smaller by a whole number
   int hold_out = 8;     // every n-th view is kept back where the data do not say which; 0: none
   DepthNoise noise;
+  bool depth = true;  // read it where there is any
 };
 
 std::vector<FieldView> load_field_views(const ViewSource& views, const std::vector<PosedView>& posed,
                                         const FieldViewOptions& options, const Run& run, Report& report);
-
-std::shared_ptr<const PixelDirections> pixel_directions(const CameraModel& camera);
 
 // The depth image as the colour camera would see it, in an image of that camera. Near surfaces hide those behind.
 DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,

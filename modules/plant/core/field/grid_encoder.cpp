@@ -7,8 +7,6 @@
 namespace bole::plant {
 namespace {
 
-constexpr float empty_density = -6;
-
 // Weights of the eight corners, index x * 4 + y * 2 + z.
 std::array<float, 8> corner_weights(const Eigen::Vector3f& f) {
   const float x0 = 1 - f.x(), y0 = 1 - f.y(), z0 = 1 - f.z();
@@ -18,12 +16,12 @@ std::array<float, 8> corner_weights(const Eigen::Vector3f& f) {
 
 }  // namespace
 
-GridEncoder::GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates)
+GridEncoder::GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates, float density)
     : space_(std::move(space)), rates_(rates) {
   for (const auto& box : space_->boxes) {
     Values v;
     const auto count = box.places.size() * FieldBox::block_voxels;
-    v.values.assign(count, Eigen::Array4f(empty_density, 0, 0, 0));
+    v.values.assign(count, Eigen::Array4f(density, 0, 0, 0));
     v.gradients.assign(count, Eigen::Array4f::Zero());
     v.first.assign(count, Eigen::Array4f::Zero());
     v.second.assign(count, Eigen::Array4f::Zero());

@@ -13,7 +13,7 @@ class GridEncoder : public FieldEncoder {
     float smoothness = 1e-8F;  // of the density: pull towards the mean of the six neighbours
   };
 
-  GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates);
+  GridEncoder(std::shared_ptr<const FieldSpace> space, Rates rates, float density = -6);  // raw, of all voxels
 
   void forward(RayChunk& chunk, std::size_t first, std::size_t end) const override;
   void backward(RayChunk& chunk) const override;
@@ -27,6 +27,9 @@ class GridEncoder : public FieldEncoder {
   Eigen::Array4f& value(std::size_t box, std::size_t block, std::size_t voxel) {
     return boxes_[box].values[block * FieldBox::block_voxels + voxel];
   }
+  // By index: block * 512 + voxel.
+  const Eigen::Array4f& value_at(std::size_t box, std::size_t index) const { return boxes_[box].values[index]; }
+  const Rates& rates() const { return rates_; }
 
  private:
   struct Values {

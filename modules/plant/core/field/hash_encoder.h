@@ -26,6 +26,7 @@ class HashEncoder : public FieldEncoder {
   std::size_t parameter_count() const override;
   void visit_parameters(const std::function<void(std::span<float>)>& visit) override;
   std::vector<float> gradients() const override;
+  const Settings& settings() const { return settings_; }
 
  private:
   static constexpr int features_per_level = 2;

@@ -11,6 +11,7 @@ namespace bole::plant {
 
 struct ChunkRay {
   FieldRay march;
+  float footprint = 0.0016F;                        // width of a pixel at a distance of one metre, metres
   float z_per_t = 1;                                // depth along the camera's axis per metre along the ray
   float transmittance = 1;                          // behind the samples so far
   Eigen::Vector3f color = Eigen::Vector3f::Zero();  // without what is behind the last sample

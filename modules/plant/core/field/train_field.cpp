@@ -6,10 +6,13 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "plant/core/field/build_space.h"
+#include "plant/core/field/grid_reshape.h"
 #include "plant/core/field/grid_start.h"
 #include "plant/core/field/hash_encoder.h"
+#include "plant/core/field/paper_encoder.h"
 #include "plant/core/field/train_step.h"
 
 namespace bole::plant {
@@ -41,6 +44,60 @@ double quick_psnr(const FieldModel& field, const std::vector<FieldView>& views, 
   }
   return count == 0 ? std::nan("") : sum / count;
 }
+
+void set_encoder(FieldModel& model, const FieldOptions& options, const std::vector<FieldView>& views, bool has_depth,
+                 const Run& run) {
+  if (options.encoder == EncoderKind::grid) {
+    auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{}, has_depth ? -6.0F : -5.0F);
+    start_grid(*grid, *model.space, views, {options.depth_sigma}, 32, run);
+    model.encoder = std::move(grid);
+  } else if (options.encoder == EncoderKind::hash) {
+    HashEncoder::Settings settings;
+    settings.seed = options.seed;
+    model.encoder = std::make_unique<HashEncoder>(model.space, settings);
+  } else {
+    PaperEncoder::Settings settings;
+    settings.layers = options.paper_layers;
+    settings.width = options.paper_width;
+    settings.color_width = std::max(1, options.paper_width / 2);
+    settings.frequencies = options.paper_frequencies;
+    settings.integrated = options.paper_integrated;
+    settings.seed = options.seed;
+    model.encoder = std::make_unique<PaperEncoder>(model.space, settings);
+  }
+}
+
+// Drops what has proved empty, and without depth makes voxels finer, at set parts of the training.
+class Reshaping {
+ public:
+  Reshaping(const Region& region, const FieldOptions& options, bool has_depth)
+      : region_(region), options_(options), has_depth_(has_depth) {}
+
+  void at(double done, FieldModel& model) {
+    constexpr std::array<double, 3> when{0.15, 0.35, 0.6};
+    if (next_ >= when.size() || done < when[next_]) return;
+    ++next_;
+    const auto* grid = dynamic_cast<const GridEncoder*>(model.encoder.get());
+    if (grid == nullptr || (has_depth_ && next_ == 1)) return;
+    const auto cells = solid_cells(*grid, *model.space, -4);
+    auto space = std::make_shared<const FieldSpace>(with_cells(*model.space, cells));
+    const double voxel = model.space->boxes.front().voxel / 2;
+    if (!has_depth_ && next_ < 3 && voxel >= 0.7 * options_.voxel) {
+      auto finer = with_voxel(*model.space, cells.front(), region_, voxel);
+      if (static_cast<double>(finer.block_count()) <= max_blocks(options_))
+        space = std::make_shared<const FieldSpace>(std::move(finer));
+    }
+    if (space->boxes.front().places.empty()) return;  // nothing at all was found: the result says so
+    model.encoder = resampled(*grid, *model.space, space);
+    model.space = space;
+  }
+
+ private:
+  Region region_;
+  const FieldOptions& options_;
+  bool has_depth_;
+  std::size_t next_ = 0;
+};
 
 void test_held_out(TrainedField& out, const Run& run) {
   std::vector<std::int64_t> index;
@@ -88,15 +145,7 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
       std::make_shared<const FieldSpace>(build_space(views, posed, region, options, run.part(0, 0.05), report));
   out.views = load_field_views(views, posed, {options.max_width, options.hold_out, noise}, run.part(0.05, 0.1), report);
   model.exposures = Exposures(out.views.size());
-  if (options.encoder == EncoderKind::grid) {
-    auto grid = std::make_unique<GridEncoder>(model.space, GridEncoder::Rates{});
-    start_grid(*grid, *model.space, out.views, noise, 32, run);
-    model.encoder = std::move(grid);
-  } else {
-    HashEncoder::Settings settings;
-    settings.seed = options.seed;
-    model.encoder = std::make_unique<HashEncoder>(model.space, settings);
-  }
+  set_encoder(model, options, out.views, views.has_depth(), run);
 
   std::vector<std::size_t> training;
   std::vector<PixelWindow> windows;
@@ -106,8 +155,9 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   }
   if (training.empty()) throw bad_input("all views are kept back", "views to learn from", "Set hold_out to 0");
 
-  const TrainSetting setting{options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure,
-                             noise};
+  PoseRefinement refinement(out.views);
+  TrainSetting setting{options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure, noise};
+  Reshaping reshaping(region, options, views.has_depth());
   TrainBatch batch;
   ProgressRows rows;
   const auto start = Clock::now();
@@ -119,6 +169,10 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
     const double used = seconds_since(start) / options.max_seconds;
     if (run.asked_to_finish() || used >= 1) break;
     const double done = std::max(static_cast<double>(step) / options.steps, used);
+    reshaping.at(done, model);
+    // A field that is still coming into shape would push the poses about.
+    const bool refines = options.refine_poses && done > 0.15;
+    setting.poses = refines ? &refinement : nullptr;
     const double now = train_step(model, out.views, training, windows, setting, step, batch);
     ++step;
     decayed = 0.98 * decayed + 0.02;
@@ -127,6 +181,7 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
     model.encoder->update(adam);
     model.environment.update(adam);
     if (options.exposure) model.exposures.update(adam, out.views);
+    if (refines) refinement.update(adam, out.views);
     if (step == 1 || step % look_every == 0) {
       const double psnr = quick_psnr(model, out.views, run);
       rows.step.push_back(step);
@@ -150,6 +205,12 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
     }
   }
   report.counts["steps"] = step;
+  if (options.refine_poses) {
+    report.metrics["poses_shifted"] = {1000 * refinement.shift_m(), Unit::millimetre};
+    report.metrics["poses_turned"] = {refinement.turn_rad() / rad_per_deg, Unit::degree};
+  }
+  for (const auto& view : out.views) out.poses.poses.push_back({view.time_s, view.T_world_camera});
+  report.metrics["voxel"] = {model.space->boxes.front().voxel, Unit::metre};
   report.counts["parameters"] = static_cast<std::int64_t>(model.encoder->parameter_count());
   report.metrics["training"] = {seconds_since(start), Unit::second};
   out.progress.set("step", std::move(rows.step));

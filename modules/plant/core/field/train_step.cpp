@@ -24,6 +24,7 @@ void choose_ray(const FieldModel& field, const std::vector<FieldView>& views, co
   const Eigen::Vector3f d(view.directions->at(x, y, 0), view.directions->at(x, y, 1), 1);
   const float length = d.norm();
   ray.z_per_t = 1 / length;
+  ray.footprint = static_cast<float>(1 / std::abs(view.camera.fx));
   ray.march =
       field.space->ray((view.T_world_camera.translation() - field.space->origin).cast<float>(),
                        view.T_world_camera.linear().cast<float>() * (d / length), static_cast<float>(random.uniform()));
@@ -85,6 +86,19 @@ void render_rays(const FieldModel& field, const std::vector<FieldView>& views, c
   }
 }
 
+// A sample moves with its camera, and about it.
+void add_pose_gradients(const TrainBatch& batch, PoseRefinement& poses) {
+  for (std::size_t c = 0; c < batch.chunks.size(); ++c)
+    for (std::size_t i = 0; i < batch.chunks[c].samples.size(); ++i) {
+      const auto& sample = batch.chunks[c].samples[i];
+      const auto ray = static_cast<std::size_t>(sample.ray);
+      const Eigen::Vector3f& by_position = batch.chunks[c].d_position[i];
+      auto& g = poses.gradients[static_cast<std::size_t>(batch.targets[c][ray].view)];
+      g.translation += by_position.cast<double>();
+      g.rotation += (sample.place.t * batch.chunks[c].rays[ray].march.direction.cross(by_position)).cast<double>();
+    }
+}
+
 std::size_t chunk_count(const TrainSetting& setting) {
   return static_cast<std::size_t>((setting.rays + rays_per_chunk - 1) / rays_per_chunk);
 }
@@ -144,9 +158,11 @@ double train_step(FieldModel& field, const std::vector<FieldView>& views, const 
       if (targets[r].depth <= 0) return 0.0F;
       return setting.depth_weight * share * depth_price(targets[r], chunk.rays[r].z_per_t, t, setting.noise);
     });
+    chunk.wants_d_position = setting.poses != nullptr;
     field.encoder->backward(chunk);
   });
   field.encoder->accumulate(batch.chunks);
+  if (setting.poses != nullptr) add_pose_gradients(batch, *setting.poses);
   double square = 0;
   for (std::size_t c = 0; c < count; ++c)
     for (std::size_t r = 0; r < rays_per_chunk; ++r) {

@@ -1,7 +1,7 @@
 // One step of the training: rays of the views, their losses, and the gradients of all that learns.
 #pragma once
 
-#include "plant/core/field/field_model.h"
+#include "plant/core/field/train_poses.h"
 
 namespace bole::plant {
 
@@ -29,6 +29,7 @@ struct TrainSetting {
   float depth_weight = 0.02F;
   bool exposure = true;
   DepthNoise noise;
+  PoseRefinement* poses = nullptr;  // gets gradients; null: the poses stay
 };
 
 // Renders the rays of a step, adds all gradients up and returns the mean squared error of the colours.

@@ -159,6 +159,53 @@ PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points) {
   return out;
 }
 
+namespace {
+
+// The measured tip that is the outermost place in a direction, or null where that is a point of the cloud.
+const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction, double near) {
+  const auto far = std::ranges::max_element(points, {}, [&](const Eigen::Vector3d& p) { return p.dot(direction); });
+  for (const auto& t : tips)
+    if (t.measured() && (t.end() - *far).norm() < near) return &t;
+  return nullptr;
+}
+
+}  // namespace
+
+void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach, Extents& extents) {
+  const auto points = with_tips(plant, tips, reach);
+  const Sizes now = sizes_of(points);
+  std::vector<Eigen::Vector2d> plan;
+  for (const auto& p : points) plan.emplace_back(p.head<2>());
+  const auto rectangle = smallest_rectangle(plan);
+  // What a side is off: the scatter of its tip in the pictures, and of how sharp it is; or the
+  // correction for noise where no picture shows it.
+  const auto sd_of = [&](const Tip* tip, double correction) {
+    if (tip != nullptr) ++extents.sides_in_pictures;
+    return tip != nullptr ? std::hypot(tip->sd, reach / 20) : std::max(std::abs(correction), extents.noise);
+  };
+  extents.sides_in_pictures = 0;
+  const auto* top = tip_at(points, tips, Eigen::Vector3d::UnitZ(), reach / 4);
+  if (top != nullptr) {
+    extents.top.value = now.top;
+    extents.top.sd = sd_of(top, 0);
+  }
+  if (!(rectangle.length > 0)) return;
+  const Eigen::Vector2d first = rectangle.corners[1] - rectangle.corners[0],
+                        second = rectangle.corners[2] - rectangle.corners[1];
+  const bool first_is_length = first.norm() >= second.norm();
+  const auto side = [&](const Eigen::Vector2d& along, double raw, Extent& extent) {
+    const Eigen::Vector3d d = Eigen::Vector3d(along.x(), along.y(), 0).normalized();
+    const auto *a = tip_at(points, tips, d, reach / 4), *b = tip_at(points, tips, -d, reach / 4);
+    if (a == nullptr && b == nullptr) return;
+    const double correction = (extent.value - extent.raw) / 2;
+    extent.value = raw + (a == nullptr ? correction : 0) + (b == nullptr ? correction : 0);
+    extent.sd = std::hypot(sd_of(a, correction), sd_of(b, correction));
+  };
+  side(first_is_length ? first : second, rectangle.length, extents.length);
+  side(first_is_length ? second : first, rectangle.width, extents.width);
+  extents.rectangle = rectangle;
+}
+
 Extents measure_extents(const Points3& plant, const Run& run) {
   Extents out;
   out.spacing = point_spacing(plant);

@@ -7,6 +7,7 @@
 
 #include "base/run.h"
 #include "plant/core/separate/point_grid.h"
+#include "plant/core/traits/tips.h"
 
 namespace bole::plant {
 
@@ -31,7 +32,8 @@ struct Extents {
   PlanRectangle rectangle;  // of the points as they are
   double noise = 0;         // standard deviation of a point across the surface
   double spacing = 0;
-  std::size_t removed = 0;  // points without enough neighbours
+  std::size_t removed = 0;    // points without enough neighbours
+  int sides_in_pictures = 0;  // of five (top, and four of the rectangle): those that pictures have measured
 };
 
 // `plant`: metres, z up. Noise widens every extent, the more the denser the points. So the same noise is added again,
@@ -39,5 +41,9 @@ struct Extents {
 // quadratic in the variance). The scatter of that, what half of the
 // points would lose, and what the outermost points carry alone make the standard deviation.
 Extents measure_extents(const Points3& plant, const Run& run);
+
+// Replaces every extent whose outermost places the pictures have measured. An extent with one side measured and the
+// other not keeps the correction for noise on that side.
+void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach, Extents& extents);
 
 }  // namespace bole::plant

@@ -10,6 +10,7 @@
 #include "plant/core/traits/extents.h"
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
+#include "plant/core/traits/tips.h"
 #include "plant/core/traits/trait_tables.h"
 
 namespace bole::plant {
@@ -64,6 +65,7 @@ class Measurement {
 
   void measure_size() {
     extents_ = measure_extents(plant_, run_);
+    if (in_.views != nullptr && in_.poses != nullptr) measure_tips_in_pictures();
     const double surface = scene_.scale_known ? options_.surface_sd : 0.002 * extents_.top.value;
     // The top is one surface, the breadth lies between two.
     const double slope_sd = scene_.soil_sd;
@@ -71,6 +73,19 @@ class Measurement {
     const double both = std::sqrt(2.0) * surface;
     length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
     width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
+  }
+
+  void measure_tips_in_pictures() {
+    TipSearch search;
+    search.reach = scene_.scale_known ? options_.tip_reach : 0.03 * extents_.top.value;
+    search.linear_light = options_.light != PictureLight::linear;
+    auto tips = outermost_tips(plant_, search.reach);
+    measure_tips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, chosen_views(), tips,
+                 run_.part(0.04, 0.2));
+    take_tips(plant_, tips, search.reach, extents_);
+    report_.counts["tips"] = static_cast<std::int64_t>(tips.size());
+    report_.counts["tips_in_pictures"] = std::ranges::count_if(tips, &Tip::measured);
+    report_.counts["sides_in_pictures"] = extents_.sides_in_pictures;
   }
 
   double stem_unit() const {  // 20 mm where the scale is known

@@ -16,6 +16,7 @@ constexpr double still_px = 1.5;  // in an image 1280 wide
 constexpr double reference_width = 1280;
 constexpr double min_moving_px = 3;  // median, below it the moving part is still as well
 constexpr double min_second_share = 0.1;
+constexpr std::size_t min_for_statistics = 60;  // of fewer matches the neighbours say nothing
 
 class Screening {
  public:
@@ -81,6 +82,7 @@ class Screening {
 
   void screen_by_neighbours() {
     const auto kept = left();
+    if (kept.size() < min_for_statistics) return;
     std::vector<PixelPair> pairs;
     for (const auto i : kept) pairs.push_back({of_a(matches_[i].match).pixel, of_b(matches_[i].match).pixel});
     const auto supported =

@@ -7,7 +7,7 @@ namespace bole::rgbd {
 namespace {
 
 constexpr double confidence = 0.999;
-constexpr int max_trials = 2000;
+constexpr int max_trials = 2000, max_ray_trials = 300;
 constexpr double max_distance = 1e4;  // of a point, in shifts: neighbouring views are close together
 
 cv::Mat identity() { return cv::Mat::eye(3, 3, CV_64F); }
@@ -32,7 +32,8 @@ std::optional<Motion> find_motion_of_rays(const std::vector<RayMatch>& matches, 
   }
   // Distance to one line in the image, not to a point: half of the tolerance lets pass as many wrong matches.
   cv::Mat mask;
-  const cv::Mat E = cv::findEssentialMat(a, b, identity(), cv::RANSAC, confidence, options.max_error / 2, mask);
+  const cv::Mat E =
+      cv::findEssentialMat(a, b, identity(), cv::RANSAC, confidence, options.max_error / 2, max_ray_trials, mask);
   if (E.rows != 3 || E.cols != 3) return std::nullopt;
   cv::Mat R, t;
   const int good = cv::recoverPose(E, a, b, identity(), R, t, max_distance, mask);

@@ -133,6 +133,7 @@ class Grower {
     BundleOptions options;
     options.fixed_view = with_board_ ? -1 : first_placed();
     options.passes = 2;
+    options.hold_scale = out_.start >= 0;
     const auto report = adjust(made.bundle, options, run_.part(0, 0));
     if (!report.converged) return;
     for (std::size_t v = 0; v < poses_.size(); ++v)

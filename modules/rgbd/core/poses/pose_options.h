@@ -25,7 +25,7 @@ struct PoseOptions {
   double max_ratio = 0.8;
   bool gms = true;
   double max_match_error = 4;  // pixels in an image 1280 wide
-  int min_matches = 15;
+  int min_matches = 12;
   int neighbours = 5;
   int loops = 6;
   std::optional<double> depth_noise;  // metres at 1 m
