@@ -16,6 +16,7 @@
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/fit/pass_alignment.h"
 #include "stems/core/fit/project_priors.h"
+#include "stems/core/fit/repeated_fits.h"
 #include "stems/core/fit/stem_quality.h"
 #include "stems/core/ground_check.h"
 #include "stems/core/sensor_facts.h"
@@ -68,6 +69,7 @@ class Survey {
     learn_noise();
     drop_repeated();
     if (priors.learnt) refit_all(priors);
+    put_back_repeated(priors);
     accept();
     label();
     summarise();
@@ -264,25 +266,21 @@ class Survey {
   // Fits that found the stem of a better candidate need no second round.
   void drop_repeated() {
     std::ranges::stable_sort(fitted_, by_score);
-    std::vector<Stem> kept;
-    for (auto& s : fitted_) {
-      const auto found = std::ranges::find_if(kept, [&](const Stem& o) { return is_same_fit(s, o) && !hopeless(o); });
-      if (found == kept.end()) {
-        kept.push_back(std::move(s));
-        continue;
-      }
-      note_fork(*found, s.candidate);
-      reject(s, same_stem_as(*found));
-    }
-    fitted_ = std::move(kept);
+    repeated_ = take_repeated(fitted_, [&](const Stem& s) { return hopeless(s); });
+    for (auto& r : repeated_) note_fork(fitted_[r.better], r.stem.candidate);
+  }
+
+  // Unless the better one turned out to be no stem.
+  void put_back_repeated(const ProjectPriors& priors) {
+    const auto restored = restored_fits(repeated_, [&](std::size_t i) { return !objection(fitted_[i], options_); });
+    for (const auto& r : repeated_)
+      if (!objection(fitted_[r.better], options_)) reject(r.stem, same_stem_as(fitted_[r.better]));
+    const std::size_t first = fitted_.size();
+    fitted_.insert(fitted_.end(), restored.begin(), restored.end());
+    if (priors.learnt) refit_all(priors, first);
   }
 
   static bool by_score(const Stem& a, const Stem& b) { return a.candidate.score > b.candidate.score; }
-
-  static bool is_same_fit(const Stem& a, const Stem& b) {
-    const double near = 0.25 * std::min(a.radius, b.radius);
-    return (a.breast_height - b.breast_height).head<2>().norm() < near && std::abs(a.radius - b.radius) < near;
-  }
 
   std::string same_stem_as(const Stem& s) const {
     return fmt::format("same stem as the one at {:.2f}, {:.2f}", points_.origin.x() + s.breast_height.x(),
@@ -295,9 +293,9 @@ class Survey {
   }
 
   // What is no stem after the first round needs no second.
-  void refit_all(const ProjectPriors& priors) {
-    in_batches(0.65, 0.80, fitted_.size(), [&](std::size_t i) {
-      auto& s = fitted_[i];
+  void refit_all(const ProjectPriors& priors, std::size_t first = 0) {
+    in_batches(0.65, 0.80, fitted_.size() - first, [&](std::size_t i) {
+      auto& s = fitted_[first + i];
       if (hopeless(s)) return;
       auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
       if (!again.stem) return;
@@ -483,6 +481,7 @@ class Survey {
   CloudRays rays_;
   std::vector<StemCandidate> candidates_;
   std::vector<Stem> fitted_;
+  std::vector<RepeatedFit> repeated_;
   std::vector<StemCandidate> unfitted_;
   std::size_t tried_ = 0;
   std::size_t circles_ = 0;

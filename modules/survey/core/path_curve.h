@@ -1,5 +1,5 @@
 // The places of a sensor as a smooth curve through the poses of a trajectory: cubic between poses, with velocities from
-// the neighbouring ones. Straight lines between poses of 10 Hz would lose centimetres of a walking gait.
+// the neighbouring ones. Straight lines between poses of 10 Hz would cut the crests of a walking gait by millimetres.
 #pragma once
 
 #include <optional>

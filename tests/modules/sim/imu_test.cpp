@@ -80,6 +80,49 @@ TEST(Imu, noise_and_biases_are_those_of_the_grade) {
   }
 }
 
+// What remains of each error where the others are nil, as a share of what it should be over many units.
+TEST(Imu, biases_scales_and_walks_have_the_size_of_the_grade) {
+  constexpr int units = 60;
+  constexpr double duration_s = 25, rate_hz = 20;
+  const auto still = [](double) -> Pose { return Pose::Identity(); };
+  const auto turning = [](double t) -> Pose {
+    Pose T = Pose::Identity();
+    T.linear() = Eigen::AngleAxisd(t, Eigen::Vector3d(1, 1, 1).normalized()).toRotationMatrix();
+    return T;
+  };
+  for (const ImuGrade grade : {ImuGrade::consumer, ImuGrade::industrial, ImuGrade::tactical}) {
+    const auto all = errors_of(grade);
+    double bias2 = 0, scale2 = 0, walk2 = 0, force_bias2 = 0, force_walk2 = 0;
+    for (std::uint64_t seed = 1; seed <= units; ++seed) {
+      ImuErrors bias, scale, walk;
+      bias.gyroscope_bias_rad_s = all.gyroscope_bias_rad_s;
+      bias.accelerometer_bias_m_s2 = all.accelerometer_bias_m_s2;
+      scale.gyroscope_scale = all.gyroscope_scale;
+      walk.noise.gyroscope_walk_rad_s2_sqrt_hz = all.noise.gyroscope_walk_rad_s2_sqrt_hz;
+      walk.noise.accelerometer_walk_m_s3_sqrt_hz = all.noise.accelerometer_walk_m_s3_sqrt_hz;
+      const auto last = [&](const auto& motion, const ImuErrors& errors) {
+        return simulate_imu(motion, duration_s, 0, {.errors = errors, .rate_hz = rate_hz}, seed).samples.back();
+      };
+      const InertialSample at_rest = last(still, {}), turns = last(turning, {});
+      const auto biased = last(still, bias), scaled = last(turning, scale), walked = last(still, walk);
+      bias2 += (biased.angular_rate_rad_s - at_rest.angular_rate_rad_s).squaredNorm();
+      force_bias2 += (biased.specific_force_m_s2 - at_rest.specific_force_m_s2).squaredNorm();
+      scale2 +=
+          (scaled.angular_rate_rad_s - turns.angular_rate_rad_s).squaredNorm() / turns.angular_rate_rad_s.squaredNorm();
+      walk2 += (walked.angular_rate_rad_s - at_rest.angular_rate_rad_s).squaredNorm();
+      force_walk2 += (walked.specific_force_m_s2 - at_rest.specific_force_m_s2).squaredNorm();
+    }
+    const auto share = [&](double squared, double sigma, double axes) {
+      return std::sqrt(squared / (axes * units)) / sigma;
+    };
+    EXPECT_NEAR(share(bias2, all.gyroscope_bias_rad_s, 3), 1, 0.2);
+    EXPECT_NEAR(share(force_bias2, all.accelerometer_bias_m_s2, 3), 1, 0.2);
+    EXPECT_NEAR(share(scale2, all.gyroscope_scale, 1), 1, 0.25);
+    EXPECT_NEAR(share(walk2, all.noise.gyroscope_walk_rad_s2_sqrt_hz * std::sqrt(duration_s), 3), 1, 0.2);
+    EXPECT_NEAR(share(force_walk2, all.noise.accelerometer_walk_m_s3_sqrt_hz * std::sqrt(duration_s), 3), 1, 0.2);
+  }
+}
+
 TEST(Imu, its_clock_may_be_ahead) {
   const auto turning = [](double t) -> Pose {
     Pose T = Pose::Identity();

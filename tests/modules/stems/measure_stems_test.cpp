@@ -11,6 +11,7 @@
 #include <stop_token>
 
 #include "stems/core/breast_height_slice.h"
+#include "stems/core/fit/repeated_fits.h"
 #include "stems/core/fit/stem_quality.h"
 #include "stems/core/sensor_facts.h"
 #include "synthetic/foreign_scanner.h"
@@ -61,6 +62,31 @@ Errors compare(const StemCloud& cloud, const StemSurvey& survey) {
   e.extra = survey.stems.size() - used.size();
   e.bias /= n, e.rmse = std::sqrt(e.rmse / n);
   return e;
+}
+
+Stem fit_at(double x, double radius) {
+  Stem s;
+  s.breast_height = Eigen::Vector3d(x, 0, 1.3);
+  s.radius = radius;
+  return s;
+}
+
+// A stem whose better candidate fails in the second round is not lost with it.
+TEST(RepeatedFits, ComeBackWhereTheBetterOneIsNoStem) {
+  const auto never = [](const Stem&) { return false; };
+  std::vector<Stem> fitted{fit_at(0, 0.2), fit_at(5, 0.1), fit_at(0.02, 0.21), fit_at(5.01, 0.1), fit_at(0.15, 0.2)};
+  const auto repeated = take_repeated(fitted, never);
+  EXPECT_EQ(fitted.size(), 3U);
+  ASSERT_EQ(repeated.size(), 2U);
+  EXPECT_EQ(repeated[0].better, 0U);
+  EXPECT_EQ(repeated[1].better, 1U);
+  EXPECT_TRUE(restored_fits(repeated, [](std::size_t) { return true; }).empty());
+  const auto restored = restored_fits(repeated, [](std::size_t i) { return i != 0; });
+  ASSERT_EQ(restored.size(), 1U);
+  EXPECT_EQ(restored[0].radius, 0.21);
+  // What is no stem from the start takes nothing away.
+  std::vector<Stem> two{fit_at(0, 0.2), fit_at(0, 0.2)};
+  EXPECT_TRUE(take_repeated(two, [](const Stem&) { return true; }).empty());
 }
 
 TEST(MeasureStems, TrueDiametersComeBackAlongRays) {

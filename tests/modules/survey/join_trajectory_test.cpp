@@ -88,7 +88,8 @@ double worst_sensor(const PointCloud& cloud, double time_offset) {
 TEST(PathCurve, GoesThroughPosesAndNotOverGaps) {
   auto path = walk(0, 10);
   const PathCurve curve(path, 0.5);
-  EXPECT_LT((*curve.at(10.05) - place_at(10.05)).norm(), 1e-3);
+  // Straight lines would be off by up to 0.9 mm.
+  for (double t = 10.05; t < 20; t += 0.1) EXPECT_LT((*curve.at(t) - place_at(t)).norm(), 1e-4) << t;
   EXPECT_EQ(*curve.at(7), path.poses[70].T_target_sensor.translation());
   EXPECT_FALSE(curve.at(-0.1));
   EXPECT_FALSE(curve.at(walk_s + 0.1));

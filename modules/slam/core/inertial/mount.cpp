@@ -184,7 +184,7 @@ void find_lever(const InertialMeasurements& data, const std::vector<TimedMotion>
   out.lever_sigma = std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
   out.lever_known = out.lever_sigma < max_lever_sigma;
   out.bias.accelerometer = x.tail<3>();
-  if (out.lever_known) out.T_sensor_imu.translation() = x.head<3>();
+  out.T_sensor_imu.translation() = x.head<3>();
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct Mount {
   double turn_sigma_rad = 0, lever_sigma = 0, time_sigma_s = 0;
   std::size_t frames = 0;
   std::string unknown;       // why the turn of the unit cannot be told; empty where it can
-  bool lever_known = false;  // else the unit is taken to sit in the centre of the sensor
+  bool lever_known = false;  // to 5 cm; else it is a guess with that standard deviation
 };
 
 // Turns: hand-eye calibration on mean angular rates over each frame (Wahba's problem, Kabsch 1976), with the bias of
