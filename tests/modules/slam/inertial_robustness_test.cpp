@@ -155,5 +155,59 @@ TEST(InertialSlam, TwoSecondsWithoutReturns) {
   EXPECT_LT(worst_m(result.trajectory, scan), 0.06);
 }
 
+const Finding* finding(const SlamResult& result, std::string_view code) {
+  const auto it = std::ranges::find(result.report.findings, code, &Finding::code);
+  return it == result.report.findings.end() ? nullptr : &*it;
+}
+
+SpinningSensor coarse_sensor() {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  return sensor;
+}
+
+// The lever arm of this walk cannot be told, and its clock only to milliseconds. A filter that took the estimated mount
+// for exact went 28 m astray.
+TEST(InertialSlam, AnEstimatedMountCountsWithItsUncertainty) {
+  const SyntheticScan scan(
+      synthetic::trunks(9, 3.5), coarse_sensor(),
+      [](double t) {
+        Pose T = synthetic::walk_on_circle(t, 4, 1, 1, 0.3);
+        T.linear() = T.linear() * rotation_from_rpy(0.15 * std::sin(3 * t), 0.15 * std::sin(2.5 * t), 0);
+        return T;
+      },
+      160);
+  auto options = bare(Preset::best);
+  options.refine_iterations = 0;
+  const auto without = run_slam(scan, options, {});
+  const auto result = run_slam(with_unit(scan, 18, false), options, {});
+  EXPECT_EQ(result.report.counts.at("frames"), 160) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, scan), worst_m(without.trajectory, scan) + 0.02);
+  EXPECT_TRUE(finding(result, "imu_mount_estimated") || finding(result, "inertial_unit_left_out"));
+  if (result.report.counts.contains("frames_bridged")) {
+    EXPECT_LT(result.report.counts.at("frames_bridged"), 5);
+    EXPECT_LT(result.report.metrics.at("inertial_tension").value, 1);
+  }
+}
+
+// A cart that rolls from the first frame on: its unit measures what it would at rest.
+TEST(InertialSlam, SteadyMotionIsNotRest) {
+  for (const double speed : {0.5, 1.4}) {
+    const SyntheticScan scan(
+        synthetic::trunks(9, 3.5), coarse_sensor(),
+        [speed](double t) {
+          Pose T = Pose::Identity();
+          T.translation() = Eigen::Vector3d(speed * t - 2, 0.1, 1.2 + 0.0004 * std::sin(20 * t));
+          T.linear() = rotation_from_rpy(0.002 * std::sin(10 * t), 0.002 * std::sin(8 * t), 0);
+          return T;
+        },
+        25);
+    const auto without = run_slam(scan, bare(Preset::best), {}),
+               with = run_slam(with_unit(scan, 3.5), bare(Preset::best), {});
+    EXPECT_EQ(with.report.counts.at("frames"), 25);
+    EXPECT_LT(worst_m(with.trajectory, scan), worst_m(without.trajectory, scan) + 0.02) << speed;
+  }
+}
+
 }  // namespace
 }  // namespace bole::slam

@@ -98,6 +98,7 @@ class Odometry {
   InertialState found_state(const Registration& r) const;
   std::string bridged_motion(Registration& r, const std::string& open, const Observability& seen,
                              const FrameMotion& guess, TrackedFrame& frame, const Features& features, const Run& run);
+  void confirm_rest(const TrackedFrame& frame);
   void settle_inertial(TrackedFrame& frame);
   void add_first(TrackedFrame frame, const Features& features);
   bool locate(TrackedFrame& frame, const Features& features, const Run& run);
@@ -124,6 +125,7 @@ class Odometry {
   std::optional<Matrix6d> determined_;
   bool joined_ = false;
   std::optional<InertialState> found_state_;
+  std::optional<double> rest_from_s_;  // the unit measured rest or steady motion from there; not confirmed yet
   double travelled_ = 0;
   std::size_t last_good_ = 0;
   int failed_in_a_row_ = 0;

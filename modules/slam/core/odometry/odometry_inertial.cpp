@@ -17,8 +17,10 @@ constexpr double max_tension = 4, doubted_share = 8;
 
 // Levels the map by gravity and de-skews the first frame. Its velocity is not known yet.
 void Odometry::start_inertial(TrackedFrame& frame) {
-  const auto start = filter_->look(frame.begin_s);
+  auto start = filter_->look(frame.begin_s);
   if (!start) return;
+  if (start->at_rest) rest_from_s_ = frame.begin_s;
+  start->at_rest = false;
   Pose level = Pose::Identity();
   level.linear() = rotation_between(-start->gravity_in_sensor, Eigen::Vector3d::UnitZ());
   filter_->start(frame.begin_s, level, *start);
@@ -28,6 +30,16 @@ void Odometry::start_inertial(TrackedFrame& frame) {
     filter_->set(expected->state);
     filter_->anchor();
   }
+}
+
+// Steady motion looks like rest to the unit. It is at rest where the scanner has not moved either.
+void Odometry::confirm_rest(const TrackedFrame& frame) {
+  constexpr double rest_s = 0.5, max_shift = 0.02, max_turn_rad = radians(0.1);
+  if (!rest_from_s_ || frame.end_s - *rest_from_s_ < rest_s - 1e-3) return;
+  const Pose moved = frames_.front().motion.T_map_end.inverse() * frame.motion.T_map_end;
+  if (moved.translation().norm() < max_shift && Eigen::AngleAxisd(moved.linear()).angle() < max_turn_rad)
+    filter_->hold_still(*rest_from_s_);
+  rest_from_s_.reset();
 }
 
 bool Odometry::can_be_followed(double begin_s) const {
@@ -78,13 +90,18 @@ std::string Odometry::bridged_motion(Registration& r, const std::string& open, c
 // The state goes on from what registration found, or from what the unit says alone.
 void Odometry::settle_inertial(TrackedFrame& frame) {
   frame.joined = frame.ok && joined_ && found_state_;
-  if (frame.joined) return filter_->set(*found_state_);
+  if (frame.joined) {
+    filter_->set(*found_state_);
+    return confirm_rest(frame);
+  }
+  rest_from_s_.reset();
   if (frame.ok) {
     frame.bridged = false;
     if (filter_->started()) return filter_->restart(frame.end_s, frame.motion.T_map_end);
-    if (const auto start = filter_->look(frame.end_s)) {
+    if (auto start = filter_->look(frame.end_s)) {
+      start->at_rest = false;
       filter_->start(frame.end_s, frame.motion.T_map_end, *start);
-      if (!start->at_rest) filter_->restart(frame.end_s, frame.motion.T_map_end);
+      filter_->restart(frame.end_s, frame.motion.T_map_end);
     }
     return;
   }
