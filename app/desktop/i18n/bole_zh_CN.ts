@@ -1722,10 +1722,6 @@
             <translation>不显示匹配</translation>
         </message>
         <message>
-            <source>Matches with %1: %2 kept, %3 refused</source>
-            <translation>与 %1 的匹配:保留 %2,剔除 %3</translation>
-        </message>
-        <message>
             <source>This view has no depth image.</source>
             <translation>此视图没有深度图像。</translation>
         </message>
@@ -1768,6 +1764,10 @@
         <message>
             <source>%1 mm from the cloud</source>
             <translation>与点云相差 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1 and %2: %3 kept, %4 refused</source>
+            <translation>%1 与 %2:保留 %3,剔除 %4</translation>
         </message>
     </context>
     <context>

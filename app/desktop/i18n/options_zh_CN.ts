@@ -1318,6 +1318,221 @@
             <comment>rgbd.estimate_poses</comment>
             <translation>允许无尺度</translation>
         </message>
+        <message>
+            <source>Voxel</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>体素</translation>
+        </message>
+        <message>
+            <source>Region</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>区域</translation>
+        </message>
+        <message>
+            <source>Mesh</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>网格</translation>
+        </message>
+        <message>
+            <source>Truncation</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>截断距离</translation>
+        </message>
+        <message>
+            <source>Depth sigma</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>深度标准差</translation>
+        </message>
+        <message>
+            <source>Min weight</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>最小权重</translation>
+        </message>
+        <message>
+            <source>Max memory</source>
+            <comment>plant.fuse_depth</comment>
+            <translation>最大内存</translation>
+        </message>
+        <message>
+            <source>Encoder</source>
+            <comment>plant.field</comment>
+            <translation>编码方式</translation>
+        </message>
+        <message>
+            <source>Voxel</source>
+            <comment>plant.field</comment>
+            <translation>体素</translation>
+        </message>
+        <message>
+            <source>Region</source>
+            <comment>plant.field</comment>
+            <translation>区域</translation>
+        </message>
+        <message>
+            <source>Background</source>
+            <comment>plant.field</comment>
+            <translation>背景</translation>
+        </message>
+        <message>
+            <source>Max seconds</source>
+            <comment>plant.field</comment>
+            <translation>最长时间</translation>
+        </message>
+        <message>
+            <source>Steps</source>
+            <comment>plant.field</comment>
+            <translation>步数</translation>
+        </message>
+        <message>
+            <source>Rays</source>
+            <comment>plant.field</comment>
+            <translation>光线数</translation>
+        </message>
+        <message>
+            <source>Hold out</source>
+            <comment>plant.field</comment>
+            <translation>检验视图间隔</translation>
+        </message>
+        <message>
+            <source>Exposure</source>
+            <comment>plant.field</comment>
+            <translation>曝光</translation>
+        </message>
+        <message>
+            <source>Refine poses</source>
+            <comment>plant.field</comment>
+            <translation>优化位姿</translation>
+        </message>
+        <message>
+            <source>Depth weight</source>
+            <comment>plant.field</comment>
+            <translation>深度权重</translation>
+        </message>
+        <message>
+            <source>Depth sigma</source>
+            <comment>plant.field</comment>
+            <translation>深度标准差</translation>
+        </message>
+        <message>
+            <source>Cloud spacing</source>
+            <comment>plant.field</comment>
+            <translation>点云间距</translation>
+        </message>
+        <message>
+            <source>Cloud min views</source>
+            <comment>plant.field</comment>
+            <translation>点云最少视图数</translation>
+        </message>
+        <message>
+            <source>Cloud tolerance</source>
+            <comment>plant.field</comment>
+            <translation>点云容差</translation>
+        </message>
+        <message>
+            <source>Max memory</source>
+            <comment>plant.field</comment>
+            <translation>最大内存</translation>
+        </message>
+        <message>
+            <source>Paper layers</source>
+            <comment>plant.field</comment>
+            <translation>网络层数</translation>
+        </message>
+        <message>
+            <source>Paper width</source>
+            <comment>plant.field</comment>
+            <translation>网络宽度</translation>
+        </message>
+        <message>
+            <source>Paper frequencies</source>
+            <comment>plant.field</comment>
+            <translation>编码频率数</translation>
+        </message>
+        <message>
+            <source>Paper integrated</source>
+            <comment>plant.field</comment>
+            <translation>积分编码</translation>
+        </message>
+        <message>
+            <source>Pose</source>
+            <comment>plant.render_view</comment>
+            <translation>位姿</translation>
+        </message>
+        <message>
+            <source>Region</source>
+            <comment>plant.match_views</comment>
+            <translation>区域</translation>
+        </message>
+        <message>
+            <source>Max cost</source>
+            <comment>plant.match_views</comment>
+            <translation>最大代价</translation>
+        </message>
+        <message>
+            <source>Min views</source>
+            <comment>plant.match_views</comment>
+            <translation>最少视图数</translation>
+        </message>
+        <message>
+            <source>Spacing</source>
+            <comment>plant.match_views</comment>
+            <translation>点间距</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <comment>plant.separate</comment>
+            <translation>范围框</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <comment>plant.separate</comment>
+            <translation>茎基</translation>
+        </message>
+        <message>
+            <source>Drop floaters</source>
+            <comment>plant.separate</comment>
+            <translation>删除漂浮点</translation>
+        </message>
+        <message>
+            <source>Stem height</source>
+            <comment>plant.traits</comment>
+            <translation>测茎高度</translation>
+        </message>
+        <message>
+            <source>Stem</source>
+            <comment>plant.traits</comment>
+            <translation>茎的测量方法</translation>
+        </message>
+        <message>
+            <source>Stretch</source>
+            <comment>plant.traits</comment>
+            <translation>拟合长度</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <comment>plant.traits</comment>
+            <translation>图像编码</translation>
+        </message>
+        <message>
+            <source>Scale sd</source>
+            <comment>plant.traits</comment>
+            <translation>尺度标准误差</translation>
+        </message>
+        <message>
+            <source>Surface sd</source>
+            <comment>plant.traits</comment>
+            <translation>表面误差</translation>
+        </message>
+        <message>
+            <source>Tip reach</source>
+            <comment>plant.traits</comment>
+            <translation>叶尖搜索距离</translation>
+        </message>
+        <message>
+            <source>Plant id</source>
+            <comment>plant.traits</comment>
+            <translation>植株编号</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -2713,6 +2928,218 @@
             <source>Also finds poses where there is neither depth nor a board. Lengths are then in units of the median distance of the points, not in metres.</source>
             <translation>既无深度也无标定板时也求位姿。此时长度以各点距离的中位数为单位,而不是米。</translation>
         </message>
+        <message>
+            <source>Edge length of the voxels. Smaller voxels keep thinner parts and need more memory.</source>
+            <translation>体素边长。较小的体素保留更细的部分，但占用更多内存。</translation>
+        </message>
+        <message>
+            <source>Box in world axes: min x, y, z, max x, y, z in metres. Empty: found from the views.</source>
+            <translation>世界坐标中的长方体：最小 x、y、z，最大 x、y、z，单位为米。留空：由视图自动确定。</translation>
+        </message>
+        <message>
+            <source>Also make a mesh: outputs vertices and triangles.</source>
+            <translation>同时生成网格：输出 vertices 和 triangles。</translation>
+        </message>
+        <message>
+            <source>How far from a measured depth the distance is recorded. A larger value closes gaps and thickens thin parts. auto: 4 voxels, or 3 standard deviations of the depth.</source>
+            <translation>在测得深度前后多远处记录距离。较大的值能填补空隙，但会使细部变粗。auto：4 个体素，或深度标准差的 3 倍。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a depth at 0.5 m. It grows with the square of the distance.</source>
+            <translation>0.5 m 处深度的标准差。它随距离的平方增大。</translation>
+        </message>
+        <message>
+            <source>Weight that a surface needs: 1 is one straight view from 0.5 m. A larger value removes parts that few views saw.</source>
+            <translation>表面所需的权重：1 表示从 0.5 m 处正对的一个视图。较大的值会去掉少数视图看到的部分。</translation>
+        </message>
+        <message>
+            <source>Share of the views that must see a place for it to be in the region.</source>
+            <translation>一处位置须被多大比例的视图看到，才属于测量区域。</translation>
+        </message>
+        <message>
+            <source>Memory for voxels. Larger voxels are used where this is not enough.</source>
+            <translation>体素可用的内存。不够时使用较大的体素。</translation>
+        </message>
+        <message>
+            <source>What holds density and colour: grid is a voxel lattice, hash a multiresolution hash table with a small network, paper a network alone (slow).</source>
+            <translation>密度和颜色的存储方式：grid 为体素格网，hash 为多分辨率哈希表加小型网络，paper 仅为网络（较慢）。</translation>
+        </message>
+        <message>
+            <source>Finest detail of the field. Smaller values keep thinner parts and need more memory and time.</source>
+            <translation>辐射场的最细尺度。较小的值保留更细的部分，但需要更多内存和时间。</translation>
+        </message>
+        <message>
+            <source>What is behind the plant: a scene, or white or black in pictures of an object alone.</source>
+            <translation>植株背后是什么：真实场景，或仅有物体的图片中的白色或黑色。</translation>
+        </message>
+        <message>
+            <source>Time for the training. It is ended, with its schedule, when this is used up before steps are done.</source>
+            <translation>训练时间。时间用完时即使步数未满，训练也会按计划结束。</translation>
+        </message>
+        <message>
+            <source>Steps of the training. More steps give a sharper field.</source>
+            <translation>训练步数。步数越多，辐射场越清晰。</translation>
+        </message>
+        <message>
+            <source>Rays of each step.</source>
+            <translation>每步的光线数。</translation>
+        </message>
+        <message>
+            <source>Pictures much wider than this are made smaller by a whole number. Larger pictures show finer detail and need more steps.</source>
+            <translation>比此宽得多的图片按整数倍缩小。较大的图片显示更细的细节，但需要更多步数。</translation>
+        </message>
+        <message>
+            <source>Every n-th view is kept back to test the field, unless the data say which; 0 keeps none.</source>
+            <translation>每隔 n 个视图保留一个用于检验，除非数据已指定；0 表示不保留。</translation>
+        </message>
+        <message>
+            <source>Estimate the exposure of each view, for cameras that set it by themselves.</source>
+            <translation>估计每个视图的曝光，适用于自动曝光的相机。</translation>
+        </message>
+        <message>
+            <source>Refine the poses of the views together with the field. The scale of the given poses stays.</source>
+            <translation>与辐射场一起优化视图的位姿。给定位姿的尺度保持不变。</translation>
+        </message>
+        <message>
+            <source>Weight of measured depth beside colour. 0 uses colour alone.</source>
+            <translation>实测深度相对于颜色的权重。0 表示只用颜色。</translation>
+        </message>
+        <message>
+            <source>Spacing of the points of the cloud. 0 keeps all.</source>
+            <translation>点云的点间距。0 表示保留全部点。</translation>
+        </message>
+        <message>
+            <source>Views that must agree on a point of the cloud. A larger value removes more stray points.</source>
+            <translation>点云中的点须有多少个视图一致。较大的值会去掉更多杂点。</translation>
+        </message>
+        <message>
+            <source>Largest difference of depths that agree.</source>
+            <translation>视为一致的深度之间的最大差值。</translation>
+        </message>
+        <message>
+            <source>Memory for the field. Larger voxels are used where this is not enough.</source>
+            <translation>辐射场可用的内存。不够时使用较大的体素。</translation>
+        </message>
+        <message>
+            <source>Seed of the random choice of rays. The same seed gives the same field.</source>
+            <translation>随机选取光线的种子。相同的种子得到相同的辐射场。</translation>
+        </message>
+        <message>
+            <source>Hidden layers of the network. NeRF has 8; more take longer.</source>
+            <translation>网络的隐藏层数。NeRF 为 8 层；层数越多越慢。</translation>
+        </message>
+        <message>
+            <source>Width of the hidden layers. NeRF has 256; wider layers take longer.</source>
+            <translation>隐藏层的宽度。NeRF 为 256；越宽越慢。</translation>
+        </message>
+        <message>
+            <source>Frequencies of the positional encoding. More show finer detail and more noise.</source>
+            <translation>位置编码的频率数。频率越多，细节越细，噪声也越多。</translation>
+        </message>
+        <message>
+            <source>Integrate the encoding over the cone of a pixel (mip-NeRF).</source>
+            <translation>在像素的视锥内对编码积分（mip-NeRF）。</translation>
+        </message>
+        <message>
+            <source>Which of the poses connected, from 0. Without poses the first view is shown.</source>
+            <translation>使用所连接位姿中的第几个，从 0 起。没有位姿时显示第一个视图。</translation>
+        </message>
+        <message>
+            <source>Width of the picture.</source>
+            <translation>图片的宽度。</translation>
+        </message>
+        <message>
+            <source>Pictures much wider than this are made smaller by a whole number. Larger pictures take longer and show thinner parts.</source>
+            <translation>比此宽得多的图片按整数倍缩小。较大的图片耗时更长，能显示更细的部分。</translation>
+        </message>
+        <message>
+            <source>Views that each view is matched with.</source>
+            <translation>每个视图与多少个视图匹配。</translation>
+        </message>
+        <message>
+            <source>Iterations of the matching. More of them fill more pixels.</source>
+            <translation>匹配的迭代次数。次数越多，填充的像素越多。</translation>
+        </message>
+        <message>
+            <source>One minus the correlation that a match needs. A larger value keeps weaker matches.</source>
+            <translation>匹配所需的 1 减相关系数。较大的值保留较弱的匹配。</translation>
+        </message>
+        <message>
+            <source>Views that must agree on a point. A larger value removes more stray points.</source>
+            <translation>一个点须有多少个视图一致。较大的值会去掉更多杂点。</translation>
+        </message>
+        <message>
+            <source>Direction that is up. auto takes z where the axes come from a board, else the direction out of the largest plane (table, mat or soil), else z.</source>
+            <translation>朝上的方向。auto：坐标轴来自标定板时取 z，否则取离开最大平面（桌面、标定垫或土壤）的方向，再否则取 z。</translation>
+        </message>
+        <message>
+            <source>Unit of the cloud. auto: metres where a board, given poses or a depth camera fixed the scale, else unknown; traits are then in thousandths of the unit and flagged.</source>
+            <translation>点云的单位。auto：由标定板、给定位姿或深度相机确定尺度时为米，否则未知；此时性状以单位的千分之一给出并作标记。</translation>
+        </message>
+        <message>
+            <source>Box that is kept: min_x min_y min_z max_x max_y max_z in the axes of the cloud. Points outside of it become other.</source>
+            <translation>保留的范围框：点云坐标轴中的 min_x min_y min_z max_x max_y max_z。框外的点归为其他。</translation>
+        </message>
+        <message>
+            <source>Place where the stem leaves the soil: x y z in the axes of the cloud. Empty: it is found from the points.</source>
+            <translation>茎离开土壤的位置：点云坐标轴中的 x y z。留空则由点求得。</translation>
+        </message>
+        <message>
+            <source>Widest gap across which a part of the cloud still belongs to the plant. Larger values keep leaves whose stalks were not reconstructed, and floaters near the plant.</source>
+            <translation>点云的一部分仍算作植株时允许的最大间隙。较大的值会保留叶柄未被重建的叶片，以及植株附近的漂浮点。</translation>
+        </message>
+        <message>
+            <source>Distance from the surfaces of pot, soil and mat within which points belong to them. Raised by itself where the cloud is coarser.</source>
+            <translation>点到花盆、土壤和标定垫表面的距离，在此之内的点归属它们。点云较粗时自动增大。</translation>
+        </message>
+        <message>
+            <source>Removes floaters from the output instead of marking them.</source>
+            <translation>从输出中删除漂浮点，而不是只作标记。</translation>
+        </message>
+        <message>
+            <source>Height above the soil at which the diameter of the stem is measured.</source>
+            <translation>测量茎直径处距土壤的高度。</translation>
+        </message>
+        <message>
+            <source>contours: the edges of the stem in the pictures. cloud: the points about its axis, which are too wide for thin stems. auto: contours where pictures show them, else cloud.</source>
+            <translation>contours：图像中茎的边缘。cloud：茎轴周围的点，对细茎偏宽。auto：图像能看到茎时用 contours，否则用 cloud。</translation>
+        </message>
+        <message>
+            <source>Length of stem around stem_height that is fitted. A longer one takes more pictures of the edges, and more petioles.</source>
+            <translation>在 stem_height 附近参与拟合的茎长。较长时图像中的边缘更多，叶柄也更多。</translation>
+        </message>
+        <message>
+            <source>Most views whose pictures are used for the stem; they are chosen evenly.</source>
+            <translation>用于测茎的视图的最大数目；均匀选取。</translation>
+        </message>
+        <message>
+            <source>How the codes of the pictures become light. srgb undoes the usual curve, linear takes the codes as they are, auto takes what explains the edges better.</source>
+            <translation>图像编码如何换算为光强。srgb 还原常用曲线，linear 直接使用编码，auto 选用更能解释边缘的一种。</translation>
+        </message>
+        <message>
+            <source>Standard error of the scale of the poses. It widens all intervals.</source>
+            <translation>位姿尺度的标准误差。它使所有区间变宽。</translation>
+        </message>
+        <message>
+            <source>Error of the cloud's outermost surface that its points share, so that they cannot show it. It widens the intervals of height and breadth.</source>
+            <translation>点云最外表面上各点共有、因而点自身无法显示的误差。它使高度和冠幅的区间变宽。</translation>
+        </message>
+        <message>
+            <source>How far from the outermost points of the cloud the pictures are searched for the ends of leaves. A larger value finds tips that the cloud has lost, and more things behind them.</source>
+            <translation>在图像中从点云最外侧的点向外搜索叶片末端的距离。较大的值能找到点云丢失的叶尖，也会碰到其后的更多物体。</translation>
+        </message>
+        <message>
+            <source>Name of the plant in the table. Empty: the name of the folder of the views.</source>
+            <translation>表中植株的名称。留空则取视图文件夹的名称。</translation>
+        </message>
+        <message>
+            <source>List of edits as JSON, in the order in which they were made.</source>
+            <translation>JSON 格式的编辑列表，按编辑的先后顺序。</translation>
+        </message>
+        <message>
+            <source>File with such a list, applied before edits.</source>
+            <translation>包含此类列表的文件，先于 edits 应用。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -3339,6 +3766,61 @@
             <source>no</source>
             <comment>turntable</comment>
             <translation>否</translation>
+        </message>
+        <message>
+            <source>grid</source>
+            <comment>encoder</comment>
+            <translation>体素格网</translation>
+        </message>
+        <message>
+            <source>hash</source>
+            <comment>encoder</comment>
+            <translation>哈希表</translation>
+        </message>
+        <message>
+            <source>paper</source>
+            <comment>encoder</comment>
+            <translation>网络（论文）</translation>
+        </message>
+        <message>
+            <source>scene</source>
+            <comment>background</comment>
+            <translation>场景</translation>
+        </message>
+        <message>
+            <source>white</source>
+            <comment>background</comment>
+            <translation>白色</translation>
+        </message>
+        <message>
+            <source>black</source>
+            <comment>background</comment>
+            <translation>黑色</translation>
+        </message>
+        <message>
+            <source>-y</source>
+            <comment>up</comment>
+            <translation>-y</translation>
+        </message>
+        <message>
+            <source>metres</source>
+            <comment>scale</comment>
+            <translation>米</translation>
+        </message>
+        <message>
+            <source>contours</source>
+            <comment>stem</comment>
+            <translation>图像轮廓</translation>
+        </message>
+        <message>
+            <source>srgb</source>
+            <comment>light</comment>
+            <translation>sRGB</translation>
+        </message>
+        <message>
+            <source>linear</source>
+            <comment>light</comment>
+            <translation>线性</translation>
         </message>
 </context>
 </TS>

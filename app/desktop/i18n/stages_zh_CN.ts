@@ -147,6 +147,34 @@
             <source>Estimate camera poses</source>
             <translation>估计相机位姿</translation>
         </message>
+        <message>
+            <source>Fuse depth images</source>
+            <translation>融合深度图</translation>
+        </message>
+        <message>
+            <source>Train a radiance field</source>
+            <translation>训练辐射场</translation>
+        </message>
+        <message>
+            <source>Render a view of a field</source>
+            <translation>渲染辐射场视图</translation>
+        </message>
+        <message>
+            <source>Match views (multi-view stereo)</source>
+            <translation>匹配视图（多视立体）</translation>
+        </message>
+        <message>
+            <source>Separate the plant</source>
+            <translation>分离植株</translation>
+        </message>
+        <message>
+            <source>Measure the plant</source>
+            <translation>测量植株</translation>
+        </message>
+        <message>
+            <source>Edit the plant</source>
+            <translation>编辑植株</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -293,6 +321,34 @@
             <message>
             <source>Finds the pose of the camera for every view. Features are matched with neighbouring views and around loops, and screened by ratio, by their neighbours' motion and by depth. Bundle adjustment fits poses and points to pixels, depths and the corners of a ChArUco board, which gives axes and scale. Without a board the axes are those of the first view and the scale is that of the depth. Views that cannot be connected are reported as lost.</source>
             <translation>求出每个视图的相机位姿。特征与相邻视图以及绕行回环上的视图匹配,并按比值、邻近匹配的运动和深度筛选。光束法平差使位姿和点符合像素、深度以及给出坐标轴和尺度的 ChArUco 标定板角点。没有标定板时,坐标轴取第一个视图,尺度取自深度。无法连接的视图会作为丢失报告。</translation>
+        </message>
+        <message>
+            <source>Fuses the depth images of all views into truncated signed distances on small voxels, and gives the surface as coloured points with normals, and as a mesh where asked. The region is found from the views. This is the start of plant.field, and the baseline to compare it with.</source>
+            <translation>将所有视图的深度图融合为小体素上的截断有符号距离，给出带法向的彩色表面点，需要时生成网格。区域由视图确定。这是 plant.field 的起点，也是与之比较的基准。</translation>
+        </message>
+        <message>
+            <source>Learns density and colour of the plant from the colour and depth of all views by volume rendering, tests the field on views that were kept back, and makes a fine coloured cloud of it: points where half of the light of a ray is stopped, kept where several views agree. Finishing early keeps the field as it is.</source>
+            <translation>通过体渲染，从所有视图的颜色和深度学习植株的密度和颜色，用保留的视图检验辐射场，并由它生成精细的彩色点云：光线的一半被阻挡之处，且多个视图一致的点。提前结束时保留当前的辐射场。</translation>
+        </message>
+        <message>
+            <source>Renders a trained field from a pose: one of the poses connected, or that of the first view. Gives colours (0 to 1) and depth as rasters whose rows run upwards.</source>
+            <translation>从一个位姿渲染训练好的辐射场：所连接的位姿之一，或第一个视图的位姿。给出颜色（0 到 1）和深度栅格，其行自下而上。</translation>
+        </message>
+        <message>
+            <source>Finds the depth of each view from its colour and that of its neighbours by PatchMatch stereo, and keeps the points on which several views agree. This is the baseline without a depth camera and without a field.</source>
+            <translation>用 PatchMatch 立体匹配，由每个视图及其相邻视图的颜色求深度，保留多个视图一致的点。这是没有深度相机、也没有辐射场时的基准。</translation>
+        </message>
+        <message>
+            <source>Divides the cloud of a potted plant into plant, pot, soil, mat and floaters. The table is the lowest level surface, the pot a body of revolution on it, the soil the surface inside of its rim; the plant is what grows out of the soil, with the parts that a gap separates from it.</source>
+            <translation>把盆栽植株的点云分为植株、花盆、土壤、标定垫和漂浮点。桌面是最低的水平面，花盆是其上的回转体，土壤是盆沿以内的表面；植株是从土壤中长出的部分，包括被间隙隔开的部分。</translation>
+        </message>
+        <message>
+            <source>Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected for the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed cylinder is fitted to them, with the point spread of each picture.</source>
+            <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。</translation>
+        </message>
+        <message>
+            <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
+            <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
         </message>
 </context>
 </TS>

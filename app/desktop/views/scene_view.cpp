@@ -416,7 +416,12 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   } else {
     renderer_->ResetCamera();
   }
+  eye_ = Eigen::Vector3d(camera->GetPosition());
   redraw();
+}
+
+bool SceneView::camera_moved() const {
+  return !Eigen::Vector3d(renderer_->GetActiveCamera()->GetPosition()).isApprox(eye_, 1e-9);
 }
 
 void SceneView::set_parallel(bool on) {

@@ -56,6 +56,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool clip_handles_shown() const;
 
   void reset_camera();
+  bool camera_moved() const;  // since the view itself put it somewhere
   void look_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up);  // all of the survey
   void set_parallel(bool on);
   bool parallel() const;
@@ -143,7 +144,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_;
   CameraLayer cameras_;
-  bool photo_by_itself_ = false;  // nobody asked for the colours of the cloud
+  Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
+  bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;
   std::unique_ptr<ClipHandles> clip_handles_;
   std::map<std::string, std::vector<SceneDrawing>> drawings_;

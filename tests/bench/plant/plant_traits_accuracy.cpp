@@ -1,6 +1,7 @@
 // Traits of simulated seedlings beside their truth, with true poses, from a cloud of the true surface or of the depth
 // images as they are:
 //   plant_traits_accuracy [--depth] [--spacing=MM] [--noise=MM] FOLDER...
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -9,9 +10,9 @@
 #include <string>
 
 #include "base/random.h"
-#include "cloud/voxels.h"
 #include "io/core/views/open_views.h"
 #include "plant/core/separate/separate.h"
+#include "plant/core/surface/surface_points.h"
 #include "plant/core/traits/traits.h"
 
 namespace bole {
@@ -66,35 +67,14 @@ PointCloud cloud_of_mesh(const std::filesystem::path& file, const Settings& s) {
   return PointCloud(std::move(out));
 }
 
-// Means of the depth images' points in small cubes that several views agree on.
-PointCloud cloud_of_depth(const ViewSource& views, const Trajectory& poses, const Settings& s) {
-  std::map<std::uint64_t, std::pair<Eigen::Vector3d, int>> cells;
-  View view;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const auto pose = pose_of_view(poses, views.time_s(i));
-    if (!pose) continue;
-    views.read(i, view, {false, true, false});
-    const auto& camera = views.camera(i);
-    const Pose T = *pose * camera.T_color_depth;
-    for (int y = 1; y + 1 < view.depth.height; ++y)
-      for (int x = 1; x + 1 < view.depth.width; ++x) {
-        const double z = view.depth.at(x, y);
-        if (!(z > 0.1 && z < 1.2)) continue;
-        bool edge = false;
-        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-          edge = edge || std::abs(view.depth.at(x + dx, y + dy) - z) > 0.01;
-        if (edge) continue;
-        const Eigen::Vector3d p = T * (z * camera.of_depth().direction({double(x), double(y)}));
-        if (p.head<2>().norm() > 0.6 || p.z() < -0.02 || p.z() > 0.8) continue;
-        auto& cell = cells[voxel_key(p, s.spacing)];
-        cell.first += p;
-        ++cell.second;
-      }
-  }
-  PointCloud::Positions out;
-  for (const auto& [key, cell] : cells)
-    if (cell.second >= 3) out.push_back((cell.first / cell.second).cast<float>());
-  return PointCloud(std::move(out));
+// The fused depth images, as the pipeline fuses them.
+PointCloud cloud_of_depth(const ViewSource& views, const Trajectory& poses) {
+  Report report;
+  const Run run;
+  const plant::FuseOptions options;
+  const auto posed = plant::posed_views(views, poses, 1, report);
+  const auto region = plant::find_region(views, posed, options.min_share, run, report);
+  return plant::surface_points(plant::fuse_depth(views, posed, region, options, run, report), options.min_weight);
 }
 
 std::map<std::string, double> truth_of(const std::filesystem::path& file) {
@@ -140,13 +120,16 @@ void measure(const std::filesystem::path& folder, const Settings& s) {
   // Times of views as read, of truth rounded to a microsecond.
   for (std::size_t i = 0; i < std::min(views->size(), poses.poses.size()); ++i)
     poses.poses[i].time_s = views->time_s(i);
-  const auto cloud = s.depth ? cloud_of_depth(*views, poses, s) : cloud_of_mesh(folder / "truth/mesh.ply", s);
+  const auto cloud = s.depth ? cloud_of_depth(*views, poses) : cloud_of_mesh(folder / "truth/mesh.ply", s);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   auto separated = plant::separate(cloud, &poses, true, {}, {});
   std::printf("%s: %zu points, %s\n", folder.filename().c_str(), cloud.size(), separated.report.message.c_str());
   for (const auto& w : separated.report.warnings) std::printf("  ! %s\n", w.c_str());
   plant::TraitInputs in{&separated.points, views.get(), &poses};
   const auto traits = plant::measure_traits(in, {}, {});
   for (const auto& w : traits.report.warnings) std::printf("  ! %s\n", w.c_str());
+  std::printf("  %.1f s\n", seconds());
   const auto truth = truth_of(folder / "truth/traits.csv");
   for (const auto& [name, value] : truth) {
     if (!traits.traits.has(name)) continue;
@@ -171,12 +154,12 @@ void measure(const std::filesystem::path& folder, const Settings& s) {
 }  // namespace bole
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   bole::Settings s;
   for (int i = 1; i < argc; ++i) {
     const std::string a = argv[i];
     if (a == "--depth") {
       s.depth = true;
-      s.spacing = 0.0015;
     } else if (a.rfind("--spacing=", 0) == 0) {
       s.spacing = std::atof(a.c_str() + 10) / 1000;
     } else if (a.rfind("--noise=", 0) == 0) {

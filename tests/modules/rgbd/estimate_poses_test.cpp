@@ -61,7 +61,7 @@ PoseOptions quick() {
 }
 
 EstimatedPoses estimate(const ViewSource& views, const PoseOptions& options = quick()) {
-  return estimate_poses(views, nullptr, options, Run{});
+  return estimate_poses(views, nullptr, options, bole::Run{});
 }
 
 bool finds(const Report& report, const std::string& code) {
@@ -81,6 +81,11 @@ TEST(EstimatePoses, BoardGivesAxesAndScale) {
   std::printf("absolute %.4f mm, ate %.4f mm, residual %.3f px\n", 1e3 * absolute, 1e3 * synthetic::ate(pairs),
               found.report.metrics.at("residual_px").value);
   EXPECT_LT(absolute, 0.3e-3);
+  // What is said of the errors is what they are, within a factor of three.
+  double sum = 0;
+  for (const double sd : found.tracking.numbers("place_sd_mm")) sum += sd * sd / 12;
+  EXPECT_GT(std::sqrt(sum), absolute * 1e3 / 3);
+  EXPECT_LT(std::sqrt(sum), absolute * 1e3 * 3);
 }
 
 TEST(EstimatePoses, DepthGivesTheScaleWithoutABoard) {
@@ -221,7 +226,7 @@ TEST(EstimatePoses, TablesTellEveryView) {
 TEST(EstimatePoses, StopsWhenItIsCancelled) {
   SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
   std::stop_source stop;
-  Run run;
+  bole::Run run;
   run.cancel = stop.get_token();
   run.progress = [&](double fraction, std::string_view) {
     if (fraction > 0.5) stop.request_stop();

@@ -76,7 +76,8 @@ ColorBar residual_bar(const DepthImage& residual, const QString& title) {
   std::vector<float> values;
   for (const float v : residual.values)
     if (std::isfinite(v)) values.push_back(std::abs(v));
-  const double reach = values.empty() ? min_residual_mm : std::max(min_residual_mm, 1000 * percentile(values, 0.95));
+  // Of what is seen through leaves and beside them some is metres away: the middle of the residuals sets the scale.
+  const double reach = values.empty() ? min_residual_mm : std::max(min_residual_mm, 4000 * percentile(values, 0.5));
   return {&render::ColorMap::diverging(), -std::ceil(reach), std::ceil(reach), title, 0};
 }
 

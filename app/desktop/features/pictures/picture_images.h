@@ -17,7 +17,8 @@ QImage picture_of(const DepthImage& image, const ColorBar& bar, double factor, b
 
 // Metres, from the 2nd to the 98th percentile.
 ColorBar depth_bar(const DepthImage& depth, const QString& title);
-// Millimetres to both sides of zero, up to the 95th percentile of what there is.
+// Millimetres to both sides of zero, up to four times the median of their sizes; what lies beyond has the
+// colour of the end.
 ColorBar residual_bar(const DepthImage& residual, const QString& title);
 
 }  // namespace bole::desktop

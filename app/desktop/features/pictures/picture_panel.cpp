@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "features/pictures/picture_images.h"
 
@@ -71,7 +72,7 @@ PicturePanel::PicturePanel(QWidget* parent)
   connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PicturePanel::draw);
   connect(points_, &QCheckBox::toggled, this, &PicturePanel::draw);
   connect(contours_, &QCheckBox::toggled, this, &PicturePanel::draw);
-  connect(partner_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PicturePanel::partner_changed);
+  connect(partner_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &PicturePanel::choose_partner);
   connect(fit, &QToolButton::clicked, canvas_, &PictureCanvas::fit);
   connect(canvas_, &PictureCanvas::hovered, this, &PicturePanel::tell);
   connect(canvas_, &PictureCanvas::left, this, &PicturePanel::tell_view);
@@ -104,33 +105,50 @@ void PicturePanel::set_tables(std::shared_ptr<const Table> matches, std::shared_
       has_columns(contour_table_.get(), {"name", "left_x_px", "left_y_px", "right_x_px", "right_y_px"}));
 }
 
-// Partners are listed with the numbers of their matches.
+// Pairs of this view come first, then those of others: a few pairs have their matches kept.
 void PicturePanel::show_view(std::size_t index) {
-  const auto before = partner();
+  const auto wanted = next_partner_ ? std::exchange(next_partner_, {}) : partner();
   index_ = index;
   const QSignalBlocker quiet(partner_);
   partner_->clear();
   partner_->addItem(tr("No matches"), -1);
-  std::map<std::string, std::pair<int, int>> pairs;  // kept and refused
-  if (views_ && has_matches(matches_.get())) {
-    const auto name = views_->name(index);
-    const auto &a = matches_->texts("name_a"), &b = matches_->texts("name_b"), &state = matches_->texts("state");
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      if (a[i] != name && b[i] != name) continue;
-      auto& counts = pairs[a[i] == name ? b[i] : a[i]];
-      ++(state[i] == "kept" ? counts.first : counts.second);
-    }
-    for (std::size_t i = 0; i < views_->size() && !pairs.empty(); ++i)
-      if (const auto it = pairs.find(views_->name(i)); it != pairs.end())
-        partner_->addItem(tr("Matches with %1: %2 kept, %3 refused")
-                              .arg(QString::fromStdString(it->first))
-                              .arg(it->second.first)
-                              .arg(it->second.second),
-                          static_cast<int>(i));
-  }
   partner_->setVisible(has_matches(matches_.get()));
+  if (!views_ || !has_matches(matches_.get())) return;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < views_->size(); ++i) places.emplace(views_->name(i), i);
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<int, int>> pairs;  // kept and refused
+  const auto &a = matches_->texts("name_a"), &b = matches_->texts("name_b"), &state = matches_->texts("state");
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto at_a = places.find(a[i]), at_b = places.find(b[i]);
+    if (at_a == places.end() || at_b == places.end()) continue;
+    auto pair = std::minmax(at_a->second, at_b->second);
+    auto& counts =
+        pairs[pair.second == index ? std::pair(pair.second, pair.first) : std::pair(pair.first, pair.second)];
+    ++(state[i] == "kept" ? counts.first : counts.second);
+  }
+  for (const bool own : {true, false})
+    for (const auto& [pair, counts] : pairs) {
+      if ((pair.first == index) != own) continue;
+      partner_->addItem(
+          tr("%1 and %2: %3 kept, %4 refused")
+              .arg(QString::fromStdString(views_->name(pair.first)), QString::fromStdString(views_->name(pair.second)))
+              .arg(counts.first)
+              .arg(counts.second),
+          static_cast<int>(pair.second));
+      partner_->setItemData(partner_->count() - 1, static_cast<int>(pair.first), Qt::UserRole + 1);
+    }
   partner_->setEnabled(partner_->count() > 1);
-  if (before) partner_->setCurrentIndex(std::max(0, partner_->findData(static_cast<int>(*before))));
+  for (int i = 1; wanted && i < partner_->count(); ++i)
+    if (partner_->itemData(i, Qt::UserRole + 1).toInt() == static_cast<int>(index) &&
+        partner_->itemData(i).toInt() == static_cast<int>(*wanted))
+      partner_->setCurrentIndex(i);
+}
+
+void PicturePanel::choose_partner() {
+  const auto view = partner_->currentData(Qt::UserRole + 1);
+  if (!view.isValid() || view.toInt() == static_cast<int>(index_)) return Q_EMIT partner_changed();
+  next_partner_ = partner();
+  Q_EMIT view_wanted(view.toInt());
 }
 
 std::optional<std::size_t> PicturePanel::partner() const {

@@ -35,12 +35,14 @@ class PicturePanel : public QWidget {
 
  Q_SIGNALS:
   void partner_changed();
+  void view_wanted(int index);  // one that has matches was chosen
 
  private:
   enum class Kind { color, depth, residual };
   Kind kind() const;
   void draw();
   void draw_marks(bool with_partner, int shift);
+  void choose_partner();
   void add_points(std::vector<PictureMarks>& marks) const;
   void add_contours(std::vector<PictureMarks>& marks) const;
   void add_matches(std::vector<PictureMarks>& marks, int shift) const;
@@ -56,6 +58,7 @@ class PicturePanel : public QWidget {
   std::shared_ptr<const Table> matches_, contour_table_;
   std::shared_ptr<const Picture> picture_;
   std::size_t index_ = 0;
+  std::optional<std::size_t> next_partner_;  // of the view that was wanted
 };
 
 }  // namespace bole::desktop

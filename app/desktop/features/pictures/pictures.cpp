@@ -58,7 +58,11 @@ std::shared_ptr<const Table> view_table(const ViewSource& views, const Trajector
     const auto from = tracking->numbers(column);
     std::vector<double> values;
     for (const auto& r : row) values.push_back(r ? from[*r] : std::numeric_limits<double>::quiet_NaN());
-    table->set(column, values);
+    const bool whole = std::ranges::all_of(values, [](double v) { return v == std::round(v); });
+    if (whole)
+      table->set(column, std::vector<std::int64_t>(values.begin(), values.end()));
+    else
+      table->set(column, values);
   }
   return table;
 }
@@ -82,6 +86,8 @@ Pictures::Pictures(Workbench& bench) : QObject(&bench), bench_(bench), reader_(n
     bench_.scene().show_picture(picture->index, picture->view.color);
   });
   connect(panel_, &PicturePanel::partner_changed, this, &Pictures::ask);
+  connect(panel_, &PicturePanel::view_wanted, this,
+          [this](int view) { bench_.selection().select_view(static_cast<std::size_t>(view)); });
 }
 
 void Pictures::make_docks() {
@@ -160,12 +166,13 @@ void Pictures::take_views(const std::shared_ptr<const ViewSource>& views) {
 }
 
 void Pictures::show_survey(const Survey& survey) {
-  // Poses of the data and those that are estimated may have other axes.
-  const bool first = (survey.points && !survey_.points) || (survey.poses && !survey_.poses);
+  // Poses of the data and those that are estimated may have other axes, and the first points may be those of a room.
+  const bool first = survey.poses && !survey_.poses;
+  const bool more = survey.points && survey.points != survey_.points && !bench_.scene().camera_moved();
   survey_ = survey;
   if (!views_) return;
   follow();
-  if (first) bench_.scene().reset_camera();
+  if (first || more) bench_.scene().reset_camera();
 }
 
 const Trajectory* Pictures::poses() const {
@@ -177,6 +184,7 @@ void Pictures::follow() {
   const auto* path = poses();
   following_ = true;
   model_->show(view_table(*views_, path, survey_.tracking.get()));
+  list_->resizeColumnsToContents();
   following_ = false;
   std::vector<render::CameraShape> cameras;
   for (std::size_t i = 0; path != nullptr && i < views_->size(); ++i)

@@ -97,7 +97,7 @@ SceneDrawing stem_drawing(const TraitPlaces& places, double diameter_m) {
   }
   // A few millimetres are hard to see: a line leads to them.
   d.lines = {ring, {*places.stem + diameter_m / 2 * u, *places.stem + (diameter_m / 2 + trait_tick_m) * u}};
-  d.label = "⌀ " + millimetres(diameter_m, 2);
+  d.label = "Ø " + millimetres(diameter_m, 2);
   d.label_at = d.lines[1].back();
   return d;
 }

@@ -129,7 +129,7 @@ void test_held_out(TrainedField& out, const Run& run) {
   out.held_out.set("view", std::move(index));
   out.held_out.set("name", std::move(names));
   out.held_out.set("psnr_db", std::move(all));
-  out.held_out.set("region_psnr_db", std::move(region));
+  out.held_out.set("psnr_region_db", std::move(region));
 }
 
 }  // namespace

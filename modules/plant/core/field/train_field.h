@@ -11,7 +11,7 @@ struct TrainedField {
   std::vector<FieldView> views;
   Table progress;                    // step, loss, psnr_db, seconds
   Trajectory poses;                  // of all views, refined where asked for
-  Table held_out;                    // view, name, psnr_db, region_psnr_db
+  Table held_out;                    // view, name, psnr_db, psnr_region_db
   double psnr = 0, region_psnr = 0;  // dB, mean over the views kept back; NaN without any
 };
 

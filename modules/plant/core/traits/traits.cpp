@@ -11,6 +11,7 @@
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
 #include "plant/core/traits/tips.h"
+#include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
 namespace bole::plant {
@@ -271,6 +272,10 @@ class Measurement {
     Traits out;
     TraitRow row;
     row.plant_id = options_.plant_id;
+    if (row.plant_id.empty() && in_.views != nullptr) {
+      const auto description = in_.views->description();  // "plant_07: 120 views, ..."
+      row.plant_id = description.substr(0, description.find(':'));
+    }
     row.height = height_;
     row.length = length_;
     row.width = width_;
@@ -281,6 +286,7 @@ class Measurement {
     row.T_world_plant = T_plant_world_.inverse();
     row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
+    put_trait_options(out.traits.facts, options_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
     out.contours = contour_table(contours_, in_.views, fit_);
     report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};

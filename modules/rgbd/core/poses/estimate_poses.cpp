@@ -184,7 +184,10 @@ class Estimator {
     if (!report.converged)
       out_.report.find(Severity::look, "adjustment_failed",
                        "the bundle adjustment found no solution, and the first poses are kept: " + report.message);
-    if (unscaled_) set_unit_scale();
+    if (unscaled_)
+      set_unit_scale();
+    else
+      sigmas_ = pose_sigmas(b, options.fixed_view);
     keep_tracked();
   }
 
@@ -237,7 +240,8 @@ class Estimator {
   }
 
   void tell(const ViewMatcher& matcher) {
-    tell_poses({views_, data_, matcher, poses_, states_, made_, o_.source == PoseSource::given, contradicted_}, out_);
+    tell_poses({views_, data_, matcher, poses_, states_, made_, sigmas_, o_.source == PoseSource::given, contradicted_},
+               out_);
   }
 
   const ViewSource& views_;
@@ -247,6 +251,7 @@ class Estimator {
   std::vector<std::optional<Pose>> poses_;
   std::vector<TrackingState> states_;
   MadeBundle made_;
+  std::vector<PoseSigma> sigmas_;
   EstimatedPoses out_;
   double depth_ratio_ = 1, corrected_ = 1;
   bool with_board_ = false, unscaled_ = false;

@@ -56,7 +56,7 @@ void tell_lost(const PoseOutcome& o, const std::vector<int>& lost, Report& repor
 void tell_poses(const PoseOutcome& o, EstimatedPoses& out) {
   auto& report = out.report;
   const auto residuals = residuals_of(o.made.bundle);
-  out.tracking = tracking_table(o.views, o.data, o.matcher.pairs(), o.states, residuals);
+  out.tracking = tracking_table(o.views, o.data, o.matcher.pairs(), o.states, residuals, o.sigmas);
   out.matches = match_table(o.views, o.data, o.matcher);
   out.points = sparse_cloud(o.made);
   out.poses.axes = Axes::map;
@@ -73,6 +73,10 @@ void tell_poses(const PoseOutcome& o, EstimatedPoses& out) {
   }
   set_fact(out.poses.facts, o.given ? PoseOrigin::given : PoseOrigin::estimated);
   tell_counts(o, residuals, lost.size(), report);
+  std::vector<double> places;
+  for (std::size_t v = 0; v < o.sigmas.size(); ++v)
+    if (o.poses[v] && std::isfinite(o.sigmas[v].place)) places.push_back(1000 * o.sigmas[v].place);
+  if (!places.empty()) report.metrics["place_sd_mm"] = {median(std::move(places)), Unit::millimetre};
   report.counts["points"] = static_cast<std::int64_t>(out.points.size());
   tell_lost(o, lost, report);
   report.message = fmt::format("{} of {} views {}; {}", o.data.size() - lost.size(), o.data.size(),

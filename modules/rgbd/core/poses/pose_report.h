@@ -16,6 +16,7 @@ struct PoseOutcome {
   const std::vector<std::optional<Pose>>& poses;
   const std::vector<TrackingState>& states;
   const MadeBundle& made;
+  std::vector<PoseSigma> sigmas;  // empty: not known
   bool given = false;
   int contradicted = 0;  // pairs
 };
