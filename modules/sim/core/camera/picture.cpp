@@ -133,21 +133,26 @@ class PicturePainter {
 
 }  // namespace
 
-// One dot in each cell of a grid over the tangents of the angles, at a random place that keeps it within its cell.
+// A dot anywhere in three of four cells of a grid over the tangents of the angles. Dots are much smaller than cells: of
+// those around a point, the four nearest cells count.
 float DotProjector::light(const Eigen::Vector3d& point) const {
   if (point.z() <= 0) return 0;
   const Eigen::Vector2d at = point.head<2>() / (point.z() * cell);
-  const double i = std::floor(at.x()), k = std::floor(at.y());
-  const auto key = static_cast<std::uint64_t>(static_cast<std::int64_t>(i)) * 0x9E3779B97F4A7C15ull +
-                   static_cast<std::uint64_t>(static_cast<std::int64_t>(k));
-  const auto bits = mix64(seed ^ mix64(key));
-  const double margin = std::min(0.5, 2 * spread / cell);
-  const double u = i + margin + (1 - 2 * margin) * static_cast<double>(unit_float(bits));
-  const double v = k + margin + (1 - 2 * margin) * static_cast<double>(unit_float(bits >> 24));
-  const double off = (Eigen::Vector2d(u, v) - at).squaredNorm() * cell * cell;
+  const auto i0 = static_cast<std::int64_t>(std::floor(at.x() - 0.5));
+  const auto k0 = static_cast<std::int64_t>(std::floor(at.y() - 0.5));
+  const double sharpness = 0.5 * cell * cell / (spread * spread);
+  double sum = 0;
+  for (std::int64_t k = k0; k <= k0 + 1; ++k)
+    for (std::int64_t i = i0; i <= i0 + 1; ++i) {
+      const auto key = static_cast<std::uint64_t>(i) * 0x9E3779B97F4A7C15ull + static_cast<std::uint64_t>(k);
+      const auto bits = mix64(seed ^ mix64(key));
+      if ((bits >> 62) == 0) continue;
+      const Eigen::Vector2d dot(static_cast<double>(i) + static_cast<double>(unit_float(bits)),
+                                static_cast<double>(k) + static_cast<double>(unit_float(bits >> 24)));
+      sum += (0.6 + 0.05 * static_cast<double>((bits >> 48) & 15)) * std::exp(-sharpness * (dot - at).squaredNorm());
+    }
   const double near = 0.5 / point.norm();
-  const double own = 0.6 + 0.8 * static_cast<double>(unit_float(bits >> 40));
-  return static_cast<float>(strength * own * near * near * std::exp(-0.5 * off / (spread * spread)));
+  return static_cast<float>(strength * near * near * sum);
 }
 
 Image<float> render_picture(const PictureScene& scene, const Lighting& lighting, const SurfaceColors& colors,

@@ -10,7 +10,7 @@ namespace bole::sim {
 namespace {
 
 const Eigen::Vector3d projector_place(0.028, 0, 0);  // metres, in the axes of the left camera
-constexpr double infrared_exposure = 0.9, infrared_room_light = 0.35;
+constexpr double infrared_exposure = 1.4, infrared_room_light = 0.2;
 constexpr double nearest = 0.24;  // metres
 constexpr int window = 5;         // pixels
 
@@ -26,6 +26,9 @@ InfraredPair render_infrared(const PictureScene& scene, const Lighting& lighting
   const auto picture = [&](double right, std::uint64_t number) {
     DotProjector projector;
     projector.seed = 0xd075;  // the pattern belongs to the sensor, not to the plant
+    projector.cell = 0.012;
+    projector.spread = 0.0022;
+    projector.strength = 1.5;
     projector.offset = projector_place - Eigen::Vector3d(right, 0, 0);
     PictureOptions o;
     o.infrared = true;
@@ -45,7 +48,8 @@ InfraredPair render_infrared(const PictureScene& scene, const Lighting& lighting
 DepthImage match_infrared(const InfraredPair& pair, const CameraModel& camera) {
   const double scale = camera.fx * stereo_baseline;
   const int disparities = 16 * std::max(1, static_cast<int>(std::ceil(scale / nearest / 16)));
-  const auto matcher = cv::StereoSGBM::create(0, disparities, window, 8 * window * window, 32 * window * window, 1, 31,
+  // Weak smoothness, so that stems are not smoothed away; a wide range of contrasts, against steps of half a pixel.
+  const auto matcher = cv::StereoSGBM::create(0, disparities, window, 2 * window * window, 8 * window * window, 1, 63,
                                               6, 60, 1, cv::StereoSGBM::MODE_SGBM);
   cv::Mat sixteenths;
   matcher->compute(mat_over(pair.left), mat_over(pair.right), sixteenths);
