@@ -27,6 +27,7 @@ int run_program(int argc, char** argv) {
   bole::cli::add_info(program);
   bole::cli::add_simulate(program);
   bole::cli::add_simulate_field(program);
+  bole::cli::add_simulate_seedling(program);
   bole::cli::add_evaluate(program);
   bole::cli::add_version(program);
   bole::cli::add_completion(program);

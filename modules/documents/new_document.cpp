@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* for_scans = "forest_plot";
 constexpr const char* for_clouds = "stem_map_from_cloud";
+constexpr const char* for_views = "seedling";
+constexpr const char* only_views = R"({"title": "Views", "stages": [{"id": "frames", "type": "io.read_views"}]})";
 
 std::string without_ending(std::string_view name) {
   return std::string(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
@@ -81,6 +83,15 @@ pipeline::PipelineDocument document_for_file(const fs::path& path) {
   const auto& format = io::require_format(path);
   auto document = shipped_pipeline(format.content() == io::FileContent::scan ? for_scans : for_clouds);
   document.set("scan.file", fs::absolute(path).lexically_normal().string());
+  return document;
+}
+
+pipeline::PipelineDocument document_for_views(const fs::path& path) {
+  const auto names = shipped_pipelines();
+  auto document = std::ranges::find(names, for_views) != names.end()
+                      ? shipped_pipeline(for_views)
+                      : pipeline::PipelineDocument::parse(only_views, pipeline::StageRegistry::global());
+  document.set("frames.folder", fs::absolute(path).lexically_normal().string());
   return document;
 }
 

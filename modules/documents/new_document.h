@@ -28,4 +28,8 @@ pipeline::PipelineDocument load_pipeline(const std::string& path_or_name);
 // Throws Error{bad_input} for other files.
 pipeline::PipelineDocument document_for_file(const std::filesystem::path& path);
 
+// The traits of a plant from a folder of views, or the file that describes them; where that pipeline does not come with
+// this Bole, one that reads the views. Errors come when it runs.
+pipeline::PipelineDocument document_for_views(const std::filesystem::path& path);
+
 }  // namespace bole::documents

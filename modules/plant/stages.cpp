@@ -1,5 +1,6 @@
 // Registers the stages of the module plant.
 #include "pipeline/stage.h"
+#include "plant/core/edits/apply_plant_edits.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/render_view.h"
@@ -13,7 +14,7 @@
 namespace bole::plant {
 namespace {
 
-// --- surface and field -----------------------------------------------------------------------------------------------
+// ---- surface and field ----
 
 pipeline::StageType fuse_stage() {
   pipeline::StageType t;
@@ -191,7 +192,8 @@ pipeline::StageType separate_stage() {
   t.inputs = {
       {"points", DataKind::cloud, "Coloured cloud in world axes.", false, {}},
       {"views", DataKind::views, "Views that the cloud was made from: tell whether the scale is known.", true, {}},
-      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}}};
+      {"poses", DataKind::trajectory, "Poses of the views: tell which way is up.", true, {}},
+      {"depth_surface", DataKind::cloud, "Surface of the fused depth images: tells where the soil is.", true, {}}};
   t.outputs = {{"points",
                 DataKind::cloud,
                 "The points with `part`: 0 other, 1 plant, 2 pot, 3 soil, 4 mat, 5 floater. Facts hold the soil, the "
@@ -202,7 +204,8 @@ pipeline::StageType separate_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     const bool depth = in.has("views") && in.views("views").has_depth();
     const Trajectory* poses = in.has("poses") ? &in.trajectory("poses") : nullptr;
-    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run);
+    auto separated = separate(in.cloud("points"), poses, depth, options.as<SeparateOptions>(), run,
+                              in.has("depth_surface") ? &in.cloud("depth_surface") : nullptr);
     pipeline::StageResult result;
     result.outputs.set("points", std::move(separated.points));
     result.report = std::move(separated.report);
@@ -251,9 +254,60 @@ pipeline::StageType traits_stage() {
   return t;
 }
 
+pipeline::StageType plant_edit_stage() {
+  pipeline::StageType t;
+  t.name = "plant.edit";
+  t.vtk_class = "vtkBoleEditPlant";
+  t.title = "Edit the plant";
+  t.help =
+      "Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place "
+      "become "
+      "another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured "
+      "anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no "
+      "longer fits is a conflict, which changes nothing and is listed.";
+  t.source = "Bole";
+  t.inputs = {{"points", DataKind::cloud, "Points of plant.separate.", false, {}},
+              {"traits", DataKind::table, "Traits of plant.traits.", false, {}},
+              {"stem", DataKind::table, "Sections of the stem.", true, {}},
+              {"leaves", DataKind::table, "Leaves.", true, {}},
+              {"internodes", DataKind::table, "Internodes.", true, {}},
+              {"contours", DataKind::table, "Edges of the stem in the pictures.", true, {}},
+              {"views", DataKind::views, "The views that the traits were measured with.", true, {}},
+              {"poses", DataKind::trajectory, "Their poses.", true, {}}};
+  t.outputs = {{"points", DataKind::cloud, "Points after the edits.", false, {}},
+               {"traits", DataKind::table, "Traits after the edits; state is edited, accepted or rejected.", false, {}},
+               {"stem", DataKind::table, "Sections of the stem.", false, {}},
+               {"leaves", DataKind::table, "Leaves.", false, {}},
+               {"internodes", DataKind::table, "Internodes.", false, {}},
+               {"contours", DataKind::table, "Edges of the stem in the pictures.", false, {}},
+               {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};
+  t.options = &option_table(static_cast<const PlantEditOptions*>(nullptr));
+  t.run = [](const DataSet& in, const OptionSet& set, const Run& run) {
+    const auto& options = set.as<PlantEditOptions>();
+    const auto table = [&](const char* port) { return in.has(port) ? &in.table(port) : nullptr; };
+    PlantEditInputs inputs{&in.cloud("points"), &in.table("traits"), table("stem"), table("leaves"),
+                           table("internodes"), table("contours"),   nullptr,       nullptr};
+    if (in.has("views")) inputs.views = &in.views("views");
+    if (in.has("poses")) inputs.poses = &in.trajectory("poses");
+    auto edited = apply_plant_edits(inputs, edits_of(options.file, options.edits, parse_plant_edits), run);
+    pipeline::StageResult result;
+    result.outputs.set("points", std::move(edited.points));
+    result.outputs.set("traits", std::move(edited.traits.traits));
+    result.outputs.set("stem", std::move(edited.traits.stem));
+    result.outputs.set("leaves", std::move(edited.traits.leaves));
+    result.outputs.set("internodes", std::move(edited.traits.internodes));
+    result.outputs.set("contours", std::move(edited.traits.contours));
+    result.outputs.set("log", std::move(edited.log));
+    result.report = std::move(edited.traits.report);
+    return result;
+  };
+  return t;
+}
+
 void add_trait_stages(pipeline::StageRegistry& registry) {
   registry.add(separate_stage());
   registry.add(traits_stage());
+  registry.add(plant_edit_stage());
 }
 
 }  // namespace

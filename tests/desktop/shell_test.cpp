@@ -170,7 +170,7 @@ class ShellTest : public QObject {
     MainWindow window;
     window.show();
     const auto modes = shipped_modes();
-    QCOMPARE(modes.size(), std::size_t{3});
+    QCOMPARE(modes.size(), std::size_t{4});
     for (const auto& mode : modes) {
       apply_mode(window, mode);
       for (const auto& id : mode.front) QVERIFY2(window.docks().find(id), qPrintable(mode.id + ": " + id));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <mutex>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -127,7 +129,11 @@ struct SceneCamera {
 class SceneViews : public ViewSource {
  public:
   SceneViews(ViewScene scene, SceneCamera camera, std::vector<Pose> T_world_camera)
-      : scene_(std::move(scene)), camera_(std::move(camera)), poses_(std::move(T_world_camera)) {}
+      : scene_(std::move(scene)),
+        camera_(std::move(camera)),
+        poses_(std::move(T_world_camera)),
+        drawn_(poses_.size()),
+        views_(poses_.size()) {}
 
   std::optional<BoardFacts> board_facts;
   Trajectory given;
@@ -146,19 +152,26 @@ class SceneViews : public ViewSource {
   const std::vector<Pose>& truth() const { return poses_; }
 
   void read(std::size_t index, View& view, ViewParts parts) const override {
-    const auto& c = camera_.camera.color;
+    std::call_once(drawn_[index], [&] { draw_view(index, views_[index]); });
     const bool dark = std::ranges::count(black, static_cast<int>(index)) > 0;
-    view.color = parts.color ? ColorImage(c.width, c.height, 3) : ColorImage();
-    view.mask = {};
-    view.depth = {};
-    if (parts.color && !dark) draw(index, view.color);
-    const auto& d = camera_.camera.of_depth();
+    const bool blind = dark || std::ranges::count(no_depth, static_cast<int>(index)) > 0;
+    const auto& made = views_[index];
+    view = {};
+    if (parts.color) view.color = dark ? ColorImage(made.color.width, made.color.height, 3) : made.color;
     if (!parts.depth || !camera_.with_depth) return;
-    view.depth = DepthImage(d.width, d.height);
-    if (!dark && std::ranges::count(no_depth, static_cast<int>(index)) == 0) measure(index, view.depth);
+    view.depth = blind ? DepthImage(made.depth.width, made.depth.height) : made.depth;
   }
 
  private:
+  void draw_view(std::size_t index, View& view) const {
+    const auto &c = camera_.camera.color, &d = camera_.camera.of_depth();
+    view.color = ColorImage(c.width, c.height, 3);
+    draw(index, view.color);
+    if (!camera_.with_depth) return;
+    view.depth = DepthImage(d.width, d.height);
+    measure(index, view.depth);
+  }
+
   Hit cast(const Pose& T_world_camera, const Pose& T_color_camera, const Eigen::Vector3d& direction) const {
     Hit hit = scene_.cast(T_world_camera.translation(), T_world_camera.linear() * direction);
     if (scene_.wall > 0) {
@@ -206,6 +219,8 @@ class SceneViews : public ViewSource {
   ViewScene scene_;
   SceneCamera camera_;
   std::vector<Pose> poses_;
+  mutable std::vector<std::once_flag> drawn_;
+  mutable std::vector<View> views_;
 };
 
 // Three boxes on the floor, the tallest in the middle.

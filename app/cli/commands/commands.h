@@ -18,6 +18,7 @@ void add_stages(Program& program);
 void add_info(Program& program);
 void add_simulate(Program& program);
 void add_simulate_field(Program& program);
+void add_simulate_seedling(Program& program);
 void add_evaluate(Program& program);
 void add_version(Program& program);  // --version too
 void add_completion(Program& program);

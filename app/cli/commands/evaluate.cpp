@@ -8,6 +8,7 @@
 #include "base/user_path.h"
 #include "commands.h"
 #include "evaluation/core/evaluate_loops.h"
+#include "evaluation/core/evaluate_plants.h"
 #include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
@@ -95,8 +96,10 @@ void add_evaluate(Program& program) {
         io::read_table(args.estimate), io::read_table(args.reference), args.options.as<evaluation::EvaluationOptions>(),
         survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
     if (!result.guessed_columns.empty())
-      fmt::print(stderr, "note: the columns of the reference were taken by their headings: {}; --reference-columns "
-                 "names others\n", result.guessed_columns);
+      fmt::print(stderr,
+                 "note: the columns of the reference were taken by their headings: {}; --reference-columns "
+                 "names others\n",
+                 result.guessed_columns);
     for (const auto& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
     print_summary(result.summary, args.json);
   });
@@ -110,6 +113,13 @@ void add_evaluate(Program& program) {
                            .summary,
                        args.json);
                  });
+  add_comparison(
+      *command, "plants", "Traits of plants (CSV: plant_id, height_mm, stem_diameter_mm, ...)",
+      [](const Arguments& args) {
+        print_summary(
+            evaluation::evaluate_plants(io::read_table(args.estimate), io::read_table(args.reference)).summary,
+            args.json);
+      });
   add_comparison(
       *command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory", [](const Arguments& args) {
         print_summary(evaluation::evaluate_loops(io::read_table(args.estimate), io::read_trajectory(args.reference),

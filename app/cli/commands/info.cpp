@@ -18,6 +18,7 @@
 #include "io/core/clouds/sensor_arrays.h"
 #include "io/core/formats.h"
 #include "io/core/scans/frame_source.h"
+#include "io/core/views/open_views.h"
 
 namespace bole::cli {
 namespace {
@@ -206,6 +207,58 @@ ordered_json describe_cloud(const std::filesystem::path& path) {
   return json;
 }
 
+ordered_json describe_camera(const CameraModel& camera) {
+  return {{"size", {camera.width, camera.height}},
+          {"fx", camera.fx},
+          {"fy", camera.fy},
+          {"cx", camera.cx},
+          {"cy", camera.cy},
+          {"distortion", camera.distortion}};
+}
+
+ordered_json describe_views(const std::filesystem::path& path, const io::Format& format) {
+  Report report;
+  const auto source = io::open_views(path, {}, {}, report);
+  const auto& camera = source->camera(0);
+  ordered_json json{{"file", path.string()},
+                    {"kind", "views"},
+                    {"format", format.name},
+                    {"description", source->description()},
+                    {"views", source->size()},
+                    {"start_s", source->time_s(0)},
+                    {"duration_s", source->time_s(source->size() - 1) - source->time_s(0)},
+                    {"camera", describe_camera(camera.color)}};
+  if (source->has_depth()) {
+    json["depth_scale"] = camera.depth_scale;
+    if (camera.depth)
+      json["depth_camera"] = describe_camera(*camera.depth);
+    else
+      json["depth_camera"] = "registered to colour";
+  } else {
+    json["depth_camera"] = "none";
+  }
+  json["poses"] = source->given_poses().poses.size();
+  if (const auto board = source->board())
+    json["board"] = {{"dictionary", board->marker > 0 ? board->dictionary : "none"},
+                     {"squares", {board->columns, board->rows}},
+                     {"square_mm", 1000 * board->square},
+                     {"marker_mm", 1000 * board->marker}};
+  else
+    json["board"] = "none";
+  add_report(json, report);
+  return json;
+}
+
+// A format that can be described, or the error that lists all of them.
+const io::Format& described_format(const std::filesystem::path& path) {
+  if (const auto* format = io::find_format(path, io::described_contents)) return *format;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw bad_input("the folder '" + path.string() + "' holds neither frames nor views",
+                    io::format_list(io::described_contents));
+  return io::require_format(path);
+}
+
 // Names in a file may be in any encoding.
 std::string text_of(const ordered_json& json, int indent = -1) {
   return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
@@ -235,19 +288,22 @@ void add_info(Program& program) {
     bool json = false;
   };
   auto args = std::make_shared<Arguments>();
-  auto* command = program.app.add_subcommand("info", "Describe scans and point clouds");
-  command->add_option("files", args->files, "Scans and point clouds: " + io::format_list(io::scans_and_clouds))
+  auto* command = program.app.add_subcommand("info", "Describe scans, point clouds and folders of views");
+  command
+      ->add_option("files", args->files,
+                   "Scans, point clouds and folders of views: " + io::format_list(io::described_contents))
       ->required();
   command->add_flag("--json", args->json, "Print JSON");
   command->callback([args, &program] {
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
       try {
-        const auto& format = io::require_format(file);
+        const auto& format = described_format(file);
         const auto* scan = std::get_if<io::ScanAccess>(&format.access);
-        all.push_back(scan == nullptr    ? describe_cloud(file)
-                      : scan->has_topics ? describe_bag(file)
-                                         : describe_recording(file));
+        all.push_back(format.content() == io::FileContent::views ? describe_views(file, format)
+                      : scan == nullptr                          ? describe_cloud(file)
+                      : scan->has_topics                         ? describe_bag(file)
+                                                                 : describe_recording(file));
       } catch (const Error& e) {
         if (e.kind() == ErrorKind::cancelled || args->files.size() == 1) throw;
         fmt::print(stderr, "bole: {}\n", e.what());

@@ -4,11 +4,20 @@
 #include <QStringList>
 
 #include "io/core/formats.h"
+#include "io/core/views/view_layouts.h"
 
 namespace bole::desktop {
 
 FileKind kind_of_file(const QString& path) {
-  if (QFileInfo(path).suffix().compare("json", Qt::CaseInsensitive) == 0) return FileKind::pipeline;
+  const QFileInfo info(path);
+  const bool json = info.suffix().compare("json", Qt::CaseInsensitive) == 0;
+  // Layouts go by the names of files: they are asked where a name may mean views, transforms.json and camera.json too.
+  if (info.isDir() || json) {
+    const bool camera = info.isFile() && info.fileName() == "camera.json";
+    const QString place = camera ? info.absolutePath() : path;
+    if (io::find_layout(place.toStdString()) != nullptr) return FileKind::views;
+  }
+  if (json && !info.isDir()) return FileKind::pipeline;
   const auto* format = io::find_format(path.toStdString());
   if (format == nullptr) return FileKind::unknown;
   return format->content() == io::FileContent::scan ? FileKind::scan : FileKind::cloud;

@@ -10,6 +10,7 @@
 #include "document/session.h"
 #include "documents/new_document.h"
 #include "io/core/formats.h"
+#include "io/core/views/view_layouts.h"
 #include "sim/core/plot/simulate.h"
 
 namespace bole::desktop {
@@ -37,7 +38,9 @@ bool reads(const QString& pipeline, const QFileInfo& scan) {
   try {
     const auto document = pipeline::PipelineDocument::load(pipeline.toStdString(), pipeline::StageRegistry::global());
     return std::ranges::any_of(document.stages(), [&](const pipeline::StageNode& node) {
-      if (!node.type->inputs.empty() || !(node.type->output("points") || node.type->output("frames"))) return false;
+      if (!node.type->inputs.empty() ||
+          !(node.type->output("points") || node.type->output("frames") || node.type->output("views")))
+        return false;
       return std::ranges::any_of(node.type->options->specs, [&](const OptionSpec& spec) {
         return spec.text_kind == TextKind::input_path &&
                same_file(scan, QFileInfo(QString::fromStdString(std::get<std::string>(node.options.get(spec.name)))));
@@ -68,15 +71,20 @@ QString path_that_reads(const QFileInfo& scan, const QString& base) {
 
 pipeline::PipelineDocument document_for_file(const QString& path) {
   const auto kind = kind_of_file(path);
+  if (kind == FileKind::views) return documents::document_for_views(QFileInfo(path).absoluteFilePath().toStdString());
   if (kind != FileKind::cloud && kind != FileKind::scan)
-    throw bad_input("'" + path.toStdString() + "' is not a pipeline, scan or point cloud",
-                    "a pipeline (.json), or " + io::format_list(io::scans_and_clouds));
+    throw bad_input(
+        "'" + path.toStdString() + "' is not a pipeline, scan, point cloud or folder of views",
+        "a pipeline (.json), " + io::format_list(io::scans_and_clouds) + ", or views: " + io::layout_list());
   return documents::document_for_file(QFileInfo(path).absoluteFilePath().toStdString());
 }
 
 QString pipeline_path_for_file(const QString& path) {
   const QFileInfo info(QDir::cleanPath(path));
-  return path_that_reads(info, info.absolutePath() + "/" + info.completeBaseName());
+  // A file that describes views is itself JSON: their pipeline has the name of its folder.
+  const bool describes = info.isFile() && kind_of_file(path) == FileKind::views;
+  const QFileInfo named(describes ? info.absolutePath() : info.absoluteFilePath());
+  return path_that_reads(info, named.absolutePath() + "/" + named.completeBaseName());
 }
 
 QString sample_pipeline_path(const QString& wanted) {

@@ -9,10 +9,11 @@
 
 namespace bole::desktop {
 
-// A stem map from a cloud, a survey from a scan. Throws Error{bad_input} for other files.
+// A stem map from a cloud, a survey from a scan, the traits of a plant from a folder of views. Throws Error{bad_input}
+// for other files.
 pipeline::PipelineDocument document_for_file(const QString& path);
-// Where that document is saved unless the person says otherwise: beside the file, under a name that is free or holds a
-// pipeline for this file. Throws Error{bad_input} when all are taken.
+// Where that document is saved unless the person says otherwise: beside the file (of views: beside their folder), under
+// a name that is free or holds a pipeline for this file. Throws Error{bad_input} when all are taken.
 QString pipeline_path_for_file(const QString& path);
 QString sample_pipeline_path(const QString& wanted);  // likewise for the sample plot in the folder of `wanted`
 

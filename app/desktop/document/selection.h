@@ -1,4 +1,5 @@
-// The one tree that is selected: row of the table, stem in 3-D, ring in the slice, point in the charts.
+// What is selected: the one tree (row of the table, stem in 3-D, ring in the slice, point in the charts), the one row
+// of plants, the one view of a camera.
 #pragma once
 
 #include <QObject>
@@ -27,13 +28,22 @@ class Selection : public QObject {
     Q_EMIT row_changed();
   }
 
+  const std::optional<std::size_t>& view() const { return view_; }  // place in the sequence of pictures
+  void select_view(std::optional<std::size_t> view) {
+    if (view == view_) return;
+    view_ = view;
+    Q_EMIT view_changed();
+  }
+
  Q_SIGNALS:
   void changed();
   void row_changed();
+  void view_changed();
 
  private:
   std::optional<std::int64_t> tree_;
   std::optional<std::string> row_;
+  std::optional<std::size_t> view_;
 };
 
 }  // namespace bole::desktop

@@ -84,6 +84,7 @@ void Session::take(pipeline::PipelineDocument document, const QString& path) {
   document_ = std::make_unique<pipeline::PipelineDocument>(std::move(document));
   path_ = path;
   undo_.clear();
+  undo_.setClean();  // Qt leaves an empty stack as it was: after start() that is not clean
   recovered_ = false;
   protected_ = true;
   Q_EMIT document_replaced();

@@ -1,6 +1,7 @@
 #include "document/survey.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "pipeline/stage.h"
 
@@ -36,6 +37,34 @@ std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
   return static_cast<std::size_t>(it - ids.begin());
 }
 
+namespace {
+
+// Pictures are taken of a plant; a walk is made through a plot.
+bool has_views(const vtkbridge::RunOutcome& outcome) {
+  return std::ranges::any_of(outcome.stages, [](const vtkbridge::StageOutcome& stage) {
+    const auto* type = pipeline::StageRegistry::global().find(stage.record.type);
+    return type && std::ranges::any_of(type->outputs, [](const auto& port) { return port.kind == DataKind::views; });
+  });
+}
+
+void take_poses(const vtkbridge::RunOutcome& outcome, const Results& results, Survey& survey) {
+  survey.poses = latest<Trajectory>(outcome, results, "poses");
+  if (!survey.poses || survey.poses->empty()) survey.poses = survey.walk;  // read from a file of its own
+  survey.walk.reset();
+  survey.view_matches = std::exchange(survey.matches, nullptr);
+  survey.tracking = latest<Table>(outcome, results, "tracking");
+  survey.contours = latest<Table>(outcome, results, "contours");
+}
+
+void take_plant(const vtkbridge::RunOutcome& outcome, const Results& results, Survey& survey) {
+  survey.traits = latest<Table>(outcome, results, "traits");
+  survey.stem = latest<Table>(outcome, results, "stem");
+  survey.leaves = latest<Table>(outcome, results, "leaves");
+  survey.internodes = latest<Table>(outcome, results, "internodes");
+}
+
+}  // namespace
+
 Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, const Survey& before,
                  const MakeIndex& make_index) {
   Survey survey;
@@ -53,6 +82,8 @@ Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, c
     survey.index = before.index;
   else if (survey.points)
     survey.index = make_index(survey.points);
+  if (has_views(outcome)) take_poses(outcome, results, survey);
+  take_plant(outcome, results, survey);
   return survey;
 }
 

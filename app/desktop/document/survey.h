@@ -23,7 +23,12 @@ struct Survey {
   std::shared_ptr<const Table> rows, plants, lines, strays;  // of plants in rows
   std::shared_ptr<const Trajectory> walk;
 
-  bool empty() const { return !points && !stems && !rows; }
+  // Of a plant, pictured from all sides or as a cloud.
+  std::shared_ptr<const Trajectory> poses;  // T_world_camera of the views; null where there are none
+  std::shared_ptr<const Table> tracking, view_matches, contours;
+  std::shared_ptr<const Table> traits, stem, leaves, internodes;
+
+  bool empty() const { return !points && !stems && !rows && !poses && !traits; }
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`
 };
 

@@ -699,6 +699,14 @@
             <source>The program ended before changes to %1 were saved. Restore them?</source>
             <translation>程序在保存对 %1 的更改之前退出。要恢复这些更改吗?</translation>
         </message>
+        <message>
+            <source>Open folder…</source>
+            <translation>打开文件夹…</translation>
+        </message>
+        <message>
+            <source>Open a folder with a scan or with views…</source>
+            <translation>打开含扫描或视图的文件夹…</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::MeasurePanel</name>
@@ -1635,10 +1643,6 @@
             <translation>更改在保存之前不受保护:%1</translation>
         </message>
         <message>
-            <source>Open a scan, a point cloud or a pipeline first.</source>
-            <translation>请先打开扫描数据、点云或流程。</translation>
-        </message>
-        <message>
             <source>Run the pipeline first.</source>
             <translation>请先运行流程。</translation>
         </message>
@@ -1657,6 +1661,171 @@
         <message>
             <source>Done</source>
             <translation>完成</translation>
+        </message>
+        <message>
+            <source>Open a scan, a point cloud, views or a pipeline first.</source>
+            <translation>请先打开扫描、点云、视图或处理流程。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PicturePanel</name>
+        <message>
+            <source>Points</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>Stem edges</source>
+            <translation>茎缘</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>彩色</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <translation>深度</translation>
+        </message>
+        <message>
+            <source>Depth − cloud</source>
+            <translation>深度 − 点云</translation>
+        </message>
+        <message>
+            <source>Depth − cloud: measured depth minus the depth of the cloud as this view sees it</source>
+            <translation>深度 − 点云:实测深度减去此视图所见点云的深度</translation>
+        </message>
+        <message>
+            <source>Points of the cloud that this view sees, at the pixels where they should be</source>
+            <translation>此视图可见的点云点,绘于其应在的像素处</translation>
+        </message>
+        <message>
+            <source>Edges of the stem as they were measured in this picture</source>
+            <translation>在此图像中测得的茎的边缘</translation>
+        </message>
+        <message>
+            <source>Matches with another view: green were kept, red were refused</source>
+            <translation>与另一视图的匹配:绿色为保留,红色为剔除</translation>
+        </message>
+        <message>
+            <source>Fit</source>
+            <translation>适应窗口</translation>
+        </message>
+        <message>
+            <source>Show the whole picture (double click)</source>
+            <translation>显示整幅图像(双击)</translation>
+        </message>
+        <message>
+            <source>There are no views in this pipeline.</source>
+            <translation>此处理流程中没有视图。</translation>
+        </message>
+        <message>
+            <source>No matches</source>
+            <translation>不显示匹配</translation>
+        </message>
+        <message>
+            <source>This view has no depth image.</source>
+            <translation>此视图没有深度图像。</translation>
+        </message>
+        <message>
+            <source>There is no cloud yet, or this view has no pose: run the pipeline.</source>
+            <translation>尚无点云,或此视图没有位姿:请运行处理流程。</translation>
+        </message>
+        <message>
+            <source>depth (m)</source>
+            <translation>深度 (m)</translation>
+        </message>
+        <message>
+            <source>measured − cloud (mm)</source>
+            <translation>实测 − 点云 (mm)</translation>
+        </message>
+        <message>
+            <source>view %1 of %2</source>
+            <translation>视图 %1 / %2</translation>
+        </message>
+        <message>
+            <source>%1 points of the cloud seen</source>
+            <translation>可见点云点 %1 个</translation>
+        </message>
+        <message>
+            <source>pixel %1, %2</source>
+            <translation>像素 %1, %2</translation>
+        </message>
+        <message>
+            <source>colour %1, %2, %3</source>
+            <translation>颜色 %1, %2, %3</translation>
+        </message>
+        <message>
+            <source>depth %1 m</source>
+            <translation>深度 %1 m</translation>
+        </message>
+        <message>
+            <source>no depth</source>
+            <translation>无深度</translation>
+        </message>
+        <message>
+            <source>%1 mm from the cloud</source>
+            <translation>与点云相差 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1 and %2: %3 kept, %4 refused</source>
+            <translation>%1 与 %2:保留 %3,剔除 %4</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::Pictures</name>
+        <message>
+            <source>Views</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Picture</source>
+            <translation>图像</translation>
+        </message>
+        <message>
+            <source>Open a folder of views first.</source>
+            <translation>请先打开视图文件夹。</translation>
+        </message>
+        <message>
+            <source>Next view</source>
+            <translation>下一视图</translation>
+        </message>
+        <message>
+            <source>Previous view</source>
+            <translation>上一视图</translation>
+        </message>
+        <message>
+            <source>Whole picture</source>
+            <translation>整幅图像</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::Traits</name>
+        <message>
+            <source>Draw traits on the plant</source>
+            <translation>在植株上绘出性状</translation>
+        </message>
+        <message>
+            <source>Traits</source>
+            <translation>性状</translation>
+        </message>
+        <message>
+            <source>Leaves</source>
+            <translation>叶片</translation>
+        </message>
+        <message>
+            <source>Internodes</source>
+            <translation>节间</translation>
+        </message>
+        <message>
+            <source>Sections of the stem</source>
+            <translation>茎的截面</translation>
+        </message>
+        <message>
+            <source>Stem measured by: %1</source>
+            <translation>茎的测量方法:%1</translation>
+        </message>
+        <message>
+            <source>The scale is not known: sizes are relative.</source>
+            <translation>尺度未知:大小为相对值。</translation>
         </message>
     </context>
 </TS>

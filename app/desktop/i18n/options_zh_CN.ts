@@ -1164,6 +1164,161 @@
             <translation>最大时间间隔</translation>
         </message>
         <message>
+            <source>Folder</source>
+            <comment>io.read_views</comment>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>Layout</source>
+            <comment>io.read_views</comment>
+            <translation>文件夹格式</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <comment>io.read_views</comment>
+            <translation>相机</translation>
+        </message>
+        <message>
+            <source>Every</source>
+            <comment>io.read_views</comment>
+            <translation>抽取间隔</translation>
+        </message>
+        <message>
+            <source>Max views</source>
+            <comment>io.read_views</comment>
+            <translation>最多视图数</translation>
+        </message>
+        <message>
+            <source>Depth scale</source>
+            <comment>io.read_views</comment>
+            <translation>深度比例</translation>
+        </message>
+        <message>
+            <source>Max depth</source>
+            <comment>io.read_views</comment>
+            <translation>最大深度</translation>
+        </message>
+        <message>
+            <source>Board</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标定板</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>横向方格数</translation>
+        </message>
+        <message>
+            <source>Rows</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>纵向方格数</translation>
+        </message>
+        <message>
+            <source>Square</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>方格边长</translation>
+        </message>
+        <message>
+            <source>Marker</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标记边长</translation>
+        </message>
+        <message>
+            <source>Dictionary</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标记字典</translation>
+        </message>
+        <message>
+            <source>Distortion</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>畸变系数</translation>
+        </message>
+        <message>
+            <source>Bad view</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>坏视图倍数</translation>
+        </message>
+        <message>
+            <source>Depth</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>标定深度</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>图像宽度</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <comment>rgbd.calibrate</comment>
+            <translation>图像高度</translation>
+        </message>
+            <message>
+            <source>Source</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>位姿来源</translation>
+        </message>
+        <message>
+            <source>Max features</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最多特征数</translation>
+        </message>
+        <message>
+            <source>Max width</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大宽度</translation>
+        </message>
+        <message>
+            <source>Max ratio</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大比值</translation>
+        </message>
+        <message>
+            <source>Gms</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>网格运动统计</translation>
+        </message>
+        <message>
+            <source>Max match error</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最大匹配误差</translation>
+        </message>
+        <message>
+            <source>Min matches</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>最少匹配数</translation>
+        </message>
+        <message>
+            <source>Neighbours</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>相邻视图数</translation>
+        </message>
+        <message>
+            <source>Depth noise</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>深度噪声</translation>
+        </message>
+        <message>
+            <source>Use board</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>使用标定板</translation>
+        </message>
+        <message>
+            <source>Turntable</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>转台</translation>
+        </message>
+        <message>
+            <source>Refine focal</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>优化焦距</translation>
+        </message>
+        <message>
+            <source>Allow unscaled</source>
+            <comment>rgbd.estimate_poses</comment>
+            <translation>允许无尺度</translation>
+        </message>
+        <message>
             <source>Voxel</source>
             <comment>plant.fuse_depth</comment>
             <translation>体素</translation>
@@ -1192,11 +1347,6 @@
             <source>Min weight</source>
             <comment>plant.fuse_depth</comment>
             <translation>最小权重</translation>
-        </message>
-        <message>
-            <source>Min share</source>
-            <comment>plant.fuse_depth</comment>
-            <translation>最小视图比例</translation>
         </message>
         <message>
             <source>Max memory</source>
@@ -1239,11 +1389,6 @@
             <translation>光线数</translation>
         </message>
         <message>
-            <source>Max width</source>
-            <comment>plant.field</comment>
-            <translation>最大宽度</translation>
-        </message>
-        <message>
             <source>Hold out</source>
             <comment>plant.field</comment>
             <translation>检验视图间隔</translation>
@@ -1269,11 +1414,6 @@
             <translation>深度标准差</translation>
         </message>
         <message>
-            <source>Min share</source>
-            <comment>plant.field</comment>
-            <translation>最小视图比例</translation>
-        </message>
-        <message>
             <source>Cloud spacing</source>
             <comment>plant.field</comment>
             <translation>点云间距</translation>
@@ -1292,11 +1432,6 @@
             <source>Max memory</source>
             <comment>plant.field</comment>
             <translation>最大内存</translation>
-        </message>
-        <message>
-            <source>Seed</source>
-            <comment>plant.field</comment>
-            <translation>随机种子</translation>
         </message>
         <message>
             <source>Paper layers</source>
@@ -1324,39 +1459,14 @@
             <translation>位姿</translation>
         </message>
         <message>
-            <source>Width</source>
-            <comment>plant.render_view</comment>
-            <translation>宽度</translation>
-        </message>
-        <message>
             <source>Region</source>
             <comment>plant.match_views</comment>
             <translation>区域</translation>
         </message>
         <message>
-            <source>Max width</source>
-            <comment>plant.match_views</comment>
-            <translation>最大宽度</translation>
-        </message>
-        <message>
-            <source>Neighbours</source>
-            <comment>plant.match_views</comment>
-            <translation>相邻视图数</translation>
-        </message>
-        <message>
-            <source>Iterations</source>
-            <comment>plant.match_views</comment>
-            <translation>迭代次数</translation>
-        </message>
-        <message>
             <source>Max cost</source>
             <comment>plant.match_views</comment>
             <translation>最大代价</translation>
-        </message>
-        <message>
-            <source>Tolerance</source>
-            <comment>plant.match_views</comment>
-            <translation>容差</translation>
         </message>
         <message>
             <source>Min views</source>
@@ -1369,11 +1479,61 @@
             <translation>点间距</translation>
         </message>
         <message>
-            <source>Min share</source>
-            <comment>plant.match_views</comment>
-            <translation>最小视图比例</translation>
+            <source>Box</source>
+            <comment>plant.separate</comment>
+            <translation>范围框</translation>
         </message>
-    </context>
+        <message>
+            <source>Base</source>
+            <comment>plant.separate</comment>
+            <translation>茎基</translation>
+        </message>
+        <message>
+            <source>Drop floaters</source>
+            <comment>plant.separate</comment>
+            <translation>删除漂浮点</translation>
+        </message>
+        <message>
+            <source>Stem height</source>
+            <comment>plant.traits</comment>
+            <translation>测茎高度</translation>
+        </message>
+        <message>
+            <source>Stem</source>
+            <comment>plant.traits</comment>
+            <translation>茎的测量方法</translation>
+        </message>
+        <message>
+            <source>Stretch</source>
+            <comment>plant.traits</comment>
+            <translation>拟合长度</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <comment>plant.traits</comment>
+            <translation>图像编码</translation>
+        </message>
+        <message>
+            <source>Scale sd</source>
+            <comment>plant.traits</comment>
+            <translation>尺度标准误差</translation>
+        </message>
+        <message>
+            <source>Surface sd</source>
+            <comment>plant.traits</comment>
+            <translation>表面误差</translation>
+        </message>
+        <message>
+            <source>Tip reach</source>
+            <comment>plant.traits</comment>
+            <translation>叶尖搜索距离</translation>
+        </message>
+        <message>
+            <source>Plant id</source>
+            <comment>plant.traits</comment>
+            <translation>植株编号</translation>
+        </message>
+</context>
     <context>
         <name>option help</name>
         <message>
@@ -2637,6 +2797,138 @@
             <translation>距传感器最近的百分之一的点所允许的最大距离。超过则说明路径与点云的坐标系不同,会被拒绝。</translation>
         </message>
         <message>
+            <source>Folder of views to read, or the file that describes them: Bole (color/, depth/, camera.json), TUM (rgb.txt, depth.txt, groundtruth.txt), ICL or Open3D (color/, depth/, trajectory.log or pose.txt), 7-Scenes (frame-000000.color.png, .depth.png, .pose.txt), ScanNet (color/, depth/, pose/, intrinsic/), RealSense (NAME_Color_TIME.png, NAME_Depth_TIME.png), NeRF (transforms.json), COLMAP (cameras and images, .bin or .txt), ROMI (images/, metadata/images/) or Images (pictures and camera.json).</source>
+            <translation>要读取的视图文件夹,或描述它的文件:Bole(color/、depth/、camera.json)、TUM(rgb.txt、depth.txt、groundtruth.txt)、ICL 或 Open3D(color/、depth/、trajectory.log 或 pose.txt)、7-Scenes(frame-000000.color.png、.depth.png、.pose.txt)、ScanNet(color/、depth/、pose/、intrinsic/)、RealSense(NAME_Color_TIME.png、NAME_Depth_TIME.png)、NeRF(transforms.json)、COLMAP(cameras 和 images,.bin 或 .txt)、ROMI(images/、metadata/images/)或仅有图片(图片和 camera.json)。</translation>
+        </message>
+        <message>
+            <source>Layout of the folder. auto decides by the names of its files.</source>
+            <translation>文件夹的组织格式。自动(auto):按其中的文件名判断。</translation>
+        </message>
+        <message>
+            <source>Camera of the views: a file camera.json, fx,fy,cx,cy in pixels, or a name such as tum_freiburg1, icl_nuim or primesense; unknown for pictures of a calibration board. Empty takes the one of the folder.</source>
+            <translation>视图的相机:文件 camera.json、以像素表示的 fx,fy,cx,cy,或名称,如 tum_freiburg1、icl_nuim、primesense;标定板图片用 unknown。留空则用文件夹中的相机。</translation>
+        </message>
+        <message>
+            <source>Take one view of this many. A larger value is faster and has less overlap.</source>
+            <translation>每隔这么多视图取一个。数值越大越快,重叠越少。</translation>
+        </message>
+        <message>
+            <source>Largest number of views, spread evenly over the sequence.</source>
+            <translation>最多取用的视图数,在序列中均匀分布。</translation>
+        </message>
+        <message>
+            <source>Units of the depth images per metre: 1000 for millimetres, 5000 for TUM and ICL. auto takes what the folder says.</source>
+            <translation>深度图像每米的单位数:毫米为 1000,TUM 和 ICL 为 5000。自动(auto):按文件夹中的说明。</translation>
+        </message>
+        <message>
+            <source>Depth beyond this is ignored.</source>
+            <translation>忽略大于此值的深度。</translation>
+        </message>
+        <message>
+            <source>Kind of the board. auto takes the board that comes with the views (mat.json).</source>
+            <translation>标定板的种类。自动(auto):取随视图给出的标定板(mat.json)。</translation>
+        </message>
+        <message>
+            <source>Squares of the board across.</source>
+            <translation>标定板横向的方格数。</translation>
+        </message>
+        <message>
+            <source>Squares of the board downwards.</source>
+            <translation>标定板纵向的方格数。</translation>
+        </message>
+        <message>
+            <source>Side of a square.</source>
+            <translation>一个方格的边长。</translation>
+        </message>
+        <message>
+            <source>Side of a marker.</source>
+            <translation>一个标记的边长。</translation>
+        </message>
+        <message>
+            <source>Dictionary of the markers, for instance DICT_4X4_50.</source>
+            <translation>标记所用的字典,例如 DICT_4X4_50。</translation>
+        </message>
+        <message>
+            <source>Coefficients of the lens that are fitted. auto takes those that the corners support (Bayesian information criterion).</source>
+            <translation>要拟合的镜头畸变系数。自动(auto):取角点所支持的系数(贝叶斯信息准则)。</translation>
+        </message>
+        <message>
+            <source>Views whose residual is larger than the median by this factor are left out, up to a third of all.</source>
+            <translation>残差大于中位数这么多倍的视图会被舍去,最多舍去三分之一。</translation>
+        </message>
+        <message>
+            <source>Compare depth images with the board: the place of the depth camera, and how its depth is off.</source>
+            <translation>将深度图像与标定板比较:求深度相机的位置和深度的偏差。</translation>
+        </message>
+        <message>
+            <source>Width of the images; needed for a table of corners.</source>
+            <translation>图像宽度;使用角点表时需要。</translation>
+        </message>
+        <message>
+            <source>Height of the images; needed for a table of corners.</source>
+            <translation>图像高度;使用角点表时需要。</translation>
+        </message>
+            <message>
+            <source>slam: poses from features, depth and the board. given: poses that came with the views, checked against matches and depth.</source>
+            <translation>slam:由特征、深度和标定板求位姿。given:采用随视图给出的位姿,并用匹配和深度检查。</translation>
+        </message>
+        <message>
+            <source>Kind of features: sift finds more of them again, orb is faster.</source>
+            <translation>特征的类型:sift 能更多地重新找到同一特征,orb 更快。</translation>
+        </message>
+        <message>
+            <source>Largest number of features in a view, spread over the image. More features take longer to match and help where texture is poor.</source>
+            <translation>每个视图中特征的最大数目,在图像上均匀分布。特征越多匹配越慢,纹理贫乏时有帮助。</translation>
+        </message>
+        <message>
+            <source>Wider images are reduced to this width for features. A larger width finds finer texture and takes longer.</source>
+            <translation>更宽的图像在提取特征前缩小到此宽度。宽度越大,能找到的纹理越细,耗时越长。</translation>
+        </message>
+        <message>
+            <source>Largest distance to the best descriptor over that to the next best. A larger ratio keeps more matches, of which more are wrong.</source>
+            <translation>最佳描述子距离与次佳描述子距离之比的上限。比值越大保留的匹配越多,其中错误也越多。</translation>
+        </message>
+        <message>
+            <source>Drops matches that do not move along with their neighbours (grid-based motion statistics).</source>
+            <translation>剔除不随邻近匹配一起移动的匹配(基于网格的运动统计)。</translation>
+        </message>
+        <message>
+            <source>Largest distance of a match from the rigid motion of its pair, in an image 1280 pixels wide.</source>
+            <translation>匹配偏离该视图对刚体运动的最大距离,按 1280 像素宽的图像计。</translation>
+        </message>
+        <message>
+            <source>Two views are connected when at least this many matches agree with one rigid motion.</source>
+            <translation>至少有这么多匹配符合同一刚体运动时,两个视图才相连。</translation>
+        </message>
+        <message>
+            <source>Each view is matched with this many views after it.</source>
+            <translation>每个视图与其后这么多个视图匹配。</translation>
+        </message>
+        <message>
+            <source>Largest number of further views that each view is matched with because they show the same place. 0: no loops are closed.</source>
+            <translation>每个视图因拍到同一处而另外匹配的视图的最大数目。0:不闭合回环。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a depth of 1 m; it grows with the square of the depth. auto: learnt from the residuals.</source>
+            <translation>1 m 处深度的标准差;它随深度的平方增大。auto:由残差估计。</translation>
+        </message>
+        <message>
+            <source>Uses the ChArUco board under the plant for axes, scale and poses, where the views have one.</source>
+            <translation>视图中有植株下的 ChArUco 标定板时,用它确定坐标轴、尺度和位姿。</translation>
+        </message>
+        <message>
+            <source>Whether the camera stands still and the object turns, so that the still background is left out. auto: decided from the motions in the images.</source>
+            <translation>相机静止而物体转动时,排除静止的背景。auto:由图像中的运动判断。</translation>
+        </message>
+        <message>
+            <source>Estimates one factor of the focal lengths along with the poses. Needs a board or good depth.</source>
+            <translation>与位姿一起估计焦距的一个系数。需要标定板或良好的深度。</translation>
+        </message>
+        <message>
+            <source>Also finds poses where there is neither depth nor a board. Lengths are then in units of the median distance of the points, not in metres.</source>
+            <translation>既无深度也无标定板时也求位姿。此时长度以各点距离的中位数为单位,而不是米。</translation>
+        </message>
+        <message>
             <source>Edge length of the voxels. Smaller voxels keep thinner parts and need more memory.</source>
             <translation>体素边长。较小的体素保留更细的部分，但占用更多内存。</translation>
         </message>
@@ -2776,7 +3068,79 @@
             <source>Views that must agree on a point. A larger value removes more stray points.</source>
             <translation>一个点须有多少个视图一致。较大的值会去掉更多杂点。</translation>
         </message>
-    </context>
+        <message>
+            <source>Direction that is up. auto takes z where the axes come from a board, else the direction out of the largest plane (table, mat or soil), else z.</source>
+            <translation>朝上的方向。auto：坐标轴来自标定板时取 z，否则取离开最大平面（桌面、标定垫或土壤）的方向，再否则取 z。</translation>
+        </message>
+        <message>
+            <source>Unit of the cloud. auto: metres where a board, given poses or a depth camera fixed the scale, else unknown; traits are then in thousandths of the unit and flagged.</source>
+            <translation>点云的单位。auto：由标定板、给定位姿或深度相机确定尺度时为米，否则未知；此时性状以单位的千分之一给出并作标记。</translation>
+        </message>
+        <message>
+            <source>Box that is kept: min_x min_y min_z max_x max_y max_z in the axes of the cloud. Points outside of it become other.</source>
+            <translation>保留的范围框：点云坐标轴中的 min_x min_y min_z max_x max_y max_z。框外的点归为其他。</translation>
+        </message>
+        <message>
+            <source>Place where the stem leaves the soil: x y z in the axes of the cloud. Empty: it is found from the points.</source>
+            <translation>茎离开土壤的位置：点云坐标轴中的 x y z。留空则由点求得。</translation>
+        </message>
+        <message>
+            <source>Widest gap across which a part of the cloud still belongs to the plant. Larger values keep leaves whose stalks were not reconstructed, and floaters near the plant.</source>
+            <translation>点云的一部分仍算作植株时允许的最大间隙。较大的值会保留叶柄未被重建的叶片，以及植株附近的漂浮点。</translation>
+        </message>
+        <message>
+            <source>Distance from the surfaces of pot, soil and mat within which points belong to them. Raised by itself where the cloud is coarser.</source>
+            <translation>点到花盆、土壤和标定垫表面的距离，在此之内的点归属它们。点云较粗时自动增大。</translation>
+        </message>
+        <message>
+            <source>Removes floaters from the output instead of marking them.</source>
+            <translation>从输出中删除漂浮点，而不是只作标记。</translation>
+        </message>
+        <message>
+            <source>Height above the soil at which the diameter of the stem is measured.</source>
+            <translation>测量茎直径处距土壤的高度。</translation>
+        </message>
+        <message>
+            <source>contours: the edges of the stem in the pictures. cloud: the points about its axis, which are too wide for thin stems. auto: contours where pictures show them, else cloud.</source>
+            <translation>contours：图像中茎的边缘。cloud：茎轴周围的点，对细茎偏宽。auto：图像能看到茎时用 contours，否则用 cloud。</translation>
+        </message>
+        <message>
+            <source>Length of stem around stem_height that is fitted. A longer one takes more pictures of the edges, and more petioles.</source>
+            <translation>在 stem_height 附近参与拟合的茎长。较长时图像中的边缘更多，叶柄也更多。</translation>
+        </message>
+        <message>
+            <source>Most views whose pictures are used for the stem; they are chosen evenly.</source>
+            <translation>用于测茎的视图的最大数目；均匀选取。</translation>
+        </message>
+        <message>
+            <source>How the codes of the pictures become light. srgb undoes the usual curve, linear takes the codes as they are, auto takes what explains the edges better.</source>
+            <translation>图像编码如何换算为光强。srgb 还原常用曲线，linear 直接使用编码，auto 选用更能解释边缘的一种。</translation>
+        </message>
+        <message>
+            <source>Standard error of the scale of the poses. It widens all intervals.</source>
+            <translation>位姿尺度的标准误差。它使所有区间变宽。</translation>
+        </message>
+        <message>
+            <source>Error of the cloud's outermost surface that its points share, so that they cannot show it. It widens the intervals of height and breadth.</source>
+            <translation>点云最外表面上各点共有、因而点自身无法显示的误差。它使高度和冠幅的区间变宽。</translation>
+        </message>
+        <message>
+            <source>How far from the outermost points of the cloud the pictures are searched for the ends of leaves. A larger value finds tips that the cloud has lost, and more things behind them.</source>
+            <translation>在图像中从点云最外侧的点向外搜索叶片末端的距离。较大的值能找到点云丢失的叶尖，也会碰到其后的更多物体。</translation>
+        </message>
+        <message>
+            <source>Name of the plant in the table. Empty: the name of the folder of the views.</source>
+            <translation>表中植株的名称。留空则取视图文件夹的名称。</translation>
+        </message>
+        <message>
+            <source>List of edits as JSON, in the order in which they were made.</source>
+            <translation>JSON 格式的编辑列表，按编辑的先后顺序。</translation>
+        </message>
+        <message>
+            <source>File with such a list, applied before edits.</source>
+            <translation>包含此类列表的文件，先于 edits 应用。</translation>
+        </message>
+</context>
     <context>
         <name>choices</name>
         <message>
@@ -3254,6 +3618,156 @@
             <translation>不采用</translation>
         </message>
         <message>
+            <source>auto</source>
+            <comment>layout</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>bole</source>
+            <comment>layout</comment>
+            <translation>Bole</translation>
+        </message>
+        <message>
+            <source>tum</source>
+            <comment>layout</comment>
+            <translation>TUM</translation>
+        </message>
+        <message>
+            <source>icl</source>
+            <comment>layout</comment>
+            <translation>ICL 或 Open3D</translation>
+        </message>
+        <message>
+            <source>7scenes</source>
+            <comment>layout</comment>
+            <translation>7-Scenes</translation>
+        </message>
+        <message>
+            <source>scannet</source>
+            <comment>layout</comment>
+            <translation>ScanNet</translation>
+        </message>
+        <message>
+            <source>realsense</source>
+            <comment>layout</comment>
+            <translation>RealSense</translation>
+        </message>
+        <message>
+            <source>nerf</source>
+            <comment>layout</comment>
+            <translation>NeRF</translation>
+        </message>
+        <message>
+            <source>colmap</source>
+            <comment>layout</comment>
+            <translation>COLMAP</translation>
+        </message>
+        <message>
+            <source>romi</source>
+            <comment>layout</comment>
+            <translation>ROMI</translation>
+        </message>
+        <message>
+            <source>images</source>
+            <comment>layout</comment>
+            <translation>仅有图片</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <comment>max_views</comment>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>depth_scale</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>max_depth</comment>
+            <translation>不限</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>board</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>charuco</source>
+            <comment>board</comment>
+            <translation>ChArUco 板</translation>
+        </message>
+        <message>
+            <source>chessboard</source>
+            <comment>board</comment>
+            <translation>棋盘格</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>distortion</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>distortion</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>k1</source>
+            <comment>distortion</comment>
+            <translation>k1</translation>
+        </message>
+        <message>
+            <source>k1_k2</source>
+            <comment>distortion</comment>
+            <translation>k1_k2</translation>
+        </message>
+        <message>
+            <source>k1_k2_p1_p2</source>
+            <comment>distortion</comment>
+            <translation>k1_k2_p1_p2</translation>
+        </message>
+        <message>
+            <source>all</source>
+            <comment>distortion</comment>
+            <translation>全部</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>width</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>height</comment>
+            <translation>自动</translation>
+        </message>
+            <message>
+            <source>slam</source>
+            <comment>source</comment>
+            <translation>SLAM</translation>
+        </message>
+        <message>
+            <source>sift</source>
+            <comment>features</comment>
+            <translation>SIFT</translation>
+        </message>
+        <message>
+            <source>orb</source>
+            <comment>features</comment>
+            <translation>ORB</translation>
+        </message>
+        <message>
+            <source>yes</source>
+            <comment>turntable</comment>
+            <translation>是</translation>
+        </message>
+        <message>
+            <source>no</source>
+            <comment>turntable</comment>
+            <translation>否</translation>
+        </message>
+        <message>
             <source>grid</source>
             <comment>encoder</comment>
             <translation>体素格网</translation>
@@ -3284,9 +3798,29 @@
             <translation>黑色</translation>
         </message>
         <message>
-            <source>auto</source>
-            <comment>truncation</comment>
-            <translation>自动</translation>
+            <source>-y</source>
+            <comment>up</comment>
+            <translation>-y</translation>
         </message>
-    </context>
+        <message>
+            <source>metres</source>
+            <comment>scale</comment>
+            <translation>米</translation>
+        </message>
+        <message>
+            <source>contours</source>
+            <comment>stem</comment>
+            <translation>图像轮廓</translation>
+        </message>
+        <message>
+            <source>srgb</source>
+            <comment>light</comment>
+            <translation>sRGB</translation>
+        </message>
+        <message>
+            <source>linear</source>
+            <comment>light</comment>
+            <translation>线性</translation>
+        </message>
+</context>
 </TS>

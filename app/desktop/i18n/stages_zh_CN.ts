@@ -136,6 +136,18 @@
             <translation>连接点云与轨迹</translation>
         </message>
         <message>
+            <source>Read views</source>
+            <translation>读取视图</translation>
+        </message>
+        <message>
+            <source>Calibrate a camera</source>
+            <translation>标定相机</translation>
+        </message>
+            <message>
+            <source>Estimate camera poses</source>
+            <translation>估计相机位姿</translation>
+        </message>
+        <message>
             <source>Fuse depth images</source>
             <translation>融合深度图</translation>
         </message>
@@ -151,7 +163,19 @@
             <source>Match views (multi-view stereo)</source>
             <translation>匹配视图（多视立体）</translation>
         </message>
-    </context>
+        <message>
+            <source>Separate the plant</source>
+            <translation>分离植株</translation>
+        </message>
+        <message>
+            <source>Measure the plant</source>
+            <translation>测量植株</translation>
+        </message>
+        <message>
+            <source>Edit the plant</source>
+            <translation>编辑植株</translation>
+        </message>
+</context>
     <context>
         <name>stage help</name>
         <message>
@@ -287,6 +311,18 @@
             <translation>把其他程序生成的点云与传感器的路径连接起来:每个点得到其时刻的传感器位置、距离和所属的趟次,从而可沿射线测量单木。自动识别两者的时钟(GPS 时间、减去 1e9 秒的 GPS 时间、GPS 周内秒、Unix 时间),并报告时间差。时钟不能确定对应、或路径不穿过点云时会被拒绝。没有轨迹时点云保持不变。</translation>
         </message>
         <message>
+            <source>Opens the pictures of a colour camera or an RGB-D camera. Images are decoded when they are needed, so that long sequences take little memory. The layout of the folder is found by the names of its files. Images that are missing, damaged or of another size than their camera are left out and counted. Depth becomes metres; pixels without depth are 0. Poses, the camera and the printed mat are read where the folder has them.</source>
+            <translation>打开彩色相机或 RGB-D 相机的图像。图像在需要时才解码,因此长序列占用内存很少。文件夹的格式由其中的文件名判断。缺失、损坏或尺寸与相机不符的图像会被舍去并计数。深度换算为米;没有深度的像素为 0。文件夹中有位姿、相机和印刷垫板时一并读取。</translation>
+        </message>
+        <message>
+            <source>Fits focal lengths, principal point and distortion to pictures of a chessboard or a ChArUco board (Zhang's method). Views that do not fit the others are left out. Depth images of the same views give the place of the depth camera and the bias of its depth, by the planes of the board; pictures of the depth camera (infrared) give its intrinsics too. Writes camera.json, which io.read_views takes, and residuals.svg.</source>
+            <translation>用棋盘格或 ChArUco 板的图片拟合焦距、主点和畸变(张氏标定法)。与其余视图不符的视图会被舍去。同一视图的深度图像借助标定板平面给出深度相机的位置和深度偏差;深度相机的图片(红外)还可给出其内参。写出 camera.json(供 io.read_views 使用)和 residuals.svg。</translation>
+        </message>
+            <message>
+            <source>Finds the pose of the camera for every view. Features are matched with neighbouring views and around loops, and screened by ratio, by their neighbours' motion and by depth. Bundle adjustment fits poses and points to pixels, depths and the corners of a ChArUco board, which gives axes and scale. Without a board the axes are those of the first view and the scale is that of the depth. Views that cannot be connected are reported as lost.</source>
+            <translation>求出每个视图的相机位姿。特征与相邻视图以及绕行回环上的视图匹配,并按比值、邻近匹配的运动和深度筛选。光束法平差使位姿和点符合像素、深度以及给出坐标轴和尺度的 ChArUco 标定板角点。没有标定板时,坐标轴取第一个视图,尺度取自深度。无法连接的视图会作为丢失报告。</translation>
+        </message>
+        <message>
             <source>Fuses the depth images of all views into truncated signed distances on small voxels, and gives the surface as coloured points with normals, and as a mesh where asked. The region is found from the views. This is the start of plant.field, and the baseline to compare it with.</source>
             <translation>将所有视图的深度图融合为小体素上的截断有符号距离，给出带法向的彩色表面点，需要时生成网格。区域由视图确定。这是 plant.field 的起点，也是与之比较的基准。</translation>
         </message>
@@ -302,5 +338,17 @@
             <source>Finds the depth of each view from its colour and that of its neighbours by PatchMatch stereo, and keeps the points on which several views agree. This is the baseline without a depth camera and without a field.</source>
             <translation>用 PatchMatch 立体匹配，由每个视图及其相邻视图的颜色求深度，保留多个视图一致的点。这是没有深度相机、也没有辐射场时的基准。</translation>
         </message>
-    </context>
+        <message>
+            <source>Divides the cloud of a potted plant into plant, pot, soil, mat and floaters. The table is the lowest level surface, the pot a body of revolution on it, the soil the surface inside of its rim; the plant is what grows out of the soil, with the parts that a gap separates from it.</source>
+            <translation>把盆栽植株的点云分为植株、花盆、土壤、标定垫和漂浮点。桌面是最低的水平面，花盆是其上的回转体，土壤是盆沿以内的表面；植株是从土壤中长出的部分，包括被间隙隔开的部分。</translation>
+        </message>
+        <message>
+            <source>Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected for the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed cylinder is fitted to them, with the point spread of each picture.</source>
+            <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。</translation>
+        </message>
+        <message>
+            <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
+            <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
+        </message>
+</context>
 </TS>

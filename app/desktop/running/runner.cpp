@@ -58,6 +58,13 @@ bool has_heights(const DataSet& outputs) {
   return outputs.has("points") && outputs.cloud("points").has(arrays::height_above_ground);
 }
 
+// The poses of a plant are worth a look before its cloud is, and that before its traits.
+bool grows_in_sight(const pipeline::PipelineDocument& document) {
+  return std::ranges::any_of(document.stages(), [](const pipeline::StageNode& node) {
+    return std::ranges::any_of(node.type->outputs, [](const auto& port) { return port.kind == DataKind::views; });
+  });
+}
+
 bool ended_early(const vtkbridge::RunOutcome& outcome) {
   return std::ranges::any_of(outcome.stages,
                              [](const auto& s) { return s.record.report.status == Status::finished_early; });
@@ -178,10 +185,11 @@ void Runner::work(const std::stop_token& cancel_token, const Job& job, const Sur
       this, [this, result] { end(result); }, Qt::QueuedConnection);
 }
 
-// Where nothing is seen yet, the map is shown as soon as it has heights: its stems follow. Called as `next` begins,
-// while what it takes is in memory.
+// Where nothing is seen yet, the map is shown as soon as it has heights: its stems follow. What is made from views is
+// shown whenever there is more of it. Called as `next` begins, while what it takes is in memory.
 void Runner::show_early(const pipeline::StageNode& next, int job, Survey& seen, const std::stop_token& cancel_token) {
-  if (!seen.empty()) return;
+  const bool grows = grows_in_sight(executor_->document());
+  if (!seen.empty() && !grows) return;
   vtkbridge::RunOutcome so_far;
   for (const auto* node : executor_->document().in_order()) {
     if (node->id == next.id) break;
@@ -192,8 +200,10 @@ void Runner::show_early(const pipeline::StageNode& next, int job, Survey& seen, 
     so_far.stages.push_back(std::move(stage));
   }
   const auto results = collect(*executor_, so_far, true);
-  if (!std::ranges::any_of(results, [](const auto& r) { return has_heights(r.second); })) return;
-  seen = survey_to_show(so_far, results, {}, cancel_token);
+  if (!grows && !std::ranges::any_of(results, [](const auto& r) { return has_heights(r.second); })) return;
+  auto now = survey_to_show(so_far, results, seen, cancel_token);
+  if (now.empty() || (now.points == seen.points && now.poses == seen.poses)) return;
+  seen = std::move(now);
   QMetaObject::invokeMethod(
       this,
       [this, survey = seen, job] {

@@ -23,6 +23,12 @@ void ask_and_open(MainWindow* w) {
   if (!path.isEmpty()) w->open(path);
 }
 
+// Scans and views are folders too, which a dialog for files does not give.
+void ask_and_open_folder(MainWindow* w) {
+  const QString path = QFileDialog::getExistingDirectory(w, MainWindow::tr("Open a folder with a scan or with views…"));
+  if (!path.isEmpty()) w->open(path);
+}
+
 void ask_and_save(MainWindow* w) {
   const QString path =
       QFileDialog::getSaveFileName(w, MainWindow::tr("Save pipeline"), w->session().path(), pipelines());
@@ -65,6 +71,8 @@ void add_file_commands(MainWindow& window) {
                        .enabled_when = when});
   };
   add("document.open", MainWindow::tr("Open…"), QKeySequence::Open, open_section, {}, [w] { ask_and_open(w); });
+  add("document.open_folder", MainWindow::tr("Open folder…"), QKeySequence("Ctrl+Shift+O"), open_section, {},
+      [w] { ask_and_open_folder(w); });
   w->commands().add_submenu({.id = "document.recent",
                              .title = MainWindow::tr("Open recent"),
                              .place = in_menu(Menu::file, open_section),

@@ -40,6 +40,7 @@ void show_welcome(MainWindow& window) {
   };
   offer("welcome_sample", MainWindow::tr("Open the sample plot"), "document.open_sample");
   offer("welcome_open", MainWindow::tr("Open a scan, a point cloud or a pipeline…"), "document.open");
+  offer("welcome_folder", MainWindow::tr("Open a folder with a scan or with views…"), "document.open_folder");
   int shown = 0;
   for (const auto& path : recent_files()) {
     if (!QFileInfo::exists(path) || ++shown > max_recent) continue;

@@ -27,6 +27,16 @@ void SceneView::pick(const QPoint& at) {
   facts_.clear();
   std::optional<std::int64_t> tree;
   picked_ = point_at(at);
+  if (const auto camera = cameras_.at(view, to_pixels(at), line_px * devicePixelRatioF())) {
+    // A camera is hidden by points before it.
+    const auto point = picked_ ? render::on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
+    if (!point || camera->depth <= point->depth) {
+      picked_.reset();
+      Q_EMIT point_picked({});
+      selection_.select_view(camera->view);
+      return redraw();
+    }
+  }
   if (picked_) {
     for (const auto& line : render::describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
     if (survey_.points->has(arrays::tree_id))
@@ -128,8 +138,8 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  const bool click =
-      event->button() == Qt::LeftButton && has_survey() && (event->pos() - pressed_at_).manhattanLength() <= click_px;
+  const bool click = event->button() == Qt::LeftButton && (has_survey() || !cameras().empty()) &&
+                     (event->pos() - pressed_at_).manhattanLength() <= click_px;
   if (!click) return;
   if (place_taker_ != nullptr) return take_place(event->pos());
   if (!click_drawing(event->pos())) pick(event->pos());

@@ -32,13 +32,13 @@ namespace {
 constexpr double target_s = 0.042;  // of a frame while the camera moves, until it is on the screen: above 20 frames/s
 constexpr FramePace::Budget at_rest{4'000'000, 500'000};
 constexpr int rest_ms = 150;
-constexpr double highlight_m = 0.12;     // by how much the ring of the selected tree stands off its bark
+constexpr double highlight_m = 0.12;  // by how much the ring of the selected tree stands off its bark
 constexpr double approach_m = 7;
 
 }  // namespace
 
 SceneView::SceneView(Selection& selection, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), selection_(selection), pace_(target_s) {
+    : QVTKOpenGLNativeWidget(parent), selection_(selection), cameras_(renderer_), pace_(target_s) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetNumberOfLayers(2);
@@ -69,6 +69,10 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
     draw_highlight();
     redraw();
   });
+  connect(&selection_, &Selection::view_changed, this, [this] {
+    draw_cameras();
+    redraw();
+  });
 }
 
 SceneView::~SceneView() = default;
@@ -83,12 +87,15 @@ void SceneView::follow_theme() {
   look_ = screen_look(palette());
   set_background(renderer_, look_.dark);
   furniture_.set_look(look_);
-  if (has_survey()) rebuild();
+  if (has_survey())
+    rebuild();
+  else
+    draw_cameras();
   redraw();
 }
 
 void SceneView::show_survey(const Survey& survey) {
-  const bool first = !has_survey();
+  const bool first = !has_survey(), first_points = survey.points && (first || !survey_.points);
   survey_ = survey;
   picked_.reset();
   facts_.clear();
@@ -98,6 +105,12 @@ void SceneView::show_survey(const Survey& survey) {
     settings_.color_range.reset();
     show_clip_handles(false);
     layer_.set_clip({});
+    if (std::exchange(photo_by_itself_, false)) settings_.color = ViewSettings().color;
+  }
+  if (first_points && (survey.poses || survey.traits) && settings_.color == ViewSettings().color &&
+      render::paint_by(*survey.points, "photo").kind == render::PointPaint::Kind::photo) {
+    settings_.color = "photo";
+    photo_by_itself_ = true;
   }
   rebuild();
   follow_index();
@@ -124,6 +137,7 @@ void SceneView::follow_index() {
 
 void SceneView::set_settings(const ViewSettings& settings) {
   const auto before = std::exchange(settings_, settings);
+  if (before.color != settings_.color) photo_by_itself_ = false;
   const auto same = [](const std::optional<render::Interval>& a, const std::optional<render::Interval>& b) {
     return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
   };
@@ -243,6 +257,36 @@ void SceneView::rebuild() {
                            look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f)));
   rebuild_grid();
   draw_highlight();
+  draw_cameras();
+}
+
+void SceneView::set_cameras(std::vector<render::CameraShape> cameras) {
+  const bool first = cameras_.shapes().empty() && !has_survey();
+  cameras_.set(std::move(cameras));
+  draw_cameras();
+  if (first)
+    reset_camera();
+  else
+    redraw();
+}
+
+void SceneView::show_picture(std::size_t view, const ColorImage& picture) {
+  cameras_.set_picture(view, picture);
+  draw_cameras();
+  redraw();
+}
+
+void SceneView::draw_cameras() {
+  const double extent_m = extent_known_ ? (whole_.hi - whole_.lo).norm() : 0;
+  cameras_.draw(origin_, extent_m, selection_.view(), look_.dark, devicePixelRatioF());
+}
+
+// The cloud and the cameras about it.
+std::optional<render::ClipBox> SceneView::all_of_it() const {
+  auto box = cameras_.box();
+  if (!extent_known_) return box;
+  if (!box) return whole_;
+  return render::ClipBox{whole_.lo.cwiseMin(box->lo), whole_.hi.cwiseMax(box->hi)};
 }
 
 void SceneView::rebuild_grid() {
@@ -365,15 +409,19 @@ void SceneView::look_along(const Eigen::Vector3d& direction, const Eigen::Vector
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(from.x(), from.y(), from.z());
   camera->SetViewUp(up.x(), up.y(), up.z());
-  if (extent_known_) {
+  if (const auto box = all_of_it()) {
     // Strays far away do not set the scale.
-    const auto box = whole();
-    fit_box(camera, box.lo - origin_, box.hi - origin_, static_cast<double>(width()) / std::max(1, height()));
+    fit_box(camera, box->lo - origin_, box->hi - origin_, static_cast<double>(width()) / std::max(1, height()));
     renderer_->ResetCameraClippingRange();
   } else {
     renderer_->ResetCamera();
   }
+  eye_ = Eigen::Vector3d(camera->GetPosition());
   redraw();
+}
+
+bool SceneView::camera_moved() const {
+  return !Eigen::Vector3d(renderer_->GetActiveCamera()->GetPosition()).isApprox(eye_, 1e-9);
 }
 
 void SceneView::set_parallel(bool on) {

@@ -18,9 +18,11 @@
 #include "document/selection.h"
 #include "document/survey.h"
 #include "render/draw/screen_look.h"
+#include "render/scene/camera_shapes.h"
 #include "render/scene/furniture_layer.h"
 #include "render/scene/pick.h"
 #include "render/scene/point_layer.h"
+#include "views/camera_layer.h"
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/view_settings.h"
@@ -54,6 +56,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool clip_handles_shown() const;
 
   void reset_camera();
+  bool camera_moved() const;  // since the view itself put it somewhere
   void look_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up);  // all of the survey
   void set_parallel(bool on);
   bool parallel() const;
@@ -72,6 +75,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // What lies over the picture, one list for each layer ("rows", "measurements").
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
   QPoint place_of(const Eigen::Vector3d& world);  // in the widget; (-1, -1) behind the eye
+
+  // The cameras of views, in the axes of the survey; a click on one selects its view.
+  void set_cameras(std::vector<render::CameraShape> cameras);
+  const std::vector<render::CameraShape>& cameras() const { return cameras_.shapes(); }
+  void show_picture(std::size_t view, const ColorImage& picture);  // in the camera of that view while it is selected
 
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
@@ -103,6 +111,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void rebuild();
   void repaint_points();
   void measure_extent();
+  void draw_cameras();
+  std::optional<render::ClipBox> all_of_it() const;
   void rebuild_grid();
   void draw_highlight();
   void redraw();
@@ -133,6 +143,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_;
+  CameraLayer cameras_;
+  Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
+  bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;
   std::unique_ptr<ClipHandles> clip_handles_;
   std::map<std::string, std::vector<SceneDrawing>> drawings_;

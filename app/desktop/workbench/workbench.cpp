@@ -88,6 +88,7 @@ void Workbench::keep_commands_up_to_date() {
   connect(&session_, &Session::document_replaced, commands_, &Commands::update);
   connect(&selection_, &Selection::changed, commands_, &Commands::update);
   connect(&selection_, &Selection::row_changed, commands_, &Commands::update);
+  connect(&selection_, &Selection::view_changed, commands_, &Commands::update);
   connect(run_, &Runner::jobs_changed, commands_, &Commands::update);
   connect(scene_, &SceneView::settings_changed, commands_, &Commands::update);
   connect(slice_, &SliceView::adding_changed, commands_, &Commands::update);
@@ -95,7 +96,7 @@ void Workbench::keep_commands_up_to_date() {
 }
 
 When Workbench::with_document() const {
-  return {[this] { return session_.has_document(); }, tr("Open a scan, a point cloud or a pipeline first.")};
+  return {[this] { return session_.has_document(); }, tr("Open a scan, a point cloud, views or a pipeline first.")};
 }
 
 When Workbench::with_survey() const {
@@ -138,6 +139,7 @@ void Workbench::document_is_open() {
   pipeline_->forget_states();
   run_->forget_survey();
   selection_.select({});
+  selection_.select_view({});
   visibility_.show_all();
   show_survey({});
   if (const auto height = breast_height_m(session_.document())) {
@@ -151,7 +153,7 @@ void Workbench::document_is_open() {
 
 void Workbench::run() {
   if (!session_.has_document())
-    throw bad_input("no pipeline is open", "one to run", "Open a scan, a point cloud or a pipeline");
+    throw bad_input("no pipeline is open", "one to run", "Open a scan, a point cloud, views or a pipeline");
   start(true, results_folder());
 }
 

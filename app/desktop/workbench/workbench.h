@@ -29,7 +29,8 @@ class Workbench : public QMainWindow {
  public:
   Workbench();
 
-  // A pipeline; or a cloud or a scan, for which a pipeline is made. Asks first what to do with unsaved changes.
+  // A pipeline; or a cloud, a scan or a folder of views, for which a pipeline is made. Asks first what to do with
+  // unsaved changes.
   virtual void open(const QString& path) = 0;
   // A pipeline that the program made, unless `path` holds one already; runs it.
   virtual void open_made(const pipeline::PipelineDocument& document, const QString& path) = 0;

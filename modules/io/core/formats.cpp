@@ -26,6 +26,7 @@
 #include "io/core/tables/nmea_reader.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
+#include "io/core/views/view_layouts.h"
 
 namespace bole::io {
 namespace {
@@ -95,6 +96,24 @@ std::shared_ptr<const FrameSource> open_folder(const fs::path& path, const Frame
   const auto source = std::make_shared<const FrameFolderSource>(*folder, options, run);
   report = source->report();
   return source;
+}
+
+template <std::size_t layout>
+bool matches_layout(const Candidate& candidate) {
+  return view_layouts()[layout].matches(candidate.path);
+}
+
+// A row for each layout of views.
+template <std::size_t... layouts>
+void add_view_layouts(std::vector<Format>& rows, std::index_sequence<layouts...>) {
+  (rows.push_back({.name = view_layouts()[layouts].title,
+                   .note = view_layouts()[layouts].note,
+                   .endings = {".png", ".jpg"},
+                   .folder = true,
+                   .matches = matches_layout<layouts>,
+                   .access = ViewsAccess{open_views},
+                   .fuzz_target = "views"}),
+   ...);
 }
 
 std::vector<Format> make_formats() {
@@ -178,6 +197,7 @@ std::vector<Format> make_formats() {
                   .matches = [](const Candidate& c) { return is_sqlite(c.bytes) || is_compressed_bag(c, ".db3"); },
                   .access = ScanAccess{open_bag_source, true},
                   .fuzz_target = "db3"});
+  add_view_layouts(rows, std::make_index_sequence<choice_names(ViewLayout{}).size()>());
   rows.push_back({.name = "folder of a ROS 2 bag",
                   .endings = {".db3", ".mcap"},
                   .folder = true,
@@ -300,8 +320,8 @@ std::string article(std::string_view noun) { return "a " + std::string(noun); }
 
 const Format* first_match(const Candidate& candidate, bool folder, std::span<const FileContent> among) {
   for (const auto& format : formats())
-    if (format.folder == folder && std::ranges::find(among, format.content()) != among.end() &&
-        format.matches(candidate))
+    if ((format.folder == folder || format.content() == FileContent::views) &&
+        std::ranges::find(among, format.content()) != among.end() && format.matches(candidate))
       return &format;
   return nullptr;
 }
@@ -338,13 +358,13 @@ std::string described(const Format& format) {
 }  // namespace
 
 std::string_view content_name(FileContent content) {
-  constexpr std::array names{"scan"sv, "point cloud"sv, "table"sv, "track"sv, "trajectory"sv};
+  constexpr std::array names{"scan"sv, "point cloud"sv, "table"sv, "track"sv, "trajectory"sv, "folder of views"sv};
   return names[static_cast<std::size_t>(content)];
 }
 
 std::string_view stage_of(FileContent content) {
-  constexpr std::array names{"io.read_scan"sv, "io.read_cloud"sv, "io.read_table"sv, "io.read_track"sv,
-                             "io.read_trajectory"sv};
+  constexpr std::array names{"io.read_scan"sv,  "io.read_cloud"sv,      "io.read_table"sv,
+                             "io.read_track"sv, "io.read_trajectory"sv, "io.read_views"sv};
   return names[static_cast<std::size_t>(content)];
 }
 

@@ -20,11 +20,12 @@
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/tables/track_file.h"
+#include "io/core/views/open_views.h"
 
 namespace bole::io {
 
 // What a file holds. The order is that of the alternatives of Format::access.
-enum class FileContent { scan, cloud, table, track, trajectory };
+enum class FileContent { scan, cloud, table, track, trajectory, views };
 
 std::string_view content_name(FileContent content);  // "point cloud"
 std::string_view stage_of(FileContent content);      // "io.read_cloud"
@@ -51,6 +52,11 @@ struct TrajectoryAccess {
   Trajectory (*read)(Bytes file, const std::string& name) = nullptr;
   void (*write)(const std::filesystem::path& path, const Trajectory& trajectory) = nullptr;
 };
+// Folders, and files that stand for one: rows of views know both.
+struct ViewsAccess {
+  std::shared_ptr<const ViewSource> (*open)(const std::filesystem::path& path, const ReadViewsOptions& options,
+                                            const Run& run, Report& report) = nullptr;
+};
 
 // What a probe sees.
 struct Candidate {
@@ -65,7 +71,7 @@ struct Format {
   std::vector<std::string_view> endings{};  // in lower case, with the dot; of a folder: those of the files in it
   bool folder = false;
   bool (*matches)(const Candidate& candidate) = nullptr;
-  std::variant<ScanAccess, CloudAccess, TableAccess, TrackAccess, TrajectoryAccess> access{};
+  std::variant<ScanAccess, CloudAccess, TableAccess, TrackAccess, TrajectoryAccess, ViewsAccess> access{};
   std::string_view fuzz_target{};  // tests/fuzz/NAME_fuzz.cpp
 
   FileContent content() const { return static_cast<FileContent>(access.index()); }
@@ -78,8 +84,9 @@ struct Format {
 // Rows are asked in this order, so that formats known by their first bytes come before those known by their ending.
 std::span<const Format> formats();
 
-// The contents that `bole info` describes and that the window opens.
+// The contents that the window opens, and those that `bole info` describes.
 inline constexpr std::array scans_and_clouds{FileContent::scan, FileContent::cloud};
+inline constexpr std::array described_contents{FileContent::scan, FileContent::cloud, FileContent::views};
 
 // The first format with one of these contents that recognises the file, or null.
 const Format* find_format(Bytes file, const std::filesystem::path& name,

@@ -13,7 +13,7 @@ constexpr std::size_t sampled = 50'000;                        // values that pe
 constexpr std::size_t map_steps = 1024;
 
 bool is_id(std::string_view name) {
-  constexpr std::array ids{"tree_id", "pass", "keyframe", "classification", "point_source_id", "stem", "plant"};
+  constexpr std::array ids{"tree_id", "pass", "keyframe", "classification", "point_source_id", "stem", "plant", "part"};
   return std::ranges::find(ids, name) != ids.end();
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <thread>
+#include <vector>
 
+#include "camera/camera_json.h"
 #include "io/core/views/open_views.h"
 #include "view_folder.h"
 
@@ -87,7 +89,7 @@ TEST(BoleViews, JpegIsReadToo) {
   EXPECT_EQ(view.color.width, view_width);
   EXPECT_FALSE(views->has_depth());
   EXPECT_TRUE(view.depth.empty());
-  EXPECT_THAT(finding_text(report, "depth_absent"), HasSubstr("there is no folder depth/"));
+  EXPECT_THAT(finding_text(report, "depth_absent"), HasSubstr("does not exist"));
 }
 
 TEST(BoleViews, MissingImagesAreToldAndTheOthersKeepTheirTimes) {
@@ -295,6 +297,30 @@ TEST(BoleViews, FoldersWithoutViewsAreRefusedInWords) {
   EXPECT_THAT(refusal(dir.path()), HasSubstr("holds no images"));
   write_color(dir / "color/a.png", picture(0));
   EXPECT_THAT(refusal(dir.path()), HasSubstr("none has a number"));
+}
+
+TEST(BoleViews, TheBiasOfTheDepthIsTakenOff) {
+  const TempDir dir;
+  write_view_folder(dir.path(), 1);
+  write_file(dir / "camera.json", camera_json(small_camera(), std::vector<double>{0.002, -0.01}));
+  const auto views = opened(dir.path()).views;
+  View view;
+  views->read(0, view);
+  EXPECT_NEAR(view.depth.at(10, 10), 0.5 + 0.002 - 0.005, 6e-4);
+  write_file(dir / "camera.json", camera_json(small_camera(), std::vector<double>{0.002, -0.5}));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("depth_bias"));
+}
+
+TEST(BoleViews, PicturesOfABoardNeedNoCamera) {
+  const TempDir dir;
+  write_color(dir / "b.png", picture(1));
+  write_color(dir / "a.jpg", picture(0));
+  EXPECT_THAT(refusal(dir.path()), HasSubstr("camera.json"));
+  const auto [views, report] = opened(dir.path(), {.camera = "unknown"});
+  ASSERT_EQ(views->size(), 2u);
+  EXPECT_EQ(views->name(0), "a");
+  EXPECT_DOUBLE_EQ(views->camera(0).color.fx, 1.2 * view_width);
+  EXPECT_TRUE(has_finding(report, "camera_unknown"));
 }
 
 TEST(BoleViews, TheFolderIsNamedByItsFilesToo) {

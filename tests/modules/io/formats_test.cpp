@@ -54,7 +54,8 @@ TEST(Formats, EveryRowHasAStageWithAnOptionFileThatNamesIt) {
     SCOPED_TRACE(format.name);
     const auto* stage = registry.find(format.stage());
     ASSERT_NE(stage, nullptr);
-    EXPECT_THAT(stage->options->at("file").help, HasSubstr(std::string(format.name)));
+    const auto* path = format.content() == FileContent::views ? "folder" : "file";
+    EXPECT_THAT(stage->options->at(path).help, HasSubstr(std::string(format.name)));
   }
 }
 
@@ -129,6 +130,21 @@ TEST(Formats, AFolderIsAScanWhereItHoldsFrames) {
   write_file(dir / "velodyne/0.bin", frame_of({3, 4, 0, 0.5F}));
   ASSERT_NE(find_format(dir.path()), nullptr);
   EXPECT_EQ(find_format(dir.path())->content(), FileContent::scan);
+}
+
+TEST(Formats, FoldersOfViewsAreKnownByTheirLayout) {
+  const TempDir dir;
+  write_file(dir / "a/camera.json", "{}");
+  write_file(dir / "a/color/000000.png", "");
+  EXPECT_EQ(find_format(dir / "a"), nullptr);  // no scan and no cloud
+  EXPECT_EQ(find_format(dir / "a", described_contents)->name, "Bole");
+  write_file(dir / "b/transforms_train.json", "{}");
+  EXPECT_EQ(find_format(dir / "b", described_contents)->name, "NeRF");
+  EXPECT_EQ(find_format(dir / "b/transforms_train.json", described_contents)->name, "NeRF");
+  write_file(dir / "c/cameras.bin", "");
+  write_file(dir / "c/images.bin", "");
+  EXPECT_EQ(find_format(dir / "c", described_contents)->name, "COLMAP");
+  EXPECT_EQ(find_format(dir / "c", described_contents)->stage(), "io.read_views");
 }
 
 TEST(Formats, AFileOfAnotherContentIsSentToItsStage) {

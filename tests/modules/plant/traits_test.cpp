@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numbers>
+
 #include "plant/core/separate/separate.h"
 #include "plant/core/traits/extents.h"
 #include "synthetic/potted_plant_views.h"
@@ -41,7 +43,7 @@ Truth truth_of(const PottedPlant& plant) {
     t.height = std::max(t.height, p.z() - plant.foot.z());
     plan.emplace_back(p.head<2>());
   }
-  const auto r = least_rectangle(plan);
+  const auto r = smallest_rectangle(plan);
   t.length = r.length;
   t.width = r.width;
   return t;
@@ -67,6 +69,25 @@ TEST(Traits, HeightAndBreadthOfANoisyCloud) {
   }
 }
 
+TEST(Traits, PlacesAreThoseOfThePlant) {
+  const PottedPlant plant;
+  const auto t = traits_of(plant, {}, nullptr).traits;
+  EXPECT_NEAR(cell(t, "base_x_m"), plant.foot.x(), 0.005);
+  EXPECT_NEAR(cell(t, "base_y_m"), plant.foot.y(), 0.005);
+  EXPECT_NEAR(cell(t, "base_z_m"), plant.foot.z(), 0.005);
+  // The rectangle that is drawn holds the plant, and each side touches it.
+  const double angle = cell(t, "breadth_angle_deg") * std::numbers::pi / 180;
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle)), across(-along.y(), along.x()),
+      middle(cell(t, "breadth_x_m"), cell(t, "breadth_y_m"));
+  double length = 0, width = 0;
+  for (const auto& p : plant.plant_points(0.001)) {
+    length = std::max(length, std::abs((p.head<2>() - middle).dot(along)));
+    width = std::max(width, std::abs((p.head<2>() - middle).dot(across)));
+  }
+  EXPECT_NEAR(2000 * length, cell(t, "breadth_length_mm"), 4);
+  EXPECT_NEAR(2000 * width, cell(t, "breadth_width_mm"), 4);
+}
+
 TEST(Traits, StemByContours) {
   for (const double diameter : {0.0038, 0.0062, 0.0085})
     for (const bool srgb : {true, false}) {
@@ -78,9 +99,12 @@ TEST(Traits, StemByContours) {
       const auto out = traits_of(plant, cloud, &pictures);
       const double truth = 1000 * plant.diameter(0.03);
       const auto& t = out.traits;
-      std::printf("stem %.3f of %.3f [%.3f %.3f] %s, light %s, %s\n", cell(t, "stem_diameter_mm"), truth,
+      std::printf("stem %.3f of %.3f [%.3f %.3f] %s, light %s %.3f, %s\n", cell(t, "stem_diameter_mm"), truth,
                   cell(t, "stem_diameter_lo_mm"), cell(t, "stem_diameter_hi_mm"), t.text("stem_method", 0).c_str(),
-                  out.report.facts.at("picture_light").c_str(), out.report.message.c_str());
+                  out.report.facts.at("picture_light").c_str(),
+                  double(out.report.counts.at("tone_for_srgb")) /
+                      double(out.report.counts.at("tone_for_srgb") + out.report.counts.at("tone_for_linear")),
+                  out.report.message.c_str());
       EXPECT_EQ(t.text("stem_method", 0), "contours");
       EXPECT_NEAR(cell(t, "stem_diameter_mm"), truth, 0.01 * truth);
       EXPECT_LE(cell(t, "stem_diameter_lo_mm"), truth);

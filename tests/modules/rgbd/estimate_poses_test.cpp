@@ -61,7 +61,7 @@ PoseOptions quick() {
 }
 
 EstimatedPoses estimate(const ViewSource& views, const PoseOptions& options = quick()) {
-  return estimate_poses(views, nullptr, options, Run{});
+  return estimate_poses(views, nullptr, options, bole::Run{});
 }
 
 bool finds(const Report& report, const std::string& code) {
@@ -81,6 +81,11 @@ TEST(EstimatePoses, BoardGivesAxesAndScale) {
   std::printf("absolute %.4f mm, ate %.4f mm, residual %.3f px\n", 1e3 * absolute, 1e3 * synthetic::ate(pairs),
               found.report.metrics.at("residual_px").value);
   EXPECT_LT(absolute, 0.3e-3);
+  // What is said of the errors is what they are, within a factor of three.
+  double sum = 0;
+  for (const double sd : found.tracking.numbers("place_sd_mm")) sum += sd * sd / 12;
+  EXPECT_GT(std::sqrt(sum), absolute * 1e3 / 3);
+  EXPECT_LT(std::sqrt(sum), absolute * 1e3 * 3);
 }
 
 TEST(EstimatePoses, DepthGivesTheScaleWithoutABoard) {
@@ -138,6 +143,100 @@ TEST(EstimatePoses, ViewsWithoutDepthAreTrackedByTheOthers) {
   const auto found = estimate(views);
   EXPECT_EQ(found.poses.poses.size(), 8U);
   EXPECT_LT(synthetic::ate(synthetic::pose_pairs(found.poses, views.truth(), views)), 0.6e-3);
+}
+
+TEST(EstimatePoses, GivenPosesOfAnotherScaleThanTheBoardAreTold) {
+  auto camera = noisy_camera();
+  camera.with_depth = false;
+  SceneViews views(scene_with_board(), camera, synthetic::orbit(5, 0.42, 0.4, 0.02, 0.8));
+  views.board_facts = small_board();
+  auto large = views.truth();
+  for (auto& T : large) T.translation() *= 1.1;
+  for (std::size_t i = 0; i < large.size(); ++i) views.given.poses.push_back({views.time_s(i), large[i]});
+  auto options = quick();
+  options.source = PoseSource::given;
+  const auto found = estimate(views, options);
+  ASSERT_TRUE(finds(found.report, "given_scale"));
+  EXPECT_NEAR(found.report.metrics.at("given_to_board").value, 1.1, 0.01);
+}
+
+TEST(EstimatePoses, LensAndDepthCameraOfTheirOwn) {
+  auto camera = noisy_camera();
+  camera.camera.color.distortion = {0.12, -0.25, 0.001, -0.002, 0.08};
+  camera.camera.depth = synthetic::plain_camera(424, 320, 330).camera.color;
+  camera.camera.T_color_depth.translation() = Eigen::Vector3d(-0.03, 0.002, 0.004);
+  camera.camera.T_color_depth.linear() = so3_exp({0.01, 0.02, -0.01}).toRotationMatrix();
+  SceneViews views(synthetic::box_scene(), camera, synthetic::orbit(8, 0.42, 0.3, 0.04, 1));
+  const auto found = estimate(views);
+  const auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
+  ASSERT_EQ(pairs.found.size(), 8U);
+  double scale = 0;
+  const double error = synthetic::ate(pairs, &scale);
+  EXPECT_LT(error, 0.6e-3);
+  EXPECT_NEAR(scale, 1, 0.005);
+}
+
+TEST(EstimatePoses, RaysAloneGiveTheShapeOfTheWay) {
+  auto camera = noisy_camera();
+  camera.with_depth = false;
+  SceneViews views(synthetic::box_scene(), camera, synthetic::orbit(10, 0.42, 0.3, 0.04, 1.2));
+  auto options = quick();
+  options.allow_unscaled = true;
+  const auto found = estimate(views, options);
+  EXPECT_EQ(found.report.facts.at("scale_source"), "none");
+  EXPECT_TRUE(finds(found.report, "no_scale"));
+  auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
+  ASSERT_EQ(pairs.found.size(), 10U);
+  double scale = 0;
+  synthetic::ate(pairs, &scale);
+  for (auto& T : pairs.found) T.translation() *= scale;
+  EXPECT_LT(synthetic::ate(pairs), 0.6e-3);
+}
+
+TEST(EstimatePoses, StillBackgroundOfATurntableIsLeftOut) {
+  auto scene = synthetic::box_scene();
+  scene.floor_half = 0.12;
+  scene.wall = 0.85;
+  SceneViews views(scene, noisy_camera(), synthetic::orbit(8, 0.42, 0.3, 0.04, 0.8));
+  const auto found = estimate(views);
+  EXPECT_EQ(found.report.facts.at("turntable"), "yes");
+  const auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
+  ASSERT_EQ(pairs.found.size(), 8U);
+  EXPECT_LT(synthetic::ate(pairs), 1e-3);
+}
+
+TEST(EstimatePoses, TablesTellEveryView) {
+  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
+  const auto found = estimate(views);
+  EXPECT_EQ(found.tracking.rows(), 4U);
+  EXPECT_EQ(found.tracking.texts("name")[1], "000001");
+  for (const double r : found.tracking.numbers("residual_px")) EXPECT_LT(r, 1.5);
+  // 4 mm at 1 m are 1 mm at half a metre.
+  for (const double r : found.tracking.numbers("residual_depth_mm")) EXPECT_LT(r, 1.5);
+  ASSERT_GT(found.matches.rows(), 100U);
+  const auto state = found.matches.texts("state"), reason = found.matches.texts("reason");
+  for (std::size_t i = 0; i < state.size(); ++i) EXPECT_EQ(state[i] == "kept", reason[i] == "kept");
+  ASSERT_GT(found.points.size(), 200U);
+  EXPECT_TRUE(found.points.has(arrays::red));
+  const auto again = estimate(views);
+  for (std::size_t i = 0; i < found.poses.poses.size(); ++i)
+    EXPECT_EQ(found.poses.poses[i].T_target_sensor.matrix(), again.poses.poses[i].T_target_sensor.matrix());
+}
+
+TEST(EstimatePoses, StopsWhenItIsCancelled) {
+  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  run.progress = [&](double fraction, std::string_view) {
+    if (fraction > 0.5) stop.request_stop();
+  };
+  try {
+    estimate_poses(views, nullptr, quick(), run);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.kind(), ErrorKind::cancelled);
+  }
 }
 
 std::string error_of(const ViewSource& views, const PoseOptions& options = quick()) {

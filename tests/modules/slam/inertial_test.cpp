@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "slam/core/inertial/inertial_filter.h"
 #include "slam/core/inertial/mount.h"
@@ -320,7 +321,7 @@ TEST(InertialTerms, FindTheMount) {
   EXPECT_LT(turn, 5 * terms.mount_sigmas()->turn_rad);
 }
 
-// Nodes that jitter by a centimetre about a true path are drawn to it by the unit alone, held at a few places.
+// Nodes that jitter by a centimetre about a true path come nearer to it by the unit alone, held at a few places.
 TEST(InertialTerms, SmoothAPathAndFindTheBiases) {
   const auto errors = synthetic::small_unit();
   const auto unit = unit_of(inertial_record(hand, -1, 22, errors));
@@ -390,24 +391,106 @@ TEST(Mount, TurnAndClockAreFoundInTheirLimits) {
   EXPECT_LT(std::abs(mount.time_offset_s - 0.0437), 4 * mount.time_sigma_s + 2e-4);
 }
 
-TEST(Mount, AWalkThatTurnsAboutOneAxisDoesNotTell) {
-  const auto flat = [](double t) -> Pose {
-    Pose T = Pose::Identity();
-    T.linear() = rotation_from_rpy(0, 0, std::sin(t));
-    T.translation() = Eigen::Vector3d(t, 0, 0);
-    return T;
-  };
-  std::mt19937 random(2);
+// Frames of a motion, each turn off by noise as registration leaves it.
+std::vector<TimedMotion> noisy_frames(const std::function<Pose(double)>& motion, double end_s, double frame_s,
+                                      unsigned seed) {
+  std::mt19937 random(seed);
   std::normal_distribution<double> normal(0, 4e-4);
   std::vector<TimedMotion> frames;
-  for (double t = 1; t < 20; t += 0.1) {
-    FrameMotion motion{flat(t), flat(t + 0.1)};
-    motion.T_map_end.linear() =
-        so3_exp({normal(random), normal(random), normal(random)}).toRotationMatrix() * motion.T_map_end.linear();
-    frames.push_back({t, t + 0.1, motion});
+  for (double t = 1; t < end_s; t += frame_s) {
+    FrameMotion found{motion(t), motion(t + frame_s)};
+    found.T_map_end.linear() =
+        so3_exp({normal(random), normal(random), normal(random)}).toRotationMatrix() * found.T_map_end.linear();
+    frames.push_back({t, t + frame_s, found});
   }
-  const auto mount = estimate_mount(inertial_record(flat, 0, 22, synthetic::small_unit()), frames, 0.0);
-  EXPECT_NE(mount.unknown.find("turns too little about some axis"), std::string::npos) << mount.unknown;
+  return frames;
+}
+
+synthetic::InertialErrors noisy_unit() {
+  auto errors = synthetic::small_unit();
+  errors.noise = {2e-4, 2e-3, 0, 0};
+  return errors;
+}
+
+Pose unmoved(double) { return Pose::Identity(); }
+
+Pose flat(double t) {
+  Pose T = Pose::Identity();
+  T.linear() = rotation_from_rpy(0, 0, std::sin(t));
+  T.translation() = Eigen::Vector3d(t, 0, 0);
+  return T;
+}
+
+// However long: noise about the other axes is no turning.
+TEST(Mount, AWalkThatTurnsAboutOneAxisDoesNotTell) {
+  for (const double frame_s : {0.1, 0.05})
+    for (unsigned seed = 1; seed <= 4; ++seed)
+      for (const auto& errors : {synthetic::small_unit(), noisy_unit()}) {
+        const auto mount =
+            estimate_mount(inertial_record(flat, 0, 62, errors), noisy_frames(flat, 60, frame_s, seed), 0.0);
+        EXPECT_NE(mount.unknown.find("turns too little about some axis"), std::string::npos) << mount.unknown;
+      }
+}
+
+TEST(Mount, IsNotCheckedAtRestNorInTurnsAboutOneAxis) {
+  for (const auto& motion : {std::function<Pose(double)>(unmoved), std::function<Pose(double)>(flat)})
+    for (unsigned seed = 1; seed <= 4; ++seed)
+      for (const auto& errors : {synthetic::small_unit(), noisy_unit()}) {
+        const auto record = inertial_record(motion, 0, 62, errors);
+        const auto frames = noisy_frames(motion, 60, 0.1, seed);
+        for (std::size_t n = 20; n <= frames.size(); n += 20)
+          EXPECT_FALSE(check_mount(record, {frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(n)}, 0).judged)
+              << n;
+      }
+}
+
+// Ten seconds at rest, then a walk: the right mount is confirmed, a wrong one found out.
+TEST(Mount, IsCheckedOnceTheWalkBegins) {
+  const auto later = [](double t) { return hand(std::max(0.0, t - 11)); };
+  auto record = inertial_record(later, 0, 32, noisy_unit());
+  const auto frames = noisy_frames(later, 30, 0.1, 1);
+  const auto judged = [&]() {
+    for (std::size_t n = 20; n <= frames.size(); n += 20)
+      if (const auto check = check_mount(record, {frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(n)}, 0);
+          check.judged)
+        return check;
+    return MountCheck{};
+  };
+  const auto right = judged();
+  ASSERT_TRUE(right.judged);
+  EXPECT_LT(right.off_rad, std::max(0.14, 3 * right.sigma_rad));
+  record.T_sensor_imu = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()) * *record.T_sensor_imu;
+  const auto wrong = judged();
+  ASSERT_TRUE(wrong.judged);
+  EXPECT_NEAR(wrong.off_rad, 0.5, 3 * wrong.sigma_rad + 0.05);
+}
+
+// The standard deviation is that of the errors over repetitions.
+TEST(Mount, TheStandardDeviationIsThatOfTheErrors) {
+  double squared = 0, sigma = 0;
+  constexpr unsigned tries = 24;
+  const auto record = inertial_record(hand, 0, 22, noisy_unit());
+  for (unsigned seed = 1; seed <= tries; ++seed) {
+    const auto mount = estimate_mount(record, noisy_frames(hand, 20, 0.1, seed), 0.0);
+    EXPECT_EQ(mount.unknown, "");
+    squared += std::pow(
+        Eigen::AngleAxisd(synthetic::some_mount().linear().transpose() * mount.T_sensor_imu.linear()).angle(), 2);
+    sigma += mount.turn_sigma_rad / tries;
+  }
+  const double rms = std::sqrt(squared / tries);
+  EXPECT_GT(sigma, 0.5 * rms);
+  EXPECT_LT(sigma, 2 * rms);
+}
+
+// Frames that do not follow each other show no changes of velocity: the lever arm stays as little known as before.
+TEST(Mount, ALeverArmThatWasNotTriedIsNotKnown) {
+  auto frames = noisy_frames(hand, 40, 0.1, 1);
+  std::vector<TimedMotion> every_second;
+  for (std::size_t i = 0; i < frames.size(); i += 2) every_second.push_back(frames[i]);
+  const auto mount = estimate_mount(inertial_record(hand, 0, 42, noisy_unit()), every_second, 0.0);
+  EXPECT_EQ(mount.unknown, "");
+  EXPECT_FALSE(mount.lever_known);
+  EXPECT_GT(mount.lever_sigma, 0.1);
 }
 
 TEST(Mount, AUnitOfAnotherWalkIsRefused) {

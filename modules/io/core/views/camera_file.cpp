@@ -5,6 +5,7 @@
 
 #include "base/atomic_file.h"
 #include "base/option.h"
+#include "camera/camera_json.h"
 #include "io/core/views/json_fields.h"
 #include "io/core/views/pose_matrix.h"
 
@@ -26,6 +27,21 @@ void take_distortion(const Json& json, CameraModel& camera) {
     throw bad_input("the entry 'distortion' has " + std::to_string(values.size()) + " numbers", needed,
                     "Calibrate with the model of five coefficients");
   std::copy_n(values.begin(), std::min<std::size_t>(values.size(), 5), camera.distortion.begin());
+}
+
+// Open3D's {"width", "height", "intrinsic_matrix"}: nine numbers, columns first; rows first are told from them by the
+// place of the principal point.
+void take_matrix(Json& json) {
+  constexpr const char* needed = "fx, 0, 0, 0, fy, 0, cx, cy, 1";
+  const auto m = numbers_of(json["intrinsic_matrix"], "intrinsic_matrix", needed);
+  const bool columns = m.size() == 9 && m[2] == 0 && m[5] == 0;
+  const bool rows = m.size() == 9 && m[6] == 0 && m[7] == 0;
+  if ((!columns && !rows) || m[8] != 1)
+    throw bad_input("the entry 'intrinsic_matrix' is " + shown(json["intrinsic_matrix"]), needed);
+  json["fx"] = m[0];
+  json["fy"] = m[4];
+  json["cx"] = columns ? m[6] : m[2];
+  json["cy"] = columns ? m[7] : m[5];
 }
 
 CameraModel camera_of(const Json& json) {
@@ -81,16 +97,6 @@ void take_depth_camera(const Json& json, RgbdCamera& camera, Report& report) {
                     "If these are millimetres, divide them by 1000");
 }
 
-Json camera_json(const CameraModel& camera) {
-  return {{"width", camera.width},
-          {"height", camera.height},
-          {"fx", camera.fx},
-          {"fy", camera.fy},
-          {"cx", camera.cx},
-          {"cy", camera.cy},
-          {"distortion", camera.distortion}};
-}
-
 // The dictionaries of OpenCV with the number of their markers.
 std::size_t markers_in(const std::string& dictionary) {
   if (dictionary == "DICT_ARUCO_ORIGINAL") return 1024;
@@ -134,7 +140,8 @@ void take_markers(const Json& json, double square_mm, BoardFacts& board) {
 }  // namespace
 
 RgbdCamera parse_camera(Bytes text, bool with_depth, Report& report) {
-  const auto json = parse_object(text, camera_needed);
+  auto json = parse_object(text, camera_needed);
+  if (holds(json, "intrinsic_matrix")) take_matrix(json);
   RgbdCamera camera;
   camera.color = camera_of(json);
   take_depth_scale(json, with_depth, camera, report);
@@ -151,19 +158,21 @@ RgbdCamera read_camera_file(const std::filesystem::path& path, bool with_depth, 
   }
 }
 
-std::string camera_text(const RgbdCamera& camera) {
-  Json json = camera_json(camera.color);
-  json["depth_scale"] = camera.depth_scale;
-  if (camera.depth) {
-    json["depth"] = camera_json(*camera.depth);
-    for (int row = 0; row < 4; ++row) {
-      Json numbers = Json::array();
-      for (int column = 0; column < 4; ++column) numbers.push_back(camera.T_color_depth.matrix()(row, column));
-      json["depth_to_color"].push_back(std::move(numbers));
-    }
-  }
-  return json.dump(2) + "\n";
+std::vector<double> read_depth_bias(const std::filesystem::path& path) {
+  constexpr const char* needed = "up to three numbers b0, b1, b2 in metres";
+  const MappedFile file(path);
+  const auto json = parse_object(file.bytes(), camera_needed);
+  if (!holds(json, "depth_bias")) return {};
+  auto bias = numbers_of(json["depth_bias"], "depth_bias", needed);
+  bias.resize(std::max<std::size_t>(bias.size(), 3));
+  bool small = bias.size() == 3;
+  for (const double z : {0.3, 1.0, 5.0}) small = small && std::abs(bias[0] + z * (bias[1] + z * bias[2])) < 0.2 * z;
+  if (!small)
+    throw bad_input("the entry 'depth_bias' is " + shown(json["depth_bias"]), needed).at("'" + path.string() + "'");
+  return bias;
 }
+
+std::string camera_text(const RgbdCamera& camera) { return camera_json(camera); }
 
 void write_camera_file(const std::filesystem::path& path, const RgbdCamera& camera) {
   write_text_file(path, camera_text(camera));

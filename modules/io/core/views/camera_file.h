@@ -3,7 +3,7 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "base/report.h"
 #include "camera/camera_model.h"
@@ -18,9 +18,12 @@ namespace bole::io {
 //
 // `distortion`, `depth` and `depth_to_color` may be absent: none, registered to colour, the same axes. depth_scale is
 // in units of the depth image per metre; where it is absent it is 1000, and the report says so if `with_depth`. Throws
-// Error{bad_input} that names the entry.
+// Error{bad_input} that names the entry. Open3D's intrinsic_matrix is understood in place of fx, fy, cx and cy.
 RgbdCamera parse_camera(Bytes text, bool with_depth, Report& report);
 RgbdCamera read_camera_file(const std::filesystem::path& path, bool with_depth, Report& report);
+// The entry depth_bias: coefficients of what is to be added to a measured depth (camera/camera_json.h), or none. Throws
+// Error{bad_input} where they are more than three or move depth by more than a fifth within 5 m.
+std::vector<double> read_depth_bias(const std::filesystem::path& path);
 std::string camera_text(const RgbdCamera& camera);
 void write_camera_file(const std::filesystem::path& path, const RgbdCamera& camera);
 

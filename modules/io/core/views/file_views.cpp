@@ -16,6 +16,7 @@ FileViews::FileViews(FoundViews found, const ReadViewsOptions& options, std::str
       locator_(std::move(locator)) {
   if (options.max_depth) coding_.max_depth = *options.max_depth;
   coding_.little_endian_pgm = found.little_endian_pgm;
+  std::copy_n(found.depth_bias.begin(), std::min(found.depth_bias.size(), coding_.bias.size()), coding_.bias.begin());
   has_depth_ = std::ranges::any_of(files_, [](const ViewFile& f) { return !f.depth.empty(); });
   for (const auto& f : files_)
     if (f.T_world_camera) poses_.poses.push_back({f.time_s, *f.T_world_camera});

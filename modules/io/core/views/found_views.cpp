@@ -51,6 +51,13 @@ std::optional<ImageHeader> header_of(const std::filesystem::path& path, const st
   }
 }
 
+// A lens of 45 deg across, as most cameras have.
+void guess(CameraModel& model) {
+  model.fx = model.fy = 1.2 * std::max(model.width, model.height);
+  model.cx = (model.width - 1) / 2.0;
+  model.cy = (model.height - 1) / 2.0;
+}
+
 bool check_color(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble) {
   const auto header = header_of(file.color, file.name, trouble);
   if (!header) return false;
@@ -58,6 +65,7 @@ bool check_color(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble
   if (model.width == 0) {
     model.width = header->width;
     model.height = header->height;
+    if (model.fx == 0) guess(model);
     model.check();
   }
   if (header->width == model.width && header->height == model.height) return true;
@@ -66,9 +74,14 @@ bool check_color(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble
   return false;
 }
 
-bool check_depth(const ViewFile& file, const RgbdCamera& camera, ImageTrouble& trouble) {
+bool check_depth(const ViewFile& file, RgbdCamera& camera, ImageTrouble& trouble) {
   const auto header = header_of(file.depth, file.name, trouble);
   if (!header) return false;
+  if (camera.depth && camera.depth->width == 0) {
+    camera.depth->width = header->width;
+    camera.depth->height = header->height;
+    camera.depth->check();
+  }
   const auto& model = camera.of_depth();
   if (header->channels != 1 || header->bits != 16) {
     trouble.other_depth.add(file.name + " has " + std::to_string(header->channels) + " of " +

@@ -28,6 +28,7 @@ struct FoundViews {
   std::vector<RgbdCamera> cameras;  // width 0: the size of the first image
   std::optional<BoardFacts> board;
   bool little_endian_pgm = false;
+  std::vector<double> depth_bias;  // of camera.json; see DepthCoding
   Facts facts;
   Report report;
 };

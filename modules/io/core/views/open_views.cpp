@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "io/core/views/camera_file.h"
 #include "io/core/views/file_views.h"
 #include "io/core/views/numbered_files.h"
 #include "io/core/views/view_layouts.h"
@@ -22,8 +23,9 @@ const OptionTable& option_table(const ReadViewsOptions*) {
                              TextKind::input_path_or_name,
                              {},
                              Tier::advanced,
-                             "Camera of the views: a file camera.json, or fx,fy,cx,cy in pixels. Empty takes the one "
-                             "of the folder."},
+                             "Camera of the views: a file camera.json, fx,fy,cx,cy in pixels, or a name such as "
+                             "tum_freiburg1, icl_nuim or primesense; unknown for pictures of a calibration board. "
+                             "Empty takes the one of the folder."},
       Option<S, int>{"every",
                      &S::every,
                      Unit::none,
@@ -81,17 +83,19 @@ std::string sight_of(const fs::path& folder) {
   return "holds no views (first entry: '" + files.front().filename().string() + "')";
 }
 
-// A folder of colour images whose camera comes by the option may have any layout that has such a folder.
+const LayoutRow& row_of(ViewLayout layout) { return view_layouts()[static_cast<std::size_t>(layout)]; }
+
+// Folders of colour and depth whose camera comes by the option.
 const LayoutRow* layout_with_camera(const fs::path& path, const ReadViewsOptions& options) {
   std::error_code ignored;
-  return !options.camera.empty() && fs::is_directory(path / "color", ignored) ? &view_layouts().front() : nullptr;
+  return !options.camera.empty() && fs::is_directory(path / "color", ignored) ? &row_of(ViewLayout::bole) : nullptr;
 }
 
 const LayoutRow& layout_of(const fs::path& path, const ReadViewsOptions& options) {
   if (path.empty()) throw bad_input("no folder of views is named", layout_list(), "Set the option folder");
   std::error_code ignored;
   if (!fs::exists(path, ignored)) throw bad_input("there is no file or folder '" + path.string() + "'", layout_list());
-  if (options.layout) return view_layouts()[static_cast<std::size_t>(*options.layout)];
+  if (options.layout) return row_of(*options.layout);
   if (const auto* row = find_layout(path)) return *row;
   if (const auto* row = layout_with_camera(path, options)) return *row;
   if (fs::is_directory(path, ignored))
@@ -154,6 +158,14 @@ void find_byte_order(FoundViews& found) {
   }
 }
 
+// The bias of the depth stands in the file that the camera comes from.
+std::vector<double> depth_bias_of(const FoundViews& found, const ReadViewsOptions& options) {
+  std::error_code ignored;
+  const auto file = options.camera.empty() ? found.folder / "camera.json" : fs::path(options.camera);
+  if (file.extension() != ".json" || !fs::exists(file, ignored)) return {};
+  return read_depth_bias(file);
+}
+
 void check_times(const FoundViews& found) {
   for (std::size_t i = 1; i < found.files.size(); ++i)
     if (!(found.files[i].time_s > found.files[i - 1].time_s))
@@ -176,6 +188,8 @@ std::shared_ptr<const ViewSource> open_views(const fs::path& named, const ReadVi
   find_byte_order(found);
   found.facts["layout"] = layout.title;
   report = std::move(found.report);
+  found.depth_bias = depth_bias_of(found, options);
+  if (!found.depth_bias.empty()) report.facts["depth_bias"] = "applied, as camera.json has it";
   const auto views = std::make_shared<const FileViews>(std::move(found), options, locator_of(path, options));
   if (views->has_depth()) look_at_depth(*views, report);
   report.counts["poses"] = static_cast<std::int64_t>(views->given_poses().poses.size());

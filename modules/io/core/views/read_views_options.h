@@ -11,8 +11,10 @@
 namespace bole::io {
 
 // How a folder of views is laid out. The rows of view_layouts() have the same order.
-enum class ViewLayout { bole };
-constexpr std::array<std::string_view, 1> choice_names(ViewLayout) { return {"bole"}; }
+enum class ViewLayout { bole, tum, icl, seven_scenes, scannet, realsense, nerf, colmap, romi, images };
+constexpr std::array<std::string_view, 10> choice_names(ViewLayout) {
+  return {"bole", "tum", "icl", "7scenes", "scannet", "realsense", "nerf", "colmap", "romi", "images"};
+}
 
 struct ReadViewsOptions {
   std::optional<ViewLayout> layout{};  // open: by the files of the folder

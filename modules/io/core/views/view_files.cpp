@@ -74,8 +74,9 @@ std::size_t pixels_of(const ImageHeader& header) {
 
 float metres_of(std::uint16_t value, const DepthCoding& coding) {
   if (value == 0 || value == no_depth_too) return 0;
-  const double metres = value / coding.units_per_metre;
-  return metres > coding.max_depth ? 0 : static_cast<float>(metres);
+  const double z = value / coding.units_per_metre;
+  const double metres = z + coding.bias[0] + z * (coding.bias[1] + z * coding.bias[2]);
+  return metres > coding.max_depth || metres <= 0 ? 0 : static_cast<float>(metres);
 }
 
 void write_image(const std::filesystem::path& path, const cv::Mat& image) {

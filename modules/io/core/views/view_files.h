@@ -1,6 +1,7 @@
 // The image files of views: colour, depth and masks, read and written.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <limits>
 
@@ -13,6 +14,7 @@ namespace bole::io {
 struct DepthCoding {
   double units_per_metre = 1000;
   double max_depth = std::numeric_limits<double>::infinity();  // metres; farther values count as none
+  std::array<double, 3> bias{};                                // added to a depth z: b0 + b1 z + b2 z^2, metres
   bool little_endian_pgm = false;  // PGM files of 16 bits: the lower byte first (the standard says the higher)
 };
 

@@ -26,8 +26,26 @@ const LayoutRow* find_layout(const std::filesystem::path& path);
 // "Bole (color/, depth/, camera.json), ...".
 std::string layout_list();
 
-// color/NNNNNN.png or .jpg, depth/NNNNNN.png, camera.json; optionally poses.tum and mat.json. View i is at i / 30 s.
+// The readers, one for each file of layouts/. Each throws Error{bad_input} where the folder is not laid out so.
 bool is_bole_layout(const std::filesystem::path& path);
 FoundViews find_bole_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_tum_layout(const std::filesystem::path& path);
+FoundViews find_tum_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_icl_layout(const std::filesystem::path& path);
+FoundViews find_icl_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_7scenes_layout(const std::filesystem::path& path);
+FoundViews find_7scenes_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_scannet_layout(const std::filesystem::path& path);
+FoundViews find_scannet_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_realsense_layout(const std::filesystem::path& path);
+FoundViews find_realsense_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_nerf_layout(const std::filesystem::path& path);
+FoundViews find_nerf_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_colmap_layout(const std::filesystem::path& path);
+FoundViews find_colmap_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_romi_layout(const std::filesystem::path& path);
+FoundViews find_romi_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
+bool is_images_layout(const std::filesystem::path& path);
+FoundViews find_images_views(const std::filesystem::path& path, const ReadViewsOptions& options, const Run& run);
 
 }  // namespace bole::io

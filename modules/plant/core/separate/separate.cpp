@@ -56,8 +56,13 @@ Points3 thinned_by(const Points3& points, double cell) {
 class Separation {
  public:
   Separation(const PointCloud& cloud, const Trajectory* poses, bool depth_camera, const SeparateOptions& options,
-             const Run& run)
-      : cloud_(cloud), poses_(poses), depth_camera_(depth_camera), options_(options), run_(run) {}
+             const Run& run, const PointCloud* depth_surface)
+      : cloud_(cloud),
+        poses_(poses),
+        depth_camera_(depth_camera),
+        options_(options),
+        run_(run),
+        depth_surface_(depth_surface) {}
 
   Separated all() {
     take_points();
@@ -240,6 +245,7 @@ class Separation {
       const double rim = pot_->rim_height, height = std::max(rim - pot_->foot_height, search.slice);
       soil_ = find_soil(level_, pot_->centre, 0.86 * pot_->rim_radius, rim - 0.7 * height, rim + 0.2 * height,
                         1.6 * tolerance_);
+      if (depth_surface_ != nullptr) take_soil_of_depth(rim - 0.7 * height, rim + 0.2 * height);
       centre_ = pot_->centre;
       scene_.soil_source = "pot";
     } else {
@@ -257,6 +263,18 @@ class Separation {
       soil_->sigma = tolerance_;
       scene_.soil_source = "option";
     }
+  }
+
+  void take_soil_of_depth(double bottom, double top) {
+    Points3 level;
+    level.reserve(depth_surface_->size());
+    for (std::size_t i = 0; i < depth_surface_->size(); ++i) level.push_back(to_level_ * depth_surface_->position(i));
+    const auto measured = find_soil(level, pot_->centre, 0.86 * pot_->rim_radius, bottom, top, 1.6 * tolerance_);
+    if (!measured) return;
+    if (soil_)
+      report_.metrics["soil_by_depth"] = {1000 * (measured->at(pot_->centre) - soil_->at(pot_->centre)),
+                                          Unit::millimetre};
+    soil_ = measured;
   }
 
   // Without a pot: the highest level layer that holds a tenth of the widest, or the table itself.
@@ -431,6 +449,7 @@ class Separation {
   bool depth_camera_;
   const SeparateOptions& options_;
   const Run& run_;
+  const PointCloud* depth_surface_;
 
   Report report_;
   PlantScene scene_;
@@ -452,8 +471,8 @@ class Separation {
 }  // namespace
 
 Separated separate(const PointCloud& points, const Trajectory* poses, bool depth_camera, const SeparateOptions& options,
-                   const Run& run) {
-  return Separation(points, poses, depth_camera, options, run).all();
+                   const Run& run, const PointCloud* depth_surface) {
+  return Separation(points, poses, depth_camera, options, run, depth_surface).all();
 }
 
 }  // namespace bole::plant

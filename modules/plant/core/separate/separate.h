@@ -41,9 +41,10 @@ struct Separated {
 };
 
 // `points`: metres or any unit; red, green, blue are used where present. `poses`: T_world_camera of the views that the
-// cloud was made from, or null. Throws Error{bad_input} for a cloud with fewer than 100 points, a box or base that are
-// no numbers, and where no plant stands above the soil.
+// cloud was made from, or null. `depth_surface`: the fused depth images in the same axes, or null; measured depth shows
+// the soil more truly than a field does, which is not sharp where all is dark. Throws Error{bad_input} for a cloud with
+// fewer than 100 points, a box or base that are no numbers, and where no plant stands above the soil.
 Separated separate(const PointCloud& points, const Trajectory* poses, bool depth_camera, const SeparateOptions& options,
-                   const Run& run);
+                   const Run& run, const PointCloud* depth_surface = nullptr);
 
 }  // namespace bole::plant

@@ -5,6 +5,7 @@
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,7 @@ Sizes sizes_of(const Points3& points) {
     out.top = std::max(out.top, p.z());
     plan.emplace_back(p.head<2>());
   }
-  const auto rectangle = least_rectangle(plan);
+  const auto rectangle = smallest_rectangle(plan);
   out.length = rectangle.length;
   out.width = rectangle.width;
   return out;
@@ -104,39 +105,44 @@ Points3 outer(const Points3& points, double reach) {
   return out;
 }
 
+// The value without noise: a parabola in the share of variance added, through the observed value and the means of the
+// replicates, at -1. Extremes of a plant are tips of few points, which grow about evenly with the variance; those of a
+// wide edge grow with the standard deviation. Half the difference to that goes into the error.
 Extent extrapolated(double raw, const std::array<std::vector<double>, added.size()>& by_level) {
-  // value = a + b sqrt(1 + lambda), through the observed one at lambda = 0 and the means of the replicates.
-  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const auto take = [&](double x, double y, double w) {
-    n += w;
-    sx += w * x;
-    sy += w * y;
-    sxx += w * x * x;
-    sxy += w * x * y;
-  };
-  take(1, raw, replicates);
   double scatter = 0;
-  for (std::size_t k = 0; k < added.size(); ++k) {
-    double mean = 0, square = 0;
-    for (const double v : by_level[k]) {
-      mean += v / replicates;
-      square += v * v / replicates;
+  const auto at_zero = [&](bool deviation) {
+    Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    const auto take = [&](double lambda, double y, double w) {
+      const Eigen::Vector3d row(1, deviation ? std::sqrt(1 + lambda) : lambda, deviation ? 0 : lambda * lambda);
+      a += w * row * row.transpose();
+      b += w * row * y;
+    };
+    take(0, raw, replicates);
+    for (std::size_t k = 0; k < added.size(); ++k) {
+      double mean = 0, square = 0;
+      for (const double v : by_level[k]) {
+        mean += v / replicates;
+        square += (v - raw) * (v - raw) / replicates;
+      }
+      take(added[k], mean, 1);
+      if (k == 1) scatter = std::sqrt(std::max(square - (mean - raw) * (mean - raw), 0.0));
     }
-    take(std::sqrt(1 + added[k]), mean, 1);
-    if (k == 1) scatter = std::sqrt(std::max(square - mean * mean, 0.0));
-  }
-  const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    if (deviation) a(2, 2) += 1;
+    const Eigen::Vector3d x = a.ldlt().solve(b);
+    return deviation ? x[0] : x[0] - x[1] + x[2];
+  };
+  const double wide = at_zero(true), blunt = at_zero(false);
   Extent out;
   out.raw = raw;
-  const double gain = std::clamp(slope, 0.0, std::max(raw, 0.0) * 0.2);
-  out.value = raw - gain;
-  out.sd = std::hypot(scatter, 0.3 * gain);
+  out.value = std::clamp(blunt, 0.8 * raw, std::max(raw, 0.0));
+  out.sd = std::hypot(scatter, (blunt - wide) / 2);
   return out;
 }
 
 }  // namespace
 
-PlanRectangle least_rectangle(const std::vector<Eigen::Vector2d>& points) {
+PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points) {
   std::vector<Kernel::Point_2> plan, hull;
   plan.reserve(points.size());
   for (const auto& p : points) plan.emplace_back(p.x(), p.y());
@@ -151,6 +157,53 @@ PlanRectangle least_rectangle(const std::vector<Eigen::Vector2d>& points) {
   out.length = std::max(a, b);
   out.width = std::min(a, b);
   return out;
+}
+
+namespace {
+
+// The measured tip that is the outermost place in a direction, or null where that is a point of the cloud.
+const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction, double near) {
+  const auto far = std::ranges::max_element(points, {}, [&](const Eigen::Vector3d& p) { return p.dot(direction); });
+  for (const auto& t : tips)
+    if (t.measured() && (t.end() - *far).norm() < near) return &t;
+  return nullptr;
+}
+
+}  // namespace
+
+void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach, Extents& extents) {
+  const auto points = with_tips(plant, tips, reach);
+  const Sizes now = sizes_of(points);
+  std::vector<Eigen::Vector2d> plan;
+  for (const auto& p : points) plan.emplace_back(p.head<2>());
+  const auto rectangle = smallest_rectangle(plan);
+  // What a side is off: the scatter of its tip in the pictures, and of how sharp it is; or the
+  // correction for noise where no picture shows it.
+  const auto sd_of = [&](const Tip* tip, double correction) {
+    if (tip != nullptr) ++extents.sides_in_pictures;
+    return tip != nullptr ? std::hypot(tip->sd, reach / 20) : std::max(std::abs(correction), extents.noise);
+  };
+  extents.sides_in_pictures = 0;
+  const auto* top = tip_at(points, tips, Eigen::Vector3d::UnitZ(), reach / 4);
+  if (top != nullptr) {
+    extents.top.value = now.top;
+    extents.top.sd = sd_of(top, 0);
+  }
+  if (!(rectangle.length > 0)) return;
+  const Eigen::Vector2d first = rectangle.corners[1] - rectangle.corners[0],
+                        second = rectangle.corners[2] - rectangle.corners[1];
+  const bool first_is_length = first.norm() >= second.norm();
+  const auto side = [&](const Eigen::Vector2d& along, double raw, Extent& extent) {
+    const Eigen::Vector3d d = Eigen::Vector3d(along.x(), along.y(), 0).normalized();
+    const auto *a = tip_at(points, tips, d, reach / 4), *b = tip_at(points, tips, -d, reach / 4);
+    if (a == nullptr && b == nullptr) return;
+    const double correction = (extent.value - extent.raw) / 2;
+    extent.value = raw + (a == nullptr ? correction : 0) + (b == nullptr ? correction : 0);
+    extent.sd = std::hypot(sd_of(a, correction), sd_of(b, correction));
+  };
+  side(first_is_length ? first : second, rectangle.length, extents.length);
+  side(first_is_length ? second : first, rectangle.width, extents.width);
+  extents.rectangle = rectangle;
 }
 
 Extents measure_extents(const Points3& plant, const Run& run) {
@@ -169,7 +222,7 @@ Extents measure_extents(const Points3& plant, const Run& run) {
     plan.emplace_back(p.head<2>());
     if (p.z() == raw.top) out.top_point = p;
   }
-  out.rectangle = least_rectangle(plan);
+  out.rectangle = smallest_rectangle(plan);
 
   std::array<std::array<std::vector<double>, added.size()>, 3> grown;
   for (std::size_t k = 0; k < added.size(); ++k)

@@ -7,6 +7,7 @@
 
 #include "base/run.h"
 #include "plant/core/separate/point_grid.h"
+#include "plant/core/traits/tips.h"
 
 namespace bole::plant {
 
@@ -17,7 +18,7 @@ struct PlanRectangle {
 };
 
 // Of at least three points that do not lie on one line; else zero.
-PlanRectangle least_rectangle(const std::vector<Eigen::Vector2d>& points);
+PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points);
 
 struct Extent {
   double value = 0;  // corrected
@@ -31,13 +32,18 @@ struct Extents {
   PlanRectangle rectangle;  // of the points as they are
   double noise = 0;         // standard deviation of a point across the surface
   double spacing = 0;
-  std::size_t removed = 0;  // points without enough neighbours
+  std::size_t removed = 0;    // points without enough neighbours
+  int sides_in_pictures = 0;  // of five (top, and four of the rectangle): those that pictures have measured
 };
 
 // `plant`: metres, z up. Noise widens every extent, the more the denser the points. So the same noise is added again,
 // several times over, and what the extents gain by it is extrapolated back to none (SIMEX: Cook and Stefanski 1994,
-// here linear in the standard deviation, as the largest of many deviates grows). The scatter of that, what half of the
+// quadratic in the variance). The scatter of that, what half of the
 // points would lose, and what the outermost points carry alone make the standard deviation.
 Extents measure_extents(const Points3& plant, const Run& run);
+
+// Replaces every extent whose outermost places the pictures have measured. An extent with one side measured and the
+// other not keeps the correction for noise on that side.
+void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach, Extents& extents);
 
 }  // namespace bole::plant

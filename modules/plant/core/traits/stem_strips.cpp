@@ -10,6 +10,7 @@
 
 #include "base/statistics.h"
 #include "plant/core/traits/edge_profile.h"
+#include "plant/core/traits/picture_tone.h"
 
 namespace bole::plant {
 namespace {
@@ -19,22 +20,13 @@ constexpr double max_half_width = 90;  // pixels; a stem that fills the picture 
 constexpr double min_contrast = 0.02;  // of 0..1
 constexpr int depth_block = 4;         // pixels of a cell of the depth picture
 
-// Light of an sRGB code (IEC 61966-2-1), 0..1.
-const std::array<float, 256>& light_of_code() {
+const std::array<float, 256>& light_table() {
   static const auto table = [] {
     std::array<float, 256> t{};
-    for (std::size_t i = 0; i < 256; ++i) {
-      const double c = static_cast<double>(i) / 255;
-      t[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-    }
+    for (std::size_t i = 0; i < 256; ++i) t[i] = static_cast<float>(light_of_code(static_cast<double>(i) / 255));
     return t;
   }();
   return table;
-}
-
-double code_of_light(double light) {
-  const double l = std::clamp(light, 0.0, 1.0);
-  return l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
 }
 
 // Where a section lies in the picture.
@@ -128,7 +120,7 @@ class ViewStem {
     const int x1 = std::min(image.width - 1, static_cast<int>(std::ceil(s.place.x() + reach)));
     const int y0 = std::max(0, static_cast<int>(std::floor(s.place.y() - reach)));
     const int y1 = std::min(image.height - 1, static_cast<int>(std::ceil(s.place.y() + reach)));
-    const auto& light = light_of_code();
+    const auto& light = light_table();
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
         const Eigen::Vector2d d(x - s.place.x(), y - s.place.y());

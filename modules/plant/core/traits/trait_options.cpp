@@ -43,6 +43,14 @@ const OptionTable& option_table(const TraitOptions*) {
                         Tier::expert,
                         "Error of the cloud's outermost surface that its points share, so that they cannot show it. "
                         "It widens the intervals of height and breadth."},
+      Option<S, double>{
+          "tip_reach",
+          &S::tip_reach,
+          Unit::metre,
+          {0.001, 0.1},
+          Tier::expert,
+          "How far from the outermost points of the cloud the pictures are searched for the ends of leaves. "
+          "A larger value finds tips that the cloud has lost, and more things behind them."},
       Option<S, std::string>{"plant_id",
                              &S::plant_id,
                              TextKind::plain,

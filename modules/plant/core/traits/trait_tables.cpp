@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace bole::plant {
 namespace {
@@ -18,6 +19,26 @@ std::string in_mm(const Interval& v) {
   return fmt::format("{:.1f} mm ({:.1f} to {:.1f})", 1000 * v.value, 1000 * v.low, 1000 * v.high);
 }
 
+void set_places(Table& table, const TraitRow& row) {
+  const auto set = [&](const char* name, double value) { table.set(name, std::vector<double>{value}); };
+  const Eigen::Vector3d base = row.T_world_plant.translation();
+  set("base_x_m", base.x());
+  set("base_y_m", base.y());
+  set("base_z_m", base.z());
+  if (!(row.rectangle.length > 0)) return;
+  const auto& corners = row.rectangle.corners;
+  const auto in_world = [&](const Eigen::Vector2d& p) {
+    return Eigen::Vector3d(row.T_world_plant * Eigen::Vector3d(p.x(), p.y(), 0));
+  };
+  const Eigen::Vector3d middle = (in_world(corners[0]) + in_world(corners[2])) / 2;
+  const Eigen::Vector3d one = in_world(corners[1]) - in_world(corners[0]),
+                        other = in_world(corners[2]) - in_world(corners[1]);
+  const Eigen::Vector3d along = one.norm() >= other.norm() ? one : other;
+  set("breadth_x_m", middle.x());
+  set("breadth_y_m", middle.y());
+  set("breadth_angle_deg", std::atan2(along.y(), along.x()) * 180 / std::numbers::pi);
+}
+
 }  // namespace
 
 Table trait_table(const TraitRow& row) {
@@ -31,6 +52,7 @@ Table trait_table(const TraitRow& row) {
   t.set("stem_method", std::vector<std::string>{row.stem_method});
   t.set("scale", std::vector<std::string>{row.scale_known ? "known" : "unknown"});
   t.set("state", std::vector<std::string>{"auto"});
+  set_places(t, row);
   return t;
 }
 

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "base/transform.h"
 #include "cloud/core/view_source.h"
 #include "cloud/table.h"
+#include "plant/core/traits/extents.h"
 #include "plant/core/traits/stem_fit.h"
 
 namespace bole::plant {
@@ -21,8 +23,14 @@ struct TraitRow {
   double stem_height = 0;
   std::string stem_method;
   bool scale_known = true;
+
+  // Where they were measured.
+  Pose T_world_plant = Pose::Identity();
+  PlanRectangle rectangle;  // plant axes
 };
 
+// One row. base_*_m is the foot of the stem, breadth_x_m and breadth_y_m the middle of the rectangle of the breadth and
+// breadth_angle_deg the direction of its length from x towards y: all in world axes.
 Table trait_table(const TraitRow& row);
 std::string size_sentence(const TraitRow& row);
 

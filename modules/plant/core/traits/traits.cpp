@@ -8,7 +8,10 @@
 
 #include "base/statistics.h"
 #include "plant/core/traits/extents.h"
+#include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
+#include "plant/core/traits/tips.h"
+#include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
 namespace bole::plant {
@@ -63,6 +66,7 @@ class Measurement {
 
   void measure_size() {
     extents_ = measure_extents(plant_, run_);
+    if (in_.views != nullptr && in_.poses != nullptr) measure_tips_in_pictures();
     const double surface = scene_.scale_known ? options_.surface_sd : 0.002 * extents_.top.value;
     // The top is one surface, the breadth lies between two.
     const double slope_sd = scene_.soil_sd;
@@ -70,6 +74,19 @@ class Measurement {
     const double both = std::sqrt(2.0) * surface;
     length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
     width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
+  }
+
+  void measure_tips_in_pictures() {
+    TipSearch search;
+    search.reach = scene_.scale_known ? options_.tip_reach : 0.03 * extents_.top.value;
+    search.linear_light = options_.light != PictureLight::linear;
+    auto tips = outermost_tips(plant_, search.reach);
+    measure_tips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, chosen_views(), tips,
+                 run_.part(0.04, 0.2));
+    take_tips(plant_, tips, search.reach, extents_);
+    report_.counts["tips"] = static_cast<std::int64_t>(tips.size());
+    report_.counts["tips_in_pictures"] = std::ranges::count_if(tips, &Tip::measured);
+    report_.counts["sides_in_pictures"] = extents_.sides_in_pictures;
   }
 
   double stem_unit() const {  // 20 mm where the scale is known
@@ -156,25 +173,54 @@ class Measurement {
                        run_.part(begin, end));
   }
 
-  // A dozen views tell whether the pictures are made of sRGB codes or of light: edges of the right kind fit better.
+  // A dozen views tell whether the pictures hold sRGB codes or light. Where their steps do not, the edges of the stem
+  // itself do; where those do not either, the usual curve is taken and the doubt widens the interval.
   bool choose_light(StripSearch search, const std::vector<std::uint32_t>& which) {
     if (options_.light != PictureLight::automatic) return options_.light == PictureLight::srgb;
     std::vector<std::uint32_t> few;
     for (std::size_t k = 0; k < std::min<std::size_t>(12, which.size()); ++k)
       few.push_back(which[k * which.size() / std::min<std::size_t>(12, which.size())]);
+    ToneVotes votes;
+    View view;
+    for (const auto i : few) {
+      run_.check_cancel();
+      try {
+        in_.views->read(i, view, {true, false, false});
+      } catch (const Error&) {
+        continue;  // listed with the contours
+      }
+      votes.add(tone_votes(view.color));
+    }
+    report_.counts["tone_edges"] = static_cast<std::int64_t>(votes.edges);
+    int tone = tone_of(votes);
+    report_.counts["tone_for_srgb"] = static_cast<std::int64_t>(votes.for_light);
+    report_.counts["tone_for_linear"] = static_cast<std::int64_t>(votes.for_codes);
     std::array<std::map<std::uint32_t, double>, 2> cost;
+    std::array<std::map<std::uint32_t, double>, 2> width;
     for (const bool light : {false, true}) {
       search.linear_light = light;
-      for (const auto& v : find(search, few, 0.2, 0.25).views)
-        if (v.state == "used") cost[light ? 1 : 0][v.view] = v.cost;
+      const auto found = find(search, few, 0.2, 0.25);
+      std::map<std::uint32_t, std::vector<double>> widths;
+      for (const auto& s : found.strips) widths[s.view].push_back((s.right - s.left).norm());
+      for (const auto& v : found.views)
+        if (v.state == "used") {
+          cost[light ? 1 : 0][v.view] = v.cost;
+          width[light ? 1 : 0][v.view] = median(widths[v.view]);
+        }
     }
-    // By the views that both explain; the usual curve has the benefit of the doubt.
-    std::vector<double> ratios;
-    for (const auto& [view, c] : cost[1])
-      if (const auto it = cost[0].find(view); it != cost[0].end() && it->second > 0) ratios.push_back(c / it->second);
+    std::vector<double> ratios, shifts;
+    for (const auto& [v, c] : cost[1])
+      if (const auto it = cost[0].find(v); it != cost[0].end() && it->second > 0) {
+        ratios.push_back(c / it->second);
+        shifts.push_back(width[1][v] / width[0][v] - 1);
+      }
     const double ratio = ratios.empty() ? 1 : median(ratios);
-    report_.facts["picture_light"] = ratio <= 1.02 ? "srgb" : "linear";
-    return ratio <= 1.02;
+    const double shift = shifts.empty() ? 0 : median(shifts);
+    const bool by_steps = tone != 0;
+    if (!by_steps) tone = ratio > 1.045 ? -1 : 1;
+    if (!by_steps && ratio > 0.9 && ratio < 1.12) tone_doubt_ = 0.5 * std::abs(shift);
+    report_.facts["picture_light"] = tone > 0 ? "srgb" : "linear";
+    return tone > 0;
   }
 
   std::size_t used_views() const {
@@ -185,7 +231,7 @@ class Measurement {
     double ppu = 0;
     for (const auto& s : contours_.strips) ppu += s.pixels_per_unit / static_cast<double>(contours_.strips.size());
     const double systematic = std::sqrt(2.0) * edge_px / ppu;
-    const double sd = std::hypot(fit_->standard_error, systematic);
+    const double sd = std::hypot(fit_->standard_error, systematic, tone_doubt_ * fit_->diameter);
     // A wrong height of the soil is a wrong place on the taper.
     stem_ = interval(fit_->diameter, std::hypot(sd, fit_->taper * scene_.soil_sd), std::max(fit_->freedom, 3.0));
     stem_method_ = "contours";
@@ -226,6 +272,10 @@ class Measurement {
     Traits out;
     TraitRow row;
     row.plant_id = options_.plant_id;
+    if (row.plant_id.empty() && in_.views != nullptr) {
+      const auto description = in_.views->description();  // "plant_07: 120 views, ..."
+      row.plant_id = description.substr(0, description.find(':'));
+    }
     row.height = height_;
     row.length = length_;
     row.width = width_;
@@ -233,7 +283,10 @@ class Measurement {
     row.stem_height = stem_at_;
     row.stem_method = stem_method_;
     row.scale_known = scene_.scale_known;
+    row.T_world_plant = T_plant_world_.inverse();
+    row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
+    put_trait_options(out.traits.facts, options_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
     out.contours = contour_table(contours_, in_.views, fit_);
     report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};
@@ -258,7 +311,7 @@ class Measurement {
   Points3 plant_, solid_;
   Extents extents_;
   Interval height_, length_, width_, stem_;
-  double stem_at_ = 0;
+  double stem_at_ = 0, tone_doubt_ = 0;  // tone_doubt_: of the diameter, as a share
   std::optional<CloudStem> cloud_stem_;
   std::optional<StemFit> fit_;
   StripsFound contours_;

@@ -30,6 +30,7 @@ struct TraitOptions {
   PictureLight light = PictureLight::automatic;
   double scale_sd = 0.1;  // percent
   double surface_sd = 0.0005;
+  double tip_reach = 0.008;
   std::string plant_id;
 };
 const OptionTable& option_table(const TraitOptions*);

@@ -40,7 +40,10 @@ constexpr std::array<aruco_name, 21> dictionaries{{{"DICT_4X4_50", cv::aruco::DI
                                                    {"DICT_APRILTAG_36h11", cv::aruco::DICT_APRILTAG_36h11}}};
 
 constexpr int min_markers = 2;
+constexpr double max_second_move_px = 1.5;  // once the corners next to markers tell where the others are
+constexpr std::size_t min_corners_for_others = 8;
 constexpr double homography_tolerance_px = 2.5;
+constexpr int small_image = 1000;    // pixels across: markers may be too small for the detector, and are made larger
 constexpr double max_move_px = 2.5;  // of a corner from where the markers say it is
 
 cv::Ptr<cv::aruco::Dictionary> dictionary_of(const std::string& name) {
@@ -122,6 +125,49 @@ Explained explain(const BoardFacts& facts, const BoardLayout& layout, const std:
   return out;
 }
 
+// Looks for corners of chess squares where a homography of the board says they are.
+class CornerSearch {
+ public:
+  CornerSearch(const BoardFacts& facts, const BoardLayout& layout, const cv::Mat& gray, const CameraModel& camera)
+      : facts_(facts), layout_(layout), gray_(gray), camera_(camera) {}
+
+  std::optional<BoardCorner> find(const Square& at, const Eigen::Matrix3d& H, double max_move) const {
+    const double x = at.column * facts_.square, y = at.row * facts_.square;
+    const double margin = (facts_.square - facts_.marker) / 2;
+    const auto start = to_pixel(H, x, y), along_x = to_pixel(H, x + margin, y), along_y = to_pixel(H, x, y + margin);
+    if (!start || !along_x || !along_y) return std::nullopt;
+    // Whether the square up and to the right of the corner is black.
+    const int rows_from_first = layout_.from_upper_row ? facts_.rows - 1 - at.row : at.row;
+    const bool black = ((at.column + rows_from_first) % 2 == 0) == layout_.first_square_black;
+    const auto pixel = refine_chess_corner(gray_, *start, *along_x - *start, *along_y - *start, black, max_move);
+    if (!pixel) return std::nullopt;
+    return BoardCorner{{x, y, 0}, *pixel};
+  }
+
+  Eigen::Matrix3d plane_of(const std::vector<BoardCorner>& corners) const {
+    std::vector<cv::Point2f> board, plane;
+    for (const auto& c : corners) {
+      const Eigen::Vector3d d = camera_.direction(c.pixel);
+      board.emplace_back(static_cast<float>(c.point.x()), static_cast<float>(c.point.y()));
+      plane.emplace_back(static_cast<float>(d.x()), static_cast<float>(d.y()));
+    }
+    std::vector<std::uint8_t> inlier;
+    return homography(board, plane, max_second_move_px / std::abs(camera_.fx), inlier);
+  }
+
+ private:
+  std::optional<Eigen::Vector2d> to_pixel(const Eigen::Matrix3d& H, double x, double y) const {
+    const Eigen::Vector3d p = H * Eigen::Vector3d(x, y, 1);
+    if (!(std::abs(p.z()) > 0)) return std::nullopt;
+    return camera_.project(Eigen::Vector3d(p / p.z()));
+  }
+
+  const BoardFacts& facts_;
+  const BoardLayout& layout_;
+  const cv::Mat& gray_;
+  const CameraModel& camera_;
+};
+
 }  // namespace
 
 std::string describe(const BoardLayout& layout) {
@@ -133,7 +179,10 @@ struct CharucoBoard::Parts {
   BoardFacts facts;
   cv::Ptr<cv::aruco::Dictionary> dictionary;
 
-  std::vector<Marker> markers_in(const cv::Mat& gray, const CameraModel& camera) const {
+  std::vector<Marker> markers_in(const cv::Mat& image, const CameraModel& camera) const {
+    cv::Mat gray = image;
+    const bool small = image.cols < small_image;
+    if (small) cv::resize(image, gray, {}, 2, 2, cv::INTER_CUBIC);
     auto parameters = cv::aruco::DetectorParameters::create();
     parameters->cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
     parameters->cornerRefinementWinSize = 3;
@@ -146,6 +195,7 @@ struct CharucoBoard::Parts {
       m.id = ids[i];
       for (std::size_t k = 0; k < 4; ++k) {
         m.pixels[k] = {static_cast<double>(corners[i][k].x), static_cast<double>(corners[i][k].y)};
+        if (small) m.pixels[k] = ((m.pixels[k].array() + 0.5) / 2 - 0.5).matrix();
         m.plane[k] = camera.direction(m.pixels[k]).head<2>();
       }
       out.push_back(m);
@@ -205,27 +255,22 @@ std::optional<BoardSighting> CharucoBoard::find(const ColorImage& color, const C
   const auto seen = parts_->best_layout(markers, homography_tolerance_px / std::abs(camera.fx));
   if (seen.markers.size() < min_markers) return std::nullopt;
 
-  const auto& facts = parts_->facts;
-  const auto to_pixel = [&](double x, double y) -> std::optional<Eigen::Vector2d> {
-    const Eigen::Vector3d p = seen.H * Eigen::Vector3d(x, y, 1);
-    if (!(std::abs(p.z()) > 0)) return std::nullopt;
-    return camera.project((p / p.z()).eval());
-  };
   BoardSighting out;
   out.layout = seen.layout;
   out.markers = static_cast<int>(seen.markers.size());
-  for (const auto& at : parts_->visible_corners(seen, markers)) {
-    const double x = at.column * facts.square, y = at.row * facts.square;
-    const auto start = to_pixel(x, y);
-    const auto along_x = to_pixel(x + (facts.square - facts.marker) / 2, y);
-    const auto along_y = to_pixel(x, y + (facts.square - facts.marker) / 2);
-    if (!start || !along_x || !along_y) continue;
-    // Is the square up and to the right of the corner black? It is (column, row) from below.
-    const int rows_from_first = seen.layout.from_upper_row ? facts.rows - 1 - at.row : at.row;
-    const bool black = ((at.column + rows_from_first) % 2 == 0) == seen.layout.first_square_black;
-    const auto pixel = refine_chess_corner(gray, *start, *along_x - *start, *along_y - *start, black, max_move_px);
-    if (pixel) out.corners.push_back({{x, y, 0}, *pixel});
-  }
+  const CornerSearch search(parts_->facts, seen.layout, gray, camera);
+  const auto next_to_markers = parts_->visible_corners(seen, markers);
+  for (const auto& at : next_to_markers)
+    if (const auto c = search.find(at, seen.H, max_move_px)) out.corners.push_back(*c);
+  if (out.corners.size() < min_corners_for_others) return out;
+  // Corners whose markers were not read: too small, shaded or hidden in part.
+  const auto H = search.plane_of(out.corners);
+  for (int row = 1; row < parts_->facts.rows; ++row)
+    for (int column = 1; column < parts_->facts.columns; ++column) {
+      const auto same = [&](const Square& s) { return s.row == row && s.column == column; };
+      if (std::ranges::any_of(next_to_markers, same)) continue;
+      if (const auto c = search.find({column, row}, H, max_second_move_px)) out.corners.push_back(*c);
+    }
   return out;
 }
 

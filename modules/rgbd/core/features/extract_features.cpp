@@ -14,10 +14,11 @@ namespace bole::rgbd {
 namespace {
 
 constexpr double sift_contrast = 0.02;  // half of Lowe's: leaves and mats have little contrast, and the best are chosen
-constexpr int orb_candidates = 4;       // times max_features, to choose from
+constexpr double faint_sift_contrast = 0.006;  // where an image has too few otherwise: bare walls, dark images
+constexpr int orb_candidates = 4;              // times max_features, to choose from
 constexpr int cells_across = 16;
 
-cv::Ptr<cv::Feature2D> make_sift() { return cv::SIFT::create(0, 3, sift_contrast); }
+cv::Ptr<cv::Feature2D> make_sift(double contrast = sift_contrast) { return cv::SIFT::create(0, 3, contrast); }
 
 // OpenCV doubles the image before it searches and, up to 4.7, forgets that this moves the centres of the pixels by a
 // quarter of a pixel. Measured on a blob, so that every version is right.
@@ -105,7 +106,10 @@ Features extract_features(const View& view, const RgbdCamera& camera, const Feat
       sift ? make_sift() : cv::Ptr<cv::Feature2D>(cv::ORB::create(orb_candidates * options.max_features));
   std::vector<cv::KeyPoint> found;
   cv::Mat descriptors;
-  finder->detectAndCompute(gray, use_mask ? mask_of(view, gray.size()) : cv::Mat(), found, descriptors);
+  const cv::Mat mask = use_mask ? mask_of(view, gray.size()) : cv::Mat();
+  finder->detectAndCompute(gray, mask, found, descriptors);
+  if (sift && static_cast<int>(found.size()) < options.max_features)
+    make_sift(faint_sift_contrast)->detectAndCompute(gray, mask, found, descriptors);
 
   const cv::Point2f shift = sift ? sift_shift() : cv::Point2f(0, 0);
   const DepthLookup depth(view.depth, camera);

@@ -6,6 +6,7 @@
 
 #include "base/statistics.h"
 #include "rgbd/core/matching/gms.h"
+#include "rgbd/core/matching/ray_motion.h"
 #include "rgbd/core/matching/rigid_motion.h"
 
 namespace bole::rgbd {
@@ -15,6 +16,7 @@ constexpr double still_px = 1.5;  // in an image 1280 wide
 constexpr double reference_width = 1280;
 constexpr double min_moving_px = 3;  // median, below it the moving part is still as well
 constexpr double min_second_share = 0.1;
+constexpr std::size_t min_for_statistics = 60;  // of fewer matches the neighbours say nothing
 
 class Screening {
  public:
@@ -80,6 +82,7 @@ class Screening {
 
   void screen_by_neighbours() {
     const auto kept = left();
+    if (kept.size() < min_for_statistics) return;
     std::vector<PixelPair> pairs;
     for (const auto i : kept) pairs.push_back({of_a(matches_[i].match).pixel, of_b(matches_[i].match).pixel});
     const auto supported =
@@ -97,6 +100,13 @@ class Screening {
       out.push_back({fa.direction, fb.direction, fa.inverse_depth, fb.inverse_depth});
     }
     return out;
+  }
+
+  // Whether depth is so rare that it could not decide.
+  bool lacks_depth(const std::vector<RayMatch>& matches) const {
+    const auto with =
+        std::ranges::count_if(matches, [](const auto& m) { return m.inverse_depth_a > 0 || m.inverse_depth_b > 0; });
+    return with < 2 * o_.min_inliers;
   }
 
   MotionOptions motion_options() const {
@@ -152,7 +162,12 @@ class Screening {
     } else {
       look_for_two_motions(moving, still);
     }
-    const auto found = find_motion(rays(kept), motion_options());
+    const auto matches = rays(kept);
+    auto found = find_motion(matches, motion_options());
+    if (!found && lacks_depth(matches)) {
+      found = find_motion_of_rays(matches, motion_options());
+      out_.by_rays = found.has_value();
+    }
     for (std::size_t k = 0; k < kept.size(); ++k)
       if (!found || !found->inlier[k]) matches_[kept[k]].fate = MatchFate::depth;
     if (found) out_.T_b_a = found->T_b_a;

@@ -44,8 +44,10 @@ struct MatchedPair {
   int view_a = 0, view_b = 0;
   Pose T_b_a = Pose::Identity();
   std::vector<Match> kept;  // empty: no motion was found
-  int candidates = 0;       // that passed the ratio test and are mutual
-  int still = 0;            // of them, that do not move
+  // The matches agree with one motion of the rays alone: without depth, the length of the shift is 1 and means nothing.
+  bool by_rays = false;
+  int candidates = 0;  // that passed the ratio test and are mutual
+  int still = 0;       // of them, that do not move
   // Where a part of the image moves and another part, of which some cannot belong to that motion, is still.
   bool two_motions = false;
   double still_depth = 0, moving_depth = 0;  // metres, medians of the two parts; 0: not known

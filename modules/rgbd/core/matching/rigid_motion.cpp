@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 
 #include "base/random.h"
@@ -16,6 +17,7 @@ constexpr double confidence = 0.999;
 constexpr double max_depth_sigmas = 4;
 constexpr double min_depth = 1e-3;
 constexpr int refinements = 2, newton_steps = 8;
+constexpr double max_turn_sigma_rad = 0.03;  // of the refined motion: matches close together leave the turn open
 
 using Triple = std::array<std::size_t, 3>;
 
@@ -173,6 +175,21 @@ void add_match(const RayMatch& m, const Pose& T_b_a, const Pose& T_a_b, const Mo
   }
 }
 
+// Largest standard deviation of the turn, as the matches that agree determine it.
+double turn_sigma(const std::vector<RayMatch>& matches, const std::vector<char>& inlier, const Pose& T_b_a,
+                  const MotionOptions& o) {
+  System system;
+  const Pose T_a_b = T_b_a.inverse();
+  for (std::size_t i = 0; i < matches.size(); ++i)
+    if (inlier[i]) add_match(matches[i], T_b_a, T_a_b, o, system);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(system.H);
+  const double smallest = solver.eigenvalues()[0];
+  if (!(smallest > 0)) return std::numeric_limits<double>::infinity();
+  const Eigen::Matrix<double, 6, 6> covariance = system.H.inverse();
+  const Eigen::Matrix3d turn = covariance.topLeftCorner<3, 3>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(turn).eigenvalues()[2]);
+}
+
 class Search {
  public:
   Search(const std::vector<RayMatch>& matches, const MotionOptions& options)
@@ -229,7 +246,9 @@ class Search {
       best_count_ = count;
     }
     if (best_count_ < o_.min_inliers) return std::nullopt;
-    return Motion{best_, agreeing(matches_, best_, o_), best_count_};
+    auto inlier = agreeing(matches_, best_, o_);
+    if (!(turn_sigma(matches_, inlier, best_, o_) <= max_turn_sigma_rad)) return std::nullopt;
+    return Motion{best_, std::move(inlier), best_count_};
   }
 
   const std::vector<RayMatch>& matches_;

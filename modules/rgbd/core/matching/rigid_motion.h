@@ -31,7 +31,7 @@ struct Motion {
 
 // Three matches with depth on both sides (or, with depth on one side only, the three-point pose problem) propose a
 // motion; the one that most matches agree with, in both images and in depth, is refined over them. Nothing where fewer
-// than min_inliers agree.
+// than min_inliers agree, or where these are so close together that they leave the turn open.
 std::optional<Motion> find_motion(const std::vector<RayMatch>& matches, const MotionOptions& options);
 
 // Whether each match agrees with a motion. Matches without any depth do not.

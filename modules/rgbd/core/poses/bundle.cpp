@@ -8,13 +8,16 @@
 #include <memory>
 
 #include "base/statistics.h"
+#include "rgbd/core/poses/bundle_residuals.h"
 
 namespace bole::rgbd {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-constexpr int max_iterations = 40;
+// The first passes only need to tell outliers; the last one must be exact.
+constexpr int max_iterations = 30, max_first_iterations = 12;
+constexpr double first_tolerance = 1e-3, tolerance = 1e-6;  // relative change of the cost
 constexpr double kernel_sigmas = 2;
 constexpr double max_sigmas = 5;  // an observation further off is left out between the passes
 constexpr double mad_to_sigma = 1.4826;
@@ -23,70 +26,6 @@ constexpr int dense_views = 150;  // with more, the matrix of the cameras is mos
 constexpr double depth_correlation = 2;
 constexpr double prior_scale_sigma = 0.1, prior_bias_sigma = 0.01;
 constexpr double min_pixel_sigma = 0.05, min_known_sigma = 0.05, min_inverse_depth_sigma = 1e-5;
-constexpr double min_depth = 1e-3;
-
-template <class T>
-Eigen::Matrix<T, 3, 1> in_camera(const T* q, const T* t, const Eigen::Matrix<T, 3, 1>& point) {
-  const Eigen::Map<const Eigen::Quaternion<T>> turn(q);
-  const Eigen::Map<const Eigen::Matrix<T, 3, 1>> place(t);
-  return turn.conjugate() * (point - place);
-}
-
-template <class T>
-bool pixel_error(const CameraModel& c, const T& focal, const Eigen::Matrix<T, 3, 1>& p, const Eigen::Vector2d& pixel,
-                 double weight, T* r) {
-  if (p.z() < T(min_depth)) return false;
-  const T x = p.x() / p.z(), y = p.y() / p.z();
-  const auto& d = c.distortion;
-  const T r2 = x * x + y * y;
-  const T radial = T(1) + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
-  const T u = x * radial + 2 * d[2] * x * y + d[3] * (r2 + T(2) * x * x);
-  const T v = y * radial + d[2] * (r2 + T(2) * y * y) + 2 * d[3] * x * y;
-  r[0] = weight * (focal * c.fx * u + c.cx - pixel.x());
-  r[1] = weight * (focal * c.fy * v + c.cy - pixel.y());
-  return true;
-}
-
-struct PixelError {
-  const CameraModel* camera;
-  Eigen::Vector2d pixel;
-  double weight;
-  template <class T>
-  bool operator()(const T* q, const T* t, const T* point, const T* focal, T* r) const {
-    return pixel_error<T>(*camera, *focal, in_camera<T>(q, t, Eigen::Matrix<T, 3, 1>(point)), pixel, weight, r);
-  }
-};
-
-struct KnownError {
-  const CameraModel* camera;
-  Eigen::Vector3d point;
-  Eigen::Vector2d pixel;
-  double weight;
-  template <class T>
-  bool operator()(const T* q, const T* t, const T* focal, T* r) const {
-    return pixel_error<T>(*camera, *focal, in_camera<T>(q, t, point.cast<T>()), pixel, weight, r);
-  }
-};
-
-struct DepthError {
-  double inverse_depth, weight;
-  template <class T>
-  bool operator()(const T* q, const T* t, const T* point, const T* depth, T* r) const {
-    const T z = depth[0] * in_camera<T>(q, t, Eigen::Matrix<T, 3, 1>(point)).z() + depth[1];
-    if (z < T(min_depth)) return false;
-    r[0] = weight * (inverse_depth - T(1) / z);
-    return true;
-  }
-};
-
-struct PriorError {
-  std::array<double, 2> value, weight;
-  template <class T>
-  bool operator()(const T* x, T* r) const {
-    for (int i = 0; i < 2; ++i) r[i] = weight[at(i)] * (x[i] - value[at(i)]);
-    return true;
-  }
-};
 
 class Interrupt : public ceres::IterationCallback {
  public:
@@ -104,7 +43,7 @@ class Solver {
  public:
   Solver(Bundle& bundle, const BundleOptions& options, const Run& run) : b_(bundle), o_(options), run_(run) {}
 
-  void solve(BundleReport& report) {
+  void solve(bool last, BundleReport& report) {
     take_poses();
     ceres::Problem::Options ownership;
     ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -115,6 +54,7 @@ class Solver {
     ceres::Problem problem(ownership);
     add_observations(problem, pixel_loss, depth_loss);
     add_known(problem, pixel_loss);
+    if (o_.hold_scale) add_length(problem);
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
     for (auto& p : b_.points)
       if (problem.HasParameterBlock(p.data())) order->AddElementToGroup(p.data(), 0);
@@ -135,8 +75,8 @@ class Solver {
     ceres::Solver::Options options;
     options.linear_solver_type = static_cast<int>(q_.size()) > dense_views ? ceres::SPARSE_SCHUR : ceres::DENSE_SCHUR;
     options.linear_solver_ordering = order;
-    options.max_num_iterations = max_iterations;
-    options.function_tolerance = 1e-6;
+    options.max_num_iterations = last ? max_iterations : max_first_iterations;
+    options.function_tolerance = last ? tolerance : first_tolerance;
     options.num_threads = 1;  // sums in a fixed order
     options.logging_type = ceres::SILENT;
     Interrupt interrupt(run_);
@@ -146,6 +86,7 @@ class Solver {
     run_.check_cancel();
     report.converged = summary.IsSolutionUsable();
     report.message = summary.BriefReport();
+    report.iterations += summary.num_successful_steps + summary.num_unsuccessful_steps;
     if (report.converged) give_poses();
   }
 
@@ -196,6 +137,21 @@ class Solver {
       problem.AddResidualBlock(new ceres::AutoDiffCostFunction<KnownError, 2, 4, 3, 1>(
                                    new KnownError{b_.cameras[at(k.view)], k.point, k.pixel, 1 / b_.known_sigma}),
                                &loss, q_[at(k.view)].coeffs().data(), t_[at(k.view)].data(), &focal_);
+  }
+
+  void add_length(ceres::Problem& problem) {
+    if (o_.fixed_view < 0) return;
+    const Eigen::Vector3d from = t_[at(o_.fixed_view)];
+    std::size_t farthest = 0;
+    double length = 0;
+    for (std::size_t v = 0; v < t_.size(); ++v) {
+      if (!problem.HasParameterBlock(t_[v].data()) || !((t_[v] - from).norm() > length)) continue;
+      length = (t_[v] - from).norm();
+      farthest = v;
+    }
+    if (length > 0)
+      problem.AddResidualBlock(new ceres::AutoDiffCostFunction<LengthError, 1, 3>(new LengthError{from, length}),
+                               nullptr, t_[farthest].data());
   }
 
   Bundle& b_;
@@ -278,7 +234,7 @@ BundleReport adjust(Bundle& bundle, const BundleOptions& options, const Run& run
   for (int pass = 0; pass < options.passes; ++pass) {
     run.report(static_cast<double>(pass) / options.passes, "bundle adjustment");
     run.check_cancel();
-    Solver(bundle, options, run).solve(report);
+    Solver(bundle, options, run).solve(pass + 1 == options.passes, report);
     if (!report.converged || run.asked_to_finish()) break;
     learn_sigmas(bundle, options);
     if (pass + 1 < options.passes) report.dropped += drop_outliers(bundle);

@@ -47,6 +47,7 @@ struct BundleOptions {
   bool fixed_poses = false;  // only the points move
   bool free_depth = false;   // depth scale and bias are parameters
   bool free_focal = false;
+  bool hold_scale = false;  // the distance of the farthest view from the fixed one stays: nothing else gives a scale
   bool learn_depth_sigma = true;
   int passes = 3;  // solutions, between which sigmas are learnt and outliers left out
 };
@@ -54,7 +55,7 @@ struct BundleOptions {
 struct BundleReport {
   bool converged = false;
   std::string message;
-  int observations = 0, dropped = 0;
+  int observations = 0, dropped = 0, iterations = 0;
 };
 
 // Changes everything that is not fixed; observations that do not fit are removed. Deterministic.

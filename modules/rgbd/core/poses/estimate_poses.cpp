@@ -7,16 +7,17 @@
 
 #include "base/error.h"
 #include "base/statistics.h"
-#include "cloud/known_facts.h"
 #include "rgbd/core/matching/view_graph.h"
 #include "rgbd/core/poses/given_poses.h"
+#include "rgbd/core/poses/grow_poses.h"
 #include "rgbd/core/poses/make_bundle.h"
 #include "rgbd/core/poses/match_views.h"
-#include "rgbd/core/poses/pose_tables.h"
+#include "rgbd/core/poses/pose_report.h"
 
 namespace bole::rgbd {
 namespace {
 
+constexpr std::size_t max_views = 3000;      // about a gigabyte of features
 constexpr double usual_depth_noise = 0.004;  // 1 / m: 4 mm at 1 m
 constexpr double screen_depth_noise = 0.01;  // wide, until the noise is learnt
 constexpr double max_scale_gap = 0.02;       // between board and depth, that nobody needs to know of
@@ -44,6 +45,7 @@ class Estimator {
     first_poses(matcher);
     matcher.match_overlapping(poses_, run_.part(0.66, 0.75));
     first_poses(matcher);
+    grow(matcher);
     solve(matcher);
     tell(matcher);
     return std::move(out_);
@@ -55,6 +57,7 @@ class Estimator {
     ViewMatcher matcher(data_, o_, o_.depth_noise.value_or(screen_depth_noise));
     matcher.match_neighbours(run_.part(0.6, 0.8));
     check_given(poses_, data_, matcher.pairs(), out_.report);
+    check_given_scale(poses_, data_, out_.report);
     made_ = make_bundle(data_, matcher.pairs(), poses_, false);
     BundleOptions options;
     options.fixed_poses = true;
@@ -69,6 +72,9 @@ class Estimator {
  private:
   void read(double until) {
     if (views_.size() == 0) throw bad_input("there are no views", "at least 2", "Check the folder of the views.");
+    if (views_.size() > max_views)
+      throw bad_input(fmt::format("there are {} views", views_.size()), fmt::format("at most {}", max_views),
+                      "Read every n-th view, or a part of them (options every and max_views of io.read_views).");
     data_ = read_views(views_, o_, run_.part(0, until), out_.report);
   }
 
@@ -109,10 +115,11 @@ class Estimator {
   }
 
   void need_scale() {
-    if (any_depth() || any_board()) return;
+    if (any_depth() || any_board() || o_.allow_unscaled) return;
     throw bad_input(views_.has_depth() ? "no feature of any view has depth" : "the views have no depth and no board",
                     "depth images, or a ChArUco board in the views",
-                    "Check the depth images and depth_scale, or give poses and source=given.");
+                    "Check the depth images and depth_scale, or give poses and source=given. Poses without scale: "
+                    "allow_unscaled=true.");
   }
 
   double usual_depth() const {
@@ -128,7 +135,8 @@ class Estimator {
     const int world = static_cast<int>(data_.size());
     std::vector<GraphEdge> edges;
     for (const auto& p : matcher.pairs())
-      if (p.connected()) edges.push_back({p.view_a, p.view_b, p.T_b_a, static_cast<double>(p.kept.size())});
+      if (p.connected() && !p.by_rays)
+        edges.push_back({p.view_a, p.view_b, p.T_b_a, static_cast<double>(p.kept.size())});
     for (int v = 0; v < world; ++v)
       if (const auto& board = data_[at(v)].board)
         edges.push_back({v, world, board->T_board_camera,
@@ -140,13 +148,23 @@ class Estimator {
       if (!wrong[i]) good.push_back(edges[i]);
     contradicted_ = static_cast<int>(edges.size() - good.size());
     const auto spanned = span_poses(world + 1, good, world);
-    with_board_ = spanned.T_root_node[at(world)].has_value();
-    if (spanned.nodes < 2)
+    with_board_ = spanned.nodes > 1 && spanned.T_root_node[at(world)].has_value();
+    root_ = spanned.root;
+    poses_.assign(data_.size(), std::nullopt);
+    if (spanned.nodes < 2) return;
+    poses_.assign(spanned.T_root_node.begin(), spanned.T_root_node.end() - 1);
+  }
+
+  // Views that no depth and no board ties follow by the points that the others see.
+  void grow(const ViewMatcher& matcher) {
+    const auto grown = grow_poses(data_, matcher.pairs(), with_board_, o_, poses_, run_.part(0.75, 0.8));
+    out_.report.counts["views_by_points"] = grown.added;
+    unscaled_ = grown.start >= 0;
+    if (unscaled_) root_ = grown.start;
+    if (std::ranges::none_of(poses_, [](const auto& p) { return p.has_value(); }))
       throw bad_input("no two of the views show the same thing",
                       fmt::format("at least {} matches between two views", o_.min_matches),
                       "Take views that overlap by half or more, with texture in them.");
-    root_ = spanned.root;
-    poses_.assign(spanned.T_root_node.begin(), spanned.T_root_node.end() - 1);
   }
 
   void solve(const ViewMatcher& matcher) {
@@ -158,13 +176,33 @@ class Estimator {
     BundleOptions options;
     options.fixed_view = with_board_ ? -1 : root_;
     options.free_depth = with_board_;
+    options.hold_scale = unscaled_;
     options.free_focal = o_.refine_focal;
     options.learn_depth_sigma = !o_.depth_noise;
-    const auto report = adjust(b, options, run_.part(0.75, 0.98));
+    const auto report = adjust(b, options, run_.part(0.8, 0.98));
+    out_.report.counts["iterations"] = report.iterations;
     if (!report.converged)
       out_.report.find(Severity::look, "adjustment_failed",
                        "the bundle adjustment found no solution, and the first poses are kept: " + report.message);
+    if (unscaled_)
+      set_unit_scale();
+    else
+      sigmas_ = pose_sigmas(b, options.fixed_view);
     keep_tracked();
+  }
+
+  // Without depth and board the median distance of the points becomes 1.
+  void set_unit_scale() {
+    auto& b = made_.bundle;
+    std::vector<double> distances;
+    for (const auto& o : b.observations)
+      distances.push_back((b.points[at(o.point)] - b.T_world_camera[at(o.view)].translation()).norm());
+    const double unit = distances.empty() ? 1 : median(std::move(distances));
+    for (auto& p : b.points) p /= unit;
+    for (auto& T : b.T_world_camera) T.translation() /= unit;
+    out_.report.find(Severity::refused, "no_scale",
+                     "the views have neither depth nor a board: lengths are in units of the median distance of the "
+                     "points, not in metres");
   }
 
   // A pair whose motion is far from the first poses has matched two places that look alike.
@@ -174,8 +212,8 @@ class Estimator {
     for (auto& p : pairs) {
       if (!p.connected() || !poses_[at(p.view_a)] || !poses_[at(p.view_b)]) continue;
       const Pose gap = p.T_b_a.inverse() * poses_[at(p.view_b)]->inverse() * *poses_[at(p.view_a)];
-      if (so3_log(Eigen::Quaterniond(gap.linear())).norm() > far_rad || gap.translation().norm() > shift)
-        p.kept.clear();
+      const bool moved = !p.by_rays && gap.translation().norm() > shift;
+      if (moved || so3_log(Eigen::Quaterniond(gap.linear())).norm() > far_rad) p.kept.clear();
     }
   }
 
@@ -191,7 +229,7 @@ class Estimator {
     }
     auto& report = out_.report;
     report.facts["world_axes"] = with_board_ ? "board" : "first_view";
-    report.facts["scale_source"] = with_board_ ? "board" : "depth";
+    report.facts["scale_source"] = with_board_ ? "board" : (unscaled_ ? "none" : "depth");
     if (with_board_ && any_depth()) {
       report.metrics["depth_scale"] = {made_.bundle.depth_scale * corrected_, Unit::none};
       report.metrics["depth_bias_mm"] = {1000 * made_.bundle.depth_bias * corrected_, Unit::millimetre};
@@ -202,64 +240,8 @@ class Estimator {
   }
 
   void tell(const ViewMatcher& matcher) {
-    auto& report = out_.report;
-    const auto residuals = residuals_of(made_.bundle);
-    out_.tracking = tracking_table(views_, data_, matcher.pairs(), states_, residuals);
-    out_.matches = match_table(views_, data_, matcher);
-    out_.points = sparse_cloud(made_);
-    out_.poses.axes = Axes::map;
-    std::vector<int> lost;
-    for (std::size_t v = 0; v < data_.size(); ++v) {
-      if (poses_[v])
-        out_.poses.poses.push_back({views_.time_s(v), *poses_[v]});
-      else
-        lost.push_back(static_cast<int>(v));
-    }
-    for (const char* key : {"world_axes", "scale_source"}) {
-      out_.poses.facts[key] = report.facts[key];
-      out_.points.facts[key] = report.facts[key];
-    }
-    set_fact(out_.poses.facts, o_.source == PoseSource::given ? PoseOrigin::given : PoseOrigin::estimated);
-    tell_counts(matcher, residuals, lost);
-    tell_lost(lost);
-  }
-
-  void tell_counts(const ViewMatcher& matcher, const std::vector<ViewResidual>& residuals,
-                   const std::vector<int>& lost) {
-    auto& report = out_.report;
-    const auto tracked = static_cast<std::int64_t>(data_.size() - lost.size());
-    std::int64_t connected = 0, boards = 0;
-    for (const auto& p : matcher.pairs()) connected += p.connected() ? 1 : 0;
-    for (const auto& d : data_) boards += d.board ? 1 : 0;
-    std::vector<double> pixels;
-    for (std::size_t v = 0; v < data_.size(); ++v)
-      if (std::isfinite(residuals[v].pixel)) pixels.push_back(residuals[v].pixel);
-    report.counts["views"] = static_cast<std::int64_t>(data_.size());
-    report.counts["tracked"] = tracked;
-    report.counts["lost"] = static_cast<std::int64_t>(lost.size());
-    report.counts["pairs_tried"] = static_cast<std::int64_t>(matcher.pairs().size());
-    report.counts["pairs_connected"] = connected;
-    report.counts["pairs_contradicted"] = contradicted_;
-    report.counts["loops"] = matcher.loops();
-    report.counts["views_with_board"] = boards;
-    report.counts["tracks"] = made_.tracks;
-    report.counts["points"] = static_cast<std::int64_t>(out_.points.size());
-    report.counts["observations"] = static_cast<std::int64_t>(made_.bundle.observations.size());
-    if (!pixels.empty()) report.metrics["residual_px"] = {median(std::move(pixels)), Unit::pixel};
-    const auto axes = report.facts["world_axes"];
-    report.message = fmt::format(
-        "{} of {} views {}; axes of {}", tracked, data_.size(),
-        o_.source == PoseSource::given ? "have a given pose" : "tracked",
-        axes == "board" ? "the board" : (axes == "given" ? "the given poses" : "the first view, scale from depth"));
-  }
-
-  void tell_lost(const std::vector<int>& lost) {
-    if (lost.empty()) return;
-    const bool given = o_.source == PoseSource::given;
-    out_.report.find(given ? Severity::note : Severity::look, given ? "views_without_pose" : "tracking_lost",
-                     fmt::format("{} {} of {} views: {}. {}", given ? "no pose is given for" : "tracking lost at",
-                                 lost.size(), data_.size(), names_of(views_, lost),
-                                 given ? "They are left out" : "The largest connected part is kept"));
+    tell_poses({views_, data_, matcher, poses_, states_, made_, sigmas_, o_.source == PoseSource::given, contradicted_},
+               out_);
   }
 
   const ViewSource& views_;
@@ -269,9 +251,10 @@ class Estimator {
   std::vector<std::optional<Pose>> poses_;
   std::vector<TrackingState> states_;
   MadeBundle made_;
+  std::vector<PoseSigma> sigmas_;
   EstimatedPoses out_;
   double depth_ratio_ = 1, corrected_ = 1;
-  bool with_board_ = false;
+  bool with_board_ = false, unscaled_ = false;
   int root_ = 0, contradicted_ = 0;
 };
 

@@ -17,6 +17,8 @@ namespace {
 constexpr double max_skew = 1e-3;    // of a rotation matrix from orthonormal
 constexpr double good_error_px = 3;  // median, in an image 1280 wide
 constexpr double reference_width = 1280;
+constexpr double max_scale_gap = 0.02;  // between given poses and board
+constexpr double min_baseline = 0.05;   // metres between two views that tell a scale
 constexpr double clearly_better = 0.5;  // of the error, that another convention must reach
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -32,6 +34,13 @@ struct Convention {
   std::function<Pose(const Pose&)> apply;
 };
 
+// Distance of a ray of `b` from the plane of a ray of `a` and the shift, on the plane z = 1: all that can be told
+// without depth.
+double line_error(const Pose& T_b_a, const Eigen::Vector3d& ray_a, const Eigen::Vector3d& ray_b) {
+  const Eigen::Vector3d line = T_b_a.translation().cross(T_b_a.linear() * ray_a);
+  return std::abs(line.dot(ray_b)) / line.head<2>().norm();
+}
+
 // Median over all matches of how far they lie from where the poses put them.
 double error_px(const std::vector<std::optional<Pose>>& poses, const std::vector<ViewData>& data,
                 const std::vector<MatchedPair>& pairs, const Convention& convention, double scale) {
@@ -45,7 +54,11 @@ double error_px(const std::vector<std::optional<Pose>>& poses, const std::vector
     const auto &a = data[at(pair.view_a)], &b = data[at(pair.view_b)];
     for (const auto& m : pair.kept) {
       const auto &fa = a.features.features[m.a], &fb = b.features.features[m.b];
-      if (!(fa.inverse_depth > 0)) continue;
+      if (!(fa.inverse_depth > 0)) {
+        const double line = line_error(T_b_a, fa.direction, fb.direction);
+        if (std::isfinite(line)) errors.push_back(line * std::abs(b.camera->color.fx));
+        continue;
+      }
       const auto seen = b.camera->color.project(T_b_a * (fa.direction / fa.inverse_depth));
       errors.push_back(seen ? (*seen - fb.pixel).norm() : std::numeric_limits<double>::max());
     }
@@ -130,6 +143,31 @@ void check_given(const std::vector<std::optional<Pose>>& poses, const std::vecto
                           "the poses and the depth put them{}. Check the poses, the camera and the depth scale, or set "
                           "source=slam",
                           as_given, hint));
+}
+
+void check_given_scale(const std::vector<std::optional<Pose>>& poses, const std::vector<ViewData>& data,
+                       Report& report) {
+  std::vector<std::size_t> seen;
+  for (std::size_t v = 0; v < data.size(); ++v)
+    if (poses[v] && data[v].board && !data[v].board->ambiguous) seen.push_back(v);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    for (std::size_t j = i + 1; j < seen.size(); ++j) {
+      const double given = (poses[seen[i]]->translation() - poses[seen[j]]->translation()).norm();
+      const double board =
+          (data[seen[i]].board->T_board_camera.translation() - data[seen[j]].board->T_board_camera.translation())
+              .norm();
+      if (board >= min_baseline) ratios.push_back(given / board);
+    }
+  constexpr std::size_t enough = 3;
+  if (ratios.size() < enough) return;
+  const double ratio = median(std::move(ratios));
+  report.metrics["given_to_board"] = {ratio, Unit::none};
+  if (std::abs(ratio - 1) > max_scale_gap)
+    report.find(Severity::look, "given_scale",
+                fmt::format("distances between the given poses are {:.4g} times what the board says. Check the unit of "
+                            "the poses and square_mm in mat.json",
+                            ratio));
 }
 
 }  // namespace bole::rgbd

@@ -17,4 +17,9 @@ std::vector<std::optional<Pose>> take_given(const ViewSource& views, const Traje
 void check_given(const std::vector<std::optional<Pose>>& poses, const std::vector<ViewData>& data,
                  const std::vector<MatchedPair>& pairs, Report& report);
 
+// Compares the distances between the views with those that the board gives. A finding names the ratio where it is off
+// by more than 2 %.
+void check_given_scale(const std::vector<std::optional<Pose>>& poses, const std::vector<ViewData>& data,
+                       Report& report);
+
 }  // namespace bole::rgbd

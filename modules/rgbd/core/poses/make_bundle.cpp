@@ -1,47 +1,24 @@
 #include "rgbd/core/poses/make_bundle.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/no_number.h"
-#include "base/statistics.h"
+#include "rgbd/core/poses/start_points.h"
 
 namespace bole::rgbd {
 namespace {
 
 constexpr int tracks_per_cell = 5;
-constexpr int max_starts = 6;
-constexpr double min_parallax_rad = 0.015;
 constexpr double size_of_unit_sigma = 8;  // pixels: larger features are located less precisely
 constexpr double max_start_error_px = 200;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-struct Sight {
-  Eigen::Vector3d origin, ray;  // world axes; ray is a unit vector
-};
-
-std::optional<Eigen::Vector3d> meeting_point(const std::vector<Sight>& sights) {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  double parallax = 0;
-  for (const auto& s : sights) {
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - s.ray * s.ray.transpose();
-    A += across;
-    b += across * s.origin;
-    parallax = std::max(parallax, std::acos(std::clamp(s.ray.dot(sights.front().ray), -1.0, 1.0)));
-  }
-  if (parallax < min_parallax_rad) return std::nullopt;
-  const Eigen::Vector3d p = A.ldlt().solve(b);
-  if (!p.allFinite()) return std::nullopt;
-  return p;
-}
-
 class Maker {
  public:
-  Maker(const std::vector<ViewData>& data, const std::vector<std::optional<Pose>>& poses) : data_(data), poses_(poses) {
+  Maker(const std::vector<ViewData>& data, const std::vector<std::optional<Pose>>& poses)
+      : data_(data), poses_(poses), start_(data, poses) {
     for (const auto& d : data) {
       features_.push_back(&d.features);
       cameras_.push_back(&d.camera->color);
@@ -68,39 +45,8 @@ class Maker {
  private:
   const Feature& feature(const TrackedFeature& t) const { return data_[at(t.view)].features.features[t.feature]; }
 
-  // Median distance in pixels from where the views saw the point.
-  double miss(const std::vector<TrackedFeature>& track, const Eigen::Vector3d& point) const {
-    std::vector<double> errors;
-    for (const auto& t : track) {
-      const auto seen = cameras_[at(t.view)]->project(poses_[at(t.view)]->inverse() * point);
-      errors.push_back(seen ? (*seen - feature(t).pixel).norm() : std::numeric_limits<double>::infinity());
-    }
-    return upper_median(std::move(errors));
-  }
-
-  std::optional<Eigen::Vector3d> start(const std::vector<TrackedFeature>& track) const {
-    std::optional<Eigen::Vector3d> best;
-    double least = max_start_error_px;
-    const auto consider = [&](const Eigen::Vector3d& p) {
-      if (const double e = miss(track, p); e < least) {
-        least = e;
-        best = p;
-      }
-    };
-    int tried = 0;
-    std::vector<Sight> sights;
-    for (const auto& t : track) {
-      const auto& f = feature(t);
-      const auto& T = *poses_[at(t.view)];
-      sights.push_back({T.translation(), (T.linear() * f.direction).normalized()});
-      if (f.inverse_depth > 0 && tried++ < max_starts) consider(T * (f.direction / f.inverse_depth));
-    }
-    if (const auto p = meeting_point(sights)) consider(*p);
-    return best;
-  }
-
   void add_track(const std::vector<TrackedFeature>& track) {
-    const auto p = start(track);
+    const auto p = start_.of(track, max_start_error_px);
     if (!p) return;
     auto& b = made_.bundle;
     const int point = static_cast<int>(b.points.size());
@@ -114,6 +60,7 @@ class Maker {
 
   const std::vector<ViewData>& data_;
   const std::vector<std::optional<Pose>>& poses_;
+  const StartPoints start_;
   std::vector<const Features*> features_;
   std::vector<const CameraModel*> cameras_;
   MadeBundle made_;

@@ -146,12 +146,12 @@ void ViewMatcher::match_overlapping(const std::vector<std::optional<Pose>>& pose
   std::vector<std::vector<double>> score(views.size(), std::vector<double>(views.size(), 0));
   for (std::size_t i = 0; i < views.size(); ++i) {
     run.check_cancel();
-    for (std::size_t j = 0; j < views.size(); ++j) {
-      if (std::abs(views[i] - views[j]) <= o_.neighbours) continue;
+    tbb::parallel_for(std::size_t{0}, views.size(), [&](std::size_t j) {
+      if (std::abs(views[i] - views[j]) <= o_.neighbours) return;
       const double share =
           overlap(data_[at(views[i])], *poses[at(views[i])], data_[at(views[j])], *poses[at(views[j])]);
       if (share >= min_overlap) score[i][j] = share;
-    }
+    });
   }
   match_all(best_partners(score, views, o_.loops), run, "matching loops");
 }

@@ -73,7 +73,10 @@ const OptionTable& option_table(const PoseOptions*) {
                            "out. auto: decided from the motions in the images."},
       Option<S, bool>{"refine_focal", &S::refine_focal, Tier::advanced,
                       "Estimates one factor of the focal lengths along with the poses. Needs a board or good depth."},
-      OnlyIf{"source", {"slam"}, {"use_board", "turntable", "refine_focal", "loops"}},
+      Option<S, bool>{"allow_unscaled", &S::allow_unscaled, Tier::advanced,
+                      "Also finds poses where there is neither depth nor a board. Lengths are then in units of the "
+                      "median distance of the points, not in metres."},
+      OnlyIf{"source", {"slam"}, {"use_board", "turntable", "refine_focal", "loops", "allow_unscaled"}},
   });
   return table;
 }

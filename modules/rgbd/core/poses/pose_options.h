@@ -25,13 +25,14 @@ struct PoseOptions {
   double max_ratio = 0.8;
   bool gms = true;
   double max_match_error = 4;  // pixels in an image 1280 wide
-  int min_matches = 15;
+  int min_matches = 12;
   int neighbours = 5;
   int loops = 6;
   std::optional<double> depth_noise;  // metres at 1 m
   bool use_board = true;
   Turntable turntable = Turntable::automatic;
   bool refine_focal = false;
+  bool allow_unscaled = false;
 };
 
 const OptionTable& option_table(const PoseOptions*);

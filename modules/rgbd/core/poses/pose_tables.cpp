@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "base/angles.h"
+
 namespace bole::rgbd {
 namespace {
 
@@ -75,10 +77,11 @@ class MatchRows {
 }  // namespace
 
 Table tracking_table(const ViewSource& views, const std::vector<ViewData>& data, const std::vector<MatchedPair>& pairs,
-                     const std::vector<TrackingState>& states, const std::vector<ViewResidual>& residuals) {
+                     const std::vector<TrackingState>& states, const std::vector<ViewResidual>& residuals,
+                     const std::vector<PoseSigma>& sigmas) {
   const std::size_t n = data.size();
   std::vector<std::int64_t> view(n), features(n), matches(n, 0), inliers(n), corners(n);
-  std::vector<double> time(n), pixel(n), depth(n);
+  std::vector<double> time(n), pixel(n), depth(n), place(n, no_number), turn(n, no_number);
   std::vector<std::string> name(n), state(n);
   for (const auto& p : pairs)
     for (const int v : {p.view_a, p.view_b}) matches[at(v)] += static_cast<std::int64_t>(p.kept.size());
@@ -92,6 +95,9 @@ Table tracking_table(const ViewSource& views, const std::vector<ViewData>& data,
     corners[v] = residuals[v].corners;
     pixel[v] = residuals[v].pixel;
     depth[v] = 1000 * residuals[v].depth;
+    if (v >= sigmas.size()) continue;
+    place[v] = 1000 * sigmas[v].place;
+    turn[v] = degrees(sigmas[v].turn_rad);
   }
   Table t;
   t.set("view", std::move(view));
@@ -104,6 +110,8 @@ Table tracking_table(const ViewSource& views, const std::vector<ViewData>& data,
   t.set("corners", std::move(corners));
   t.set("residual_px", std::move(pixel));
   t.set("residual_depth_mm", std::move(depth));
+  t.set("place_sd_mm", std::move(place));
+  t.set("turn_sd_deg", std::move(turn));
   return t;
 }
 

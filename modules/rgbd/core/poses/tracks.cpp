@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 namespace bole::rgbd {
 namespace {
@@ -11,47 +13,70 @@ constexpr int cells_x = 12, cells_y = 8;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+// Joins features as long as no two of one view come together.
+class Joiner {
+ public:
+  explicit Joiner(const std::vector<const Features*>& features) : features_(features), first_(features.size() + 1, 0) {
+    for (std::size_t v = 0; v < features.size(); ++v) first_[v + 1] = first_[v] + features[v]->size();
+    parent_.resize(first_.back());
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    members_.resize(parent_.size());
+    for (int v = 0; v < static_cast<int>(features.size()); ++v)
+      for (std::uint32_t f = 0; f < features[at(v)]->size(); ++f) members_[first_[at(v)] + f] = {{v, f}};
+  }
+
+  void join(const TrackedFeature& one, const TrackedFeature& other) {
+    std::size_t a = find(node(one)), b = find(node(other));
+    if (a == b || share_a_view(members_[a], members_[b])) return;
+    if (a > b) std::swap(a, b);
+    parent_[b] = a;
+    members_[a].insert(members_[a].end(), members_[b].begin(), members_[b].end());
+    std::ranges::sort(members_[a], {}, &TrackedFeature::view);
+    members_[b].clear();
+    members_[b].shrink_to_fit();
+  }
+
+  std::vector<std::vector<TrackedFeature>> tracks() {
+    std::erase_if(members_, [](const auto& t) { return t.size() < 2; });
+    std::ranges::stable_sort(members_, std::greater{}, [](const auto& t) { return t.size(); });
+    return std::move(members_);
+  }
+
+ private:
+  std::size_t node(const TrackedFeature& t) const {
+    return first_[at(t.view)] + features_[at(t.view)]->features[t.feature].place;
+  }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  static bool share_a_view(const std::vector<TrackedFeature>& a, const std::vector<TrackedFeature>& b) {
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      if (a[i].view == b[j].view) return true;
+      ++(a[i].view < b[j].view ? i : j);
+    }
+    return false;
+  }
+
+  const std::vector<const Features*>& features_;
+  std::vector<std::size_t> first_, parent_;
+  std::vector<std::vector<TrackedFeature>> members_;  // of the joined features, at their first one
+};
+
 }  // namespace
 
 std::vector<std::vector<TrackedFeature>> join_tracks(const std::vector<const Features*>& features,
                                                      const std::vector<MatchedPair>& pairs,
                                                      const std::vector<std::optional<Pose>>& poses) {
-  std::vector<std::size_t> first(features.size() + 1, 0);
-  for (std::size_t v = 0; v < features.size(); ++v) first[v + 1] = first[v] + features[v]->size();
-  std::vector<std::size_t> parent(first.back());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto find = [&](std::size_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  const auto node = [&](int view, std::uint32_t f) { return first[at(view)] + features[at(view)]->features[f].place; };
-  for (const auto& p : pairs) {
-    if (!poses[at(p.view_a)] || !poses[at(p.view_b)]) continue;
-    for (const auto& m : p.kept) {
-      const auto a = find(node(p.view_a, m.a)), b = find(node(p.view_b, m.b));
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  std::vector<int> track_of(parent.size(), -1);
-  std::vector<std::vector<TrackedFeature>> tracks;
-  for (int v = 0; v < static_cast<int>(features.size()); ++v)
-    for (std::uint32_t f = 0; f < features[at(v)]->size(); ++f) {
-      if (features[at(v)]->features[f].place != f) continue;
-      const auto root = find(first[at(v)] + f);
-      if (root == first[at(v)] + f) {
-        track_of[root] = static_cast<int>(tracks.size());
-        tracks.emplace_back();
-      }
-      tracks[at(track_of[root])].push_back({v, f});
-    }
-  std::erase_if(tracks, [](const auto& t) {
-    if (t.size() < 2) return true;
-    for (std::size_t i = 1; i < t.size(); ++i)
-      if (t[i].view == t[i - 1].view) return true;
-    return false;
-  });
-  std::ranges::stable_sort(tracks, std::greater{}, [](const auto& t) { return t.size(); });
-  return tracks;
+  Joiner joiner(features);
+  // The pairs with most matches first: what they join is what weaker pairs must fit.
+  std::vector<const MatchedPair*> order;
+  for (const auto& p : pairs)
+    if (poses[at(p.view_a)] && poses[at(p.view_b)]) order.push_back(&p);
+  std::ranges::stable_sort(order, std::greater{}, [](const auto* p) { return p->kept.size(); });
+  for (const auto* p : order)
+    for (const auto& m : p->kept) joiner.join({p->view_a, m.a}, {p->view_b, m.b});
+  return joiner.tracks();
 }
 
 std::vector<std::vector<TrackedFeature>> spread_tracks(const std::vector<std::vector<TrackedFeature>>& tracks,

@@ -14,8 +14,8 @@ struct TrackedFeature {
   std::uint32_t feature = 0;
 };
 
-// Joins matches to tracks: features of different views, at most one of each. Where matches lead to two features of one
-// view, the whole track is left out. In a fixed order, longest first. Views without a pose take no part.
+// Joins matches to tracks: features of different views, at most one of each: a match that would bring two features of
+// one view together is left out. In a fixed order, longest first. Views without a pose take no part.
 std::vector<std::vector<TrackedFeature>> join_tracks(const std::vector<const Features*>& features,
                                                      const std::vector<MatchedPair>& pairs,
                                                      const std::vector<std::optional<Pose>>& poses);

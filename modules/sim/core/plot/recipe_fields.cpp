@@ -83,6 +83,14 @@ PlantPositions RecipeReader::positions_in(const Json& json, const std::string& p
   return rows;
 }
 
+Span RecipeReader::span_in(const Json& json, const std::string& path, double min, double max) {
+  const bool two_numbers = json.is_array() && json.size() == 2 && json[0].is_number() && json[1].is_number();
+  const Span span = two_numbers ? Span{json[0].get<double>(), json[1].get<double>()} : Span{};
+  if (!two_numbers || !(span.min >= min && span.min <= span.max && span.max <= max))
+    throw wrong_field(path, json, "[smallest, largest] from " + number_text(min) + " to " + number_text(max));
+  return span;
+}
+
 std::vector<std::string> recipe_names(const std::string& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(resource_path(folder)))

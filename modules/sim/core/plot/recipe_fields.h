@@ -18,6 +18,11 @@ namespace bole::sim {
 
 using PlantPositions = std::vector<std::vector<Eigen::Vector2d>>;  // by row, metres
 
+// A range that a value is drawn from; in a recipe [smallest, largest].
+struct Span {
+  double min = 0, max = 0;
+};
+
 template <class T>
 inline constexpr bool is_recipe_list = false;
 template <class T>
@@ -41,6 +46,8 @@ class RecipeReader {
       value = static_cast<T>(choice_in(*it, path, choice_names(T{})));
     } else if constexpr (std::is_same_v<T, PlantPositions>) {
       value = positions_in(*it, path);
+    } else if constexpr (std::is_same_v<T, Span>) {
+      value = span_in(*it, path, min, max);
     } else if constexpr (is_recipe_list<T>) {
       value.clear();
       for (std::size_t i = 0; i < list_size(*it, path, max); ++i) {
@@ -67,6 +74,7 @@ class RecipeReader {
   static double number_in(const nlohmann::json& json, const std::string& path, bool whole, double min, double max);
   static std::size_t list_size(const nlohmann::json& json, const std::string& path, double max);
   static PlantPositions positions_in(const nlohmann::json& json, const std::string& path);
+  static Span span_in(const nlohmann::json& json, const std::string& path, double min, double max);
 
   const nlohmann::json& json_;
   std::string path_;
@@ -83,6 +91,8 @@ class RecipeWriter {
       json_[name] = choice_name(value);
     } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
       json_[name] = value;
+    } else if constexpr (std::is_same_v<T, Span>) {
+      json_[name] = {value.min, value.max};
     } else if constexpr (is_recipe_list<T>) {
       json_[name] = nlohmann::json::array();
       for (const auto& entry : value) {

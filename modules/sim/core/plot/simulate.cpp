@@ -71,13 +71,16 @@ void write_truth(const SimulationOptions& options, const Forest& forest, const V
 }
 
 void write_inertial(const SimulationOptions& options, const Walk& walk, const fs::path& dir) {
+  const fs::path file = dir / "imu.csv";
+  // A unit of an older simulation would fit by its times, and SLAM would take it.
+  fs::remove(file);
   if (options.imu == ImuGrade::none) return;
   auto record = simulate_imu([&](double t) { return walk.pose(t); }, walk.duration_s(), simulation_epoch_s,
                              {errors_of(options.imu), options.imu_rate, options.imu_time_offset},
                              static_cast<std::uint64_t>(options.seed));
   record.name = "simulated " + std::string(choice_name(options.imu)) + " unit";
   if (!options.imu_mount_known) record.T_sensor_imu.reset();
-  write_imu(record, dir / "imu.csv");
+  write_imu(record, file);
 }
 
 Report report_of(const PlotRecipe& recipe, const Forest& forest, const PlotScene& scene, const RayScene& rays,

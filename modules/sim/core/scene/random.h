@@ -33,7 +33,16 @@ enum class Stream : std::uint64_t {
   wet,
   second_return,
   calibration,
-  clock
+  clock,
+  // Of seedlings before a camera.
+  seedling = 64,
+  seedling_leaves,
+  surroundings,
+  texture,
+  camera_route,
+  picture,
+  depth_sensor,
+  sway
 };
 
 class Random : public bole::Random {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
 
 #include "base/angles.h"
 #include "base/option.h"
@@ -13,7 +14,7 @@ constexpr double max_offset_s = 0.5, coarse_step_s = 0.01, fine_step_s = 0.002;
 constexpr std::size_t min_frames = 30, min_checked_frames = 15;
 constexpr double max_turn_sigma_rad = radians(1.5), max_lever_sigma = 0.05;
 constexpr double lever_prior = 0.3, accelerometer_prior = 0.3, gravity_prior = 12;
-// A frame that was registered alone lags: its motion is drawn to that of the frame before it. Measured on simulated
+// A frame that was registered alone lags: its prior is the motion of the frame before it. Measured on simulated
 // walks: 2 ms for frames of 0.1 s.
 constexpr double frame_lag = 0.02;
 // Rates that fit this badly are not of the same motion.
@@ -59,6 +60,8 @@ struct Fit {
   Eigen::Matrix3d R_sensor_imu = Eigen::Matrix3d::Identity();
   Eigen::Vector3d bias = Eigen::Vector3d::Zero();
   double residual2 = 0, signal2 = 0;  // sums of squares
+  // What both instruments saw turn, in squared rates: noise is not in it, since theirs have nothing in common.
+  Eigen::Matrix3d shared = Eigen::Matrix3d::Zero();  // axes of the sensor
 };
 
 // sensor = R (unit - bias), both centred.
@@ -73,6 +76,8 @@ Fit fit_turn(const Pairs& pairs) {
   out.bias = mean_unit - out.R_sensor_imu.transpose() * mean_sensor;
   out.residual2 = (s - out.R_sensor_imu * u).squaredNorm();
   out.signal2 = s.squaredNorm();
+  const Eigen::Vector3d strength = svd.singularValues().cwiseProduct(signs).cwiseMax(0);
+  out.shared = svd.matrixU() * strength.asDiagonal() * svd.matrixU().transpose();
   return out;
 }
 
@@ -102,23 +107,29 @@ double best_offset(const RateIntegral& integral, const std::vector<TimedMotion>&
   return curve > 0 ? best + 0.5 * fine_step_s * (before - after) / curve : best;
 }
 
-// Standard deviations of turn and offset by their normal equations; the errors of frames are about independent.
+// Standard deviations of turn and offset by their normal equations; the errors of frames are about independent. Where
+// nothing turns, both instruments show noise. So the information about the turn is what they saw in common, and not the
+// sum of squares of either, which grows with every frame at rest.
 void judge_turn(const RateIntegral& integral, const std::vector<TimedMotion>& frames, const Fit& fit, Mount& out) {
-  Eigen::Matrix4d N = Eigen::Matrix4d::Zero();
   const Pairs here = pairs_at(integral, frames, out.time_offset_s),
               later = pairs_at(integral, frames, out.time_offset_s + fine_step_s);
-  const Eigen::Vector3d mean = here.sensor.rowwise().mean();
-  for (Eigen::Index k = 0; k < here.sensor.cols(); ++k) {
-    Eigen::Matrix<double, 3, 4> J;
-    J << skew(here.sensor.col(k) - mean), fit.R_sensor_imu * (later.unit.col(k) - here.unit.col(k)) / fine_step_s;
-    N += J.transpose() * J;
+  const Eigen::Vector3d mean = here.unit.rowwise().mean();
+  Eigen::Vector3d turn_clock = Eigen::Vector3d::Zero();
+  double clock = 1e-12;
+  for (Eigen::Index k = 0; k < here.unit.cols(); ++k) {
+    const Eigen::Vector3d by_clock = fit.R_sensor_imu * (later.unit.col(k) - here.unit.col(k)) / fine_step_s;
+    turn_clock += skew(fit.R_sensor_imu * (here.unit.col(k) - mean)).transpose() * by_clock;
+    clock += by_clock.squaredNorm();
   }
+  const Eigen::Matrix3d turn = fit.shared.trace() * Eigen::Matrix3d::Identity() - fit.shared,
+                        without_clock = turn - turn_clock * turn_clock.transpose() / clock;
   const double variance = fit.residual2 / std::max(1.0, 3.0 * static_cast<double>(frames.size()) - 7);
-  const Eigen::Matrix4d C = variance * (N + 1e-12 * Eigen::Matrix4d::Identity()).inverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(Eigen::Matrix3d(C.topLeftCorner<3, 3>()));
-  out.turn_sigma_rad = std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
+  const double weakest =
+      std::max(1e-12, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(without_clock).eigenvalues()[0]);
+  out.turn_sigma_rad = std::min(std::numbers::pi, std::sqrt(variance / weakest));
+  const double rest = clock - turn_clock.dot((turn + 1e-12 * Eigen::Matrix3d::Identity()).ldlt().solve(turn_clock));
   const double frame_s = frames.front().end_s - frames.front().begin_s;
-  out.time_sigma_s = std::hypot(std::sqrt(std::max(0.0, C(3, 3))), frame_lag * frame_s);
+  out.time_sigma_s = std::hypot(std::sqrt(variance / std::max(rest, 1e-12)), frame_lag * frame_s);
 }
 
 // Changes of velocity between frames that follow each other: the places of the unit are p + R l. Unknowns: lever arm,
@@ -147,6 +158,7 @@ void find_lever(const InertialMeasurements& data, const std::vector<TimedMotion>
                               R0 * (a.velocity - a.shift / T0) - R1 * b.shift / T1;
     equations.emplace_back(J, e);
   }
+  out.lever_sigma = lever_prior;
   if (equations.size() < min_frames) return;
   Vector9 x = Vector9::Zero();
   double sigma = 0.05;
@@ -228,7 +240,7 @@ MountCheck check_mount(const InertialRecord& record, const std::vector<TimedMoti
   shown.time_offset_s = time_offset_s;
   judge_turn(integral, frames, fit, shown);
   out.sigma_rad = shown.turn_sigma_rad;
-  out.judged = out.sigma_rad < max_sigma_rad;
+  out.judged = out.sigma_rad < max_sigma_rad && fit.residual2 < (1 - min_correlation) * fit.signal2;
   out.off_rad = Eigen::AngleAxisd(record.T_sensor_imu->linear().transpose() * fit.R_sensor_imu).angle();
   return out;
 }
