@@ -46,7 +46,10 @@ Trained train(const SceneViews& views, const FieldOptions& options) {
 
 TEST(Field, ShowsViewsThatWereKeptBack) {
   const SceneViews views({});
-  const auto t = train(views, small_options());
+  auto options = small_options();
+  options.steps = 400;
+  options.rays = 2048;
+  const auto t = train(views, options);
   EXPECT_GT(t.field.psnr, 25);
   EXPECT_EQ(t.field.held_out.rows(), 3U);
   const auto psnr = t.field.progress.numbers("psnr_db");
