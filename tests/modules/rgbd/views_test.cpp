@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/statistics.h"
 #include "rgbd/core/board/charuco_board.h"
 #include "rgbd/core/features/depth_lookup.h"
 #include "rgbd/core/features/extract_features.h"
@@ -106,19 +107,23 @@ TEST(DepthLookup, AnotherDepthCameraGivesTheDepthOfTheColourPixel) {
   View view;
   views.read(0, view, {});
   const DepthLookup lookup(view.depth, camera.camera);
-  int read = 0, wrong = 0;
+  int wrong = 0;
+  std::vector<double> errors;
   for (int y = 20; y < 460; y += 7)
     for (int x = 20; x < 620; x += 7) {
       const auto direction = camera.camera.color.direction(Eigen::Vector2d(x, y));
       const auto w = lookup.inverse_depth(Eigen::Vector2d(x, y), direction);
       if (!w) continue;
-      ++read;
       const auto& T = views.truth()[0];
       const double z = scene.cast(T.translation(), T.linear() * direction).t;
-      wrong += std::abs(1 / *w - z) > 0.0005;
+      errors.push_back(std::abs(1 / *w - z));
+      wrong += errors.back() > 0.0005;
     }
-  EXPECT_GT(read, 2000);
-  EXPECT_LT(wrong, read / 50);  // at edges that one camera sees and the other does not
+  ASSERT_GT(errors.size(), 2000U);
+  // Where two faces meet without a step one plane is laid through both; beside a step one camera sees what the other
+  // does not.
+  EXPECT_LT(wrong, static_cast<int>(errors.size()) / 20);
+  EXPECT_LT(median(std::move(errors)), 1e-5);
 }
 
 TEST(Features, LieWhereTheImageHasThem) {
