@@ -92,6 +92,10 @@ cv::Mat mask_of(const View& view, const cv::Size& size) {
 }  // namespace
 
 Features extract_features(const View& view, const RgbdCamera& camera, const FeatureOptions& options, bool use_mask) {
+  // OpenCV's threads give the features in an order that changes from run to run, and sums follow it. Views are worked
+  // on side by side already.
+  static const bool one_thread_each = (cv::setNumThreads(1), true);
+  (void)one_thread_each;
   Features out;
   out.kind = options.kind;
   if (view.color.empty()) return out;

@@ -55,21 +55,24 @@ class Solver {
     add_observations(problem, pixel_loss, depth_loss);
     add_known(problem, pixel_loss);
     if (o_.hold_scale) add_length(problem);
+    // Within a group the order is that of the addresses, which change from run to run, and with it the last digits: so
+    // all but the points, which lie side by side, have groups of their own.
     auto order = std::make_shared<ceres::ParameterBlockOrdering>();
+    int group = 0;
     for (auto& p : b_.points)
       if (problem.HasParameterBlock(p.data())) order->AddElementToGroup(p.data(), 0);
     for (std::size_t v = 0; v < q_.size(); ++v) {
       if (!problem.HasParameterBlock(q_[v].coeffs().data())) continue;
       problem.SetManifold(q_[v].coeffs().data(), &turns);
-      order->AddElementToGroup(q_[v].coeffs().data(), 1);
-      order->AddElementToGroup(t_[v].data(), 1);
+      order->AddElementToGroup(q_[v].coeffs().data(), ++group);
+      order->AddElementToGroup(t_[v].data(), ++group);
       if (!o_.fixed_poses && static_cast<int>(v) != o_.fixed_view) continue;
       problem.SetParameterBlockConstant(q_[v].coeffs().data());
       problem.SetParameterBlockConstant(t_[v].data());
     }
     for (double* shared : {depth_.data(), &focal_}) {
       if (!problem.HasParameterBlock(shared)) continue;
-      order->AddElementToGroup(shared, 1);
+      order->AddElementToGroup(shared, ++group);
       if (!(shared == &focal_ ? o_.free_focal : o_.free_depth)) problem.SetParameterBlockConstant(shared);
     }
     ceres::Solver::Options options;
