@@ -50,10 +50,11 @@ TEST(Field, ShowsViewsThatWereKeptBack) {
   options.steps = 400;
   options.rays = 2048;
   const auto t = train(views, options);
-  EXPECT_GT(t.field.psnr, 25);
+  // Voxels and pixels are 3 mm here and the table has sharp edges, so the limit is far below that of real pictures.
+  EXPECT_GT(t.field.psnr, 22.5);
   EXPECT_EQ(t.field.held_out.rows(), 3U);
   const auto psnr = t.field.progress.numbers("psnr_db");
-  EXPECT_GT(psnr.back(), psnr.front() + 1);
+  EXPECT_GT(psnr.back(), psnr.front() + 3);
 }
 
 TEST(Field, CloudLiesOnTheSurface) {
