@@ -88,7 +88,10 @@ std::vector<BoardShot> find_boards(const ViewSource& views, const BoardFacts& bo
         return;
       }
       if (markers) {
-        if (auto sighting = charuco->find(view.color, camera)) shot.corners = std::move(sighting->corners);
+        if (auto sighting = charuco->find(view.color, camera)) {
+          shot.corners = std::move(sighting->corners);
+          shot.layout = sighting->layout;
+        }
       } else {
         shot.corners = chessboard_corners(view.color, board);
       }

@@ -17,6 +17,7 @@ struct BoardShot {
   std::string name;
   std::size_t view = 0;              // in the source of views
   std::vector<BoardCorner> corners;  // points on the board in metres, z = 0
+  BoardLayout layout;                // by which a ChArUco board was counted
   std::string left_out;              // why it takes no part; empty: it does
 };
 

@@ -177,6 +177,10 @@ std::optional<StereoFit> take_infrared(const CalibrationInput& input, const Cali
   report.metrics["infrared_residual"] = {fit.rms_px, Unit::pixel};
   report.metrics["stereo_residual"] = {stereo.rms_px, Unit::pixel};
   report.counts["stereo_views"] = static_cast<std::int64_t>(stereo.views);
+  if (stereo.left_out > 0)
+    report.find(
+        Severity::look, "stereo_views_left_out",
+        std::to_string(stereo.left_out) + " pairs of views give the depth camera another place and are left out");
   rows.add_camera("depth_", fit.camera, fit.sd);
   rows.add_pose(stereo.T_color_other, stereo.sd);
   return stereo;

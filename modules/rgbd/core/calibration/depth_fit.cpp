@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t min_views = 4;
 constexpr std::size_t min_pixels = 60;
-constexpr std::size_t max_samples = 400;  // per view
-constexpr double max_sd_shift = 0.003;    // metres
-constexpr double max_sd_turn = 0.3 * std::numbers::pi / 180;
+constexpr std::size_t max_samples = 400;                      // per view
+constexpr double max_sd_shift = 0.003;                        // metres
+constexpr double max_sd_turn = 0.6 * std::numbers::pi / 180;  // 2 mm at 0.2 m from the axis
 
 struct Sample {
   std::size_t view = 0;  // in DepthFit::views
@@ -250,24 +250,29 @@ std::optional<DepthFit> fit_depth(const ViewSource& views, const std::vector<Boa
   }
   const bool own_pose = unknowns.pose && given.depth.has_value();
   const DepthFit start = fit;
-  fit.degree = unknowns.bias ? degree_for(collected.views) : -1;
-  PlaneFit whole(collected.samples, collected.views.size(), own_pose, fit.degree + 1);
-  fit.rms_before = whole.rms(start);
-  if (own_pose || fit.degree >= 0) whole.solve(fit);
-  fit.moved = own_pose;
+  const auto fitted = [&](int degree) {
+    DepthFit tried = start;
+    tried.degree = degree;
+    tried.moved = own_pose;
+    PlaneFit planes(collected.samples, collected.views.size(), own_pose, degree + 1);
+    tried.rms_before = planes.rms(start);
+    if (own_pose || degree >= 0) planes.solve(tried);
+    tried.rms_after = planes.rms(tried);
+    return tried;
+  };
+  // Bias and place of the camera explain one another in part: the bias gets as many coefficients as leave the place
+  // known.
+  int degree = unknowns.bias ? degree_for(collected.views) : -1;
+  fit = fitted(degree);
+  while (own_pose && !is_determined(fit) && degree >= 0) fit = fitted(--degree);
   if (own_pose && !is_determined(fit)) {
     report.find(Severity::look, "depth_to_color_open",
                 "the boards leave the place of the depth camera open (standard deviation " +
                     std::to_string(1000 * fit.sd_pose.tail<3>().maxCoeff()) +
-                    " mm): depth_to_color stays as given. Tilt the boards more");
-    const int degree = fit.degree;
+                    " mm): the depth stays as given. Tilt the boards more");
     fit = start;
-    fit.degree = degree;
-    PlaneFit rest(collected.samples, collected.views.size(), false, degree + 1);
-    fit.rms_before = rest.rms(start);
-    if (degree >= 0) rest.solve(fit);
+    fit.rms_before = fit.rms_after = PlaneFit(collected.samples, collected.views.size(), false, 0).rms(start);
   }
-  fit.rms_after = whole.rms(fit);
   fit.views = std::move(collected.views);
   if (fit.moved)
     for (auto& v : fit.views) {  // as it is with the new pose

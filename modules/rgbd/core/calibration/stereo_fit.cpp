@@ -1,5 +1,6 @@
 #include "rgbd/core/calibration/stereo_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <opencv2/calib3d.hpp>
@@ -50,6 +51,36 @@ void add_pair(const BoardShot& a, const ShotFit& fit_a, const BoardShot& b, cons
   pairs.T_color_other.push_back(fit_a.T_camera_board * fit_b.T_camera_board.inverse());
 }
 
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+// Leaves out views whose own pose is far from the others': a board that one camera took for shifted by a square fits
+// that camera, and not the pair.
+void drop_strangers(Pairs& pairs) {
+  constexpr double min_apart = 0.01;  // metres
+  Eigen::Vector3d middle;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> values;
+    for (const auto& T : pairs.T_color_other) values.push_back(T.translation()[k]);
+    middle[k] = median_of(values);
+  }
+  std::vector<double> apart;
+  for (const auto& T : pairs.T_color_other) apart.push_back((T.translation() - middle).norm());
+  const double limit = std::max(min_apart, 5 * median_of(apart));
+  Pairs kept;
+  for (std::size_t i = 0; i < apart.size(); ++i) {
+    if (apart[i] > limit) continue;
+    kept.object.push_back(pairs.object[i]);
+    kept.color.push_back(pairs.color[i]);
+    kept.other.push_back(pairs.other[i]);
+    kept.T_color_other.push_back(pairs.T_color_other[i]);
+  }
+  pairs = std::move(kept);
+}
+
 // Standard error of the mean of the views' own poses about the common one.
 Vector6d scatter_of(const Pairs& pairs, const Pose& T_color_other) {
   Vector6d sum = Vector6d::Zero();
@@ -72,9 +103,13 @@ StereoFit fit_stereo(const ViewSource& color_views, const std::vector<BoardShot>
     for (std::size_t b = 0; b < other_shots.size(); ++b) {
       const bool both = color_shots[a].left_out.empty() && other_shots[b].left_out.empty();
       const double apart_s = color_views.time_s(color_shots[a].view) - other_views.time_s(other_shots[b].view);
-      if (both && std::abs(apart_s) <= same_time_s)
+      // Counted otherwise, the board is shifted by a square.
+      const bool same = color_shots[a].layout == other_shots[b].layout;
+      if (both && same && std::abs(apart_s) <= same_time_s)
         add_pair(color_shots[a], color.shots[a], other_shots[b], other.shots[b], pairs);
     }
+  const auto common = pairs.object.size();
+  if (common > 0) drop_strangers(pairs);
   if (pairs.object.size() < min_views)
     throw bad_input(std::to_string(pairs.object.size()) + " views of the board were taken by both cameras",
                     std::to_string(min_views) + " at least, at the same times");
@@ -94,6 +129,7 @@ StereoFit fit_stereo(const ViewSource& color_views, const std::vector<BoardShot>
   }
   fit.T_color_other.linear() = Eigen::Quaterniond(turn).normalized().toRotationMatrix();
   fit.views = pairs.object.size();
+  fit.left_out = common - fit.views;
   fit.sd = scatter_of(pairs, fit.T_color_other);
   return fit;
 }

@@ -10,6 +10,7 @@ struct StereoFit {
   Vector6d sd = Vector6d::Zero();  // rotation (rad), translation (m): from the scatter between views
   double rms_px = 0;
   std::size_t views = 0;
+  std::size_t left_out = 0;  // whose pose is far from the others'
 };
 
 // The cameras are known (fit_camera). Views belong together by their times, to half the least distance of times. Throws

@@ -246,17 +246,20 @@ CameraFit fit_camera(std::vector<BoardShot>& shots, int width, int height, const
     if (shot.left_out.empty() && (shot.corners.size() < min_corners || !is_spread(shot.corners)))
       shot.left_out = "too few corners";
   check_count(shots);
-  const auto fit_now = [&] {
+  const auto choose = [&] {
     run.check_cancel();
     return options.distortion ? fit_once(shots, width, height, *options.distortion)
                               : fit_of_least_criterion(shots, width, height, run);
   };
-  auto fit = fit_now();
+  auto fit = choose();
   const auto most = used(shots) / 3;
-  for (std::size_t dropped = 0; dropped < most && drop_worst(shots, fit, options.bad_view); ++dropped) {
+  std::size_t dropped = 0;
+  for (; dropped < most && drop_worst(shots, fit, options.bad_view); ++dropped) {
+    run.check_cancel();
     run.report(static_cast<double>(dropped + 1) / static_cast<double>(most + 1), "fitting the camera");
-    fit = fit_now();
+    fit = fit_once(shots, width, height, fit.terms);
   }
+  if (dropped > 0 && !options.distortion) fit = choose();
   check_fit(fit, used(shots));
   tell(fit, shots, report);
   return fit;
