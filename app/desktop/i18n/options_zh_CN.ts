@@ -1533,6 +1533,10 @@
             <comment>plant.traits</comment>
             <translation>植株编号</translation>
         </message>
+        <message>
+            <source>Scene</source>
+            <translation>场景</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3139,6 +3143,14 @@
         <message>
             <source>File with such a list, applied before edits.</source>
             <translation>包含此类列表的文件，先于 edits 应用。</translation>
+        </message>
+        <message>
+            <source>Draw the figures and write them as PNG, SVG and PDF.</source>
+            <translation>绘制插图,并写成 PNG、SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Write scene.ply: all points, with the part that each belongs to, beside cloud.ply, which has the plant alone.</source>
+            <translation>除只含植株的 cloud.ply 外,另写 scene.ply:全部点及其所属部位。</translation>
         </message>
 </context>
     <context>

@@ -175,6 +175,10 @@
             <source>Edit the plant</source>
             <translation>编辑植株</translation>
         </message>
+        <message>
+            <source>Write the seedling</source>
+            <translation>写出幼苗结果</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -349,6 +353,10 @@
         <message>
             <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
             <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
+        </message>
+        <message>
+            <source>Writes what was measured of a seedling into the output folder: traits.csv and the other tables, plant.xlsx, trajectory.tum (camera to world), cloud.ply (the plant), scene.ply (all points with their parts), field.json (how well the field shows views that were held out), figures, and report.html. Inputs that are not connected are left out.</source>
+            <translation>将幼苗的测量结果写入输出文件夹:traits.csv 及其他表格、plant.xlsx、trajectory.tum(相机到世界)、cloud.ply(植株)、scene.ply(全部点及其部位)、field.json(辐射场对留出视图的再现程度)、插图和 report.html。未连接的输入会被略去。</translation>
         </message>
 </context>
 </TS>
