@@ -206,19 +206,11 @@ TEST(Calibrate, RealCornersOfPhenomenal) {
   }
   ASSERT_EQ(shots.size(), 43u);
   Report report;
-  for (const auto terms :
-       {DistortionTerms::k1, DistortionTerms::k1_k2, DistortionTerms::k1_k2_p1_p2, DistortionTerms::all}) {
-    auto copy = shots;
-    Report r;
-    std::printf("%d %s\n", static_cast<int>(terms),
-                refusal([&] {
-                  const auto f = fit_camera(copy, 2056, 2454, {.distortion = terms, .bad_view = 100}, bole::Run{}, r);
-                  std::printf("rms %.4f fx %.1f sd %.1f\n", f.rms_px, f.camera.fx, f.sd[0]);
-                }).c_str());
-  }
   const auto fit = fit_camera(shots, 2056, 2454, {.bad_view = 100}, bole::Run{}, report);
   RecordProperty("residual_milli_px", static_cast<int>(1000 * fit.rms_px));
-  EXPECT_LT(fit.rms_px, 0.12);
+  // A fit with all coefficients reaches 0.108 px, with a distortion that folds the corners of the image, where no board
+  // was: it is refused. One coefficient reaches 0.126 px.
+  EXPECT_LT(fit.rms_px, 0.13);
 }
 
 // --- Rendered boards
