@@ -14,7 +14,7 @@ namespace bole::render {
 namespace {
 
 constexpr std::int32_t plant_part = 1;
-constexpr std::size_t max_dots = 40000;  // a vector figure with more opens slowly
+constexpr std::size_t max_plant_dots = 40000, max_other_dots = 10000;  // a vector figure with more opens slowly
 constexpr double panel_gap_mm = 4;
 
 struct Dot {
@@ -41,11 +41,14 @@ Drawn gather(const PointCloud& cloud) {
   const auto part = column_or(cloud, "part", plant_part);
   const auto red = column_or(cloud, "red", 20000), green = column_or(cloud, "green", 30000),
              blue = column_or(cloud, "blue", 20000);
-  const std::size_t step = std::max<std::size_t>(1, cloud.size() / max_dots);
+  const auto plants = static_cast<std::size_t>(std::ranges::count(part, static_cast<double>(plant_part)));
+  const std::size_t plant_step = std::max<std::size_t>(1, plants / max_plant_dots),
+                    other_step = std::max<std::size_t>(1, (cloud.size() - plants) / max_other_dots);
+  std::size_t seen_plants = 0, seen_others = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const bool plant = part[i] == plant_part;
     if (plant) out.extent.extend(cloud.position(i));
-    if (i % step != 0) continue;
+    if (plant ? seen_plants++ % plant_step != 0 : seen_others++ % other_step != 0) continue;
     const Color color{red[i] / 65535, green[i] / 65535, blue[i] / 65535};
     out.dots.push_back({cloud.position(i), plant ? color : mix(ink::paper, color, 0.35), plant});
   }
@@ -85,15 +88,20 @@ void draw_dots(Canvas& canvas, const Frame& frame, const Drawn& drawn, int verti
   for (const auto& dot : order) canvas.dots(std::array{frame.map(dot.at.x(), dot.at[vertical_axis])}, 0.35, dot.color);
 }
 
-void draw_rectangle(Canvas& canvas, const Frame& frame, const Traits& t) {
-  if (!t.centre.allFinite() || !std::isfinite(t.angle + t.length + t.width)) return;
-  const Eigen::Vector2d along(std::cos(t.angle), std::sin(t.angle)), across(-along.y(), along.x());
+// Corners of the rectangle around the plant in plan; none where it was not measured.
+std::vector<Eigen::Vector2d> corners_of(const Traits& t) {
   std::vector<Eigen::Vector2d> corners;
-  for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-    const Eigen::Vector2d p = t.centre + a * t.length / 2 * along + b * t.width / 2 * across;
-    corners.push_back(frame.map(p.x(), p.y()));
-  }
-  canvas.polygon(corners, {}, Stroke{ink::accent, 0.4});
+  if (!t.centre.allFinite() || !std::isfinite(t.angle + t.length + t.width)) return corners;
+  const Eigen::Vector2d along(std::cos(t.angle), std::sin(t.angle)), across(-along.y(), along.x());
+  for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    corners.emplace_back(t.centre + a * t.length / 2 * along + b * t.width / 2 * across);
+  return corners;
+}
+
+void draw_rectangle(Canvas& canvas, const Frame& frame, const Traits& t) {
+  auto corners = corners_of(t);
+  for (auto& p : corners) p = frame.map(p.x(), p.y());
+  if (!corners.empty()) canvas.polygon(corners, {}, Stroke{ink::accent, 0.4});
 }
 
 void label(Canvas& canvas, const Eigen::Vector2d& at, const std::string& text, HAlign h) {
@@ -128,6 +136,7 @@ Figure plant_drawing(const PlantDrawing& data, double width_mm) {
   Eigen::AlignedBox3d extent = drawn.extent;
   if (extent.isEmpty()) extent = Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(0.1));
   if (traits.base.allFinite()) extent.extend(traits.base - Eigen::Vector3d(0, 0, 0.03));
+  for (const auto& p : corners_of(traits)) extent.extend(Eigen::Vector3d(p.x(), p.y(), extent.center().z()));
   const double reach = 0.55 * std::max({extent.sizes().x(), extent.sizes().y(), 0.05});
   const double panel_mm = (width_mm - 2 * axis_space_left_mm - panel_gap_mm - 4) / 2;
   const double scale = panel_mm / (2 * reach);  // millimetres of paper per metre
