@@ -55,10 +55,10 @@ FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& po
                       "Check the region, the poses and the depth scale");
   }
   if (views.has_depth() && voxel > options.voxel * 1.001)
-    report.find(Severity::look, "voxel_enlarged",
-                fmt::format("Voxels of {:.2f} mm need more than {} MiB: {:.2f} mm were used. Give a smaller region or "
-                            "more memory.",
-                            options.voxel * 1000, options.max_memory_mib, voxel * 1000));
+    report.warn(
+        fmt::format("Voxels of {:.2f} mm need more than {} MiB: {:.2f} mm were used. Give a smaller region or "
+                    "more memory.",
+                    options.voxel * 1000, options.max_memory_mib, voxel * 1000));
   report.metrics["voxel"] = {voxel, Unit::metre};
   report.counts["blocks"] = static_cast<std::int64_t>(space.block_count());
   return space;
