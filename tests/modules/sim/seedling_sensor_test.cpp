@@ -239,6 +239,28 @@ TEST(SeedlingRoutes, CamerasLookAtThePlantFromAllSides) {
   }
 }
 
+TEST(SeedlingRoutes, TopAndFootOfATallPlantAreInManyViews) {
+  auto o = scene_options(SeedlingRoute::orbit);
+  o.plant = "citrus_tall";
+  const auto scene = build_seedling_scene(o);
+  Eigen::Vector3d top = scene.plant.foot;
+  for (const auto& part : scene.picture.world)
+    for (const auto& p : part.positions)
+      if (static_cast<double>(p.z()) > top.z()) top = p.cast<double>();
+  ASSERT_GT(top.z() - scene.plant.foot.z(), 0.4);
+  int tops = 0, feet = 0;
+  for (const auto& view : scene.route) {
+    const auto in_view = [&](const Eigen::Vector3d& at) {
+      const auto pixel = scene.camera.color.project(view.pose.T_world_camera.inverse() * at);
+      return pixel && scene.camera.color.contains(*pixel);
+    };
+    tops += in_view(top) ? 1 : 0;
+    feet += in_view(scene.plant.foot) ? 1 : 0;
+  }
+  EXPECT_GE(tops, 20);  // of 60
+  EXPECT_GE(feet, 20);
+}
+
 TEST(SeedlingRoutes, BehindATurntableTheRoomStandsStill) {
   auto scene = build_seedling_scene(scene_options(SeedlingRoute::turntable));
   const PixelDirections pixels(scene.camera.color);

@@ -33,7 +33,10 @@ class RoutePlan {
     Random random(seed, Stream::camera_route);
     const double tan_half = 0.5 * camera.height / camera.fy;
     // What a view must show, and no nearer than a depth camera sees.
-    distance_ = r.distance > 0 ? r.distance : std::clamp(1.12 * r.top / (2 * tan_half), 0.36, 0.75);
+    const double needed = 1.12 * r.top;
+    distance_ = r.distance > 0 ? r.distance : std::clamp(needed / (2 * tan_half), 0.36, 0.80);
+    // What does not fit into one view is shown by looking up and down along the route.
+    nod_ = 0.5 * std::clamp(needed - 2 * tan_half * distance_, 0.0, 0.6 * r.top);
     rings_ = r.kind == SeedlingRoute::turntable ? 1 : r.views >= 45 && r.kind == SeedlingRoute::orbit ? 3 : 2;
     start_ = random.angle();
     side_ = random.chance(0.5) ? 1 : -1;
@@ -72,8 +75,9 @@ class RoutePlan {
     const double azimuth = start_ + side_ * (two_pi * t / per_ring + 0.3 * ring);
     const double elevation = between(elevation_) + wander_[1].at(t);
     const double distance = distance_ * between(nearer_) + wander_[0].at(t);
-    const Eigen::Vector3d target(r_.middle.x() + wander_[3].at(t), r_.middle.y() + wander_[4].at(t),
-                                 r_.top * between(look_) + wander_[5].at(t));
+    const Eigen::Vector3d target(
+        r_.middle.x() + wander_[3].at(t), r_.middle.y() + wander_[4].at(t),
+        r_.top * between(look_) + wander_[5].at(t) + nod_ * std::sin(two_pi * 5.5 * t / r_.views));
     const Eigen::Vector3d out(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
     Pose T = looking(target + distance * out, target);
@@ -96,7 +100,7 @@ class RoutePlan {
 
  private:
   RouteRequest r_;
-  double distance_ = 0.5, start_ = 0;
+  double distance_ = 0.5, start_ = 0, nod_ = 0;
   int rings_ = 1, side_ = 1;
   std::array<double, 3> elevation_{}, nearer_{}, look_{};
   std::array<RouteWave, 6> wander_{};
