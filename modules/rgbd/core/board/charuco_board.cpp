@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "rgbd/core/board/board_layout.h"
 #include "rgbd/core/board/corner_check.h"
 #include "rgbd/core/features/gray_image.h"
 
@@ -54,30 +55,8 @@ cv::Ptr<cv::aruco::Dictionary> dictionary_of(const std::string& name) {
   throw bad_input("the board's dictionary is '" + name + "'", "one of " + known);
 }
 
-struct Marker {
-  int id = 0;
-  std::array<Eigen::Vector2d, 4> pixels, plane;  // in the image; on the plane z = 1 of the camera
-};
-
-// A square by its column from the left and its row from below.
-struct Square {
-  int column = 0, row = 0;
-};
-
-using SquareOfMarker = std::map<int, Square>;
-
-SquareOfMarker squares_of(const BoardFacts& facts, const BoardLayout& layout) {
-  SquareOfMarker out;
-  int id = 0;
-  for (int r = 0; r < facts.rows; ++r)
-    for (int c = 0; c < facts.columns; ++c)
-      if (((r + c) % 2 == 0) != layout.first_square_black)
-        out[id++] = {c, layout.from_upper_row ? facts.rows - 1 - r : r};
-  return out;
-}
-
 // The corners of a marker on the board, clockwise as it is seen, from its upper left.
-std::array<Eigen::Vector2d, 4> corners_of(const BoardFacts& facts, const Square& at) {
+std::array<Eigen::Vector2d, 4> corners_of(const BoardFacts& facts, const BoardSquare& at) {
   const Eigen::Vector2d centre((at.column + 0.5) * facts.square, (at.row + 0.5) * facts.square);
   const double h = facts.marker / 2;
   return {centre + Eigen::Vector2d(-h, h), centre + Eigen::Vector2d(h, h), centre + Eigen::Vector2d(h, -h),
@@ -100,7 +79,7 @@ Eigen::Matrix3d homography(const std::vector<cv::Point2f>& from, const std::vect
   return out;
 }
 
-Explained explain(const BoardFacts& facts, const BoardLayout& layout, const std::vector<Marker>& markers,
+Explained explain(const BoardFacts& facts, const BoardLayout& layout, const std::vector<BoardMarker>& markers,
                   double tolerance) {
   Explained out;
   out.layout = layout;
@@ -131,7 +110,7 @@ class CornerSearch {
   CornerSearch(const BoardFacts& facts, const BoardLayout& layout, const cv::Mat& gray, const CameraModel& camera)
       : facts_(facts), layout_(layout), gray_(gray), camera_(camera) {}
 
-  std::optional<BoardCorner> find(const Square& at, const Eigen::Matrix3d& H, double max_move) const {
+  std::optional<BoardCorner> find(const BoardSquare& at, const Eigen::Matrix3d& H, double max_move) const {
     const double x = at.column * facts_.square, y = at.row * facts_.square;
     const double margin = (facts_.square - facts_.marker) / 2;
     const auto start = to_pixel(H, x, y), along_x = to_pixel(H, x + margin, y), along_y = to_pixel(H, x, y + margin);
@@ -170,16 +149,11 @@ class CornerSearch {
 
 }  // namespace
 
-std::string describe(const BoardLayout& layout) {
-  return std::string("first square ") + (layout.first_square_black ? "black" : "white") +
-         ", markers counted from the " + (layout.from_upper_row ? "upper" : "lower") + " row";
-}
-
 struct CharucoBoard::Parts {
   BoardFacts facts;
   cv::Ptr<cv::aruco::Dictionary> dictionary;
 
-  std::vector<Marker> markers_in(const cv::Mat& image, const CameraModel& camera) const {
+  std::vector<BoardMarker> markers_in(const cv::Mat& image, const CameraModel& camera) const {
     cv::Mat gray = image;
     const bool small = image.cols < small_image;
     if (small) cv::resize(image, gray, {}, 2, 2, cv::INTER_CUBIC);
@@ -189,9 +163,9 @@ struct CharucoBoard::Parts {
     std::vector<std::vector<cv::Point2f>> corners;
     std::vector<int> ids;
     cv::aruco::detectMarkers(gray, dictionary, corners, ids, parameters);
-    std::vector<Marker> out;
+    std::vector<BoardMarker> out;
     for (std::size_t i = 0; i < ids.size(); ++i) {
-      Marker m;
+      BoardMarker m;
       m.id = ids[i];
       for (std::size_t k = 0; k < 4; ++k) {
         m.pixels[k] = {static_cast<double>(corners[i][k].x), static_cast<double>(corners[i][k].y)};
@@ -200,22 +174,12 @@ struct CharucoBoard::Parts {
       }
       out.push_back(m);
     }
-    std::ranges::sort(out, {}, [](const Marker& m) { return std::tuple(m.id, m.pixels[0].x(), m.pixels[0].y()); });
+    std::ranges::sort(out, {}, [](const BoardMarker& m) { return std::tuple(m.id, m.pixels[0].x(), m.pixels[0].y()); });
     return out;
   }
 
-  Explained best_layout(const std::vector<Marker>& markers, double tolerance) const {
-    Explained best;
-    for (const bool same : {true, false})
-      for (const bool upper : {true, false}) {
-        auto e = explain(facts, {facts.first_square_black == same, upper}, markers, tolerance);
-        if (e.markers.size() > best.markers.size()) best = std::move(e);
-      }
-    return best;
-  }
-
   // Corners of chess squares next to a marker that was seen.
-  std::vector<Square> visible_corners(const Explained& seen, const std::vector<Marker>& markers) const {
+  std::vector<BoardSquare> visible_corners(const Explained& seen, const std::vector<BoardMarker>& markers) const {
     const auto squares = squares_of(facts, seen.layout);
     std::map<std::pair<int, int>, int> touched;
     for (const std::size_t m : seen.markers) {
@@ -223,7 +187,7 @@ struct CharucoBoard::Parts {
       for (const int dr : {0, 1})
         for (const int dc : {0, 1}) ++touched[{s.row + dr, s.column + dc}];
     }
-    std::vector<Square> out;
+    std::vector<BoardSquare> out;
     for (const auto& [at, count] : touched)
       if (at.first > 0 && at.first < facts.rows && at.second > 0 && at.second < facts.columns)
         out.push_back({at.second, at.first});
@@ -252,7 +216,8 @@ std::optional<BoardSighting> CharucoBoard::find(const ColorImage& color, const C
   if (color.empty()) return std::nullopt;
   const cv::Mat gray = gray_image(color);
   const auto markers = parts_->markers_in(gray, camera);
-  const auto seen = parts_->best_layout(markers, homography_tolerance_px / std::abs(camera.fx));
+  const auto seen = explain(parts_->facts, layout_of_markers(parts_->facts, markers), markers,
+                            homography_tolerance_px / std::abs(camera.fx));
   if (seen.markers.size() < min_markers) return std::nullopt;
 
   BoardSighting out;
@@ -267,7 +232,7 @@ std::optional<BoardSighting> CharucoBoard::find(const ColorImage& color, const C
   const auto H = search.plane_of(out.corners);
   for (int row = 1; row < parts_->facts.rows; ++row)
     for (int column = 1; column < parts_->facts.columns; ++column) {
-      const auto same = [&](const Square& s) { return s.row == row && s.column == column; };
+      const auto same = [&](const BoardSquare& s) { return s.row == row && s.column == column; };
       if (std::ranges::any_of(next_to_markers, same)) continue;
       if (const auto c = search.find({column, row}, H, max_second_move_px)) out.corners.push_back(*c);
     }

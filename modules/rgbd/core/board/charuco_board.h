@@ -11,6 +11,7 @@
 #include "camera/camera_model.h"
 #include "camera/image.h"
 #include "cloud/core/view_source.h"
+#include "rgbd/core/board/board_layout.h"
 
 namespace bole::rgbd {
 
@@ -18,15 +19,6 @@ struct BoardCorner {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // on the board, metres
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
 };
-
-// Where the print begins: colour of its first square, and whether the markers are counted from the upper or the lower
-// row. Versions of OpenCV differ in both.
-struct BoardLayout {
-  bool first_square_black = true;
-  bool from_upper_row = true;
-  bool operator==(const BoardLayout&) const = default;
-};
-std::string describe(const BoardLayout& layout);
 
 struct BoardSighting {
   std::vector<BoardCorner> corners;  // of the chess squares, to a fraction of a pixel
@@ -44,8 +36,7 @@ class CharucoBoard {
   CharucoBoard(CharucoBoard&&) noexcept;
   CharucoBoard& operator=(CharucoBoard&&) noexcept;
 
-  // Nothing where fewer than two markers agree. The layout of `facts` is preferred; another one is taken only where it
-  // explains more markers.
+  // Nothing where fewer than two markers agree. The layout of the print is that of layout_of_markers().
   std::optional<BoardSighting> find(const ColorImage& color, const CameraModel& camera) const;
 
  private:
