@@ -18,7 +18,7 @@
 namespace bole::plant {
 namespace {
 
-using synthetic::SceneViews;
+using synthetic::PlantSceneViews;
 
 FieldOptions small_options() {
   FieldOptions o;
@@ -35,7 +35,7 @@ struct Trained {
   TrainedField field;
 };
 
-Trained train(const SceneViews& views, const FieldOptions& options) {
+Trained train(const PlantSceneViews& views, const FieldOptions& options) {
   Trained out;
   const auto posed = posed_views(views, views.given_poses(), 3, out.report);
   const auto given = region_from_text(options.region);
@@ -45,7 +45,7 @@ Trained train(const SceneViews& views, const FieldOptions& options) {
 }
 
 TEST(Field, ShowsViewsThatWereKeptBack) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   auto options = small_options();
   options.steps = 400;
   options.rays = 2048;
@@ -58,7 +58,7 @@ TEST(Field, ShowsViewsThatWereKeptBack) {
 }
 
 TEST(Field, CloudLiesOnTheSurface) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   auto t = train(views, small_options());
   const auto cloud = field_cloud(t.field, small_options(), bole::Run{}, t.report);
   ASSERT_GT(cloud.size(), 5000U);
@@ -71,13 +71,13 @@ TEST(Field, CloudLiesOnTheSurface) {
 }
 
 TEST(Field, SameResultWithOneThreadAndWithTwo) {
-  SceneViews::Settings settings;
+  PlantSceneViews::Settings settings;
   settings.views = 8;
   settings.width = 80;
   settings.height = 60;
   settings.focal = 75;
   settings.views = 12;
-  const SceneViews views(settings);
+  const PlantSceneViews views(settings);
   auto options = small_options();
   options.steps = 12;
   options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
@@ -92,9 +92,9 @@ TEST(Field, SameResultWithOneThreadAndWithTwo) {
 }
 
 TEST(Field, FinishKeepsTheBestSoFar) {
-  SceneViews::Settings settings;
+  PlantSceneViews::Settings settings;
   settings.views = 8;
-  const SceneViews views(settings);
+  const PlantSceneViews views(settings);
   Report report;
   const auto options = small_options();
   const auto posed = posed_views(views, views.given_poses(), 3, report);
@@ -110,12 +110,12 @@ TEST(Field, FinishKeepsTheBestSoFar) {
 }
 
 TEST(Field, KeptFieldRendersTheSame) {
-  SceneViews::Settings settings;
+  PlantSceneViews::Settings settings;
   settings.views = 10;
   settings.width = 80;
   settings.height = 60;
   settings.focal = 75;
-  const SceneViews views(settings);
+  const PlantSceneViews views(settings);
   for (const auto kind : {EncoderKind::grid, EncoderKind::hash, EncoderKind::paper}) {
     auto options = small_options();
     options.encoder = kind;
@@ -137,12 +137,12 @@ TEST(Field, KeptFieldRendersTheSame) {
 }
 
 TEST(Field, DamagedFieldsAreRefused) {
-  SceneViews::Settings settings;
+  PlantSceneViews::Settings settings;
   settings.views = 10;
   settings.width = 40;
   settings.height = 30;
   settings.focal = 37;
-  const SceneViews views(settings);
+  const PlantSceneViews views(settings);
   auto options = small_options();
   options.voxel = 0.02;
   options.steps = 1;
@@ -169,7 +169,7 @@ TEST(Field, DamagedFieldsAreRefused) {
 
 // Poses that are off by a few millimetres come closer to the truth, and the scale stays.
 TEST(Field, PosesAreRefined) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   Report report;
   auto poses = views.given_poses();
   Random random(5, 5);
@@ -205,12 +205,12 @@ struct Problem {
 };
 
 Problem problem(EncoderKind kind) {
-  SceneViews::Settings s;
+  PlantSceneViews::Settings s;
   s.views = 10;
   s.width = 80;
   s.height = 60;
   s.focal = 75;
-  const SceneViews views(s);
+  const PlantSceneViews views(s);
   FieldOptions options;
   options.voxel = 0.02;
   options.steps = 3;
