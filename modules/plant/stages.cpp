@@ -1,6 +1,7 @@
 // Registers the stages of the module plant.
 #include "pipeline/stage.h"
 #include "plant/core/edits/apply_plant_edits.h"
+#include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/render_view.h"
@@ -89,8 +90,7 @@ pipeline::StageType field_stage() {
     pipeline::StageResult result;
     auto& report = result.report;
     const auto posed = posed_views(views, inputs.trajectory("poses"), 3, report);
-    const auto given = region_from_text(options.region);
-    const auto region = given ? *given : find_region(views, posed, options.min_share, run, report);
+    const auto region = field_region(views, posed, options, run, report);
     auto field = train_field(views, posed, region, options, run.part(0, 0.8), report);
     auto points = field_cloud(field, options, run.part(0.8, 1), report);
     if (points.empty())

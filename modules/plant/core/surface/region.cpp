@@ -8,9 +8,13 @@
 #include <unordered_map>
 
 #include "base/error.h"
+#include "base/random.h"
 
 namespace bole::plant {
 namespace {
+
+constexpr std::size_t min_cells = 20;
+constexpr double ground_tolerance = 0.6;  // edges of a cell
 
 struct Cell {
   int points = 0, views = 0, last_view = -1;
@@ -94,21 +98,28 @@ std::optional<Region> region_from_text(const std::string& text) {
   return box;
 }
 
-Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
-                   Report& report) {
-  if (!views.has_depth()) {
-    const auto box = region_without_depth(views, posed);
-    report.facts["region_from"] = "lines of sight";
-    return box;
-  }
-  constexpr std::size_t max_views = 40;
-  const std::size_t stride = (posed.size() + max_views - 1) / max_views;
+namespace {
+
+// Middles of the cells of the common view that depth pixels of several views have filled.
+struct CommonView {
+  std::vector<Eigen::Vector3d> cells;
+  double edge = 0;  // of a cell
+};
+
+struct DepthPoints {
   std::vector<Eigen::Vector3d> points;
   std::vector<int> of_view;
+  int views = 0;
+  double median_distance = 0;
+};
+
+DepthPoints sparse_depth(const ViewSource& views, const std::vector<PosedView>& posed, const Run& run) {
+  constexpr std::size_t max_views = 40;
+  const std::size_t stride = (posed.size() + max_views - 1) / max_views;
+  DepthPoints out;
   std::vector<double> distances;
   View view;
-  int used = 0;
-  for (std::size_t i = 0; i < posed.size(); i += stride, ++used) {
+  for (std::size_t i = 0; i < posed.size(); i += stride, ++out.views) {
     run.check_cancel();
     views.read(posed[i].index, view, {.color = false, .depth = true, .mask = false});
     const auto& camera = views.camera(posed[i].index);
@@ -116,48 +127,130 @@ Region find_region(const ViewSource& views, const std::vector<PosedView>& posed,
     for (int y = 4; y < view.depth.height; y += 8)
       for (int x = 4; x < view.depth.width; x += 8)
         if (const double z = view.depth.at(x, y); z > 0 && std::isfinite(z)) {
-          points.emplace_back(T_world_depth * Eigen::Vector3d(camera.of_depth().direction({x, y}) * z));
-          of_view.push_back(used);
+          out.points.emplace_back(T_world_depth * Eigen::Vector3d(camera.of_depth().direction({x, y}) * z));
+          out.of_view.push_back(out.views);
           distances.push_back(z);
         }
   }
-  if (points.empty())
+  if (out.points.empty())
     throw bad_input("no view has a depth above zero", "views with depth", "Look at the depth images of the folder");
-  std::vector<double> sorted = distances;
-  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
-  const double median = sorted[sorted.size() / 2], cell = std::max(0.005, 0.02 * median);
+  std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2));
+  out.median_distance = distances[distances.size() / 2];
+  return out;
+}
+
+CommonView common_view(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
+                       Report& report) {
+  const auto depth = sparse_depth(views, posed, run);
+  CommonView out;
+  out.edge = std::max(0.005, 0.02 * depth.median_distance);
   std::unordered_map<std::uint64_t, Cell> cells;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    auto& c = cells[key_of(points[i], cell)];
+  for (std::size_t i = 0; i < depth.points.size(); ++i) {
+    auto& c = cells[key_of(depth.points[i], out.edge)];
     ++c.points;
-    c.sum += points[i];
-    if (c.last_view != of_view[i]) ++c.views;
-    c.last_view = of_view[i];
+    c.sum += depth.points[i];
+    if (c.last_view != depth.of_view[i]) ++c.views;
+    c.last_view = depth.of_view[i];
   }
-  const int min_views = used >= 6 ? 3 : std::min(used, 2);
+  const int min_views = depth.views >= 6 ? 3 : std::min(depth.views, 2);
   for (double share = min_share; share > 0.04; share /= 2) {
-    Region box{Eigen::Vector3d::Constant(std::numeric_limits<double>::max()),
-               Eigen::Vector3d::Constant(std::numeric_limits<double>::lowest())};
-    int kept = 0;
+    out.cells.clear();
     for (const auto& [key, c] : cells) {
       const Eigen::Vector3d middle = c.sum / c.points;
-      if (c.views < min_views || c.points < 3 || share_that_sees(views, posed, middle) < share) continue;
-      box.min = box.min.cwiseMin(middle);
-      box.max = box.max.cwiseMax(middle);
-      ++kept;
+      if (c.views >= min_views && c.points >= 3 && share_that_sees(views, posed, middle) >= share)
+        out.cells.push_back(middle);
     }
-    if (kept < 20) continue;
+    if (out.cells.size() < min_cells) continue;
     if (share < min_share)
       report.find(Severity::look, "little_common_view",
                   "Few places are seen by " + std::to_string(static_cast<int>(std::lround(100 * min_share))) +
                       " % of the views: the region holds what " +
                       std::to_string(static_cast<int>(std::lround(100 * share))) +
                       " % see. Give the region with the option 'region' where it is wrong.");
-    report.facts["region_from"] = "depth in the common view";
-    return {box.min.array() - 1.5 * cell, box.max.array() + 1.5 * cell};
+    // The order of a hash table must not decide anything.
+    std::ranges::sort(out.cells, [](const auto& a, const auto& b) {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    return out;
   }
   throw bad_input("no place is seen by several of the " + std::to_string(posed.size()) + " views",
                   "views that look at one plant", "Check the poses, or give the region with the option 'region'");
+}
+
+Region box_around(const std::vector<Eigen::Vector3d>& cells, double margin) {
+  Region box{cells.front(), cells.front()};
+  for (const auto& c : cells) {
+    box.min = box.min.cwiseMin(c);
+    box.max = box.max.cwiseMax(c);
+  }
+  return {box.min.array() - margin, box.max.array() + margin};
+}
+
+struct Ground {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // to the side of the cameras
+  double offset = 0;
+};
+
+// The plane that a quarter of the cells lie on, with next to nothing behind it as the cameras see it.
+std::optional<Ground> ground_of(const CommonView& common, const Eigen::Vector3d& cameras) {
+  constexpr int tries = 500;
+  constexpr double min_on_plane = 0.25, max_behind = 0.05;
+  Random random(31, common.cells.size());
+  const auto pick = [&] { return common.cells[random.next() % common.cells.size()]; };
+  const auto total = static_cast<double>(common.cells.size());
+  std::optional<Ground> best;
+  std::ptrdiff_t most = 0;
+  for (int k = 0; k < tries; ++k) {
+    const Eigen::Vector3d a = pick(), b = pick(), c = pick();
+    Eigen::Vector3d normal = (b - a).cross(c - a);
+    if (normal.norm() < 4 * common.edge * common.edge) continue;
+    normal.normalize();
+    if (normal.dot(cameras - a) < 0) normal = -normal;
+    const Ground ground{normal, normal.dot(a)};
+    const auto height = [&](const Eigen::Vector3d& p) { return normal.dot(p) - ground.offset; };
+    const auto on = std::ranges::count_if(
+        common.cells, [&](const auto& p) { return std::abs(height(p)) < ground_tolerance * common.edge; });
+    if (on <= most || static_cast<double>(on) < min_on_plane * total) continue;
+    const auto behind =
+        std::ranges::count_if(common.cells, [&](const auto& p) { return height(p) < -2 * common.edge; });
+    if (static_cast<double>(behind) > max_behind * total) continue;
+    most = on;
+    best = ground;
+  }
+  return best;
+}
+
+}  // namespace
+
+Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
+                   Report& report) {
+  if (!views.has_depth()) {
+    const auto box = region_without_depth(views, posed);
+    report.facts["region_from"] = "lines of sight";
+    return box;
+  }
+  const auto common = common_view(views, posed, min_share, run, report);
+  report.facts["region_from"] = "depth in the common view";
+  return box_around(common.cells, 1.5 * common.edge);
+}
+
+Region find_standing_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share,
+                            const Run& run, Report& report) {
+  if (!views.has_depth()) return find_region(views, posed, min_share, run, report);
+  const auto common = common_view(views, posed, min_share, run, report);
+  Eigen::Vector3d cameras = Eigen::Vector3d::Zero();
+  for (const auto& v : posed) cameras += v.T_world_camera.translation() / static_cast<double>(posed.size());
+  std::vector<Eigen::Vector3d> standing;
+  const auto ground = ground_of(common, cameras);
+  for (const auto& p : common.cells) {
+    const double height = ground ? ground->normal.dot(p) - ground->offset : 0;
+    if (height < 2 * ground_tolerance * common.edge) continue;
+    standing.push_back(p);
+    if (height < 5 * common.edge) standing.push_back(p - height * ground->normal);  // the foot
+  }
+  const bool found = standing.size() >= min_cells;
+  report.facts["region_from"] = found ? "what stands on a plane" : "depth in the common view";
+  return box_around(found ? standing : common.cells, 1.5 * common.edge);
 }
 
 }  // namespace bole::plant

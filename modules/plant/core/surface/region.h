@@ -26,4 +26,9 @@ std::optional<Region> region_from_text(const std::string& text);
 Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
                    Report& report);
 
+// The same, cut down to what stands on the plane that fills much of it: a pot on its table, without the rest of the
+// table. The whole region where there is no such plane, or no depth.
+Region find_standing_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share,
+                            const Run& run, Report& report);
+
 }  // namespace bole::plant
