@@ -49,6 +49,22 @@ Truth truth_of(const PottedPlant& plant) {
   return t;
 }
 
+// Along a long outline the smallest rectangle keeps its turn, and errors of its sides are all that moves it.
+TEST(PlanRectangle, ErrorsOfTheOutlineMayTurnIt) {
+  constexpr double side_sd = 0.5e-3;
+  std::vector<Eigen::Vector2d> bar, triangle;
+  for (int i = 0; i <= 100; ++i)
+    for (const double y : {-0.02, 0.02}) bar.emplace_back(-0.1 + 0.002 * i, y);
+  const auto straight = rectangle_scatter(bar, side_sd, 0.0125);
+  EXPECT_NEAR(straight.length, std::sqrt(2.0) * side_sd, 0.6 * side_sd);
+  // Around a triangle the rectangles along its three sides have one area: 200 x 120, 170 x 141 and 144 x 166 mm.
+  const std::array<Eigen::Vector2d, 3> corners{{{0, 0}, {0.2, 0}, {0.08, 0.12}}};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int i = 0; i < 100; ++i) triangle.push_back(corners[k] + 0.01 * i * (corners[(k + 1) % 3] - corners[k]));
+  const auto turning = rectangle_scatter(triangle, side_sd, 0.0125);
+  EXPECT_GT(turning.length, 10 * straight.length);
+}
+
 TEST(Traits, HeightAndBreadthOfANoisyCloud) {
   for (const double noise : {0.0002, 0.0006, 0.0012}) {
     PottedPlant plant;
