@@ -46,6 +46,7 @@ pipeline::StageType fuse_stage() {
     if (points.empty())
       result.report.find(Severity::refused, "no_surface",
                          "The depth images show no surface in the region: check the poses and the depth scale.");
+    points.facts[std::string(region_fact)] = text_of(region);
     SurfaceMesh mesh;
     if (options.mesh) mesh = surface_mesh(grid, options.min_weight);
     result.report.counts["points"] = static_cast<std::int64_t>(points.size());
@@ -96,6 +97,7 @@ pipeline::StageType field_stage() {
     if (points.empty())
       report.find(Severity::refused, "no_points",
                   "No two views agree on a surface: check the poses, the region and the number of views.");
+    points.facts[std::string(region_fact)] = text_of(region);
     result.outputs.set("points", std::move(points));
     result.outputs.set("field", store_field(field.model, field.views.front()));
     field.poses.axes = inputs.trajectory("poses").axes;

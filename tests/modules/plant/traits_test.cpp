@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "plant/core/separate/separate.h"
+#include "plant/core/surface/region.h"
 #include "plant/core/traits/extents.h"
 #include "synthetic/potted_plant_views.h"
 
@@ -83,6 +85,36 @@ TEST(Traits, HeightAndBreadthOfANoisyCloud) {
     EXPECT_NEAR(cell(t, "breadth_length_mm"), 1000 * truth.length, 0.01 * 1000 * truth.length);
     EXPECT_NEAR(cell(t, "breadth_width_mm"), 1000 * truth.width, 0.01 * 1000 * truth.width);
   }
+}
+
+// The upper part of the plant is outside of what was reconstructed: the height must not look measured.
+TEST(Traits, APlantThatIsCutOffHasOnlyLowerBounds) {
+  const PottedPlant plant;
+  auto separated = separate(cloud_of(plant, {}), nullptr, false, {}, {});
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < separated.points.size(); ++i) box.extend(separated.points.position(i));
+  const auto text = [](const Eigen::AlignedBox3d& b) { return text_of({b.min(), b.max()}); };
+  TraitInputs in;
+  in.points = &separated.points;
+  auto wide = box;
+  wide.min().array() -= 0.02;
+  wide.max().array() += 0.02;
+  separated.points.facts[std::string(region_fact)] = text(wide);
+  const auto whole = measure_traits(in, {}, {});
+  EXPECT_TRUE(std::isfinite(cell(whole.traits, "height_hi_mm")));
+  auto low = wide;
+  low.max().z() = box.max().z() - 0.03;
+  const auto [kept, cut] = std::pair{low, text(low)};
+  std::vector<std::uint32_t> inside;
+  for (std::uint32_t i = 0; i < separated.points.size(); ++i)
+    if (kept.contains(separated.points.position(i))) inside.push_back(i);
+  separated.points = separated.points.subset(inside);
+  separated.points.facts[std::string(region_fact)] = cut;
+  const auto part = measure_traits(in, {}, {});
+  EXPECT_FALSE(std::isfinite(cell(part.traits, "height_hi_mm")));
+  EXPECT_TRUE(std::isfinite(cell(part.traits, "breadth_length_hi_mm")));
+  EXPECT_THAT(part.report.findings, testing::Contains(testing::Field(&Finding::code, "plant_cut_off")));
+  EXPECT_THAT(part.report.message, testing::HasSubstr("height at least"));
 }
 
 TEST(Traits, PlacesAreThoseOfThePlant) {

@@ -1,5 +1,7 @@
 #include "plant/core/surface/region.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <charconv>
@@ -14,7 +16,8 @@ namespace bole::plant {
 namespace {
 
 constexpr std::size_t min_cells = 20;
-constexpr double ground_tolerance = 0.6;  // edges of a cell
+constexpr double ground_tolerance = 0.6;   // edges of a cell
+constexpr double min_share_beyond = 0.12;  // of the views: for the top of a plant that many pictures cut off
 
 struct Cell {
   int points = 0, views = 0, last_view = -1;
@@ -100,10 +103,11 @@ std::optional<Region> region_from_text(const std::string& text) {
 
 namespace {
 
-// Middles of the cells of the common view that depth pixels of several views have filled.
+// Middles of the cells that depth pixels of several views have filled.
 struct CommonView {
-  std::vector<Eigen::Vector3d> cells;
-  double edge = 0;  // of a cell
+  std::vector<Eigen::Vector3d> cells;   // that the asked share of the views sees
+  std::vector<Eigen::Vector3d> beyond;  // that fewer see, but not next to none
+  double edge = 0;                      // of a cell
 };
 
 struct DepthPoints {
@@ -155,10 +159,15 @@ CommonView common_view(const ViewSource& views, const std::vector<PosedView>& po
   const int min_views = depth.views >= 6 ? 3 : std::min(depth.views, 2);
   for (double share = min_share; share > 0.04; share /= 2) {
     out.cells.clear();
+    out.beyond.clear();
     for (const auto& [key, c] : cells) {
+      if (c.views < min_views || c.points < 3) continue;
       const Eigen::Vector3d middle = c.sum / c.points;
-      if (c.views >= min_views && c.points >= 3 && share_that_sees(views, posed, middle) >= share)
+      const double seen = share_that_sees(views, posed, middle);
+      if (seen >= share)
         out.cells.push_back(middle);
+      else if (seen >= std::min(min_share_beyond, share))
+        out.beyond.push_back(middle);
     }
     if (out.cells.size() < min_cells) continue;
     if (share < min_share)
@@ -168,9 +177,10 @@ CommonView common_view(const ViewSource& views, const std::vector<PosedView>& po
                       std::to_string(static_cast<int>(std::lround(100 * share))) +
                       " % see. Give the region with the option 'region' where it is wrong.");
     // The order of a hash table must not decide anything.
-    std::ranges::sort(out.cells, [](const auto& a, const auto& b) {
-      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
+    for (auto* each : {&out.cells, &out.beyond})
+      std::ranges::sort(*each, [](const auto& a, const auto& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+      });
     return out;
   }
   throw bad_input("no place is seen by several of the " + std::to_string(posed.size()) + " views",
@@ -220,7 +230,42 @@ std::optional<Ground> ground_of(const CommonView& common, const Eigen::Vector3d&
   return best;
 }
 
+// What stands on the ground: cells of the common view, and those that are connected with them although fewer views see
+// them. Empty without a ground.
+std::vector<Eigen::Vector3d> standing_cells(const CommonView& common, const std::vector<PosedView>& posed) {
+  Eigen::Vector3d cameras = Eigen::Vector3d::Zero();
+  for (const auto& v : posed) cameras += v.T_world_camera.translation() / static_cast<double>(posed.size());
+  const auto ground = ground_of(common, cameras);
+  std::vector<Eigen::Vector3d> out, feet, beyond;
+  if (!ground) return out;
+  const auto height = [&](const Eigen::Vector3d& p) { return ground->normal.dot(p) - ground->offset; };
+  const double min_height = 2 * ground_tolerance * common.edge;
+  for (const auto& p : common.cells) {
+    if (height(p) < min_height) continue;
+    out.push_back(p);
+    if (height(p) < 5 * common.edge) feet.push_back(p - height(p) * ground->normal);
+  }
+  for (const auto& p : common.beyond)
+    if (height(p) > min_height) beyond.push_back(p);
+  const double link = 2.5 * common.edge;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Eigen::Vector3d from = out[i];
+    std::erase_if(beyond, [&](const auto& p) {
+      const bool near = (p - from).norm() < link;
+      if (near) out.push_back(p);
+      return near;
+    });
+  }
+  out.insert(out.end(), feet.begin(), feet.end());
+  return out;
+}
+
 }  // namespace
+
+std::string text_of(const Region& region) {
+  return fmt::format("{:.5f} {:.5f} {:.5f} {:.5f} {:.5f} {:.5f}", region.min.x(), region.min.y(), region.min.z(),
+                     region.max.x(), region.max.y(), region.max.z());
+}
 
 Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
                    Report& report) {
@@ -229,8 +274,10 @@ Region find_region(const ViewSource& views, const std::vector<PosedView>& posed,
     report.facts["region_from"] = "lines of sight";
     return box;
   }
-  const auto common = common_view(views, posed, min_share, run, report);
+  auto common = common_view(views, posed, min_share, run, report);
   report.facts["region_from"] = "depth in the common view";
+  const auto standing = standing_cells(common, posed);
+  common.cells.insert(common.cells.end(), standing.begin(), standing.end());
   return box_around(common.cells, 1.5 * common.edge);
 }
 
@@ -238,16 +285,7 @@ Region find_standing_region(const ViewSource& views, const std::vector<PosedView
                             const Run& run, Report& report) {
   if (!views.has_depth()) return find_region(views, posed, min_share, run, report);
   const auto common = common_view(views, posed, min_share, run, report);
-  Eigen::Vector3d cameras = Eigen::Vector3d::Zero();
-  for (const auto& v : posed) cameras += v.T_world_camera.translation() / static_cast<double>(posed.size());
-  std::vector<Eigen::Vector3d> standing;
-  const auto ground = ground_of(common, cameras);
-  for (const auto& p : common.cells) {
-    const double height = ground ? ground->normal.dot(p) - ground->offset : 0;
-    if (height < 2 * ground_tolerance * common.edge) continue;
-    standing.push_back(p);
-    if (height < 5 * common.edge) standing.push_back(p - height * ground->normal);  // the foot
-  }
+  const auto standing = standing_cells(common, posed);
   const bool found = standing.size() >= min_cells;
   report.facts["region_from"] = found ? "what stands on a plane" : "depth in the common view";
   return box_around(found ? standing : common.cells, 1.5 * common.edge);
