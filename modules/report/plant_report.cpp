@@ -108,6 +108,7 @@ class PlantReport {
     for (const auto& [port, file, sheet] : table_files) {
       const auto* t = table(port);
       if (t == nullptr || t->columns().empty()) continue;
+      if (port == std::string_view("edits") && t->rows() == 0) continue;  // nobody changed anything
       writer_.write(file, [&](const auto& path) { io::write_table(path, *t, decimals_for(*t)); });
       sheets.push_back({sheet, t});
     }

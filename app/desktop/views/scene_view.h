@@ -25,6 +25,7 @@
 #include "views/camera_layer.h"
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
+#include "views/scene_outline.h"
 #include "views/view_settings.h"
 
 class vtkActor;
@@ -68,8 +69,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> picked() const { return picked_; }
 
   // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
-  // a taker that hears of another one stops. Null: nobody.
-  void set_place_taker(const QObject* taker);
+  // a taker that hears of another one stops. Null: nobody. Where outlines are taken the left button draws one.
+  enum class Takes { places, outlines };
+  void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
 
   // What lies over the picture, one list for each layer ("rows", "measurements").
@@ -91,6 +93,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
  Q_SIGNALS:
   void point_picked(const QStringList& facts);
   void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
+  void outline_taken(const SceneOutline& outline);
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
@@ -128,6 +131,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
   void take_place(const QPoint& at);
+  void draw_outline();
+  void take_outline();
+  SceneOutline outline_drawn();
 
   Selection& selection_;
   Survey survey_;
@@ -155,6 +161,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;
+  Takes takes_ = Takes::places;
+  std::vector<Eigen::Vector2d> path_px_;  // of the outline that is being drawn
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
   QPoint pressed_at_;
