@@ -25,6 +25,7 @@
 #include "plant_tests.h"
 #include "sample_window.h"
 #include "shell/main_window.h"
+#include "shell/modes.h"
 #include "synthetic/potted_plant.h"
 #include "views/scene_outline.h"
 #include "views/scene_view.h"
@@ -259,6 +260,37 @@ class PlantEditTest : public QObject {
       QVERIFY2(table, name);
       QCOMPARE(numbers(*table), in_window);
     }
+  }
+
+  // BOLE_PLANT_SCREENSHOT=file.png takes pictures of the tools at work.
+  void a_picture_of_the_tools() {
+    const auto file = qEnvironmentVariable("BOLE_PLANT_SCREENSHOT");
+    if (file.isEmpty()) QSKIP("BOLE_PLANT_SCREENSHOT is not set");
+    for (const auto& mode : shipped_modes())
+      if (mode.id == "plants") apply_mode(*window_, mode);
+    editor().set_stem_height(0.045);
+    QVERIFY(wait_for_run(*window_));
+    trigger("plant.handles");
+    scene().color_by("part");
+    scene().reset_camera();
+    QTest::qWait(1500);
+    QVERIFY(window_->grab().save(file + "_edit.png"));
+    trigger("plant.outline");
+    const QPoint top = place(base_of() + Eigen::Vector3d(0.02, 0, 0.3));
+    QTest::mousePress(&scene(), Qt::LeftButton, {}, top + QPoint(60, 0));
+    for (int i = 1; i < 56; ++i) {
+      QMouseEvent move(QEvent::MouseMove, top + QPointF(60 * std::cos(0.1 * i), 40 * std::sin(0.1 * i)), Qt::LeftButton,
+                       Qt::LeftButton, {});
+      QApplication::sendEvent(&scene(), &move);
+    }
+    QTest::qWait(300);
+    QVERIFY(window_->grab().save(file + "_outline.png"));
+    QTest::mouseRelease(&scene(), Qt::LeftButton, {}, top + QPoint(60, 0));
+    QVERIFY(wait_for_run(*window_));
+    QTest::qWait(1500);
+    QVERIFY(window_->grab().save(file + "_cut.png"));
+    trigger("plant.handles");
+    scene().look_along(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ());
   }
 
   void a_pipeline_without_the_stage_refuses() {

@@ -301,8 +301,10 @@ void PlantEditor::draw() {
     height.lines = {height_ring(on_stem, places_.up, min_ring_m), {*base_, on_stem}};
     height.grips = {on_stem};
     height.rail = places_.up;
-    height.label = QString::number(height_mm_, 'f', 1).toStdString() + " mm";
-    height.label_at = on_stem + 2 * min_ring_m * u;
+    if (std::abs(height_mm_ - stem_height_mm()) > 0.05) {  // while it is dragged
+      height.label = QString::number(height_mm_, 'f', 1).toStdString() + " mm";
+      height.label_at = on_stem - 6 * min_ring_m * u;
+    }
     height.strong = true;
     drawings = {std::move(base), std::move(height)};
   }
