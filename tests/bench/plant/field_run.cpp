@@ -66,9 +66,9 @@ int work(int argc, char** argv) {
   const auto& options = set.as<FieldOptions>();
   std::unique_ptr<ViewSource> views;
   if (folder == "scene") {
-    synthetic::SceneViews::Settings s;
+    synthetic::PlantSceneViews::Settings s;
     s.views = 60, s.width = 640, s.height = 480, s.focal = 600, s.depth_noise = 0.0015;
-    views = std::make_unique<synthetic::SceneViews>(s);
+    views = std::make_unique<synthetic::PlantSceneViews>(s);
   } else {
     views = std::make_unique<bench::FolderViews>(folder, stride);
   }
@@ -106,7 +106,7 @@ int work(int argc, char** argv) {
   const auto cloud = field_cloud(field, options, run, report);
   fmt::print("cloud: {} points ({:.0f} s, peak {:.0f} MiB)\n", cloud.size(), seconds(), peak_resident_mib());
   write_ply(out / "cloud.ply", cloud);
-  if (const auto* scene = dynamic_cast<const synthetic::SceneViews*>(views.get())) {
+  if (const auto* scene = dynamic_cast<const synthetic::PlantSceneViews*>(views.get())) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < cloud.size(); ++i) errors.push_back(1000 * scene->scene().distance(cloud.position(i)));
     std::ranges::sort(errors);
