@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
   qRegisterMetaType<bole::desktop::Results>("Results");
   bole::desktop::install_language(application, "en");
   int failures = 0;
-  for (auto* run : {bole::desktop::run_plant_test, bole::desktop::run_plant_edit_test}) failures += run(argc, argv);
+  using namespace bole::desktop;
+  for (auto* run : {run_plant_test, run_plant_edit_test, run_novel_view_test}) failures += run(argc, argv);
   return failures;
 }

@@ -835,6 +835,25 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::NovelView</name>
+        <message>
+            <source>Show the trained field</source>
+            <translation>显示训练好的辐射场</translation>
+        </message>
+        <message>
+            <source>Run a pipeline that trains a field first.</source>
+            <translation>请先运行训练辐射场的处理流程。</translation>
+        </message>
+        <message>
+            <source>Renders the field from where you look, instead of the points</source>
+            <translation>从当前视点渲染辐射场以代替点</translation>
+        </message>
+        <message>
+            <source>The field is shown in perspective. Parallel views show the points.</source>
+            <translation>辐射场以透视方式显示。平行视图显示点。</translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::PipelinePanel</name>
         <message>
             <source>running</source>

@@ -34,6 +34,13 @@ namespace bole::desktop {
 
 class ClipHandles;
 
+// Where a perspective view is seen from.
+struct SceneEye {
+  Pose T_world_camera = Pose::Identity();  // x right, y down, z ahead
+  double tan_half_height = 0;              // of the angle of view
+  int width_px = 0, height_px = 0;
+};
+
 class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
 
@@ -83,6 +90,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const std::vector<render::CameraShape>& cameras() const { return cameras_.shapes(); }
   void show_picture(std::size_t view, const ColorImage& picture);  // in the camera of that view while it is selected
 
+  std::optional<SceneEye> eye();  // none of a parallel view
+  // A picture of what is seen from the eye, over the points until the eye moves.
+  void show_rendering(const ColorImage& picture);
+  void hide_rendering();
+  bool rendering_shown() const { return rendering_; }
+
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
   bool refined() const { return complete_ && !moving_; }
@@ -99,6 +112,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
   void settings_changed();  // by the view: handles of the clip box, another survey
   void index_built();
+  void eye_moved();  // or the size of the view changed; after the frame that showed it
 
  protected:
   bool event(QEvent* event) override;
@@ -123,6 +137,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void before_frame();
   void after_frame();
   void frame_shown();
+  void follow_eye();
   void place_furniture();
   std::vector<double> sorted_sample(int axis) const;
   render::PickView pick_view();
@@ -151,6 +166,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   vtkSmartPointer<vtkActor> highlight_, grid_;
   CameraLayer cameras_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
+  std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
+  bool rendering_ = false;                         // a picture lies over the points
   bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;
   std::unique_ptr<ClipHandles> clip_handles_;
