@@ -1660,6 +1660,14 @@
     <context>
         <name>bole::desktop::Workbench</name>
         <message>
+            <source>While a field is trained its curve is shown here.</source>
+            <translation>训练辐射场时，此处显示其曲线。</translation>
+        </message>
+        <message>
+            <source>Training</source>
+            <translation>训练</translation>
+        </message>
+        <message>
             <source>Wrote %1</source>
             <translation>已写入 %1</translation>
         </message>
