@@ -12,6 +12,7 @@
 
 #include "base/memory.h"
 #include "folder_views.h"
+#include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/train_field.h"
 #include "synthetic/plant_scene.h"
@@ -77,8 +78,7 @@ int work(int argc, char** argv) {
   Report report;
   const auto posed = posed_views(*views, views->given_poses(), 3, report);
   bole::Run run;
-  const auto given = region_from_text(options.region);
-  const auto region = given ? *given : find_region(*views, posed, options.min_share, run, report);
+  const auto region = field_region(*views, posed, options, run, report);
   fmt::print("region {:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f} ({:.0f} s)\n", region.min.x(), region.min.y(),
              region.min.z(), region.max.x(), region.max.y(), region.max.z(), seconds());
   double said = 0;

@@ -39,8 +39,7 @@ struct Trained {
 Trained train(const PlantSceneViews& views, const FieldOptions& options) {
   Trained out;
   const auto posed = posed_views(views, views.given_poses(), 3, out.report);
-  const auto given = region_from_text(options.region);
-  const auto region = given ? *given : find_region(views, posed, options.min_share, bole::Run{}, out.report);
+  const auto region = field_region(views, posed, options, bole::Run{}, out.report);
   out.field = train_field(views, posed, region, options, bole::Run{}, out.report);
   return out;
 }
@@ -50,6 +49,7 @@ TEST(Field, ShowsViewsThatWereKeptBack) {
   auto options = small_options();
   options.steps = 400;
   options.rays = 2048;
+  options.extent = FieldExtent::common;  // the table too
   const auto t = train(views, options);
   // Voxels and pixels are 3 mm here and the table has sharp edges, so the limit is far below that of real pictures.
   EXPECT_GT(t.field.psnr, 22.5);

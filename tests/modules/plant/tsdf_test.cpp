@@ -147,5 +147,34 @@ TEST(Tsdf, TooLittleMemoryEnlargesTheVoxelsAndSaysSo) {
   EXPECT_EQ(f.report.findings.back().code, "voxel_enlarged");
 }
 
+// The table of the scene is 0.8 m wide; the plant is 0.12 m wide and 0.17 m high.
+TEST(Region, WhatStandsOnATableLeavesTheTableOut) {
+  PlantSceneViews::Settings settings;
+  settings.depth_noise = 0.002;
+  const PlantSceneViews views(settings);
+  Report report;
+  const auto posed = posed_views(views, views.given_poses(), 3, report);
+  const auto all = find_region(views, posed, 0.6, bole::Run{}, report);
+  const auto standing = find_standing_region(views, posed, 0.6, bole::Run{}, report);
+  EXPECT_EQ(report.facts.at("region_from"), "what stands on a plane");
+  EXPECT_GT(all.size().head<2>().maxCoeff(), 0.3);
+  EXPECT_LT(standing.size().head<2>().maxCoeff(), 0.2);
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.06, 0, 0.16), {-0.055, 0, 0.13}, {0, -0.06, 0.14}, {0.04, 0, 0}})
+    EXPECT_TRUE(standing.contains(p)) << p.transpose();
+}
+
+TEST(Region, AnEmptyTableIsKeptWhole) {
+  // Without the plant nothing stands on the table: the whole of it is kept.
+  PlantSceneViews::Settings settings;
+  const PlantSceneViews views(settings, {.leaves = {}, .cylinders = {}});
+  Report report;
+  const auto posed = posed_views(views, views.given_poses(), 3, report);
+  const auto all = find_region(views, posed, 0.6, bole::Run{}, report);
+  const auto standing = find_standing_region(views, posed, 0.6, bole::Run{}, report);
+  EXPECT_EQ(report.facts.at("region_from"), "depth in the common view");
+  EXPECT_EQ(all.min, standing.min);
+  EXPECT_EQ(all.max, standing.max);
+}
+
 }  // namespace
 }  // namespace bole::plant
