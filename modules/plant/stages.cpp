@@ -225,7 +225,8 @@ pipeline::StageType traits_stage() {
       "for "
       "the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed "
       "cylinder "
-      "is fitted to them, with the point spread of each picture.";
+      "is fitted to them, with the point spread of each picture. Leaves, internodes, branches and the whole main stem "
+      "are followed in the points from the foot upwards; leaves that touch or are hidden are marked for a check.";
   t.source = "Noise of extents: Cook and Stefanski (1994), JASA 89 (simulation extrapolation); otherwise Bole";
   t.inputs = {{"points", DataKind::cloud, "Points of plant.separate.", false, {}},
               {"views", DataKind::views, "Pictures for the stem; without them the cloud must do.", true, {}},

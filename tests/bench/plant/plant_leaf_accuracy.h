@@ -59,12 +59,15 @@ inline void compare_leaves(const Table& leaves, const Table& internodes, const T
   std::vector<long> of_truth(truth.rows(), -1);
   for (const auto& p : pairs) of_truth[p.truth] = static_cast<long>(p.found);
   for (const auto& p : pairs) {
-    const auto ratio = [&](const char* name) { return 100 * (value(leaves, name, p.found) / value(truth, name, p.truth) - 1); };
+    const auto ratio = [&](const char* name) {
+      return 100 * (value(leaves, name, p.found) / value(truth, name, p.truth) - 1);
+    };
     area.push_back(ratio("area_cm2"));
     length.push_back(ratio("length_mm"));
     width.push_back(ratio("width_mm"));
     angle.push_back(value(leaves, "angle_deg", p.found) - value(truth, "angle_deg", p.truth));
-    azimuth.push_back(std::remainder(value(leaves, "azimuth_deg", p.found) - value(truth, "azimuth_deg", p.truth), 360.0));
+    azimuth.push_back(
+        std::remainder(value(leaves, "azimuth_deg", p.found) - value(truth, "azimuth_deg", p.truth), 360.0));
     height.push_back(value(leaves, "height_mm", p.found) - value(truth, "height_mm", p.truth));
     stalk.push_back(value(leaves, "petiole_mm", p.found) - value(truth, "petiole_mm", p.truth));
     const double a = value(truth, "area_cm2", p.truth);
@@ -74,9 +77,10 @@ inline void compare_leaves(const Table& leaves, const Table& internodes, const T
     std::printf("    truth: height azimuth angle length width petiole area -> found\n");
     for (std::size_t j = 0; j < truth.rows(); ++j) {
       const auto line = [&](const Table& t, std::size_t i) {
-        std::printf("  [%2.0f] %6.1f %6.1f %5.1f %5.1f %5.1f %5.1f %6.2f", value(t, "axis", i), value(t, "height_mm", i),
-                    value(t, "azimuth_deg", i), value(t, "angle_deg", i), value(t, "length_mm", i),
-                    value(t, "width_mm", i), value(t, "petiole_mm", i), value(t, "area_cm2", i));
+        std::printf("  [%2.0f] %6.1f %6.1f %5.1f %5.1f %5.1f %5.1f %6.2f", value(t, "axis", i),
+                    value(t, "height_mm", i), value(t, "azimuth_deg", i), value(t, "angle_deg", i),
+                    value(t, "length_mm", i), value(t, "width_mm", i), value(t, "petiole_mm", i),
+                    value(t, "area_cm2", i));
       };
       line(truth, j);
       if (of_truth[j] >= 0) {
@@ -110,8 +114,8 @@ inline void compare_leaves(const Table& leaves, const Table& internodes, const T
     }
     auto off = v;
     for (auto& e : off) e = std::abs(e);
-    std::printf("  leaf %-10s n %2zu  median %+6.2f  mean %+6.2f  rms %6.2f  median |e| %5.2f  90%% |e| %6.2f %s\n", name,
-                v.size(), v.empty() ? 0 : median(v), sum, std::sqrt(square), v.empty() ? 0 : median(off),
+    std::printf("  leaf %-10s n %2zu  median %+6.2f  mean %+6.2f  rms %6.2f  median |e| %5.2f  90%% |e| %6.2f %s\n",
+                name, v.size(), v.empty() ? 0 : median(v), sum, std::sqrt(square), v.empty() ? 0 : median(off),
                 share_of(off, 0.9), unit);
   };
   std::printf("  leaves: %zu of %zu, matched %zu, missed %zu, extra %zu; area in interval %zu\n", leaves.rows(),

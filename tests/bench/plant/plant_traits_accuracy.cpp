@@ -124,7 +124,9 @@ void measure(const std::filesystem::path& folder, const Settings& s) {
   // Times of views as read, of truth rounded to a microsecond.
   for (std::size_t i = 0; i < std::min(views->size(), poses.poses.size()); ++i)
     poses.poses[i].time_s = views->time_s(i);
-  const auto cloud = !s.cloud.empty() ? io::read_cloud(s.cloud).cloud : s.depth ? cloud_of_depth(*views, poses) : cloud_of_mesh(folder / "truth/mesh.ply", s);
+  const auto cloud = !s.cloud.empty() ? io::read_cloud(s.cloud).cloud
+                     : s.depth        ? cloud_of_depth(*views, poses)
+                                      : cloud_of_mesh(folder / "truth/mesh.ply", s);
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   auto separated = cloud.has("part") ? plant::Separated{cloud, {}, {}} : plant::separate(cloud, &poses, true, {}, {});

@@ -20,16 +20,15 @@ void set_arc(AxisCurve& curve) {
 
 std::pair<std::size_t, double> section(const AxisCurve& c, double along) {
   const auto above = std::ranges::upper_bound(c.arc, along) - c.arc.begin();
-  const auto i = static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(c.arc.size()) - 2));
+  const auto i =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(c.arc.size()) - 2));
   return {i, (along - c.arc[i]) / (c.arc[i + 1] - c.arc[i])};
 }
 
 // Local straight lines over the length, by least squares with Gaussian weights; stations far from theirs count less.
 AxisCurve smoothed(const Points3& stations, const AxisScales& s) {
   std::vector<double> along(stations.size(), 0), weight(stations.size(), 1);
-  for (std::size_t i = 1; i < stations.size(); ++i)
-    along[i] = along[i - 1] + (stations[i] - stations[i - 1]).norm();
+  for (std::size_t i = 1; i < stations.size(); ++i) along[i] = along[i - 1] + (stations[i] - stations[i - 1]).norm();
   const auto place = [&](double t) {
     Eigen::Matrix3d a = Eigen::Matrix3d::Zero(), b = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < stations.size(); ++i) {

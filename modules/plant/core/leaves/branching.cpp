@@ -17,7 +17,11 @@ constexpr double straight_on = 0.85;  // cosine of a turn that a stem may make f
 class Growing {
  public:
   Growing(const Levels& levels, const std::vector<OrganEnd>& ends, const BranchingScales& s)
-      : l_(levels.levels), s_(s), of_node_(levels.of_node), ends_(l_.size(), 0), children_(l_.size()),
+      : l_(levels.levels),
+        s_(s),
+        of_node_(levels.of_node),
+        ends_(l_.size(), 0),
+        children_(l_.size()),
         end_node_(l_.size(), no_node) {
     for (const auto& e : ends) {
       if (e.stands_out < s.organ) {
@@ -105,10 +109,30 @@ class Growing {
         if (!on || c != best) sides.push_back({c, number, at});
       if (!on) break;
       chain.push_back(best);
+      if (cut_at_blade(chain, sides, number)) break;
     }
     out_.axes[static_cast<std::size_t>(number)].levels = chain;
     if (ends_[chain.back()] == 1) end_axis(number);
     waiting_.insert(waiting_.end(), sides.begin(), sides.end());
+  }
+
+  // An axis that runs on over a blade, to where it touches another, ends where the blade begins.
+  bool cut_at_blade(std::vector<std::uint32_t>& chain, std::vector<Side>& sides, int number) const {
+    constexpr std::size_t run = 6;  // levels; where petioles leave, fewer are broad
+    if (chain.size() < 2 * run || ends_[chain.back()] > 3) return false;
+    for (auto i = chain.size() - run; i < chain.size(); ++i)
+      if (!broad(chain[i])) return false;
+    const auto first = chain[chain.size() - run];
+    std::erase_if(sides, [&](const auto& s) {
+      return std::find(chain.end() - static_cast<std::ptrdiff_t>(run), chain.end(), s.leaves_at) != chain.end();
+    });
+    chain.resize(chain.size() - run);
+    sides.push_back({first, number, chain.back()});
+    return true;
+  }
+
+  bool broad(std::uint32_t level) const {
+    return l_[level].breadth > s_.blade && l_[level].breadth > 1.8 * l_[level].depth;
   }
 
   // Beyond the last parting there is one end: the bare tip of the axis, or a last leaf, at whose node the axis may end
@@ -142,10 +166,12 @@ class Growing {
   }
 
   bool is_blade(const std::vector<std::uint32_t>& chain, std::size_t i) const {
-    int flat = 0;
-    for (auto k = i; k < std::min(i + 3, chain.size()); ++k)
-      flat += l_[chain[k]].breadth > s_.blade && l_[chain[k]].breadth > 1.8 * l_[chain[k]].depth;
-    return flat >= 2;
+    // The open end of a tube is broad too, but only over a few levels.
+    constexpr std::size_t window = 5;
+    if (i + window > chain.size()) return false;
+    std::size_t flat = 0;
+    for (auto k = i; k < i + window; ++k) flat += broad(chain[k]);
+    return flat + 1 >= window;
   }
 
   std::optional<std::pair<std::size_t, std::vector<std::uint32_t>>> bare_tip(
@@ -203,9 +229,8 @@ class Growing {
       levels.push_back(at);
       if (children_[at].empty()) break;
       const auto behind = direction(side.leaves_at == no_node ? side.start : side.leaves_at, at);
-      const auto next = *std::ranges::max_element(children_[at], {}, [&](auto c) {
-        return direction(at, ahead(c, s_.look)).dot(behind);
-      });
+      const auto next = *std::ranges::max_element(children_[at], {},
+                                                  [&](auto c) { return direction(at, ahead(c, s_.look)).dot(behind); });
       for (const auto c : children_[at])
         if (c != next) others.push_back({c, side.axis, side.leaves_at});
       at = next;

@@ -9,6 +9,8 @@
 namespace bole::plant {
 namespace {
 
+constexpr double max_smooth_cost = 2;  // of a link, in its lengths
+
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i) {
   while (parent[i] != i) {
     parent[i] = parent[parent[i]];
@@ -47,6 +49,31 @@ Distances distances_from(const PlantGraph& graph, const std::vector<std::uint32_
       queue.emplace(through, k);
     }
   }
+  return out;
+}
+
+std::vector<bool> largest_part(const PlantGraph& graph) {
+  std::vector<std::uint32_t> part(graph.size(), no_node), stack, sizes;
+  for (std::uint32_t i = 0; i < graph.size(); ++i) {
+    if (part[i] != no_node) continue;
+    const auto number = static_cast<std::uint32_t>(sizes.size());
+    sizes.push_back(0);
+    part[i] = number;
+    stack.assign(1, i);
+    while (!stack.empty()) {
+      const auto at = stack.back();
+      stack.pop_back();
+      ++sizes[number];
+      for (auto l = graph.first[at]; l < graph.first[at + 1]; ++l)
+        if (part[graph.neighbour[l]] == no_node) {
+          part[graph.neighbour[l]] = number;
+          stack.push_back(graph.neighbour[l]);
+        }
+    }
+  }
+  const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(sizes) - sizes.begin());
+  std::vector<bool> out(graph.size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = part[i] == largest;
   return out;
 }
 
@@ -99,6 +126,8 @@ Levels levels_of(const PlantGraph& graph, const Distances& from_foot, double ste
       for (auto l = graph.first[at]; l < graph.first[at + 1]; ++l) {
         const auto k = graph.neighbour[l];
         if (out.of_node[k] != no_node || step_of(k) != step_of(i) || !std::isfinite(from_foot.value[k])) continue;
+        // What touches without going on smoothly is another sheet.
+        if (graph.cost[l] > max_smooth_cost * (graph.places[k] - graph.places[at]).norm()) continue;
         out.of_node[k] = number;
         stack.push_back(k);
       }

@@ -20,6 +20,9 @@ struct Distances {
 // Shortest ways over the links from the nodes `starts` (Dijkstra). Of equal ways that of the lower node is taken.
 Distances distances_from(const PlantGraph& graph, const std::vector<std::uint32_t>& starts, const Run& run);
 
+// Of each node: whether it belongs to the largest connected part.
+std::vector<bool> largest_part(const PlantGraph& graph);
+
 // The node of an end of an organ, and how far it stands out: its distance less that of the place where the part beyond
 // meets a part that reaches further.
 struct OrganEnd {

@@ -6,9 +6,9 @@
 namespace bole::plant {
 
 struct NodeScales {
-  double step = 0;   // of the search along the axis
-  double reach = 0;  // how far below the contact the node may be
-  double above = 0;  // and above
+  double step = 0;     // of the search along the axis
+  double reach = 0;    // how far below the contact the node may be
+  double above = 0;    // and above
   double tangent = 0;  // half the length over which the direction of the axis is taken
 };
 

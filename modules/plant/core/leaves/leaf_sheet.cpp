@@ -88,10 +88,12 @@ class Midrib {
     Points3 curve;
     for (int i = 0; i <= fine; ++i) curve.push_back(x.transpose() * powers(2.0 * i / fine - 1, terms));
     double length = 0;
-    for (int i = 1; i <= fine; ++i) length += (curve[static_cast<std::size_t>(i)] - curve[static_cast<std::size_t>(i) - 1]).norm();
+    for (int i = 1; i <= fine; ++i)
+      length += (curve[static_cast<std::size_t>(i)] - curve[static_cast<std::size_t>(i) - 1]).norm();
     length_ = length;
     const double beyond = std::max(6 * step_, 0.15 * length);
-    const Eigen::Vector3d first = (curve[4] - curve[0]).normalized(), last = (curve[fine] - curve[fine - 4]).normalized();
+    const Eigen::Vector3d first = (curve[4] - curve[0]).normalized(),
+                          last = (curve[fine] - curve[fine - 4]).normalized();
     curve.insert(curve.begin(), curve.front() - beyond * first);
     curve.push_back(curve.back() + beyond * last);
     const double spacing = step_ / 3;
@@ -256,6 +258,13 @@ class Spreading {
     out_.width = breadth[static_cast<std::size_t>(broadest)];
     int first = broadest, last = broadest;
     while (first > 0 && breadth[static_cast<std::size_t>(first) - 1] > 0.25 * out_.width) --first;
+    // Behind a gap the blade may go on.
+    for (int x = first - 1; x >= std::max(0, first - static_cast<int>(1.5 * s_.step / s_.cell)); --x)
+      if (breadth[static_cast<std::size_t>(x)] > 0.4 * out_.width) {
+        first = x;
+        while (first > 0 && breadth[static_cast<std::size_t>(first) - 1] > 0.25 * out_.width) --first;
+        x = first;
+      }
     for (int x = broadest; x < nx_; ++x)
       if (breadth[static_cast<std::size_t>(x)] > 0) last = x;
     // The blade narrows to nothing over a little more than the columns that are broad enough to be told from the stalk.

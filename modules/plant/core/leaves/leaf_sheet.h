@@ -16,15 +16,15 @@ struct SheetScales {
 };
 
 struct LeafSheet {
-  bool blade = false;           // broad and flat; false: a stalk, a twig or a lump
-  double length = 0;            // of the blade along its midrib
-  double width = 0;             // of the blade along its surface, where it is broadest
-  double area = 0;              // of one side of the blade
-  double area_sd = 0;           // of where its edge is
-  double filled = 0;            // share of the area without points
+  bool blade = false;                                    // broad and flat; false: a stalk, a twig or a lump
+  double length = 0;                                     // of the blade along its midrib
+  double width = 0;                                      // of the blade along its surface, where it is broadest
+  double area = 0;                                       // of one side of the blade
+  double area_sd = 0;                                    // of where its edge is
+  double filled = 0;                                     // share of the area without points
   Eigen::Vector3d blade_foot = Eigen::Vector3d::Zero();  // where the blade begins
-  Points3 stalk_middles;        // middles from the beginning into the blade, for the direction
-  Points3 midrib;               // from the beginning to the tip
+  Points3 stalk_middles;                                 // middles from the beginning into the blade, for the direction
+  Points3 midrib;                                        // from the beginning to the tip
 };
 
 // `distance`: of each point along the plant. The points are spread out along a smooth midrib; across it their mean

@@ -6,9 +6,9 @@
 
 namespace bole::plant {
 
-// leaf (from 1), axis (0: the main stem), height_mm (of the node), x_m, y_m, z_m (node, plant axes), azimuth_deg (of the
-// petiole, from x towards y in world axes), angle_deg (between petiole and axis, upwards), length_mm and width_mm (of
-// the blade), petiole_mm, area_cm2 (of one side of the blade) with its interval, quality (good, check), remark.
+// leaf (from 1), axis (0: the main stem), height_mm (of the node), x_m, y_m, z_m (node, plant axes), azimuth_deg (of
+// the petiole, from x towards y in world axes), angle_deg (between petiole and axis, upwards), length_mm and width_mm
+// (of the blade), petiole_mm, area_cm2 (of one side of the blade) with its interval, quality (good, check), remark.
 Table leaf_table(const PlantOrgans& organs, const Eigen::Matrix3d& R_world_plant, double scale_sd);
 
 // axis, from_leaf, to_leaf, length_mm (along the axis), turn_deg (of the azimuth, -180 to 180), quality.

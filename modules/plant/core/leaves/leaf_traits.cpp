@@ -27,11 +27,19 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
                 "leaves_doubtful",
                 fmt::format("{} of {} leaves touch others, or are hidden in part: their rows say check.", doubtful,
                             organs.leaves.size()));
+  const auto hanging = std::ranges::count_if(organs.leaves, &Leaf::on_other);
+  const double stem = organs.axes.front().curve.length(), height = organs.axes.front().curve.places.back().z();
+  if (5 * static_cast<std::size_t>(hanging) > organs.leaves.size() || stem > 1.6 * height)
+    report.find(Severity::look, "leaves_not_apart",
+                fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
+                            "stem apart. Do not use the number of leaves, internodes and the length of the stem.",
+                            hanging, organs.leaves.size()));
   if (organs.lost_share > 0.02)
-    report.find(Severity::look, "plant_in_pieces",
-                fmt::format("{:.0f} % of the plant's points are not connected with its stem: leaves may be missing, and "
-                            "the leaf area is a lower bound.",
-                            100 * organs.lost_share));
+    report.find(
+        Severity::look, "plant_in_pieces",
+        fmt::format("{:.0f} % of the plant's points are not connected with its stem: leaves may be missing, and "
+                    "the leaf area is a lower bound.",
+                    100 * organs.lost_share));
 }
 
 void mark_doubts(PlantOrgans& organs) {

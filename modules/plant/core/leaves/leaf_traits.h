@@ -15,8 +15,8 @@ struct LeafInputs {
   Eigen::Matrix3d R_world_plant = Eigen::Matrix3d::Identity();
   double unit = 0.02;  // as OrganScales
   double spacing = 0, noise = 0, max_gap = 0;
-  double scale_sd = 0;      // of lengths, as a share
-  double stem_height = 0;   // where the diameter was measured
+  double scale_sd = 0;                             // of lengths, as a share
+  double stem_height = 0;                          // where the diameter was measured
   double stem_diameter = 0, stem_diameter_sd = 0;  // by contours; 0: not known without bias
 };
 

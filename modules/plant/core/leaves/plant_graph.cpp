@@ -111,11 +111,10 @@ class Linking {
     const Eigen::Vector3d d = g_.places[b] - g_.places[a];
     const double length = d.norm();
     if (!(length > 0)) return 1e-9;
-    const double off = std::max(std::abs(d.dot(g_.normals[a])) * g_.flatness[a],
-                                std::abs(d.dot(g_.normals[b])) * g_.flatness[b]) /
-                       length;
-    const double crease =
-        (1 - std::abs(g_.normals[a].dot(g_.normals[b]))) * std::min(g_.flatness[a], g_.flatness[b]);
+    const double off =
+        std::max(std::abs(d.dot(g_.normals[a])) * g_.flatness[a], std::abs(d.dot(g_.normals[b])) * g_.flatness[b]) /
+        length;
+    const double crease = (1 - std::abs(g_.normals[a].dot(g_.normals[b]))) * std::min(g_.flatness[a], g_.flatness[b]);
     return length * (1 + off_sheet_cost * off * off + crease_cost * crease);
   }
 

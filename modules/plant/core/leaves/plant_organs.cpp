@@ -35,32 +35,34 @@ class Finding {
     find_axes();
     run_.report(0.6, "leaves");
     measure_organs();
+    drop_bare_branches();
     order_leaves();
     count_lost();
     return std::move(out_);
   }
 
  private:
-  // Nodes at the lower end of the plant near the origin.
+  // Nodes at the lower end of the plant near the origin, of what most of it is connected with.
   std::vector<std::uint32_t> foot() const {
+    const auto connected = largest_part(graph_);
     const double reach = 0.4 * s_.unit;
     double low = std::numeric_limits<double>::infinity(), near = low;
     std::uint32_t nearest = 0;
     for (std::uint32_t i = 0; i < graph_.size(); ++i) {
       const auto& p = graph_.places[i];
+      if (!connected[i]) continue;
       if (p.head<2>().norm() < reach) low = std::min(low, p.z());
       if (p.norm() < near) {
         near = p.norm();
         nearest = i;
       }
     }
+    if (low > 2 * s_.unit) return {nearest};
     std::vector<std::uint32_t> out;
     for (std::uint32_t i = 0; i < graph_.size(); ++i) {
       const auto& p = graph_.places[i];
-      if (p.head<2>().norm() < reach && p.z() < low + 0.15 * s_.unit) out.push_back(i);
+      if (connected[i] && p.head<2>().norm() < reach && p.z() < low + 0.15 * s_.unit) out.push_back(i);
     }
-    // The lowest points may be crumbs of soil that nothing grows from.
-    if (low > 2 * s_.unit || out.empty()) return {nearest};
     return out;
   }
 
@@ -150,7 +152,7 @@ class Finding {
     if (axis.curve.empty() || parent.empty()) return;
     const double contact = parent.nearest(levels_.levels[branching_.axes[number].leaves_at].middle).along;
     Points3 lower;
-    for (std::size_t i = 0; i < axis.curve.places.size() && axis.curve.arc[i] < s_.unit; ++i)
+    for (std::size_t i = 0; i < axis.curve.places.size() && axis.curve.arc[i] < 0.6 * s_.unit; ++i)
       lower.push_back(axis.curve.places[i]);
     const auto node = leaf_node(parent, lower, contact, node_scales());
     axis.parent_arc = node.along;
@@ -219,6 +221,7 @@ class Finding {
       out_.stem_ends_in_leaf = out_.stem_ends_in_leaf || organ.axis == 0;
       if (node.along > own.length()) own = extended(own, node.along - own.length(), s_.unit);
     }
+    leaf.on_other = organ.through_other;
     if (organ.through_other) leaf.doubt = "its petiole was not found: it hangs on another leaf";
     if (!node.good && leaf.doubt.empty()) leaf.doubt = "where it stands on the stem is uncertain";
     leaf_of_organ_[number] = static_cast<int>(out_.leaves.size());
@@ -243,6 +246,36 @@ class Finding {
     for (const auto& [pair, nodes] : borders)
       if (static_cast<double>(nodes) * graph_.cell > 0.3 * s_.unit)
         out_.leaves[static_cast<std::size_t>(pair.first)].touching.push_back(pair.second);
+  }
+
+  // A branch with one leaf is the petiole of that leaf; one without is a twig.
+  void drop_bare_branches() {
+    for (auto a = out_.axes.size(); a-- > 1;) {
+      const int number = static_cast<int>(a);
+      const auto carried = std::ranges::count(out_.leaves, number, &Leaf::axis) +
+                           std::ranges::count(out_.axes, number, &PlantAxisFound::parent);
+      if (carried >= 2 && !out_.axes[a].curve.empty()) continue;
+      const auto& axis = out_.axes[a];
+      const auto& parent = out_.axes[static_cast<std::size_t>(axis.parent)].curve;
+      for (auto& leaf : out_.leaves) {
+        if (leaf.axis != number) continue;
+        leaf.axis = axis.parent;
+        leaf.arc = axis.parent_arc;
+        leaf.node = parent.empty() ? leaf.node : parent.at(axis.parent_arc);
+        leaf.angle = axis.angle;
+        leaf.petiole = (leaf.sheet.blade_foot - leaf.node).norm();
+        if (!axis.curve.empty()) leaf.direction = axis.curve.tangent(0.3 * s_.unit, 0.3 * s_.unit);
+        if (leaf.doubt.empty()) leaf.doubt = "its petiole looks like a branch";
+      }
+      for (auto& other : out_.axes)
+        if (other.parent == number) {
+          other.parent = axis.parent;
+          other.parent_arc = axis.parent_arc;
+        }
+      out_.axes.erase(out_.axes.begin() + number);
+      for (auto& other : out_.axes) other.parent -= other.parent > number;
+      for (auto& leaf : out_.leaves) leaf.axis -= leaf.axis > number;
+    }
   }
 
   void order_leaves() {

@@ -22,12 +22,13 @@ struct PlantAxisFound {
 
 struct Leaf {
   int axis = 0;
-  double arc = 0;                                           // of its node along the axis
-  Eigen::Vector3d node = Eigen::Vector3d::Zero();           // on the axis
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();     // of the petiole, away from the axis
-  double angle = 0;                                         // between petiole and axis, radians
-  double petiole = 0;                                       // length from the surface of the axis to the blade
+  double arc = 0;                                        // of its node along the axis
+  Eigen::Vector3d node = Eigen::Vector3d::Zero();        // on the axis
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  // of the petiole, away from the axis
+  double angle = 0;                                      // between petiole and axis, radians
+  double petiole = 0;                                    // length from the surface of the axis to the blade
   LeafSheet sheet;
+  bool on_other = false;      // its way to the stem leads over another leaf
   std::vector<int> touching;  // leaves that it shares a long border with
   std::string doubt;          // why to look at it; empty: good
 };

@@ -11,7 +11,9 @@ struct RasterField {
 
   RasterField(int width, int height, double value = 0)
       : nx(width), ny(height), values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), value) {}
-  double& at(int x, int y) { return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)]; }
+  double& at(int x, int y) {
+    return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)];
+  }
   double at(int x, int y) const {
     return values[static_cast<std::size_t>(y) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(x)];
   }
