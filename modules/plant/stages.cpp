@@ -1,6 +1,7 @@
 // Registers the stages of the module plant.
 #include "pipeline/stage.h"
 #include "plant/core/edits/apply_plant_edits.h"
+#include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/render_view.h"
@@ -45,6 +46,7 @@ pipeline::StageType fuse_stage() {
     if (points.empty())
       result.report.find(Severity::refused, "no_surface",
                          "The depth images show no surface in the region: check the poses and the depth scale.");
+    points.facts[std::string(region_fact)] = text_of(region);
     SurfaceMesh mesh;
     if (options.mesh) mesh = surface_mesh(grid, options.min_weight);
     result.report.counts["points"] = static_cast<std::int64_t>(points.size());
@@ -89,13 +91,13 @@ pipeline::StageType field_stage() {
     pipeline::StageResult result;
     auto& report = result.report;
     const auto posed = posed_views(views, inputs.trajectory("poses"), 3, report);
-    const auto given = region_from_text(options.region);
-    const auto region = given ? *given : find_region(views, posed, options.min_share, run, report);
+    const auto region = field_region(views, posed, options, run, report);
     auto field = train_field(views, posed, region, options, run.part(0, 0.8), report);
     auto points = field_cloud(field, options, run.part(0.8, 1), report);
     if (points.empty())
       report.find(Severity::refused, "no_points",
                   "No two views agree on a surface: check the poses, the region and the number of views.");
+    points.facts[std::string(region_fact)] = text_of(region);
     result.outputs.set("points", std::move(points));
     result.outputs.set("field", store_field(field.model, field.views.front()));
     field.poses.axes = inputs.trajectory("poses").axes;
@@ -263,9 +265,8 @@ pipeline::StageType plant_edit_stage() {
   t.vtk_class = "vtkBoleEditPlant";
   t.title = "Edit the plant";
   t.help =
-      "Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place "
-      "become "
-      "another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured "
+      "Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place, "
+      "in a box or behind an outline become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured "
       "anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no "
       "longer fits is a conflict, which changes nothing and is listed.";
   t.source = "Bole";

@@ -10,6 +10,7 @@
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
+#include "render/charts/match_figure.h"
 #include "render/charts/plant_charts.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
@@ -113,6 +114,7 @@ class PlantReport {
     for (const auto& [port, file, sheet] : table_files) {
       const auto* t = table(port);
       if (t == nullptr || t->columns().empty()) continue;
+      if (port == std::string_view("edits") && t->rows() == 0) continue;  // nobody changed anything
       writer_.write(file, [&](const auto& path) { io::write_table(path, *t, decimals_for(*t)); });
       sheets.push_back({sheet, t});
     }
@@ -159,6 +161,7 @@ class PlantReport {
         writer_.save(render::plant_drawing({&inputs_.cloud("points"), table("traits")}, o_.figure_width),
                      {.dpi = o_.dpi, .as_pixels = true});
       });
+    if (table("matches") != nullptr && inputs_.has("views")) writer_.attempt("matches", [&] { draw_matches(); });
     if (const auto* held_out = table("held_out"); held_out != nullptr && held_out->rows() > 0)
       writer_.attempt("held-out views", [&] {
         writer_.save(render::held_out_chart(*held_out, o_.figure_width / 2), {.dpi = o_.dpi, .wide = false});
@@ -167,6 +170,25 @@ class PlantReport {
       writer_.attempt("making of the field", [&] {
         writer_.save(render::training_chart(*progress, o_.figure_width / 2), {.dpi = o_.dpi, .wide = false});
       });
+  }
+
+  void draw_matches() {
+    const auto pair = render::typical_pair(*table("matches"));
+    if (!pair) return;
+    const auto& views = inputs_.views("views");
+    std::optional<std::size_t> a, b;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      if (views.name(i) == pair->name_a) a = i;
+      if (views.name(i) == pair->name_b) b = i;
+    }
+    if (!a || !b) return;
+    const ViewParts color_only{.color = true, .depth = false, .mask = false};
+    View view_a, view_b;
+    views.read(*a, view_a, color_only);
+    views.read(*b, view_b, color_only);
+    if (view_a.color.empty() || view_b.color.empty()) return;
+    writer_.save(render::match_figure(*pair, view_a.color, view_b.color, o_.figure_width),
+                 {.dpi = std::min(o_.dpi, page_dpi), .vectors = false});
   }
 
   // The traits with their intervals, one below the other.
@@ -307,6 +329,7 @@ pipeline::StageType plant_report_stage() {
                  {"progress", DataKind::table, "Loss and PSNR over the steps.", true, {}},
                  {"tracking", DataKind::table, "One row per view: whether it has a pose.", true, {}},
                  {"matches", DataKind::table, "Matches of features, kept and refused.", true, {}},
+                 {"views", DataKind::views, "The views: two of them are shown with their matches.", true, {}},
                  {"stem", DataKind::table, "Sections of the stem.", true, {}},
                  {"leaves", DataKind::table, "Leaves.", true, {}},
                  {"internodes", DataKind::table, "Internodes.", true, {}},

@@ -18,16 +18,12 @@
 #include "features/pictures/pictures.h"
 #include "features/traits/trait_drawings.h"
 #include "io/core/views/open_views.h"
-#include "pipeline/register_all_stages.h"
-#include "report/make_report.h"
+#include "plant_tests.h"
 #include "shell/main_window.h"
 #include "shell/modes.h"
 #include "small_plot.h"
 #include "small_views.h"
 #include "views/scene_view.h"
-
-Q_DECLARE_METATYPE(bole::vtkbridge::RunOutcome)
-Q_DECLARE_METATYPE(bole::desktop::Results)
 
 namespace bole::desktop {
 
@@ -36,10 +32,6 @@ class PlantTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    pipeline::register_all_stages(pipeline::StageRegistry::global());
-    report::register_stages(pipeline::StageRegistry::global());
-    qRegisterMetaType<vtkbridge::RunOutcome>("vtkbridge::RunOutcome");
-    qRegisterMetaType<Results>("Results");
     write_views(at("ball").toStdString());
     write_views(at("bare").toStdString(), false);
     write_views_cloud(at("ball.ply").toStdString());
@@ -380,7 +372,11 @@ class PlantTest : public QObject {
   std::unique_ptr<MainWindow> window_;
 };
 
+int run_plant_test(int argc, char** argv) {
+  PlantTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
 }  // namespace bole::desktop
 
-QTEST_MAIN(bole::desktop::PlantTest)
 #include "plant_test.moc"

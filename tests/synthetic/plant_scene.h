@@ -102,7 +102,7 @@ struct PlantScene {
   }
 };
 
-class SceneViews : public ViewSource {
+class PlantSceneViews : public ViewSource {
  public:
   struct Settings {
     int views = 24, width = 160, height = 120;
@@ -113,7 +113,7 @@ class SceneViews : public ViewSource {
     bool own_depth_camera = false;  // 15 mm beside the colour camera, with another focal length
   };
 
-  explicit SceneViews(Settings settings, PlantScene scene = {}) : settings_(settings), scene_(std::move(scene)) {
+  explicit PlantSceneViews(Settings settings, PlantScene scene = {}) : settings_(settings), scene_(std::move(scene)) {
     auto& c = camera_.color;
     c.width = settings.width, c.height = settings.height;
     c.fx = c.fy = settings.focal;

@@ -9,7 +9,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr const char *stems_port = "stems", *rows_port = "rows";
+constexpr const char *stems_port = "stems", *rows_port = "rows", *traits_port = "traits";
 
 const pipeline::StageNode& editor_or_refuse(const Session& session, const std::string& port) {
   const std::string needed = "a pipeline with a stage that edits " + port;
@@ -44,8 +44,16 @@ void add_edits(Session& session, const std::vector<rows::RowEdit>& edits) {
   add_to_list(session, rows_port, rows::parse_row_edits, edits);
 }
 
+void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits) {
+  add_to_list(session, traits_port, plant::parse_plant_edits, edits);
+}
+
 void check_stems_can_be_edited(const Session& session) { editor_or_refuse(session, stems_port); }
 
 void check_rows_can_be_edited(const Session& session) { editor_or_refuse(session, rows_port); }
+
+bool plant_can_be_edited(const Session& session) {
+  return session.has_document() && editor_of(session.document(), traits_port) != nullptr;
+}
 
 }  // namespace bole::desktop

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "document/session.h"
+#include "plant/core/edits/plant_edits.h"
 #include "rows/core/edits/row_edits.h"
 #include "stems/core/edits/stem_edits.h"
 
@@ -13,9 +14,12 @@ namespace bole::desktop {
 // the document has no stage that takes such edits, and when an edit is not valid.
 void add_edits(Session& session, const std::vector<stems::StemEdit>& edits);
 void add_edits(Session& session, const std::vector<rows::RowEdit>& edits);
+void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits);
 
 // Throw bole::Error when the document has no stage that takes such edits.
 void check_stems_can_be_edited(const Session& session);
 void check_rows_can_be_edited(const Session& session);
+
+bool plant_can_be_edited(const Session& session);
 
 }  // namespace bole::desktop

@@ -61,6 +61,8 @@ void take_plant(const vtkbridge::RunOutcome& outcome, const Results& results, Su
   survey.stem = latest<Table>(outcome, results, "stem");
   survey.leaves = latest<Table>(outcome, results, "leaves");
   survey.internodes = latest<Table>(outcome, results, "internodes");
+  survey.field = latest<Table>(outcome, results, "field");
+  survey.edit_log = latest<Table>(outcome, results, "log");
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ struct Survey {
   std::shared_ptr<const Trajectory> poses;  // T_world_camera of the views; null where there are none
   std::shared_ptr<const Table> tracking, view_matches, contours;
   std::shared_ptr<const Table> traits, stem, leaves, internodes;
+  std::shared_ptr<const Table> field;     // trained, to be rendered from anywhere
+  std::shared_ptr<const Table> edit_log;  // what a person changed, and whether it still fits
 
   bool empty() const { return !points && !stems && !rows && !poses && !traits; }
   std::optional<std::size_t> row_of(std::int64_t tree) const;  // in `stems`

@@ -12,6 +12,23 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::PlantForm</name>
+        <message numerus="yes">
+            <source>%n edit(s)</source>
+            <translation>
+                <numerusform>%n edit</numerusform>
+                <numerusform>%n edits</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n no longer fit</source>
+            <translation>
+                <numerusform>%n no longer fits</numerusform>
+                <numerusform>%n no longer fit</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::StemReview</name>
         <message numerus="yes">
             <source>%n stem(s) to look at</source>

@@ -835,6 +835,25 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::NovelView</name>
+        <message>
+            <source>Show the trained field</source>
+            <translation>显示训练好的辐射场</translation>
+        </message>
+        <message>
+            <source>Run a pipeline that trains a field first.</source>
+            <translation>请先运行训练辐射场的处理流程。</translation>
+        </message>
+        <message>
+            <source>Renders the field from where you look, instead of the points</source>
+            <translation>从当前视点渲染辐射场以代替点</translation>
+        </message>
+        <message>
+            <source>The field is shown in perspective. Parallel views show the points.</source>
+            <translation>辐射场以透视方式显示。平行视图显示点。</translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::PipelinePanel</name>
         <message>
             <source>running</source>
@@ -931,6 +950,196 @@
         <message>
             <source>Select a stage first.</source>
             <translation>请先选择一个步骤。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlantEditor</name>
+        <message>
+            <source>There is no point here. Click one that is drawn.</source>
+            <translation>此处没有点。请点击画出的点。</translation>
+        </message>
+        <message>
+            <source>Run a pipeline first that measures a plant and takes edits.</source>
+            <translation>请先运行测量植株并接受编辑的处理流程。</translation>
+        </message>
+        <message>
+            <source>Plant</source>
+            <translation>植株</translation>
+        </message>
+        <message>
+            <source>Set the base of the stem by a click</source>
+            <translation>点击设定茎基</translation>
+        </message>
+        <message>
+            <source>Click</source>
+            <translation>点击</translation>
+        </message>
+        <message>
+            <source>Handles of base and height of measurement</source>
+            <translation>茎基和测量高度的手柄</translation>
+        </message>
+        <message>
+            <source>Handles</source>
+            <translation>手柄</translation>
+        </message>
+        <message>
+            <source>Cut off what an outline goes around</source>
+            <translation>切除轮廓线所围的点</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>轮廓线</translation>
+        </message>
+        <message>
+            <source>Cut off what lies in the clip box</source>
+            <translation>切除裁剪框内的点</translation>
+        </message>
+        <message>
+            <source>Clip box</source>
+            <translation>裁剪框</translation>
+        </message>
+        <message>
+            <source>Measure a plant and set a clip box around the points first.</source>
+            <translation>请先测量植株并在这些点周围设置裁剪框。</translation>
+        </message>
+        <message>
+            <source>Accept the plant</source>
+            <translation>接受植株</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>接受</translation>
+        </message>
+        <message>
+            <source>Reject the plant</source>
+            <translation>拒绝植株</translation>
+        </message>
+        <message>
+            <source>Reject</source>
+            <translation>拒绝</translation>
+        </message>
+        <message>
+            <source>Give a measured value…</source>
+            <translation>给出实测值…</translation>
+        </message>
+        <message>
+            <source>Value…</source>
+            <translation>数值…</translation>
+        </message>
+        <message>
+            <source>Note on the plant…</source>
+            <translation>为植株添加备注…</translation>
+        </message>
+        <message>
+            <source>Note…</source>
+            <translation>备注…</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>高度</translation>
+        </message>
+        <message>
+            <source>Breadth, length</source>
+            <translation>冠幅长</translation>
+        </message>
+        <message>
+            <source>Breadth, width</source>
+            <translation>冠幅宽</translation>
+        </message>
+        <message>
+            <source>Diameter of the stem</source>
+            <translation>茎直径</translation>
+        </message>
+        <message>
+            <source>Trait</source>
+            <translation>性状</translation>
+        </message>
+        <message>
+            <source>What was measured by hand</source>
+            <translation>手工测量的性状</translation>
+        </message>
+        <message>
+            <source>Value in mm</source>
+            <translation>数值 (mm)</translation>
+        </message>
+        <message>
+            <source>Click the foot of the stem, where it leaves the soil.</source>
+            <translation>请点击茎离开土壤处。</translation>
+        </message>
+        <message>
+            <source>Draw around the points with the left mouse button. Escape ends it.</source>
+            <translation>按住鼠标左键围住这些点。按 Escape 结束。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlantForm</name>
+        <message>
+            <source>What the points become that are outlined or lie in the clip box</source>
+            <translation>轮廓线内或裁剪框内的点归为什么</translation>
+        </message>
+        <message>
+            <source>not of the plant</source>
+            <translation>不属于植株</translation>
+        </message>
+        <message>
+            <source>noise</source>
+            <translation>噪声</translation>
+        </message>
+        <message>
+            <source>of the plant</source>
+            <translation>属于植株</translation>
+        </message>
+        <message>
+            <source>Points are</source>
+            <translation>点归为</translation>
+        </message>
+        <message>
+            <source>Plant</source>
+            <translation>植株</translation>
+        </message>
+        <message>
+            <source>%1 of the place where the stem leaves the soil</source>
+            <translation>茎离开土壤处的 %1 坐标</translation>
+        </message>
+        <message>
+            <source>Base of the stem</source>
+            <translation>茎基</translation>
+        </message>
+        <message>
+            <source>Height above the soil at which the diameter of the stem is measured</source>
+            <translation>测量茎直径处距土壤的高度</translation>
+        </message>
+        <message>
+            <source>Measure again</source>
+            <translation>重新测量</translation>
+        </message>
+        <message>
+            <source>Takes base and height over and measures the plant again</source>
+            <translation>采用茎基和高度并重新测量植株</translation>
+        </message>
+        <message>
+            <source>Stem measured at</source>
+            <translation>茎测量高度</translation>
+        </message>
+        <message>
+            <source>State: %1</source>
+            <translation>状态:%1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n edit(s)</source>
+            <translation>
+                <numerusform>%n 项编辑</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n no longer fit</source>
+            <translation>
+                <numerusform>%n 项不再适用</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -1451,6 +1660,14 @@
     <context>
         <name>bole::desktop::Workbench</name>
         <message>
+            <source>While a field is trained its curve is shown here.</source>
+            <translation>训练辐射场时，此处显示其曲线。</translation>
+        </message>
+        <message>
+            <source>Training</source>
+            <translation>训练</translation>
+        </message>
+        <message>
             <source>Wrote %1</source>
             <translation>已写入 %1</translation>
         </message>
@@ -1799,6 +2016,10 @@
     </context>
     <context>
         <name>bole::desktop::Traits</name>
+        <message>
+            <source>Edits</source>
+            <translation>编辑</translation>
+        </message>
         <message>
             <source>Draw traits on the plant</source>
             <translation>在植株上绘出性状</translation>

@@ -351,8 +351,8 @@
             <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。叶片、节间、分枝和整条主茎从茎基部起在点云中向上追踪；相互接触或被遮挡的叶片标记为待检查。</translation>
         </message>
         <message>
-            <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
-            <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
+            <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place, in a box or behind an outline become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>
+            <translation>把人对已测植株的编辑加以应用：set_base、set_stem_height、assign（某处附近、框内或轮廓线后的点归为另一部分，例如剪去的叶片）、set_value、accept、reject 和 note。点、茎基或测量高度改变时重新测量植株。输入不变；不再适用的编辑是冲突，不作任何改变，并列出。</translation>
         </message>
         <message>
             <source>Writes what was measured of a seedling into the output folder: traits.csv and the other tables, plant.xlsx, trajectory.tum (camera to world), cloud.ply (the plant), scene.ply (all points with their parts), field.json (how well the field shows views that were held out), figures, and report.html. Inputs that are not connected are left out.</source>

@@ -22,6 +22,12 @@ void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const
     furniture.labels.push_back({sheet(at->px), drawing.label, drawing.strong});
 }
 
+std::optional<Eigen::Vector3d> dragged_to(const Grip& grip, const render::PickView& view,
+                                          const Eigen::Vector2d& at_px) {
+  if (grip.rail) return render::on_line(view, at_px, grip.at, *grip.rail);
+  return render::on_plane(view, at_px, grip.at.z());
+}
+
 double distance_px(const SceneDrawing& drawing, const render::PickView& view, const Eigen::Vector2d& at_px) {
   double nearest_px = std::numeric_limits<double>::infinity();
   for (const auto& line : drawing.lines)

@@ -13,6 +13,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5;
+constexpr double outline_step_px = 2, outline_tolerance_px = 1;
+const std::string outline_layer = "outline";
 
 }  // namespace
 
@@ -52,9 +54,12 @@ void SceneView::pick(const QPoint& at) {
   redraw();
 }
 
-void SceneView::set_place_taker(const QObject* taker) {
-  if (taker == place_taker_) return;
+void SceneView::set_place_taker(const QObject* taker, Takes takes) {
+  if (taker == place_taker_ && takes == takes_) return;
   place_taker_ = taker;
+  takes_ = taker == nullptr ? Takes::places : takes;
+  path_px_.clear();
+  draw_outline();
   setCursor(taker != nullptr ? Qt::CrossCursor : Qt::ArrowCursor);
   Q_EMIT place_taker_changed(taker);
 }
@@ -67,6 +72,33 @@ void SceneView::take_place(const QPoint& at) {
   }
 }
 
+SceneOutline SceneView::outline_drawn() {
+  auto* camera = renderer_->GetActiveCamera();
+  std::optional<Eigen::Vector3d> eye;
+  if (!parallel()) eye = Eigen::Vector3d(camera->GetPosition()) + origin_;
+  const Eigen::Vector3d target = Eigen::Vector3d(camera->GetFocalPoint()) + origin_;
+  return outline_of(simplified(path_px_, outline_tolerance_px * devicePixelRatioF()), pick_view(), target, eye);
+}
+
+void SceneView::draw_outline() {
+  std::vector<SceneDrawing> drawings;
+  if (path_px_.size() > 1) {
+    SceneDrawing d;
+    d.lines = {outline_drawn().corners};
+    if (!d.lines[0].empty()) d.lines[0].push_back(d.lines[0].front());
+    d.strong = true;
+    drawings.push_back(std::move(d));
+  }
+  set_drawings(outline_layer, std::move(drawings));
+}
+
+void SceneView::take_outline() {
+  const auto outline = outline_drawn();
+  path_px_.clear();
+  draw_outline();
+  if (outline.corners.size() >= 3) Q_EMIT outline_taken(outline);
+}
+
 std::optional<Grip> SceneView::grip_at(const QPoint& at) {
   const auto view = pick_view();
   const auto px = to_pixels(at);
@@ -76,7 +108,7 @@ std::optional<Grip> SceneView::grip_at(const QPoint& at) {
       for (std::size_t g = 0; g < drawings[d].grips.size(); ++g)
         if (const auto place = render::on_screen(view, drawings[d].grips[g]);
             place && (place->px - px).norm() <= grip_px * devicePixelRatioF())
-          return Grip{layer, d, g, drawings[d].grips[g], drawings[d].id};
+          return Grip{layer, d, g, drawings[d].grips[g], drawings[d].id, drawings[d].rail};
     }
   return {};
 }
@@ -106,32 +138,42 @@ bool SceneView::event(QEvent* event) {
     const auto* press = static_cast<QMouseEvent*>(event);
     const bool grips = press->button() == Qt::LeftButton && place_taker_ == nullptr;
     dragged_ = grips ? grip_at(press->pos()) : std::nullopt;
+    path_px_.clear();
+    if (place_taker_ != nullptr && takes_ == Takes::outlines && press->button() == Qt::LeftButton)
+      path_px_ = {to_pixels(press->pos())};
   }
   const bool mouse =
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
-  return dragged_ && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+  return (dragged_ || !path_px_.empty()) && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
-  if (!dragged_) QVTKOpenGLNativeWidget::mousePressEvent(event);
+  if (!dragged_ && path_px_.empty()) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (!path_px_.empty()) {
+    const Eigen::Vector2d at = to_pixels(event->pos());
+    if ((at - path_px_.back()).norm() < outline_step_px) return;
+    path_px_.push_back(at);
+    return draw_outline();
+  }
   if (!dragged_) {
     if (place_taker_ == nullptr && event->buttons() == Qt::NoButton)
       setCursor(grip_at(event->pos()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
   }
-  if (const auto at = render::on_plane(pick_view(), to_pixels(event->pos()), dragged_->at.z()))
+  if (const auto at = dragged_to(*dragged_, pick_view(), to_pixels(event->pos())))
     Q_EMIT grip_dragged(QString::fromStdString(dragged_->layer), static_cast<int>(dragged_->drawing),
                         static_cast<int>(dragged_->grip), *at, false);
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!path_px_.empty()) return take_outline();
   if (dragged_) {
     const auto grip = *std::exchange(dragged_, std::nullopt);
-    const auto at = render::on_plane(pick_view(), to_pixels(event->pos()), grip.at.z());
+    const auto at = dragged_to(grip, pick_view(), to_pixels(event->pos()));
     const bool moved = (event->pos() - pressed_at_).manhattanLength() > click_px;
     Q_EMIT grip_dragged(QString::fromStdString(grip.layer), static_cast<int>(grip.drawing), static_cast<int>(grip.grip),
                         moved && at ? *at : grip.at, true);

@@ -15,6 +15,7 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "look/pixels.h"
 #include "render/draw/color.h"
@@ -339,7 +340,52 @@ void SceneView::begin_motion() {
   rest_.start(rest_ms);
 }
 
+// What the eye saw from another place does not fit any more.
+void SceneView::follow_eye() {
+  auto* camera = renderer_->GetActiveCamera();
+  std::vector<double> now{camera->GetViewAngle(),
+                          camera->GetParallelProjection() != 0 ? camera->GetParallelScale() : 0};
+  for (const double* v : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
+    now.insert(now.end(), v, v + 3);
+  for (const double v : {origin_.x(), origin_.y(), origin_.z()}) now.push_back(v);
+  for (const int k : {0, 1}) now.push_back(renderWindow()->GetSize()[k]);
+  if (now == last_eye_) return;
+  last_eye_ = std::move(now);
+  if (std::exchange(rendering_, false)) furniture_.hide_picture();
+  QMetaObject::invokeMethod(this, &SceneView::eye_moved, Qt::QueuedConnection);
+}
+
+std::optional<SceneEye> SceneView::eye() {
+  if (parallel()) return {};
+  auto* camera = renderer_->GetActiveCamera();
+  const int* size = renderWindow()->GetSize();
+  const Eigen::Vector3d ahead(camera->GetDirectionOfProjection()), up(camera->GetViewUp());
+  SceneEye eye;
+  eye.T_world_camera.linear().col(0) = ahead.cross(up).normalized();
+  eye.T_world_camera.linear().col(1) = ahead.cross(eye.T_world_camera.linear().col(0));
+  eye.T_world_camera.linear().col(2) = ahead;
+  eye.T_world_camera.translation() = Eigen::Vector3d(camera->GetPosition()) + origin_;
+  eye.tan_half_height = std::tan(camera->GetViewAngle() * std::numbers::pi / 360);
+  eye.width_px = std::max(1, size[0]);
+  eye.height_px = std::max(1, size[1]);
+  return eye;
+}
+
+void SceneView::show_rendering(const ColorImage& picture) {
+  const int* size = renderWindow()->GetSize();
+  furniture_.show_picture(picture, size[0], size[1]);
+  rendering_ = true;
+  redraw();
+}
+
+void SceneView::hide_rendering() {
+  if (!std::exchange(rendering_, false)) return;
+  furniture_.hide_picture();
+  redraw();
+}
+
 void SceneView::before_frame() {
+  follow_eye();
   frame_start_ = std::chrono::steady_clock::now();
   timed_ = moving_;
   const auto budget = moving_ ? pace_.next() : at_rest;
@@ -352,7 +398,7 @@ void SceneView::before_frame() {
 void SceneView::after_frame() {
   if (moving_) return rest_.start(rest_ms);
   if (!complete_) return rest_.start(0);
-  if (!settings_.eye_dome) return;
+  if (!settings_.eye_dome || rendering_) return;
   const int* size = renderWindow()->GetSize();
   render::EyeDomeOptions shading;
   shading.radius_px = 1.6 * devicePixelRatioF();
@@ -381,7 +427,7 @@ void SceneView::place_furniture() {
   render::ViewFurniture f;
   f.width_mm = width() * mm_per_px;
   f.height_mm = height() * mm_per_px;
-  if (settings_.legend && survey_.points && !survey_.points->empty()) f.paint = layer_.paint();
+  if (settings_.legend && survey_.points && !survey_.points->empty() && !rendering_) f.paint = layer_.paint();
   auto* camera = renderer_->GetActiveCamera();
   const double half_m = half_height_m(camera);
   if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;

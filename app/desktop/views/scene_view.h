@@ -25,6 +25,7 @@
 #include "views/camera_layer.h"
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
+#include "views/scene_outline.h"
 #include "views/view_settings.h"
 
 class vtkActor;
@@ -32,6 +33,13 @@ class vtkActor;
 namespace bole::desktop {
 
 class ClipHandles;
+
+// Where a perspective view is seen from.
+struct SceneEye {
+  Pose T_world_camera = Pose::Identity();  // x right, y down, z ahead
+  double tan_half_height = 0;              // of the angle of view
+  int width_px = 0, height_px = 0;
+};
 
 class SceneView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
@@ -68,8 +76,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> picked() const { return picked_; }
 
   // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
-  // a taker that hears of another one stops. Null: nobody.
-  void set_place_taker(const QObject* taker);
+  // a taker that hears of another one stops. Null: nobody. Where outlines are taken the left button draws one.
+  enum class Takes { places, outlines };
+  void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
 
   // What lies over the picture, one list for each layer ("rows", "measurements").
@@ -81,6 +90,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const std::vector<render::CameraShape>& cameras() const { return cameras_.shapes(); }
   void show_picture(std::size_t view, const ColorImage& picture);  // in the camera of that view while it is selected
 
+  std::optional<SceneEye> eye();  // none of a parallel view
+  // A picture of what is seen from the eye, over the points until the eye moves.
+  void show_rendering(const ColorImage& picture);
+  void hide_rendering();
+  bool rendering_shown() const { return rendering_; }
+
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
   bool refined() const { return complete_ && !moving_; }
@@ -91,11 +106,13 @@ class SceneView : public QVTKOpenGLNativeWidget {
  Q_SIGNALS:
   void point_picked(const QStringList& facts);
   void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
+  void outline_taken(const SceneOutline& outline);
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
   void settings_changed();  // by the view: handles of the clip box, another survey
   void index_built();
+  void eye_moved();  // or the size of the view changed; after the frame that showed it
 
  protected:
   bool event(QEvent* event) override;
@@ -120,6 +137,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void before_frame();
   void after_frame();
   void frame_shown();
+  void follow_eye();
   void place_furniture();
   std::vector<double> sorted_sample(int axis) const;
   render::PickView pick_view();
@@ -128,6 +146,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
   void take_place(const QPoint& at);
+  void draw_outline();
+  void take_outline();
+  SceneOutline outline_drawn();
 
   Selection& selection_;
   Survey survey_;
@@ -145,6 +166,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   vtkSmartPointer<vtkActor> highlight_, grid_;
   CameraLayer cameras_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
+  std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
+  bool rendering_ = false;                         // a picture lies over the points
   bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;
   std::unique_ptr<ClipHandles> clip_handles_;
@@ -155,6 +178,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;
+  Takes takes_ = Takes::places;
+  std::vector<Eigen::Vector2d> path_px_;  // of the outline that is being drawn
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
   QPoint pressed_at_;

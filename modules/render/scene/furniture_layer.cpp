@@ -20,9 +20,10 @@ namespace {
 
 constexpr double mm_per_inch = 25.4;
 
-// Makes an actor a rectangle of the window, its lower left corner at the actor's position, that shows an image.
-void show_image(vtkTexturedActor2D* actor, vtkImageData* image) {
-  const int* size = image->GetDimensions();
+// Makes an actor a rectangle of the window, its lower left corner at the actor's position, that shows an image: pixel
+// by pixel, or stretched to a size in pixels.
+void show_image(vtkTexturedActor2D* actor, vtkImageData* image, const int* stretched = nullptr) {
+  const int* size = stretched != nullptr ? stretched : image->GetDimensions();
   vtkNew<vtkPoints> points;
   vtkNew<vtkFloatArray> texture_coordinates;
   texture_coordinates->SetNumberOfComponents(2);
@@ -41,7 +42,7 @@ void show_image(vtkTexturedActor2D* actor, vtkImageData* image) {
   mapper->SetInputData(quad);
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
-  texture->InterpolateOff();
+  texture->SetInterpolate(stretched != nullptr);
   actor->SetMapper(mapper);
   actor->SetTexture(texture);
 }
@@ -99,10 +100,12 @@ FurnitureLayer::FurnitureLayer() {
   renderer_->SetLayer(1);
   renderer_->InteractiveOff();
   renderer_->PreserveDepthBufferOn();  // nothing here has a depth: spare the clearing
-  shadow_ = vtkSmartPointer<vtkTexturedActor2D>::New();
-  show_image(shadow_, empty_image(1, 1));
-  shadow_->VisibilityOff();
-  renderer_->AddActor2D(shadow_);
+  for (auto* actor : {&picture_, &shadow_}) {
+    *actor = vtkSmartPointer<vtkTexturedActor2D>::New();
+    show_image(*actor, empty_image(1, 1));
+    (*actor)->VisibilityOff();
+    renderer_->AddActor2D(*actor);
+  }
   for (const auto& kind : line_kinds) {
     LineActor line{vtkSmartPointer<vtkActor2D>::New(), vtkSmartPointer<vtkPolyData>::New()};
     vtkNew<vtkPolyDataMapper2D> mapper;
@@ -158,6 +161,21 @@ void FurnitureLayer::draw_lines(const ViewFurniture& furniture, double px_per_mm
     put_lines(furniture, kind, px_per_mm, lines_[k].data);
   }
 }
+
+void FurnitureLayer::show_picture(const ColorImage& picture, int width, int height) {
+  const auto image = empty_image(picture.width, picture.height);
+  auto* target = static_cast<std::uint8_t*>(image->GetScalarPointer());
+  for (int y = picture.height - 1; y >= 0; --y)
+    for (int x = 0; x < picture.width; ++x, target += 4) {
+      for (int c = 0; c < 3; ++c) target[c] = picture.at(x, y, c);
+      target[3] = 255;
+    }
+  const int size[] = {width, height};
+  show_image(picture_, image, size);
+  picture_->VisibilityOn();
+}
+
+void FurnitureLayer::hide_picture() { picture_->VisibilityOff(); }
 
 void FurnitureLayer::set_shadow(const std::vector<std::uint8_t>& alpha, int width, int height) {
   shadow_->SetVisibility(!alpha.empty());

@@ -12,6 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "camera/image.h"
 #include "render/draw/screen_look.h"
 #include "render/scene/view_furniture.h"
 
@@ -33,6 +34,10 @@ class FurnitureLayer {
   // Black of this opacity over each pixel, rows from below; an empty one takes it away.
   void set_shadow(const std::vector<std::uint8_t>& alpha, int width, int height);
 
+  // A picture that fills the window, over the scene and below all else; the window's size in pixels.
+  void show_picture(const ColorImage& picture, int width, int height);
+  void hide_picture();
+
  private:
   struct Slot {
     vtkSmartPointer<vtkActor2D> actor;
@@ -47,8 +52,8 @@ class FurnitureLayer {
   ScreenLook look_;
   vtkNew<vtkRenderer> renderer_;
   std::unordered_map<std::string, Slot> slots_;
-  // Drawn in the order in which they were added: the shadow, lines with their rims, patches.
-  vtkSmartPointer<vtkTexturedActor2D> shadow_;
+  // Drawn in the order in which they were added: picture, shadow, lines with their rims, patches.
+  vtkSmartPointer<vtkTexturedActor2D> picture_, shadow_;
   std::vector<LineActor> lines_;
   std::uint64_t round_ = 0;
 };

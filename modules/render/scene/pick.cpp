@@ -48,14 +48,27 @@ std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(con
   return std::pair{px(ends[0]), px(ends[1])};
 }
 
+Eigen::Vector3d at_depth(const PickView& view, const Eigen::Vector2d& at_px, double depth) {
+  const Eigen::Vector4d p =
+      view.world_to_clip.inverse() *
+      Eigen::Vector4d(2 * at_px.x() / view.width_px - 1, 2 * at_px.y() / view.height_px - 1, depth, 1);
+  return p.head<3>() / p.w() + view.origin;
+}
+
+std::optional<Eigen::Vector3d> on_line(const PickView& view, const Eigen::Vector2d& at_px, const Eigen::Vector3d& at,
+                                       const Eigen::Vector3d& direction) {
+  constexpr double min_sine = 0.02;
+  const Eigen::Vector3d near = at_depth(view, at_px, -1), ray = (at_depth(view, at_px, 1) - near).normalized();
+  const double cosine = ray.dot(direction), sine_squared = 1 - cosine * cosine;
+  if (!(sine_squared > min_sine * min_sine)) return {};
+  const Eigen::Vector3d between = near - at;
+  const double along = (between.dot(direction) - cosine * between.dot(ray)) / sine_squared;
+  if (!std::isfinite(along)) return {};
+  return at + along * direction;
+}
+
 std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vector2d& at_px, double z) {
-  const Eigen::Matrix4d back = view.world_to_clip.inverse();
-  const auto at_depth = [&](double depth) {
-    const Eigen::Vector4d p =
-        back * Eigen::Vector4d(2 * at_px.x() / view.width_px - 1, 2 * at_px.y() / view.height_px - 1, depth, 1);
-    return Eigen::Vector3d(p.head<3>() / p.w() + view.origin);
-  };
-  const Eigen::Vector3d near = at_depth(-1), along = at_depth(1) - near;
+  const Eigen::Vector3d near = at_depth(view, at_px, -1), along = at_depth(view, at_px, 1) - near;
   const double t = (z - near.z()) / along.z();
   if (!std::isfinite(t) || t < 0) return {};
   return near + t * along;

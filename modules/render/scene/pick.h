@@ -35,6 +35,14 @@ std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(con
 // Where the ray through a pixel meets the plane z = `z`; nothing when it runs away from it.
 std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vector2d& at_px, double z);
 
+// The place on the line through `at` along `direction` (of length 1) that comes nearest to the ray through a pixel;
+// nothing where the two are nearly parallel.
+std::optional<Eigen::Vector3d> on_line(const PickView& view, const Eigen::Vector2d& at_px, const Eigen::Vector3d& at,
+                                       const Eigen::Vector3d& direction);
+
+// The place below a pixel at the depth of OnScreen.
+Eigen::Vector3d at_depth(const PickView& view, const Eigen::Vector2d& at_px, double depth);
+
 // The foremost of `indices` within `reach_px` of a place: of those hardly deeper than the nearest, the one closest to
 // it.
 std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,

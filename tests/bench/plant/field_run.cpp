@@ -12,6 +12,7 @@
 
 #include "base/memory.h"
 #include "folder_views.h"
+#include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/train_field.h"
 #include "synthetic/plant_scene.h"
@@ -66,9 +67,9 @@ int work(int argc, char** argv) {
   const auto& options = set.as<FieldOptions>();
   std::unique_ptr<ViewSource> views;
   if (folder == "scene") {
-    synthetic::SceneViews::Settings s;
+    synthetic::PlantSceneViews::Settings s;
     s.views = 60, s.width = 640, s.height = 480, s.focal = 600, s.depth_noise = 0.0015;
-    views = std::make_unique<synthetic::SceneViews>(s);
+    views = std::make_unique<synthetic::PlantSceneViews>(s);
   } else {
     views = std::make_unique<bench::FolderViews>(folder, stride);
   }
@@ -77,8 +78,7 @@ int work(int argc, char** argv) {
   Report report;
   const auto posed = posed_views(*views, views->given_poses(), 3, report);
   bole::Run run;
-  const auto given = region_from_text(options.region);
-  const auto region = given ? *given : find_region(*views, posed, options.min_share, run, report);
+  const auto region = field_region(*views, posed, options, run, report);
   fmt::print("region {:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f} ({:.0f} s)\n", region.min.x(), region.min.y(),
              region.min.z(), region.max.x(), region.max.y(), region.max.z(), seconds());
   double said = 0;
@@ -106,7 +106,7 @@ int work(int argc, char** argv) {
   const auto cloud = field_cloud(field, options, run, report);
   fmt::print("cloud: {} points ({:.0f} s, peak {:.0f} MiB)\n", cloud.size(), seconds(), peak_resident_mib());
   write_ply(out / "cloud.ply", cloud);
-  if (const auto* scene = dynamic_cast<const synthetic::SceneViews*>(views.get())) {
+  if (const auto* scene = dynamic_cast<const synthetic::PlantSceneViews*>(views.get())) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < cloud.size(); ++i) errors.push_back(1000 * scene->scene().distance(cloud.position(i)));
     std::ranges::sort(errors);

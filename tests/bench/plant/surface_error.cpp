@@ -1,8 +1,8 @@
 // surface_error CLOUD.ply FOLDER [threshold_mm]: how far a cloud is from the true surface of a simulated plant.
 //
-// FOLDER holds truth/mesh.ply (part 1 plant, 2 pot, 3 soil, 4 mat) and poses. Accuracy: share of the cloud's points within
-// the threshold of the mesh. Completeness: share of the mesh that at least three cameras see within the threshold of a
-// point. Both for the plant alone and for plant, pot and soil. Points nearest to the mat are left out.
+// FOLDER holds truth/mesh.ply (part 1 plant, 2 pot, 3 soil, 4 mat) and poses. Accuracy: share of the cloud's points
+// within the threshold of the mesh. Completeness: share of the mesh that at least three cameras see within the
+// threshold of a point. Both for the plant alone and for plant, pot and soil. Points nearest to the mat are left out.
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
@@ -22,7 +22,8 @@ namespace {
 using namespace bole;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangles = std::vector<Kernel::Triangle_3>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
+using Tree =
+    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>>>;
 
 Kernel::Point_3 point(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -128,13 +129,16 @@ int work(int argc, char** argv) {
   }
   const std::array<const char*, 2> names{"plant", "plant, pot, soil"};
   for (std::size_t k = 0; k < 2; ++k) {
-    const double close = static_cast<double>(std::ranges::count_if(errors[k], [&](double e) { return e <= 1000 * threshold; }));
+    const double close =
+        static_cast<double>(std::ranges::count_if(errors[k], [&](double e) { return e <= 1000 * threshold; }));
     const double accuracy = close / static_cast<double>(std::max<std::size_t>(1, errors[k].size()));
     const double completeness = static_cast<double>(found[k]) / std::max(1, seen[k]);
-    fmt::print("{}: {} points, error median {:.3f} mm, 90 % {:.3f} mm, signed median {:+.3f} mm; within {:.1f} mm: accuracy "
-               "{:.1f} %, completeness {:.1f} %, F1 {:.1f} %\n",
-               names[k], errors[k].size(), quantile(errors[k], 0.5), quantile(errors[k], 0.9), quantile(signed_errors[k], 0.5),
-               1000 * threshold, 100 * accuracy, 100 * completeness, 200 * accuracy * completeness / std::max(1e-9, accuracy + completeness));
+    fmt::print(
+        "{}: {} points, error median {:.3f} mm, 90 % {:.3f} mm, signed median {:+.3f} mm; within {:.1f} mm: accuracy "
+        "{:.1f} %, completeness {:.1f} %, F1 {:.1f} %\n",
+        names[k], errors[k].size(), quantile(errors[k], 0.5), quantile(errors[k], 0.9), quantile(signed_errors[k], 0.5),
+        1000 * threshold, 100 * accuracy, 100 * completeness,
+        200 * accuracy * completeness / std::max(1e-9, accuracy + completeness));
   }
   return 0;
 }

@@ -164,8 +164,8 @@ def judge(mutant, code, summary, text):
     findings = [f for f in (summary or {}).get("findings", []) if f["severity"] != "note"]
     codes = ", ".join(sorted({f["code"] for f in findings}))
     if code in (1, 2):
-        error = next((line for line in reversed(text.splitlines()) if line.startswith("bole:") or "needed" in line), "")
-        return f"exit {code}: {error[:220] or codes}", not (error or findings)
+        error = (summary or {}).get("error") or next((line for line in text.splitlines() if line.startswith("bole:")), "")
+        return f"exit {code}: {error[:220] or codes}", "needed" not in error and not findings
     verdict = (summary or {}).get("verdict")
     if mutant is as_it_is:
         return f"exit {code}, {verdict}: {codes}", False

@@ -2,9 +2,10 @@
 """Simulated seedlings from views to traits: accuracy by trait, intervals, path, surface, held-out views, time and memory.
 
     seedlings.py --bole build/headless/bin/bole --work WORK [--seeds 101-120] [--views N] [--simulate "--sensor stereo ..."] [--set STAGE.OPTION=VALUE ...]
-                 [--surface build/headless/bin/surface_error] [--name METHOD]
+                 [--surface build/headless/bin/surface_error] [--method field|paper|tsdf|mvs] [--name NAME]
 
-Every seed is another plant (`bole simulate-seedling --seed N`, made once in WORK/plants) and is surveyed by pipelines/seedling.json into WORK/METHOD.
+Every seed is another plant (`bole simulate-seedling --seed N`, made once in WORK/plants) and is surveyed into WORK/NAME: by pipelines/seedling.json (field),
+with the paper's encoder, or without a field, from the fused depth (tsdf) or from pictures matched with one another (mvs).
 Accuracy is that of the paper, 1 - mean |relative error|. A plant that fails is counted, and its error printed; its traits count as missing.
 """
 import argparse
@@ -12,6 +13,7 @@ import csv
 import json
 import math
 import pathlib
+import re
 import subprocess
 import time
 
@@ -45,11 +47,31 @@ def simulated(options, seed):
     return folder
 
 
+def pipeline_of(options):
+    """The document of the method, with the points that it measures."""
+    if options.method in ("field", "paper"):
+        return PIPELINE
+    document = json.loads(PIPELINE.read_text())
+    stages = [s for s in document["stages"] if s["id"] != "field"]
+    by_id = {s["id"]: s for s in stages}
+    points = "fuse.points"
+    if options.method == "mvs":
+        stages.insert(3, {"id": "match", "type": "plant.match_views", "inputs": {"views": "frames.views", "poses": "poses.poses"}})
+        points = "match.points"
+    by_id["separate"]["inputs"]["points"] = points
+    for name in ("field", "held_out", "progress"):
+        by_id["report"]["inputs"].pop(name)
+    document["stages"] = stages
+    path = options.work / f"{options.method}.json"
+    path.write_text(json.dumps(document))
+    return path
+
+
 def surveyed(options, folder, seed):
     out = options.work / options.name / str(seed)
     if not (out / "summary.json").exists():
-        settings = [f"frames.folder={folder}", *options.set]
-        command = [options.bole, "run", PIPELINE, "--no-cache", "--out", out, *[p for s in settings for p in ("--set", s)]]
+        settings = [f"frames.folder={folder}", *(["field.encoder=paper"] if options.method == "paper" else []), *options.set]
+        command = [options.bole, "run", pipeline_of(options), "--no-cache", "--out", out, *[p for s in settings for p in ("--set", s)]]
         out.mkdir(parents=True, exist_ok=True)
         started = time.monotonic()
         with open(out.with_suffix(".log"), "w") as log:
@@ -77,11 +99,13 @@ def trajectory_error_m(bole, out, truth):
     return math.nan if hit is None else hit
 
 
-def surface(program, out, truth):
+def surface(program, out, folder):
+    """Median error (mm) and F1 (share) of the plant by surface_error, which prints them in its first line."""
     if not program or not (out / "cloud.ply").exists():
         return {}
-    done = subprocess.run([str(program), str(out / "cloud.ply"), str(truth / "mesh.ply"), "--json"], capture_output=True, text=True)
-    return json.loads(done.stdout) if done.returncode == 0 else {}
+    done = subprocess.run([str(program), str(out / "cloud.ply"), str(folder)], capture_output=True, text=True)
+    found = re.search(r"^plant: .*error median ([0-9.]+) mm.* F1 ([0-9.]+) %", done.stdout, re.MULTILINE)
+    return {"median_mm": float(found[1]), "f1": float(found[2]) / 100} if found else {}
 
 
 def mean(values):
@@ -98,8 +122,10 @@ def main():
     parser.add_argument("--simulate", default="", help="flags of simulate-seedling")
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--surface", type=pathlib.Path)
-    parser.add_argument("--name", default="bole")
+    parser.add_argument("--method", choices=["field", "paper", "tsdf", "mvs"], default="field")
+    parser.add_argument("--name", help="folder of the results; the method unless given")
     options = parser.parse_args()
+    options.name = options.name or options.method
     errors, covered = {t: [] for t in TRAITS}, {t: [] for t in TRAITS}
     ates, psnrs, seconds, mib, median_mm, f1, failed = [], [], [], [], [], [], 0
     print("| plant | " + " | ".join(f"{t.replace('_', ' ')}, %" for t in TRAITS) + " | ATE, mm | PSNR, dB | surface, mm | F1 at 2 mm | s | MiB |")
@@ -128,7 +154,7 @@ def main():
         ates.append(1000 * trajectory_error_m(options.bole, out, truth))
         field = out / "field.json"
         psnrs.append(json.loads(field.read_text())["psnr_db"] if field.exists() else math.nan)
-        found = surface(options.surface, out, truth)
+        found = surface(options.surface, out, folder)
         median_mm.append(found.get("median_mm", math.nan))
         f1.append(found.get("f1", math.nan))
         print(f"| {seed} | " + " | ".join(shown) + f" | {ates[-1]:.2f} | {psnrs[-1] or math.nan:.1f} | {median_mm[-1]:.2f} | {100 * f1[-1]:.0f} | {seconds[-1]:.0f} | {mib[-1]:.0f} |",

@@ -11,13 +11,13 @@ namespace bole::plant {
 namespace {
 
 TEST(MatchViews, PointsLieOnTheScene) {
-  synthetic::SceneViews::Settings settings;
+  synthetic::PlantSceneViews::Settings settings;
   settings.views = 30;
   settings.width = 120;
   settings.height = 90;
   settings.focal = 115;
   settings.depth = false;
-  const synthetic::SceneViews views(settings);
+  const synthetic::PlantSceneViews views(settings);
   MatchOptions options;
   options.region = "-0.12 -0.12 -0.01 0.12 0.12 0.2";
   options.iterations = 2;

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "plant/core/separate/separate.h"
+#include "plant/core/surface/region.h"
 #include "plant/core/traits/extents.h"
 #include "synthetic/potted_plant_views.h"
 
@@ -49,6 +51,22 @@ Truth truth_of(const PottedPlant& plant) {
   return t;
 }
 
+// Along a long outline the smallest rectangle keeps its turn, and errors of its sides are all that moves it.
+TEST(PlanRectangle, ErrorsOfTheOutlineMayTurnIt) {
+  constexpr double side_sd = 0.5e-3;
+  std::vector<Eigen::Vector2d> bar, triangle;
+  for (int i = 0; i <= 100; ++i)
+    for (const double y : {-0.02, 0.02}) bar.emplace_back(-0.1 + 0.002 * i, y);
+  const auto straight = rectangle_scatter(bar, side_sd, 0.0125);
+  EXPECT_NEAR(straight.length, std::sqrt(2.0) * side_sd, 0.6 * side_sd);
+  // Around a triangle the rectangles along its three sides have one area: 200 x 120, 170 x 141 and 144 x 166 mm.
+  const std::array<Eigen::Vector2d, 3> corners{{{0, 0}, {0.2, 0}, {0.08, 0.12}}};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (int i = 0; i < 100; ++i) triangle.push_back(corners[k] + 0.01 * i * (corners[(k + 1) % 3] - corners[k]));
+  const auto turning = rectangle_scatter(triangle, side_sd, 0.0125);
+  EXPECT_GT(turning.length, 10 * straight.length);
+}
+
 TEST(Traits, HeightAndBreadthOfANoisyCloud) {
   for (const double noise : {0.0002, 0.0006, 0.0012}) {
     PottedPlant plant;
@@ -67,6 +85,36 @@ TEST(Traits, HeightAndBreadthOfANoisyCloud) {
     EXPECT_NEAR(cell(t, "breadth_length_mm"), 1000 * truth.length, 0.01 * 1000 * truth.length);
     EXPECT_NEAR(cell(t, "breadth_width_mm"), 1000 * truth.width, 0.01 * 1000 * truth.width);
   }
+}
+
+// The upper part of the plant is outside of what was reconstructed: the height must not look measured.
+TEST(Traits, APlantThatIsCutOffHasOnlyLowerBounds) {
+  const PottedPlant plant;
+  auto separated = separate(cloud_of(plant, {}), nullptr, false, {}, {});
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < separated.points.size(); ++i) box.extend(separated.points.position(i));
+  const auto text = [](const Eigen::AlignedBox3d& b) { return text_of({b.min(), b.max()}); };
+  TraitInputs in;
+  in.points = &separated.points;
+  auto wide = box;
+  wide.min().array() -= 0.02;
+  wide.max().array() += 0.02;
+  separated.points.facts[std::string(region_fact)] = text(wide);
+  const auto whole = measure_traits(in, {}, {});
+  EXPECT_TRUE(std::isfinite(cell(whole.traits, "height_hi_mm")));
+  auto low = wide;
+  low.max().z() = box.max().z() - 0.03;
+  const auto [kept, cut] = std::pair{low, text(low)};
+  std::vector<std::uint32_t> inside;
+  for (std::uint32_t i = 0; i < separated.points.size(); ++i)
+    if (kept.contains(separated.points.position(i))) inside.push_back(i);
+  separated.points = separated.points.subset(inside);
+  separated.points.facts[std::string(region_fact)] = cut;
+  const auto part = measure_traits(in, {}, {});
+  EXPECT_FALSE(std::isfinite(cell(part.traits, "height_hi_mm")));
+  EXPECT_TRUE(std::isfinite(cell(part.traits, "breadth_length_hi_mm")));
+  EXPECT_THAT(part.report.findings, testing::Contains(testing::Field(&Finding::code, "plant_cut_off")));
+  EXPECT_THAT(part.report.message, testing::HasSubstr("height at least"));
 }
 
 TEST(Traits, PlacesAreThoseOfThePlant) {

@@ -11,7 +11,7 @@
 namespace bole::plant {
 namespace {
 
-using synthetic::SceneViews;
+using synthetic::PlantSceneViews;
 
 double quantile(std::vector<double> values, double share) {
   std::ranges::sort(values);
@@ -36,7 +36,7 @@ struct Fused {
   Report report;
 };
 
-Fused fuse(const SceneViews& views, const FuseOptions& options) {
+Fused fuse(const PlantSceneViews& views, const FuseOptions& options) {
   Fused f;
   const auto posed = posed_views(views, views.given_poses(), 1, f.report);
   f.region = find_region(views, posed, options.min_share, bole::Run{}, f.report);
@@ -46,9 +46,9 @@ Fused fuse(const SceneViews& views, const FuseOptions& options) {
 
 TEST(Tsdf, SurfaceLiesOnTheScene) {
   for (const bool own_depth_camera : {false, true}) {
-    SceneViews::Settings settings;
+    PlantSceneViews::Settings settings;
     settings.own_depth_camera = own_depth_camera;
-    const SceneViews views(settings);
+    const PlantSceneViews views(settings);
     const auto f = fuse(views, small_options());
     const auto cloud = surface_points(f.grid, 2);
     ASSERT_GT(cloud.size(), 5000U);
@@ -59,15 +59,15 @@ TEST(Tsdf, SurfaceLiesOnTheScene) {
 }
 
 TEST(Tsdf, NoisyDepthIsAveraged) {
-  SceneViews::Settings settings;
+  PlantSceneViews::Settings settings;
   settings.depth_noise = 0.0015;
-  const SceneViews views(settings);
+  const PlantSceneViews views(settings);
   const auto f = fuse(views, small_options());
   EXPECT_LT(quantile(errors_of(surface_points(f.grid, 2), views.scene()), 0.5), 0.0009);
 }
 
 TEST(Tsdf, TheRegionHoldsThePlantAndNotTheWholeTable) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   const auto f = fuse(views, small_options());
   for (const auto& leaf : views.scene().leaves) {
     EXPECT_TRUE(f.region.contains(leaf.centre + leaf.radii));
@@ -78,7 +78,7 @@ TEST(Tsdf, TheRegionHoldsThePlantAndNotTheWholeTable) {
 }
 
 TEST(Tsdf, NormalsPointToTheCamerasAndColoursAreThoseOfTheScene) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   const auto f = fuse(views, small_options());
   const auto cloud = surface_points(f.grid, 2);
   const auto& nz = cloud.values<float>("normal_z");
@@ -103,7 +103,7 @@ TEST(Tsdf, NormalsPointToTheCamerasAndColoursAreThoseOfTheScene) {
 }
 
 TEST(Tsdf, TheMeshHasTheSurfaceOfThePoints) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   const auto f = fuse(views, small_options());
   const auto mesh = surface_mesh(f.grid, 2);
   ASSERT_GT(mesh.triangles.rows(), 5000U);
@@ -122,11 +122,11 @@ TEST(Tsdf, TheMeshHasTheSurfaceOfThePoints) {
 
 TEST(Tsdf, ClearErrors) {
   Report report;
-  SceneViews::Settings settings;
-  const SceneViews views(settings);
+  PlantSceneViews::Settings settings;
+  const PlantSceneViews views(settings);
   EXPECT_THROW(posed_views(views, Trajectory{}, 1, report), Error);
   settings.depth = false;
-  const SceneViews blind(settings);
+  const PlantSceneViews blind(settings);
   const auto posed = posed_views(blind, blind.given_poses(), 1, report);
   EXPECT_THROW(fuse_depth(blind, posed, {}, {}, bole::Run{}, report), Error);
   EXPECT_THROW(region_from_text("1 2 3"), Error);
@@ -137,7 +137,7 @@ TEST(Tsdf, ClearErrors) {
 }
 
 TEST(Tsdf, TooLittleMemoryEnlargesTheVoxelsAndSaysSo) {
-  const SceneViews views({});
+  const PlantSceneViews views({});
   auto options = small_options();
   options.max_memory_mib = 16;
   options.voxel = 0.001;
@@ -145,6 +145,35 @@ TEST(Tsdf, TooLittleMemoryEnlargesTheVoxelsAndSaysSo) {
   EXPECT_GT(f.grid.voxel, 0.001);
   ASSERT_FALSE(f.report.findings.empty());
   EXPECT_EQ(f.report.findings.back().code, "voxel_enlarged");
+}
+
+// The table of the scene is 0.8 m wide; the plant is 0.12 m wide and 0.17 m high.
+TEST(Region, WhatStandsOnATableLeavesTheTableOut) {
+  PlantSceneViews::Settings settings;
+  settings.depth_noise = 0.002;
+  const PlantSceneViews views(settings);
+  Report report;
+  const auto posed = posed_views(views, views.given_poses(), 3, report);
+  const auto all = find_region(views, posed, 0.6, bole::Run{}, report);
+  const auto standing = find_standing_region(views, posed, 0.6, bole::Run{}, report);
+  EXPECT_EQ(report.facts.at("region_from"), "what stands on a plane");
+  EXPECT_GT(all.size().head<2>().maxCoeff(), 0.3);
+  EXPECT_LT(standing.size().head<2>().maxCoeff(), 0.2);
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0.06, 0, 0.16), {-0.055, 0, 0.13}, {0, -0.06, 0.14}, {0.04, 0, 0}})
+    EXPECT_TRUE(standing.contains(p)) << p.transpose();
+}
+
+TEST(Region, AnEmptyTableIsKeptWhole) {
+  // Without the plant nothing stands on the table: the whole of it is kept.
+  PlantSceneViews::Settings settings;
+  const PlantSceneViews views(settings, {.leaves = {}, .cylinders = {}});
+  Report report;
+  const auto posed = posed_views(views, views.given_poses(), 3, report);
+  const auto all = find_region(views, posed, 0.6, bole::Run{}, report);
+  const auto standing = find_standing_region(views, posed, 0.6, bole::Run{}, report);
+  EXPECT_EQ(report.facts.at("region_from"), "depth in the common view");
+  EXPECT_EQ(all.min, standing.min);
+  EXPECT_EQ(all.max, standing.max);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
+#include "render/charts/match_figure.h"
 
 namespace bole::report {
 namespace {
@@ -123,6 +124,82 @@ TEST(PlantReport, ACloudWithoutAPlantIsTold) {
   ASSERT_EQ(result.report.findings.size(), 1U);
   EXPECT_EQ(result.report.findings[0].code, "no_plant");
   EXPECT_EQ(io::read_cloud(folder.run.output_dir / "cloud.ply").cloud.size(), 40U);
+}
+
+// Grey pictures of 80 x 60 pixels.
+class GreyViews : public ViewSource {
+ public:
+  std::size_t size() const override { return 6; }
+  void read(std::size_t, View& view, ViewParts) const override { view.color = ColorImage(80, 60, 3, 120); }
+  double time_s(std::size_t i) const override { return static_cast<double>(i); }
+  std::string name(std::size_t i) const override { return "view_" + std::to_string(i); }
+  const RgbdCamera& camera(std::size_t) const override { return camera_; }
+  bool has_depth() const override { return false; }
+  const Trajectory& given_poses() const override { return none_; }
+  std::string description() const override { return "grey"; }
+  std::string locator() const override { return "{}"; }
+
+ private:
+  RgbdCamera camera_;
+  Trajectory none_;
+};
+
+// Three pairs of neighbours with 9, 5 and 2 kept matches and one refused each, and a loop with more than all.
+Table matches() {
+  std::vector<std::int64_t> a, b;
+  std::vector<std::string> name_a, name_b, state, reason;
+  std::vector<double> x_a, y_a, x_b, y_b;
+  const auto add = [&](int from, int to, int kept) {
+    for (int i = 0; i <= kept; ++i) {
+      a.push_back(from), b.push_back(to);
+      name_a.push_back("view_" + std::to_string(from)), name_b.push_back("view_" + std::to_string(to));
+      const double y = i < kept ? 30 : 10;
+      x_a.push_back(5.0 * i), y_a.push_back(y), x_b.push_back(5.0 * i + 4), y_b.push_back(y + 1);
+      state.emplace_back(i < kept ? "kept" : "refused"), reason.emplace_back(i < kept ? "kept" : "gms");
+    }
+  };
+  add(0, 1, 9), add(1, 2, 2), add(2, 3, 5), add(0, 5, 14);
+  Table t;
+  t.set("view_a", a), t.set("view_b", b), t.set("name_a", name_a), t.set("name_b", name_b);
+  t.set("x_a_px", x_a), t.set("y_a_px", y_a), t.set("x_b_px", x_b), t.set("y_b_px", y_b);
+  t.set("state", state), t.set("reason", reason);
+  return t;
+}
+
+TEST(PlantReport, ShowsTheMatchesOfATypicalPair) {
+  const auto pair = render::typical_pair(matches());
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->name_a + " " + pair->name_b, "view_2 view_3");
+  EXPECT_EQ(pair->kept.size(), 5U);
+  EXPECT_EQ(pair->reasons.at("gms"), 1U);
+  EXPECT_FALSE(render::typical_pair(Table{}));
+
+  const ColorImage grey(80, 60, 3, 120);
+  const auto figure = render::match_figure(*pair, grey, grey, 180);
+  const auto drawn = render::figure_image(figure, 160);
+  EXPECT_LE(drawn.width, 1200);
+  const double px_per_mm = drawn.width / 180.0, mm_per_px = 88.5 / 80;
+  const auto at = [&](double x_mm, double y_mm) {
+    return drawn.pixel(static_cast<int>(x_mm * px_per_mm), static_cast<int>(y_mm * px_per_mm));
+  };
+  // The first kept match begins at (0, 30) of the left picture and ends at (4, 31) of the right one, in blue; the
+  // refused one at (25, 10) and (29, 11), in red.
+  for (const auto& [x, y] : {std::pair{0.5 * mm_per_px, 30.5 * mm_per_px}, {91.5 + 4.5 * mm_per_px, 31.5 * mm_per_px}})
+    EXPECT_GT(at(x, y).b, at(x, y).r + 0.2);
+  for (const auto& [x, y] :
+       {std::pair{25.5 * mm_per_px, 10.5 * mm_per_px}, {91.5 + 29.5 * mm_per_px, 11.5 * mm_per_px}})
+    EXPECT_GT(at(x, y).r, at(x, y).b + 0.2);
+
+  Folder folder;
+  DataSet in;
+  in.set("traits", traits());
+  in.set("matches", matches());
+  write_plant_report(in, {}, folder.run);
+  EXPECT_FALSE(folder.has("figures/matches.png"));  // nothing to draw them on
+  in.set("views", Data(std::shared_ptr<const ViewSource>(std::make_shared<GreyViews>())));
+  EXPECT_TRUE(write_plant_report(in, {}, folder.run).report.findings.empty());
+  EXPECT_TRUE(folder.has("figures/matches.png"));
+  EXPECT_THAT(folder.text("report.html"), HasSubstr("5 matches were kept (blue), 1 were refused (red) (gms 1)"));
 }
 
 TEST(PlantReport, NothingIsNoReport) {

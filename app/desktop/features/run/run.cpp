@@ -1,9 +1,13 @@
-// Runs: the commands to start and end them, their progress in the status bar, and the dock of all jobs.
+// Runs: the commands to start and end them, their progress in the status bar, the dock of all jobs, and the curve of a
+// training while it goes on.
+#include <QDockWidget>
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QStyle>
 
 #include "features/run/jobs_panel.h"
+#include "render/charts/plant_charts.h"
+#include "views/figure_view.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
@@ -55,6 +59,21 @@ void make_commands(Workbench* b) {
                 .icon = icon(QStyle::SP_MediaStop)});
 }
 
+// The dock comes up with the first curve of a document.
+void make_training(Workbench* b) {
+  auto* view = new FigureView(Workbench::tr("While a field is trained its curve is shown here."), b);
+  view->setObjectName("training_curve");
+  b->docks().add("training", Workbench::tr("Training"), view, Qt::BottomDockWidgetArea, "stems");
+  b->docks().find("training")->hide();
+  QObject::connect(b, &Workbench::document_opened, view, [view] { view->show_figure({}); });
+  QObject::connect(&b->runner(), &Runner::snapshot_taken, view, [b, view](const QString&, const DataSet& part) {
+    if (!part.has("training")) return;
+    if (view->empty()) b->docks().raise("training");
+    view->show_figure(
+        [table = part.get<Table>("training")](double width_mm) { return render::training_chart(*table, width_mm); });
+  });
+}
+
 }  // namespace
 
 void install_run(Workbench& bench) {
@@ -62,6 +81,7 @@ void install_run(Workbench& bench) {
   make_progress(&bench);
   bench.docks().add("jobs", Workbench::tr("Jobs"), new JobsPanel(bench.runner(), &bench), Qt::BottomDockWidgetArea,
                     "stems");
+  make_training(&bench);
   bench.docks().raise("stems");
 }
 

@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "features/traits/plant_editor.h"
+#include "features/traits/plant_form.h"
 #include "features/traits/trait_drawings.h"
 #include "panels/table_model.h"
 #include "views/scene_view.h"
@@ -25,6 +27,7 @@ QString text_of(const Table& table, const char* column) {
 
 Traits::Traits(Workbench& bench) : QObject(&bench), bench_(bench) {
   make_dock();
+  editor_ = new PlantEditor(bench_, *form_);
   connect(&bench_, &Workbench::document_opened, this, [this] { raised_ = false; });
   connect(&bench_, &Workbench::survey_shown, this, &Traits::show_survey);
   bench_.commands().add({.id = "traits.draw",
@@ -42,7 +45,7 @@ void Traits::make_dock() {
   tabs_ = new QTabWidget(&bench_);
   tabs_->setObjectName("trait_tabs");
   tabs_->setDocumentMode(true);
-  const auto add = [this](const char* name, const QString& title, QWidget* below = nullptr) {
+  const auto add = [this](const char* name, const QString& title, const std::vector<QWidget*>& below = {}) {
     auto* model = new TableModel(this);
     auto* table = new QTableView(tabs_);
     table->setObjectName(name);
@@ -54,7 +57,7 @@ void Traits::make_dock() {
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 6);
     models_.push_back(model);
-    if (below == nullptr) {
+    if (below.empty()) {
       tabs_->addTab(table, title);
       return;
     }
@@ -62,17 +65,19 @@ void Traits::make_dock() {
     auto* layout = new QVBoxLayout(both);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(table, 1);
-    layout->addWidget(below);
+    for (auto* widget : below) layout->addWidget(widget);
     tabs_->addTab(both, title);
   };
   how_ = new QLabel(tabs_);
   how_->setObjectName("trait_notes");
   how_->setContentsMargins(6, 2, 6, 4);
   how_->setWordWrap(true);
-  add("trait_table", tr("Traits"), how_);
+  form_ = new PlantForm(tabs_);
+  add("trait_table", tr("Traits"), {how_, form_});
   add("leaf_table", tr("Leaves"));
   add("internode_table", tr("Internodes"));
   add("stem_sections", tr("Sections of the stem"));
+  add("plant_edits", tr("Edits"));
   bench_.docks().add("traits", tr("Traits"), tabs_, Qt::RightDockWidgetArea, "profile");
   bench_.docks().find("traits")->hide();  // until there are traits
 }
@@ -82,6 +87,7 @@ void Traits::show_survey(const Survey& survey) {
   models_[1]->show(survey.leaves);
   models_[2]->show(survey.internodes);
   models_[3]->show(survey.stem);
+  models_[4]->show(survey.traits ? survey.edit_log : nullptr);
   for (int i = 1; i < tabs_->count(); ++i)
     tabs_->setTabEnabled(i, models_[static_cast<std::size_t>(i)]->rowCount() > 0);
   QStringList notes;

@@ -1,4 +1,4 @@
-// What was measured on a plant: drawn on it, and in tables with intervals.
+// What was measured on a plant: drawn on it, in tables with intervals, and a form to correct it.
 #pragma once
 
 #include <QObject>
@@ -10,6 +10,8 @@ class QTabWidget;
 
 namespace bole::desktop {
 
+class PlantEditor;
+class PlantForm;
 class TableModel;
 class Workbench;
 
@@ -19,11 +21,15 @@ class Traits : public QObject {
  public:
   explicit Traits(Workbench& bench);
 
+  PlantEditor& editor() { return *editor_; }
+
  private:
   void make_dock();
   void show_survey(const Survey& survey);
 
   Workbench& bench_;
+  PlantForm* form_ = nullptr;
+  PlantEditor* editor_ = nullptr;
   QTabWidget* tabs_ = nullptr;
   QLabel* how_ = nullptr;  // how the stem was measured, whether the scale is known
   std::vector<TableModel*> models_;

@@ -68,13 +68,12 @@ class Editing {
   Outcome assign(const PlantEdit& edit) {
     auto part = out_.points.values<std::int32_t>(part_column);
     std::size_t moved = 0;
-    for (std::size_t k = 0; k < part.size(); ++k) {
+    for (const auto k : points_in(edit.region, out_.points)) {
       if (edit.from && part[k] != static_cast<std::int32_t>(*edit.from)) continue;
-      if ((out_.points.position(k) - edit.at).norm() > edit.radius) continue;
       moved += part[k] != static_cast<std::int32_t>(edit.part);
       part[k] = static_cast<std::int32_t>(edit.part);
     }
-    if (moved == 0) return {false, "no such point lies within the radius"};
+    if (moved == 0) return {false, "no such point lies there"};
     out_.points.set_column(part_column, Column(std::move(part)));
     changed_ = true;
     return {true, std::to_string(moved) + " points"};

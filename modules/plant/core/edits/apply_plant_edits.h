@@ -33,8 +33,8 @@ struct EditedPlant {
 
 // Edits of base, height of measurement and parts of points come first, whatever their order in the list, and the plant
 // is measured anew with the options of the first measurement. Then values that a person gave take the place of measured
-// ones; they have no interval (NaN). state becomes edited, accepted or rejected. An edit that changes nothing (no point
-// within the radius), or whose was_mm is another value than what is measured now (by more than 2 % and 0.1 mm), is a
+// ones; they have no interval (NaN). state becomes edited, accepted or rejected. An edit that changes nothing (no such
+// point lies there), or whose was_mm is another value than what is measured now (by more than 2 % and 0.1 mm), is a
 // conflict: it changes nothing and is listed. Throws Error{bad_input} for tables that are not of plant.traits.
 EditedPlant apply_plant_edits(const PlantEditInputs& inputs, const std::vector<PlantEdit>& edits, const Run& run);
 

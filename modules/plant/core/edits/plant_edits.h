@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cloud/edit_list.h"
+#include "plant/core/edits/point_region.h"
 #include "plant/core/separate/plant_scene.h"
 
 namespace bole::plant {
@@ -17,9 +18,9 @@ struct PlantEdit : EditRecord {
   enum class Action { set_base, set_stem_height, assign, set_value, accept, reject, note };
 
   Action action = Action::note;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();  // set_base, assign
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  // set_base
   double height = 0;                             // set_stem_height: above the soil
-  double radius = 0;                             // assign: points within it
+  PointRegion region;                            // assign: which points
   std::optional<Part> from;                      // assign: only points of this part
   Part part = Part::other;                       // assign: what they become
   std::string trait;                             // set_value: height, breadth_length, breadth_width, stem_diameter
@@ -33,6 +34,8 @@ std::string_view action_name(PlantEdit::Action action);  // "set_base", ...
 // A JSON list of objects, for instance
 //   [{"action": "assign", "at": [0.1, 0.2, 0.3], "radius_m": 0.02, "from": "plant", "part": "other", "reason": "leaf of
 //   the neighbour"}, {"action": "set_value", "trait": "stem_diameter", "value_mm": 5.4, "author": "A. Smith"}]
+// The points of assign are those of a ball ("at", "radius_m"), of a box ("min", "max") or of an outline ("outline": a
+// list of corners, "eye" where it was drawn in perspective), see point_region.h.
 // Throws Error{bad_input} that names the edit by its number: text that is no JSON, unknown keys or actions, what an
 // action needs and lacks, and values that no seedling has.
 std::vector<PlantEdit> parse_plant_edits(std::string_view json);

@@ -27,6 +27,15 @@ double max_blocks(const FieldOptions& options) {
   return options.max_memory_mib * 1048576.0 / (bytes_per_voxel * FieldBox::block_voxels);
 }
 
+Region field_region(const ViewSource& views, const std::vector<PosedView>& posed, const FieldOptions& options,
+                    const Run& run, Report& report) {
+  if (const auto given = region_from_text(options.region)) return *given;
+  // A picture of an object alone has no table.
+  const bool standing = options.extent == FieldExtent::standing && options.background == Background::scene;
+  return standing ? find_standing_region(views, posed, options.min_share, run, report)
+                  : find_region(views, posed, options.min_share, run, report);
+}
+
 FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
                        const FieldOptions& options, const Run& run, Report& report) {
   double voxel = options.voxel;
@@ -34,7 +43,7 @@ FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& po
   if (!views.has_depth()) {
     space = without_depth(region, options, voxel);
   } else {
-    const int boxes = options.background == Background::scene ? 3 : 1;
+    const int boxes = options.background == Background::scene ? FieldSpace::max_boxes : 1;
     while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > 50e6) voxel *= 1.25;
     for (;; voxel *= 1.25) {
       space = FieldSpace::around(region, voxel, boxes);

@@ -10,6 +10,10 @@ namespace bole::plant {
 // Blocks that the memory holds.
 double max_blocks(const FieldOptions& options);
 
+// The region of the options, or what they say is found as it.
+Region field_region(const ViewSource& views, const std::vector<PosedView>& posed, const FieldOptions& options,
+                    const Run& run, Report& report);
+
 // Boxes around the region with the cells near measured depth; one full box without depth. Voxels are enlarged where the
 // memory is not enough, with a finding. Throws Error{bad_input} where no depth lies in the region.
 FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,

@@ -31,8 +31,6 @@ void DepthCells::mark(const Eigen::Vector3f& p) {
 void DepthCells::add(const DepthImage& depth, const CameraModel& camera, const Pose& T_world_depth) {
   Eigen::Isometry3f T_field_depth = T_world_depth.cast<float>();
   T_field_depth.translation() = (T_world_depth.translation() - space_.origin).cast<float>();
-  const auto& inner = space_.boxes.front();
-  const Eigen::Vector3f low = inner.min, high = inner.max();
   const bool distorted = camera.distorted();
   tbb::parallel_for(tbb::blocked_range<int>(0, depth.height, 8), [&](const auto& rows) {
     for (int y = rows.begin(); y < rows.end(); ++y)
@@ -44,8 +42,7 @@ void DepthCells::add(const DepthImage& depth, const CameraModel& camera, const P
                                               : Eigen::Vector3f(static_cast<float>((x - camera.cx) / camera.fx),
                                                                 static_cast<float>((y - camera.cy) / camera.fy), 1);
         const Eigen::Vector3f middle = T_field_depth * Eigen::Vector3f(direction * z);
-        const bool inside = (middle.array() >= low.array()).all() && (middle.array() <= high.array()).all();
-        const float voxel = inside ? inner.voxel : space_.boxes.back().voxel / 2;
+        const float voxel = space_.voxel_at(middle);
         const float band = std::max(3 * voxel, static_cast<float>(2.5 * noise_.sigma(z)));
         const int steps = static_cast<int>(std::ceil(band / (1.5F * voxel)));
         for (int s = -steps; s <= steps; ++s) {

@@ -17,10 +17,15 @@ constexpr std::array<std::string_view, 3> choice_names(EncoderKind) { return {"g
 enum class Background { scene, white, black };
 constexpr std::array<std::string_view, 3> choice_names(Background) { return {"scene", "white", "black"}; }
 
+// standing: what stands on the largest plane; common: all that the views see together.
+enum class FieldExtent { standing, common };
+constexpr std::array<std::string_view, 2> choice_names(FieldExtent) { return {"standing", "common"}; }
+
 struct FieldOptions {
   EncoderKind encoder = EncoderKind::grid;
   double voxel = 0.001;
   std::string region;
+  FieldExtent extent = FieldExtent::standing;
   Background background = Background::scene;
   double max_seconds = 240;
   int steps = 3000;

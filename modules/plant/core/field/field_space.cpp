@@ -51,9 +51,11 @@ FieldSpace FieldSpace::around(const Region& region, double voxel, int count) {
                             static_cast<std::size_t>(box.blocks.z()),
                         -1);
     space.boxes.push_back(std::move(box));
-    size *= 4;
+    // The table around a plant is in every picture: the next box is not much coarser.
+    const double wider = i == 0 ? 2 : 4;
+    size *= wider;
     // Boxes further out are cubes: the room around a low plant is as high as it is wide.
-    half = Eigen::Vector3d::Constant(half.maxCoeff() * 4);
+    half = Eigen::Vector3d::Constant(half.maxCoeff() * wider);
   }
   return space;
 }
@@ -151,6 +153,12 @@ bool FieldSpace::next(FieldRay& ray, FieldSample& sample) const {
     return true;
   }
   return false;
+}
+
+float FieldSpace::voxel_at(const Eigen::Vector3f& p) const {
+  for (const auto& box : boxes)
+    if ((p.array() >= box.min.array()).all() && (p.array() <= box.max().array()).all()) return box.voxel;
+  return boxes.back().voxel;
 }
 
 std::size_t FieldSpace::block_count() const {

@@ -1,5 +1,6 @@
-// Where a field has something: nested boxes around the region, each four times as wide as the one inside and with
-// voxels four times as large, each divided into blocks of 8 x 8 x 8 voxels of which only those near surfaces exist.
+// Where a field has something: nested boxes around the region, the second twice as wide as the first and with voxels
+// twice as large, each further one by four, each divided into blocks of 8 x 8 x 8 voxels of which only those near
+// surfaces exist.
 #pragma once
 
 #include <Eigen/Core>
@@ -67,6 +68,7 @@ struct FieldSpace {
   // The next sample on the ray, or false at its end.
   bool next(FieldRay& ray, FieldSample& sample) const;
   std::size_t block_count() const;
+  float voxel_at(const Eigen::Vector3f& p) const;  // of the innermost box that holds p, or of the last box
 };
 
 }  // namespace bole::plant

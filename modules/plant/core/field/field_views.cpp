@@ -89,7 +89,7 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
       const float limit = nearest * same_surface;
       const float own = landed.at(x, y);
       if (own > 0 && own <= limit) {
-        if (keeps.at(x, y) != 0) out.at(x, y) = own;
+        out.at(x, y) = keeps.at(x, y) != 0 ? own : -own;
         continue;
       }
       if (own <= 0 && ratio <= 1.05) continue;  // a hole of the depth image itself
@@ -99,7 +99,8 @@ DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, 
         ++count;
         kept += keep != 0;
       });
-      if (kept == count) out.at(x, y) = sum / static_cast<float>(count);
+      const float mean = sum / static_cast<float>(count);
+      out.at(x, y) = kept == count ? mean : -mean;
     }
   return out;
 }

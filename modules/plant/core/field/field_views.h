@@ -20,7 +20,7 @@ struct FieldView {
   Pose T_world_camera = Pose::Identity();
   std::shared_ptr<const PixelDirections> directions;
   ColorImage color;
-  DepthImage depth;  // registered to the picture, metres along z; 0: none, or too near an edge to be trusted
+  DepthImage depth;  // registered to the picture, metres along z; 0: none; negative: too near an edge to be trusted
 };
 
 struct FieldViewOptions {
@@ -34,6 +34,7 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
                                         const FieldViewOptions& options, const Run& run, Report& report);
 
 // The depth image as the colour camera would see it, in an image of that camera. Near surfaces hide those behind.
+// Depths that are left out become negative.
 DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
                             const Pose& T_color_depth, const CameraModel& color_camera);
 

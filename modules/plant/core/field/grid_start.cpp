@@ -9,9 +9,20 @@
 namespace bole::plant {
 namespace {
 
+// Thin stems are edges all over, where no depth can be trusted: half of the light passes two such voxels, so that the
+// pictures decide.
+constexpr float undecided = -1;
+
 struct Sum {
-  float distance = 0, weight = 0, color_weight = 0;
+  float distance = 0, weight = 0, color_weight = 0, edge_distance = 0, edge_weight = 0;
   Eigen::Array3f color = Eigen::Array3f::Zero();
+
+  // By depth that can be trusted, or by that at edges.
+  float raw_density(float voxel) const {
+    if (weight > 0) return std::clamp(-2 * distance / weight / voxel, -6.0F, 3.0F);
+    if (edge_weight > 0) return std::clamp(-2 * edge_distance / edge_weight / voxel, -6.0F, undecided);
+    return -6;
+  }
 };
 
 // What one view says of a lattice point.
@@ -33,14 +44,15 @@ void add_view(const FieldView& view, const Eigen::Isometry3f& T_camera_field, co
         v < static_cast<float>(view.camera.height - 1)))
     return;
   const int x = static_cast<int>(std::lround(u)), y = static_cast<int>(std::lround(v));
-  const float z = view.depth.at(x, y);
-  if (z <= 0) return;
+  const bool edge = view.depth.at(x, y) < 0;
+  const float z = std::abs(view.depth.at(x, y));
+  if (!(z > 0)) return;
   const float distance = z - q.z();
   if (distance < -reach) return;
   const float relative = static_cast<float>(noise.sigma(0.5) / noise.sigma(z));
   const float weight = relative * relative;
-  sum.distance += weight * std::min(distance, reach);
-  sum.weight += weight;
+  (edge ? sum.edge_distance : sum.distance) += weight * std::min(distance, reach);
+  (edge ? sum.edge_weight : sum.weight) += weight;
   if (distance > reach) return;
   sum.color_weight += weight;
   for (int c = 0; c < 3; ++c) sum.color(c) += weight * static_cast<float>(view.color.at(x, y, c));
@@ -77,7 +89,7 @@ void start_grid(GridEncoder& grid, const FieldSpace& space, const std::vector<Fi
             add_view(*view, T_camera_field, p, reach, noise, sum);
           }
           auto& value = grid.value(b, block, static_cast<std::size_t>(voxel));
-          if (sum.weight > 0) value(0) = std::clamp(-2 * sum.distance / sum.weight / box.voxel, -6.0F, 3.0F);
+          value(0) = sum.raw_density(box.voxel);
           if (sum.color_weight > 0)
             for (int c = 0; c < 3; ++c) {
               const float share = std::clamp(sum.color(c) / sum.color_weight / 255, 0.02F, 0.98F);

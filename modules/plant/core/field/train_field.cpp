@@ -8,6 +8,8 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "cloud/data.h"
+#include "cloud/preview.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/grid_reshape.h"
 #include "plant/core/field/grid_start.h"
@@ -25,6 +27,23 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 struct ProgressRows {
   std::vector<std::int64_t> step;
   std::vector<double> loss, psnr, seconds;
+};
+
+// For whoever watches the run: the table `training` with the error of the rays so far (step, psnr_db).
+struct TrainingCurve {
+  std::vector<double> step, psnr;
+
+  void add(int at_step, double psnr_db, const Run& run) {
+    step.push_back(at_step);
+    psnr.push_back(psnr_db);
+    if (!run.preview || !run.preview->wants()) return;
+    Table table;
+    table.set("step", step);
+    table.set("psnr_db", psnr);
+    DataSet part;
+    part.set("training", std::move(table));
+    run.preview->show(std::move(part));
+  }
 };
 
 // Learning rate by the part of the training that is done: full at first, a thirtieth at the end.
@@ -160,6 +179,7 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   Reshaping reshaping(region, options, views.has_depth());
   TrainBatch batch;
   ProgressRows rows;
+  TrainingCurve curve;
   const auto start = Clock::now();
   const int look_every = std::max(1, options.steps / 12);
   double loss = 0, decayed = 0;
@@ -189,10 +209,13 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
       rows.psnr.push_back(psnr);
       rows.seconds.push_back(seconds_since(start));
     }
-    if (step % 10 == 0)
-      run.report(0.1 + 0.75 * done, fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", step,
-                                                -10 * std::log10(std::max(1e-12, loss / decayed)),
-                                                rows.psnr.empty() ? 0.0 : rows.psnr.back()));
+    if (step % 10 == 0) {
+      const double training_db = -10 * std::log10(std::max(1e-12, loss / decayed));
+      const double held_out_db = rows.psnr.empty() ? 0.0 : rows.psnr.back();
+      run.report(0.1 + 0.75 * done,
+                 fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", step, training_db, held_out_db));
+      curve.add(step, training_db, run);
+    }
   }
   if (step < options.steps) {
     if (run.asked_to_finish()) {

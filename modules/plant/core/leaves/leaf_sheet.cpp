@@ -276,7 +276,7 @@ class Spreading {
     double gap = 0, edge = 0, empty = 0, cells = 0;
     for (int x = first; x <= last; ++x) {
       out_.area += area[static_cast<std::size_t>(x)];
-      if (breadth[static_cast<std::size_t>(x)] == 0) gap += bridged(breadth, x) * s_.cell;
+      gap += missing(breadth, x) * s_.cell;
       for (int y = 0; y < ny_; ++y) {
         if (!inside(x, y)) continue;
         cells += 1;
@@ -297,14 +297,16 @@ class Spreading {
     out_.blade = out_.width > s_.blade && thickness < 0.15 * out_.width && out_.length > 0.8 * out_.width;
   }
 
-  // Breadth of a column without points, between those beside it.
-  static double bridged(const std::vector<double>& breadth, int x) {
-    auto low = static_cast<std::size_t>(x), high = low;
-    while (low > 0 && breadth[low] == 0) --low;
-    while (high + 1 < breadth.size() && breadth[high] == 0) ++high;
-    return high > low ? breadth[low] + (breadth[high] - breadth[low]) * (x - static_cast<double>(low)) /
-                                           static_cast<double>(high - low)
-                      : 0;
+  // What a column lacks to those on both sides of it: a strip without points. Blades have no waist.
+  double missing(const std::vector<double>& breadth, int x) const {
+    const int reach = static_cast<int>(2.5 * s_.step / s_.cell);
+    double before = 0, after = 0;
+    for (int k = 0; k <= reach; ++k) {
+      if (x - k >= 0) before = std::max(before, breadth[static_cast<std::size_t>(x - k)]);
+      if (x + k < nx_) after = std::max(after, breadth[static_cast<std::size_t>(x + k)]);
+    }
+    const double expected = std::min(before, after), found = breadth[static_cast<std::size_t>(x)];
+    return found < 0.7 * expected ? expected - found : 0;
   }
 
   void find_stalk() {

@@ -34,6 +34,11 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
                 fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
                             "stem apart. Do not use the number of leaves, internodes and the length of the stem.",
                             hanging, organs.leaves.size()));
+  if (organs.sparse)
+    report.find(Severity::look, "plant_too_sparse",
+                fmt::format("The plant's points lie too far apart: {} gaps between them were bridged. Do not use the "
+                            "leaves and internodes.",
+                            organs.gaps));
   if (organs.lost_share > 0.02)
     report.find(
         Severity::look, "plant_in_pieces",

@@ -18,15 +18,14 @@ class Finding {
   Finding(const Points3& plant, const OrganScales& s, const Run& run) : plant_(plant), s_(s), run_(run) {}
 
   PlantOrgans all() {
-    const double cell = std::max({0.05 * s_.unit, 1.2 * s_.spacing, 0.8 * s_.noise});
-    graph_ = plant_graph(plant_, cell, s_.noise, s_.max_gap, run_.part(0, 0.4));
+    link();
     out_.gaps = graph_.gaps;
     out_.widest_gap = graph_.widest_gap;
     out_.organ_of_point.assign(plant_.size(), -1);
     if (graph_.size() < 20) return std::move(out_);
     run_.report(0.4, "stem and leaves");
     from_foot_ = distances_from(graph_, foot(), run_);
-    step_ = 2 * cell;
+    step_ = 2 * graph_.cell;
     levels_ = levels_of(graph_, from_foot_, step_);
     BranchingScales scales{0.5 * s_.unit, 0.2 * s_.unit, 0.75 * s_.unit, 0.3 * s_.unit};
     branching_ = branching_of(levels_, organ_ends(graph_, from_foot_, scales.tip), scales);
@@ -42,6 +41,16 @@ class Finding {
   }
 
  private:
+  // Nodes as near as the points allow: where many parts have no neighbours, they are taken further apart.
+  void link() {
+    double cell = std::max({0.05 * s_.unit, 1.2 * s_.spacing, 0.8 * s_.noise});
+    for (;; cell *= 1.4) {
+      graph_ = plant_graph(plant_, cell, s_.noise, s_.max_gap, run_.part(0, 0.4));
+      out_.sparse = graph_.gaps * 50 > graph_.size();
+      if (!out_.sparse || 1.4 * cell > 0.2 * s_.unit) return;
+    }
+  }
+
   // Nodes at the lower end of the plant near the origin, of what most of it is connected with.
   std::vector<std::uint32_t> foot() const {
     const auto connected = largest_part(graph_);
@@ -195,7 +204,7 @@ class Finding {
       distance.push_back(from_foot_.value[graph_.node_of_point[i]]);
     }
     Leaf leaf;
-    leaf.sheet = leaf_sheet(points, distance, {0.04 * s_.unit, 0.15 * s_.unit, s_.noise, 0.3 * s_.unit});
+    leaf.sheet = leaf_sheet(points, distance, {0.8 * graph_.cell, 0.15 * s_.unit, s_.noise, 0.3 * s_.unit});
     const double smallest = 0.125 * s_.unit * s_.unit;
     if (!leaf.sheet.blade || leaf.sheet.area < smallest) {
       ++out_.twigs;

@@ -164,9 +164,18 @@ class Separation {
     thin_ = thinned_by(level_, std::max(spacing_, size_ / 300));
   }
 
+  // The depth surface, if there is one: a field leaves most of the table out.
+  Points3 widest_view() const {
+    if (depth_surface_ == nullptr) return thinned_by(points_, std::max(spacing_, size_ / 300));
+    Points3 points;
+    points.reserve(depth_surface_->size());
+    for (std::size_t i = 0; i < depth_surface_->size(); ++i) points.push_back(depth_surface_->position(i));
+    return thinned_by(points, std::max(spacing_, size_ / 300));
+  }
+
   // Out of the largest plane, to the side of the cameras, or of most points where they are unknown.
   std::optional<Eigen::Vector3d> up_of_plane() {
-    const auto thin = thinned_by(points_, std::max(spacing_, size_ / 300));
+    const auto thin = widest_view();
     std::optional<Eigen::Vector3d> near;
     Eigen::Vector3d up_of_cameras = Eigen::Vector3d::Zero(), place = Eigen::Vector3d::Zero();
     if (poses_ != nullptr && !poses_->empty()) {

@@ -1,10 +1,5 @@
 #include "plant/core/traits/extents.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/convex_hull_2.h>
-#include <CGAL/min_quadrilateral_2.h>
-
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -16,8 +11,6 @@
 
 namespace bole::plant {
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr int replicates = 16;
 constexpr std::array<double, 4> added{0.5, 1, 1.5, 2};  // times the variance of the noise
@@ -140,26 +133,14 @@ Extent extrapolated(double raw, const std::array<std::vector<double>, added.size
   return out;
 }
 
-}  // namespace
-
-PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points) {
-  std::vector<Kernel::Point_2> plan, hull;
-  plan.reserve(points.size());
-  for (const auto& p : points) plan.emplace_back(p.x(), p.y());
-  CGAL::convex_hull_2(plan.begin(), plan.end(), std::back_inserter(hull));
-  PlanRectangle out;
-  if (hull.size() < 3) return out;
-  CGAL::Polygon_2<Kernel> rectangle;
-  CGAL::min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(rectangle));
-  if (rectangle.size() != 4) return out;
-  for (std::size_t k = 0; k < 4; ++k) out.corners[k] = {rectangle[k].x(), rectangle[k].y()};
-  const double a = (out.corners[1] - out.corners[0]).norm(), b = (out.corners[2] - out.corners[1]).norm();
-  out.length = std::max(a, b);
-  out.width = std::min(a, b);
-  return out;
+// Errors of the sides may also turn the rectangle.
+void take_scatter_of_rectangle(const std::vector<Eigen::Vector2d>& plan, Extents& extents) {
+  constexpr double patches_across = 16;  // about a leaf's tip
+  const double side_sd = std::hypot(extents.length.sd, extents.width.sd) / 2;
+  const auto scatter = rectangle_scatter(plan, side_sd, extents.rectangle.length / patches_across);
+  extents.length.sd = std::max(extents.length.sd, scatter.length);
+  extents.width.sd = std::max(extents.width.sd, scatter.width);
 }
-
-namespace {
 
 // The measured tip that is the outermost place in a direction, or null where that is a point of the cloud.
 const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction, double near) {
@@ -167,6 +148,17 @@ const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eig
   for (const auto& t : tips)
     if (t.measured() && (t.end() - *far).norm() < near) return &t;
   return nullptr;
+}
+
+// Root mean square of what the pictures add to tips of the cloud or take from them.
+double usual_move(const std::vector<Tip>& tips) {
+  double square = 0, count = 0;
+  for (const auto& t : tips)
+    if (t.measured()) {
+      square += t.move * t.move;
+      count += 1;
+    }
+  return count > 0 ? std::sqrt(square / count) : 0;
 }
 
 }  // namespace
@@ -177,17 +169,20 @@ void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach,
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : points) plan.emplace_back(p.head<2>());
   const auto rectangle = smallest_rectangle(plan);
-  // What a side is off: the scatter of its tip in the pictures, and of how sharp it is; or the
-  // correction for noise where no picture shows it.
+  // What a side is off: the scatter of its tip in the pictures, and of how sharp it is; or the correction for noise
+  // where no picture shows it, and what the cloud has lost at the tips that pictures do show.
+  const double usual = usual_move(tips);
   const auto sd_of = [&](const Tip* tip, double correction) {
     if (tip != nullptr) ++extents.sides_in_pictures;
-    return tip != nullptr ? std::hypot(tip->sd, reach / 20) : std::max(std::abs(correction), extents.noise);
+    return tip != nullptr ? std::hypot(tip->sd, reach / 20) : std::max({std::abs(correction), extents.noise, usual});
   };
   extents.sides_in_pictures = 0;
   const auto* top = tip_at(points, tips, Eigen::Vector3d::UnitZ(), reach / 4);
   if (top != nullptr) {
     extents.top.value = now.top;
     extents.top.sd = sd_of(top, 0);
+  } else {
+    extents.top.sd = std::max(extents.top.sd, usual);
   }
   if (!(rectangle.length > 0)) return;
   const Eigen::Vector2d first = rectangle.corners[1] - rectangle.corners[0],
@@ -196,7 +191,10 @@ void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach,
   const auto side = [&](const Eigen::Vector2d& along, double raw, Extent& extent) {
     const Eigen::Vector3d d = Eigen::Vector3d(along.x(), along.y(), 0).normalized();
     const auto *a = tip_at(points, tips, d, reach / 4), *b = tip_at(points, tips, -d, reach / 4);
-    if (a == nullptr && b == nullptr) return;
+    if (a == nullptr && b == nullptr) {
+      extent.sd = std::max(extent.sd, std::sqrt(2.0) * usual);
+      return;
+    }
     const double correction = (extent.value - extent.raw) / 2;
     extent.value = raw + (a == nullptr ? correction : 0) + (b == nullptr ? correction : 0);
     extent.sd = std::hypot(sd_of(a, correction), sd_of(b, correction));
@@ -204,6 +202,7 @@ void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach,
   side(first_is_length ? first : second, rectangle.length, extents.length);
   side(first_is_length ? second : first, rectangle.width, extents.width);
   extents.rectangle = rectangle;
+  take_scatter_of_rectangle(plan, extents);
 }
 
 Extents measure_extents(const Points3& plant, const Run& run) {
@@ -257,6 +256,7 @@ Extents measure_extents(const Points3& plant, const Run& run) {
   out.top.sd = std::hypot(out.top.sd, lost[0]);
   out.length.sd = std::hypot(out.length.sd, lost[1]);
   out.width.sd = std::hypot(out.width.sd, lost[2]);
+  take_scatter_of_rectangle(plan, out);
   return out;
 }
 

@@ -2,23 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "base/run.h"
 #include "plant/core/separate/point_grid.h"
+#include "plant/core/traits/plan_rectangle.h"
 #include "plant/core/traits/tips.h"
 
 namespace bole::plant {
-
-// The rectangle of least area around the plant in plan.
-struct PlanRectangle {
-  double length = 0, width = 0;              // length >= width
-  std::array<Eigen::Vector2d, 4> corners{};  // in order around it
-};
-
-// Of at least three points that do not lie on one line; else zero.
-PlanRectangle smallest_rectangle(const std::vector<Eigen::Vector2d>& points);
 
 struct Extent {
   double value = 0;  // corrected

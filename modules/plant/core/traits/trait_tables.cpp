@@ -16,6 +16,7 @@ void set_interval(Table& table, const std::string& name, const Interval& v) {
 
 std::string in_mm(const Interval& v) {
   if (!std::isfinite(v.value)) return "not measured";
+  if (!std::isfinite(v.high)) return fmt::format("at least {:.1f} mm", 1000 * v.low);
   return fmt::format("{:.1f} mm ({:.1f} to {:.1f})", 1000 * v.value, 1000 * v.low, 1000 * v.high);
 }
 

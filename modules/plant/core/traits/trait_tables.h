@@ -12,7 +12,7 @@
 
 namespace bole::plant {
 
-// A value with its 95 % interval, in metres.
+// A value with its 95 % interval, in metres. `high` is NaN where the plant was cut off: then nothing is known above.
 struct Interval {
   double value = 0, low = 0, high = 0;
 };

@@ -7,7 +7,11 @@
 #include <numeric>
 
 #include "base/statistics.h"
+<<<<<<< HEAD
 #include "plant/core/leaves/leaf_traits.h"
+=======
+#include "plant/core/surface/region.h"
+>>>>>>> 305b139c860e92a564a305efe5ebd3132773cfdf
 #include "plant/core/traits/extents.h"
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
@@ -19,7 +23,9 @@ namespace bole::plant {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double edge_px = 0.03;  // what a wrong curve of the picture or shading moves an edge by, all views alike
+// What shading, a wrong curve of the picture and a background of the stem's own colour move an edge by, all views
+// alike: diameters of six simulated plants were off by -0.07 pixels in the mean, with a scatter of 0.07.
+constexpr double edge_px = 0.05;
 
 class Measurement {
  public:
@@ -77,6 +83,40 @@ class Measurement {
     const double both = std::sqrt(2.0) * surface;
     length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
     width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
+    tell_what_is_cut();
+  }
+
+  // A cloud that ends at the border of what was reconstructed says nothing of the plant beyond.
+  void tell_what_is_cut() {
+    const auto& points = *in_.points;
+    const auto fact = points.facts.find(region_fact);
+    if (fact == points.facts.end()) return;
+    const auto region = region_from_text(fact->second);
+    if (!region) return;
+    constexpr int min_at_border = 20;
+    const double near = std::max(2 * extents_.spacing, 0.005 * extents_.top.value);
+    const auto& part = points.values<std::int32_t>(part_column);
+    int above = 0, aside = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (part[i] != static_cast<std::int32_t>(Part::plant)) continue;
+      const Eigen::Vector3d p = points.position(i);
+      for (int k = 0; k < 3; ++k)
+        for (const double side : {-1.0, 1.0}) {
+          if ((side < 0 ? p[k] - region->min[k] : region->max[k] - p[k]) > near) continue;
+          const double upwards = side * scene_.up[k];
+          if (upwards > -0.5) ++(upwards > 0.5 ? above : aside);
+        }
+    }
+    if (above >= min_at_border) height_.high = nan;
+    if (aside >= min_at_border) length_.high = width_.high = nan;
+    if (above < min_at_border && aside < min_at_border) return;
+    const std::string what = above < min_at_border   ? "The breadth is that of a part"
+                             : aside < min_at_border ? "The height is that of a part"
+                                                     : "Height and breadth are those of a part";
+    report_.find(Severity::look, "plant_cut_off",
+                 "The plant reaches the border of what was reconstructed. " + what +
+                     ": the value is a lower bound. Too few views see the rest; take views that show all of the "
+                     "plant, or give a larger region to plant.field.");
   }
 
   void measure_tips_in_pictures() {
@@ -164,6 +204,7 @@ class Measurement {
     search.radius = fit_->diameter / 2;
     search.radius_share = 1.35;
     search.shift = 0.25 * fit_->diameter;
+    search.usual_spread = usual_spread(contours_.views);
     auto again = find(search, which, 0.55, 0.9);
     if (const auto better = fit_stem(again.strips, fit_->axis, fit_->diameter / 2, pose_sigma_px, run_)) {
       fit_ = better;

@@ -56,13 +56,7 @@ FieldRecipe parse_field(const nlohmann::json& json) {
 }
 
 FieldRecipe read_field(const std::string& name_or_path) {
-  const auto file = find_recipe("fields", name_or_path);
-  const auto json = read_recipe_json(file);
-  try {
-    return parse_field(json);
-  } catch (const Error& e) {
-    throw e.at(file.string());
-  }
+  return parse_recipe_file(find_recipe("fields", name_or_path), parse_field);
 }
 
 std::vector<std::string> field_names() { return recipe_names("fields"); }

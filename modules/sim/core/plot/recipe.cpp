@@ -151,12 +151,7 @@ PlotRecipe parse_recipe(const nlohmann::json& json) {
 }
 
 PlotRecipe read_recipe(const std::filesystem::path& file) {
-  const auto json = read_recipe_json(file);
-  try {
-    return parse_recipe(json);
-  } catch (const Error& e) {
-    throw e.at(file.string());
-  }
+  return parse_recipe_file(file, parse_recipe);
 }
 
 nlohmann::json to_json(const PlotRecipe& recipe) {

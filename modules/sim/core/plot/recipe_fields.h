@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "base/option.h"
 
 namespace bole::sim {
@@ -127,5 +128,16 @@ std::vector<std::string> recipe_names(const std::string& folder);
 std::filesystem::path find_recipe(const std::string& folder, const std::string& name_or_path);
 
 nlohmann::json read_recipe_json(const std::filesystem::path& file);
+
+// What `parse` makes of the file; its errors tell which file.
+template <class Parse>
+auto parse_recipe_file(const std::filesystem::path& file, Parse&& parse) {
+  const auto json = read_recipe_json(file);
+  try {
+    return parse(json);
+  } catch (const Error& e) {
+    throw e.at(file.string());
+  }
+}
 
 }  // namespace bole::sim

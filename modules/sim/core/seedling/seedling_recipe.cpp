@@ -72,13 +72,7 @@ SeedlingRecipe parse_seedling(const nlohmann::json& json) {
 }
 
 SeedlingRecipe read_seedling(const std::string& name_or_path) {
-  const auto file = find_recipe("plants", name_or_path);
-  const auto json = read_recipe_json(file);
-  try {
-    return parse_seedling(json);
-  } catch (const Error& e) {
-    throw e.at(file.string());
-  }
+  return parse_recipe_file(find_recipe("plants", name_or_path), parse_seedling);
 }
 
 nlohmann::json seedling_json(const SeedlingRecipe& recipe) {
