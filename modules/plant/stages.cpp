@@ -227,7 +227,8 @@ pipeline::StageType traits_stage() {
       "for "
       "the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed "
       "cylinder "
-      "is fitted to them, with the point spread of each picture.";
+      "is fitted to them, with the point spread of each picture. Leaves, internodes, branches and the whole main stem "
+      "are followed in the points from the foot upwards; leaves that touch or are hidden are marked for a check.";
   t.source = "Noise of extents: Cook and Stefanski (1994), JASA 89 (simulation extrapolation); otherwise Bole";
   t.inputs = {{"points", DataKind::cloud, "Points of plant.separate.", false, {}},
               {"views", DataKind::views, "Pictures for the stem; without them the cloud must do.", true, {}},
@@ -236,6 +237,7 @@ pipeline::StageType traits_stage() {
                {"stem", DataKind::table, "Sections of the stem.", false, {}},
                {"leaves", DataKind::table, "One row per leaf.", false, {}},
                {"internodes", DataKind::table, "One row per internode.", false, {}},
+               {"branches", DataKind::table, "One row per branch.", false, {}},
                {"contours", DataKind::table, "Edges of the stem in the pictures.", false, {}}};
   t.options = &option_table(static_cast<const TraitOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
@@ -249,6 +251,7 @@ pipeline::StageType traits_stage() {
     result.outputs.set("stem", std::move(traits.stem));
     result.outputs.set("leaves", std::move(traits.leaves));
     result.outputs.set("internodes", std::move(traits.internodes));
+    result.outputs.set("branches", std::move(traits.branches));
     result.outputs.set("contours", std::move(traits.contours));
     result.report = std::move(traits.report);
     return result;
@@ -272,6 +275,7 @@ pipeline::StageType plant_edit_stage() {
               {"stem", DataKind::table, "Sections of the stem.", true, {}},
               {"leaves", DataKind::table, "Leaves.", true, {}},
               {"internodes", DataKind::table, "Internodes.", true, {}},
+              {"branches", DataKind::table, "Branches.", true, {}},
               {"contours", DataKind::table, "Edges of the stem in the pictures.", true, {}},
               {"views", DataKind::views, "The views that the traits were measured with.", true, {}},
               {"poses", DataKind::trajectory, "Their poses.", true, {}}};
@@ -280,6 +284,7 @@ pipeline::StageType plant_edit_stage() {
                {"stem", DataKind::table, "Sections of the stem.", false, {}},
                {"leaves", DataKind::table, "Leaves.", false, {}},
                {"internodes", DataKind::table, "Internodes.", false, {}},
+               {"branches", DataKind::table, "Branches.", false, {}},
                {"contours", DataKind::table, "Edges of the stem in the pictures.", false, {}},
                {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};
   t.options = &option_table(static_cast<const PlantEditOptions*>(nullptr));
@@ -290,6 +295,7 @@ pipeline::StageType plant_edit_stage() {
                            table("internodes"), table("contours"),   nullptr,       nullptr};
     if (in.has("views")) inputs.views = &in.views("views");
     if (in.has("poses")) inputs.poses = &in.trajectory("poses");
+    inputs.branches = table("branches");
     auto edited = apply_plant_edits(inputs, edits_of(options.file, options.edits, parse_plant_edits), run);
     pipeline::StageResult result;
     result.outputs.set("points", std::move(edited.points));
@@ -297,6 +303,7 @@ pipeline::StageType plant_edit_stage() {
     result.outputs.set("stem", std::move(edited.traits.stem));
     result.outputs.set("leaves", std::move(edited.traits.leaves));
     result.outputs.set("internodes", std::move(edited.traits.internodes));
+    result.outputs.set("branches", std::move(edited.traits.branches));
     result.outputs.set("contours", std::move(edited.traits.contours));
     result.outputs.set("log", std::move(edited.log));
     result.report = std::move(edited.traits.report);

@@ -44,12 +44,16 @@ struct TableFile {
   const char* file;
   const char* sheet;
 };
-constexpr TableFile table_files[] = {
-    {"traits", "traits.csv", "Traits"},       {"stem", "stem.csv", "Stem"},
-    {"leaves", "leaves.csv", "Leaves"},       {"internodes", "internodes.csv", "Internodes"},
-    {"contours", "contours.csv", "Contours"}, {"tracking", "tracking.csv", "Views"},
-    {"matches", "matches.csv", "Matches"},    {"held_out", "held_out.csv", "Held-out views"},
-    {"edits", "edits.csv", "Edits"}};
+constexpr TableFile table_files[] = {{"traits", "traits.csv", "Traits"},
+                                     {"stem", "stem.csv", "Stem"},
+                                     {"leaves", "leaves.csv", "Leaves"},
+                                     {"internodes", "internodes.csv", "Internodes"},
+                                     {"branches", "branches.csv", "Branches"},
+                                     {"contours", "contours.csv", "Contours"},
+                                     {"tracking", "tracking.csv", "Views"},
+                                     {"matches", "matches.csv", "Matches"},
+                                     {"held_out", "held_out.csv", "Held-out views"},
+                                     {"edits", "edits.csv", "Edits"}};
 
 // The points of the plant; all where nothing tells them apart.
 PointCloud plant_of(const PointCloud& cloud) {
@@ -66,6 +70,7 @@ io::Decimals decimals_for(const Table& table) {
   io::Decimals out;
   for (const auto& column : table.columns()) {
     if (column.name.ends_with("_mm")) out[column.name] = 3;
+    if (column.name.ends_with("_cm2") || column.name.ends_with("_cm3")) out[column.name] = 3;
     if (column.name.ends_with("_m")) out[column.name] = 6;
     if (column.name.ends_with("_db") || column.name.ends_with("_deg")) out[column.name] = 2;
   }
@@ -194,7 +199,7 @@ class PlantReport {
       const auto unit_at = column.name.rfind('_');
       if (unit_at == std::string::npos || std::holds_alternative<std::vector<std::string>>(column.values)) continue;
       const std::string stem = column.name.substr(0, unit_at), unit = column.name.substr(unit_at + 1);
-      if (!traits.has(stem + "_lo_" + unit)) continue;
+      if (!traits.has(stem + "_lo_" + unit) || !std::isfinite(traits.numbers(column.name).front())) continue;
       std::string words = stem;
       std::ranges::replace(words, '_', ' ');
       names.push_back(words), units.push_back(unit);
@@ -208,6 +213,55 @@ class PlantReport {
     return out;
   }
 
+  // Columns that a table does not have are left out.
+  void add_organs() {
+    using Columns = std::vector<std::pair<std::string, std::string>>;
+    const auto add = [&](const char* port, const char* title, const char* note, Columns columns) {
+      if (const auto* t = table(port); t != nullptr && t->rows() > 0)
+        page_.tables.push_back({title, note, t, std::move(columns), 1});
+    };
+    add("leaves", "Leaves",
+        "From the lowest node upwards, the main stem (axis 0) first. Height of the node; azimuth from x towards y; "
+        "angle "
+        "between petiole and stem; length, width and area of the blade, one side, with its 95 % interval.",
+        {{"leaf", "leaf"},
+         {"axis", "axis"},
+         {"height_mm", "height (mm)"},
+         {"azimuth_deg", "azimuth (deg)"},
+         {"angle_deg", "angle (deg)"},
+         {"petiole_mm", "petiole (mm)"},
+         {"length_mm", "length (mm)"},
+         {"width_mm", "width (mm)"},
+         {"area_cm2", "area (cm2)"},
+         {"area_lo_cm2", "from"},
+         {"area_hi_cm2", "to"},
+         {"quality", "quality"},
+         {"remark", "remark"}});
+    add("internodes", "Internodes", "Along the stem, from the soil upwards.",
+        {{"axis", "axis"},
+         {"from_leaf", "from leaf"},
+         {"to_leaf", "to leaf"},
+         {"length_mm", "length (mm)"},
+         {"turn_deg", "turn (deg)"},
+         {"quality", "quality"}});
+    add("branches", "Branches", "",
+        {{"branch", "branch"},
+         {"parent", "grows from"},
+         {"height_mm", "height (mm)"},
+         {"angle_deg", "angle (deg)"},
+         {"length_mm", "length (mm)"},
+         {"leaves", "leaves"}});
+  }
+
+  // "15 leaves, 2 branches."
+  std::string organ_sentence(const Table& traits) const {
+    const double leaves = numbers_or_nan(traits, "leaf_count")[0], branches = numbers_or_nan(traits, "branch_count")[0];
+    if (!std::isfinite(leaves)) return {};
+    std::string text = fmt::format("{:.0f} {}", leaves, leaves == 1 ? "leaf" : "leaves");
+    if (branches > 0) text += fmt::format(", {:.0f} {}", branches, branches == 1 ? "branch" : "branches");
+    return text + ".";
+  }
+
   void write_page() {
     page_.title = "Seedling";
     if (const auto* traits = table("traits"); traits != nullptr && traits->rows() > 0) {
@@ -218,6 +272,8 @@ class PlantReport {
                               {{"trait", "trait"}, {"value", "value"}, {"lo", "from"}, {"hi", "to"}, {"unit", "unit"}},
                               2});
     }
+    if (const auto* traits = table("traits"); traits != nullptr && traits->rows() > 0)
+      if (auto text = organ_sentence(*traits); !text.empty()) page_.paragraphs.push_back(std::move(text));
     if (const auto* tracking = table("tracking"); tracking != nullptr && tracking->has("state")) {
       const auto& state = tracking->texts("state");
       const auto lost = std::ranges::count(state, "lost");
@@ -228,14 +284,12 @@ class PlantReport {
       page_.paragraphs.push_back(
           fmt::format("{} views were held out: the field shows them with a mean PSNR of {:.1f} dB.", held_out->rows(),
                       mean_of(numbers_or_nan(*held_out, "psnr_db"))));
-    for (const auto& [port, title, note] : {std::tuple{"leaves", "Leaves", ""},
-                                            {"internodes", "Internodes", "Along the stem, from the soil upwards."},
-                                            {"edits", "Edits", "What a person changed."}})
-      if (const auto* t = table(port); t != nullptr && t->rows() > 0) {
-        std::vector<std::pair<std::string, std::string>> columns;
-        for (const auto& column : t->columns()) columns.emplace_back(column.name, column.name);
-        page_.tables.push_back({title, note, t, std::move(columns), 2});
-      }
+    add_organs();
+    if (const auto* t = table("edits"); t != nullptr && t->rows() > 0) {
+      std::vector<std::pair<std::string, std::string>> columns;
+      for (const auto& column : t->columns()) columns.emplace_back(column.name, column.name);
+      page_.tables.push_back({"Edits", "What a person changed.", t, std::move(columns), 2});
+    }
     page_.pictures = writer_.pictures();
     page_.warnings = page_warnings(run_.record.get(), writer_.report());
     writer_.write("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
@@ -278,7 +332,8 @@ pipeline::StageType plant_report_stage() {
                  {"views", DataKind::views, "The views: two of them are shown with their matches.", true, {}},
                  {"stem", DataKind::table, "Sections of the stem.", true, {}},
                  {"leaves", DataKind::table, "Leaves.", true, {}},
-                 {"internodes", DataKind::table, "Internodes and angles of the branches.", true, {}},
+                 {"internodes", DataKind::table, "Internodes.", true, {}},
+                 {"branches", DataKind::table, "Branches with their angles.", true, {}},
                  {"contours", DataKind::table, "Contours of the stem in the pictures.", true, {}},
                  {"edits", DataKind::table, "What a person changed.", true, {}}};
   type.options = &option_table(static_cast<const PlantReportOptions*>(nullptr));

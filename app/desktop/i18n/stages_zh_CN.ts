@@ -347,8 +347,8 @@
             <translation>把盆栽植株的点云分为植株、花盆、土壤、标定垫和漂浮点。桌面是最低的水平面，花盆是其上的回转体，土壤是盆沿以内的表面；植株是从土壤中长出的部分，包括被间隙隔开的部分。</translation>
         </message>
         <message>
-            <source>Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected for the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed cylinder is fitted to them, with the point spread of each picture.</source>
-            <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。</translation>
+            <source>Measures height, breadth and stem of a separated plant, each with a 95 % interval. Height is the highest point above the soil at the stem, breadth the rectangle of least area around the plant in plan; both are corrected for the noise of the points. The diameter of the stem comes from its edges in the pictures: a tapered, bowed cylinder is fitted to them, with the point spread of each picture. Leaves, internodes, branches and the whole main stem are followed in the points from the foot upwards; leaves that touch or are hidden are marked for a check.</source>
+            <translation>测量已分离植株的高度、冠幅和茎，各带 95 % 区间。高度是最高点到茎处土壤的距离，冠幅是俯视图中包围植株的最小面积矩形；两者均按点的噪声校正。茎直径由图像中的茎边缘得到：考虑每幅图像的点扩散，拟合一个渐细、弯曲的圆柱。叶片、节间、分枝和整条主茎从茎基部起在点云中向上追踪；相互接触或被遮挡的叶片标记为待检查。</translation>
         </message>
         <message>
             <source>Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place, in a box or behind an outline become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no longer fits is a conflict, which changes nothing and is listed.</source>

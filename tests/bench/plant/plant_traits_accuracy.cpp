@@ -1,6 +1,7 @@
 // Traits of simulated seedlings beside their truth, with true poses, from a cloud of the true surface or of the depth
 // images as they are:
-//   plant_traits_accuracy [--depth] [--spacing=MM] [--noise=MM] FOLDER...
+//   plant_traits_accuracy [--depth] [--cloud=FILE] [--no-pictures] [--leaves] [--spacing=MM] [--noise=MM] FOLDER...
+// --cloud: a cloud of Bole with parts (scene.ply or cloud.ply of a run) for the next folder; --leaves: a line per leaf.
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -10,16 +11,19 @@
 #include <string>
 
 #include "base/random.h"
+#include "io/core/clouds/cloud_reader.h"
 #include "io/core/views/open_views.h"
 #include "plant/core/separate/separate.h"
 #include "plant/core/surface/surface_points.h"
 #include "plant/core/traits/traits.h"
+#include "plant_leaf_accuracy.h"
 
 namespace bole {
 namespace {
 
 struct Settings {
-  bool depth = false;
+  bool depth = false, pictures = true, leaves = false;
+  std::string cloud;
   double spacing = 0.0008, noise = 0.0003;
 };
 
@@ -120,13 +124,15 @@ void measure(const std::filesystem::path& folder, const Settings& s) {
   // Times of views as read, of truth rounded to a microsecond.
   for (std::size_t i = 0; i < std::min(views->size(), poses.poses.size()); ++i)
     poses.poses[i].time_s = views->time_s(i);
-  const auto cloud = s.depth ? cloud_of_depth(*views, poses) : cloud_of_mesh(folder / "truth/mesh.ply", s);
+  const auto cloud = !s.cloud.empty() ? io::read_cloud(s.cloud).cloud
+                     : s.depth        ? cloud_of_depth(*views, poses)
+                                      : cloud_of_mesh(folder / "truth/mesh.ply", s);
   const auto begin = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-  auto separated = plant::separate(cloud, &poses, true, {}, {});
+  auto separated = cloud.has("part") ? plant::Separated{cloud, {}, {}} : plant::separate(cloud, &poses, true, {}, {});
   std::printf("%s: %zu points, %s\n", folder.filename().c_str(), cloud.size(), separated.report.message.c_str());
   for (const auto& w : separated.report.warnings) std::printf("  ! %s\n", w.c_str());
-  plant::TraitInputs in{&separated.points, views.get(), &poses};
+  plant::TraitInputs in{&separated.points, s.pictures ? views.get() : nullptr, &poses};
   const auto traits = plant::measure_traits(in, {}, {});
   for (const auto& w : traits.report.warnings) std::printf("  ! %s\n", w.c_str());
   std::printf("  %.1f s\n", seconds());
@@ -144,6 +150,7 @@ void measure(const std::filesystem::path& folder, const Settings& s) {
     }
     std::printf("\n");
   }
+  bench::compare_leaves(traits.leaves, traits.internodes, traits.branches, folder / "truth", s.leaves);
   for (const auto& [name, m] : traits.report.metrics) std::printf("  %s %.3f", name.c_str(), m.value);
   for (const auto& [name, n] : traits.report.counts) std::printf("  %s %lld", name.c_str(), static_cast<long long>(n));
   for (const auto& [name, f] : traits.report.facts) std::printf("  %s %s", name.c_str(), f.c_str());
@@ -160,6 +167,12 @@ int main(int argc, char** argv) {
     const std::string a = argv[i];
     if (a == "--depth") {
       s.depth = true;
+    } else if (a == "--no-pictures") {
+      s.pictures = false;
+    } else if (a == "--leaves") {
+      s.leaves = true;
+    } else if (a.rfind("--cloud=", 0) == 0) {
+      s.cloud = a.substr(8);
     } else if (a.rfind("--spacing=", 0) == 0) {
       s.spacing = std::atof(a.c_str() + 10) / 1000;
     } else if (a.rfind("--noise=", 0) == 0) {
@@ -167,6 +180,7 @@ int main(int argc, char** argv) {
     } else {
       try {
         bole::measure(a, s);
+        s.cloud.clear();
       } catch (const std::exception& e) {
         std::printf("%s: %s\n", a.c_str(), e.what());
       }

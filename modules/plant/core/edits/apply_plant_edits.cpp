@@ -35,6 +35,7 @@ class Editing {
       if (in_.stem != nullptr) out_.traits.stem = *in_.stem;
       if (in_.leaves != nullptr) out_.traits.leaves = *in_.leaves;
       if (in_.internodes != nullptr) out_.traits.internodes = *in_.internodes;
+      if (in_.branches != nullptr) out_.traits.branches = *in_.branches;
       if (in_.contours != nullptr) out_.traits.contours = *in_.contours;
     }
     change_values();

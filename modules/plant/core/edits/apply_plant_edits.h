@@ -22,6 +22,7 @@ struct PlantEditInputs {
   const Table* contours = nullptr;
   const ViewSource* views = nullptr;  // as plant.traits had them
   const Trajectory* poses = nullptr;
+  const Table* branches = nullptr;
 };
 
 struct EditedPlant {

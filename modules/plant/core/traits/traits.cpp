@@ -7,7 +7,11 @@
 #include <numeric>
 
 #include "base/statistics.h"
+<<<<<<< HEAD
+#include "plant/core/leaves/leaf_traits.h"
+=======
 #include "plant/core/surface/region.h"
+>>>>>>> 305b139c860e92a564a305efe5ebd3132773cfdf
 #include "plant/core/traits/extents.h"
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
@@ -34,6 +38,8 @@ class Measurement {
     measure_size();
     run_.report(0.2, "stem");
     measure_stem();
+    run_.report(0.9, "leaves");
+    measure_organs();
     return finished();
   }
 
@@ -306,6 +312,22 @@ class Measurement {
                        ". Clouds made of depth show thin stems too wide; the interval says by how much.");
   }
 
+  void measure_organs() {
+    leaf_inputs_.plant = &plant_;
+    leaf_inputs_.R_world_plant = T_plant_world_.linear().transpose();
+    leaf_inputs_.unit = stem_unit();
+    leaf_inputs_.spacing = extents_.spacing;
+    leaf_inputs_.noise = extents_.noise;
+    leaf_inputs_.max_gap = 0.8 * stem_unit();
+    leaf_inputs_.scale_sd = options_.scale_sd / 100;
+    leaf_inputs_.stem_height = stem_at_;
+    if (fit_) {  // the cloud itself shows thin stems too wide
+      leaf_inputs_.stem_diameter = stem_.value;
+      leaf_inputs_.stem_diameter_sd = (stem_.high - stem_.low) / (2 * 1.96);
+    }
+    leaves_ = measure_leaves(leaf_inputs_, run_.part(0.9, 1), report_);
+  }
+
   Traits finished() {
     Traits out;
     TraitRow row;
@@ -325,7 +347,12 @@ class Measurement {
     row.rectangle = extents_.rectangle;
     out.traits = trait_table(row);
     put_trait_options(out.traits.facts, options_);
+    add_leaf_columns(out.traits, leaves_, leaf_inputs_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
+    add_stem_sections(out.stem, leaves_, leaf_inputs_);
+    out.leaves = std::move(leaves_.leaves);
+    out.internodes = std::move(leaves_.internodes);
+    out.branches = std::move(leaves_.branches);
     out.contours = contour_table(contours_, in_.views, fit_);
     report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};
     report_.metrics["breadth_length"] = {1000 * length_.value, Unit::millimetre};
@@ -353,6 +380,8 @@ class Measurement {
   std::optional<CloudStem> cloud_stem_;
   std::optional<StemFit> fit_;
   StripsFound contours_;
+  LeafInputs leaf_inputs_;
+  LeafTraits leaves_;
   std::string stem_method_, why_no_contours_;
 };
 

@@ -46,6 +46,7 @@ struct Traits {
   Table stem;    // sections of the stem
   Table leaves;
   Table internodes;
+  Table branches;
   Table contours;  // measured edges: view, name, height_mm, x/y of both edges in pixels, diameter_mm, weight
   Report report;
 };

@@ -1,0 +1,157 @@
+#include "plant/core/leaves/leaf_traits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "plant/core/leaves/leaf_tables.h"
+
+namespace bole::plant {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double section = 0.005;  // metres between sections of the stem
+
+void find_doubts(const PlantOrgans& organs, Report& report) {
+  if (organs.axes.empty() || organs.axes.front().curve.empty()) {
+    report.find(Severity::look, "stem_not_followed",
+                "The stem could not be followed from its foot: leaves and internodes were not measured. Look at the "
+                "base of the plant.");
+    return;
+  }
+  const auto doubtful = std::ranges::count_if(organs.leaves, [](const auto& l) { return !l.doubt.empty(); });
+  if (doubtful > 0)
+    report.find(3 * static_cast<std::size_t>(doubtful) > organs.leaves.size() ? Severity::look : Severity::note,
+                "leaves_doubtful",
+                fmt::format("{} of {} leaves touch others, or are hidden in part: their rows say check.", doubtful,
+                            organs.leaves.size()));
+  const auto hanging = std::ranges::count_if(organs.leaves, &Leaf::on_other);
+  const double stem = organs.axes.front().curve.length(), height = organs.axes.front().curve.places.back().z();
+  if (5 * static_cast<std::size_t>(hanging) > organs.leaves.size() || stem > 1.6 * height)
+    report.find(Severity::look, "leaves_not_apart",
+                fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
+                            "stem apart. Do not use the number of leaves, internodes and the length of the stem.",
+                            hanging, organs.leaves.size()));
+  if (organs.sparse)
+    report.find(Severity::look, "plant_too_sparse",
+                fmt::format("The plant's points lie too far apart: {} gaps between them were bridged. Do not use the "
+                            "leaves and internodes.",
+                            organs.gaps));
+  if (organs.lost_share > 0.02)
+    report.find(
+        Severity::look, "plant_in_pieces",
+        fmt::format("{:.0f} % of the plant's points are not connected with its stem: leaves may be missing, and "
+                    "the leaf area is a lower bound.",
+                    100 * organs.lost_share));
+}
+
+void mark_doubts(PlantOrgans& organs) {
+  for (auto& leaf : organs.leaves) {
+    if (!leaf.doubt.empty()) continue;
+    if (!leaf.touching.empty()) {
+      leaf.doubt = "touches leaf";
+      for (const int t : leaf.touching) leaf.doubt += fmt::format(" {}", t + 1);
+    } else if (leaf.sheet.filled > 0.1) {
+      leaf.doubt = fmt::format("{:.0f} % of its area has no points", 100 * leaf.sheet.filled);
+    }
+  }
+}
+
+}  // namespace
+
+LeafTraits measure_leaves(const LeafInputs& in, const Run& run, Report& report) {
+  LeafTraits out;
+  out.organs = find_organs(*in.plant, {in.unit, in.spacing, in.noise, in.max_gap}, run);
+  mark_doubts(out.organs);
+  find_doubts(out.organs, report);
+  out.leaves = leaf_table(out.organs, in.R_world_plant, in.scale_sd);
+  out.internodes = internode_table(out.organs, in.R_world_plant);
+  out.branches = branch_table(out.organs);
+  if (out.organs.axes.empty() || out.organs.axes.front().curve.empty()) return out;
+  const auto& stem = out.organs.axes.front().curve;
+  if (in.stem_diameter > 0 && stem.length() > 1.5 * in.stem_height) {
+    const double along = stem.nearest({stem.at(in.stem_height).x(), stem.at(in.stem_height).y(), in.stem_height}).along;
+    out.taper = stem_taper(stem, {along, in.stem_diameter, in.stem_diameter_sd}, section * in.unit / 0.02);
+  }
+  report.counts["leaves"] = static_cast<std::int64_t>(out.organs.leaves.size());
+  report.counts["branches"] = static_cast<std::int64_t>(out.organs.axes.size()) - 1;
+  report.counts["gaps_bridged"] = static_cast<std::int64_t>(out.organs.gaps);
+  return out;
+}
+
+void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs& in) {
+  const auto set = [&](const std::string& name, const std::string& unit, double value, double low, double high) {
+    traits.set(name + "_" + unit, std::vector<double>{value});
+    traits.set(name + "_lo_" + unit, std::vector<double>{low});
+    traits.set(name + "_hi_" + unit, std::vector<double>{high});
+  };
+  const auto& organs = leaves.organs;
+  const bool found = !organs.axes.empty() && !organs.axes.front().curve.empty();
+  traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : nan});
+  double area = 0, low = 0, high = 0;
+  for (const auto& leaf : organs.leaves) {
+    const auto bounds = area_bounds(leaf, in.scale_sd);
+    area += leaf.sheet.area;
+    low += bounds.low;
+    high += bounds.high;
+  }
+  high += organs.lost_share * area;
+  if (!found) area = low = high = nan;
+  set("leaf_area", "cm2", 1e4 * area, 1e4 * low, 1e4 * high);
+  traits.set("branch_count", std::vector<double>{found ? static_cast<double>(organs.axes.size()) - 1 : nan});
+  const double length = found ? organs.axes.front().curve.length() : nan;
+  const double half = 1.96 * std::hypot((organs.stem_ends_in_leaf ? 0.25 : 0.12) * in.unit, in.scale_sd * length);
+  set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half));
+  const bool known = found && !leaves.taper.along.empty();
+  set("stem_volume", "cm3", known ? 1e6 * leaves.taper.volume : nan, known ? 1e6 * leaves.taper.volume_low : nan,
+      known ? 1e6 * leaves.taper.volume_high : nan);
+}
+
+void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& in) {
+  if (leaves.organs.axes.empty() || leaves.organs.axes.front().curve.empty()) return;
+  const auto& curve = leaves.organs.axes.front().curve;
+  auto height = stem.numbers("height_mm"), x = stem.numbers("x_m"), y = stem.numbers("y_m"), z = stem.numbers("z_m"),
+       diameter = stem.numbers("diameter_mm");
+  auto source = stem.texts("source");
+  std::vector<double> sd(height.size(), nan);
+  const double none = std::numeric_limits<double>::infinity();
+  const double first = height.empty() ? none : *std::ranges::min_element(height);
+  const double last = height.empty() ? -none : *std::ranges::max_element(height);
+  std::size_t below = 0;
+  const double step = section * in.unit / 0.02;
+  const auto steps = static_cast<std::size_t>(curve.length() / step + 0.5);
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double along = std::min(curve.length(), static_cast<double>(i) * step);
+    const Eigen::Vector3d p = curve.at(along);
+    if (1000 * (p.z() + step / 2) > first && 1000 * (p.z() - step / 2) < last) continue;
+    double d = nan, d_sd = nan;
+    for (std::size_t k = 1; k < leaves.taper.along.size(); ++k)
+      if (leaves.taper.along[k] >= along - 1e-9 && leaves.taper.along[k - 1] <= along) {
+        d = leaves.taper.diameter[k];
+        d_sd = leaves.taper.sd[k];
+      }
+    const bool down = 1000 * p.z() < first && !height.empty() && first < none;
+    const auto at = down ? static_cast<std::ptrdiff_t>(below++) : static_cast<std::ptrdiff_t>(height.size());
+    height.insert(height.begin() + at, 1000 * p.z());
+    x.insert(x.begin() + at, p.x());
+    y.insert(y.begin() + at, p.y());
+    z.insert(z.begin() + at, p.z());
+    diameter.insert(diameter.begin() + at, d > 0 ? 1000 * d : nan);
+    sd.insert(sd.begin() + at, d > 0 ? 1000 * d_sd : nan);
+    source.insert(source.begin() + at, "cloud");
+  }
+  Table all;
+  all.facts = stem.facts;
+  all.set("height_mm", height);
+  all.set("x_m", x);
+  all.set("y_m", y);
+  all.set("z_m", z);
+  all.set("diameter_mm", diameter);
+  all.set("source", source);
+  all.set("diameter_sd_mm", sd);
+  stem = std::move(all);
+}
+
+}  // namespace bole::plant
