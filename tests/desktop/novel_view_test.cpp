@@ -177,11 +177,11 @@ class NovelViewTest : public QObject {
   }
 
   // BOLE_PLANT_SCREENSHOT=file.png takes a picture; of another pipeline, with its report, with
-  // BOLE_PLANT_PIPELINE=file.json.
+  // BOLE_FIELD_PIPELINE=file.json.
   void a_picture_of_the_field() {
     const auto file = qEnvironmentVariable("BOLE_PLANT_SCREENSHOT");
     if (file.isEmpty()) QSKIP("BOLE_PLANT_SCREENSHOT is not set");
-    const auto other = qEnvironmentVariable("BOLE_PLANT_PIPELINE");
+    const auto other = qEnvironmentVariable("BOLE_FIELD_PIPELINE");
     if (!other.isEmpty()) {
       window_->open(other);
       window_->run();
