@@ -146,7 +146,12 @@ double reweigh(std::vector<StemStrip>& strips, const StemCurve& axis, const Unkn
   return scale;
 }
 
-// The mean over the views, each with one vote by the number of its strips, outliers by Tukey's weights.
+// What a view's own strips leave open of its diameter. Mottles behind the stem are wider than a pixel and longer than a
+// strip is thick: 25 strips say as much as one of independent pixels.
+double own_variance(double information) { return 25 / information; }
+
+// The mean over the views, weighted by what the strips of each leave open (before soil of its own colour a stem has
+// next to no edges) and what differs from view to view; outliers by Tukey's weights.
 void average_views(const std::vector<StemStrip>& strips, const Unknowns& unknowns, StemFit& fit) {
   std::map<std::uint32_t, std::pair<double, double>> sums;  // weight, weighted diameter
   std::map<std::uint32_t, std::size_t> counts;
@@ -160,11 +165,12 @@ void average_views(const std::vector<StemStrip>& strips, const Unknowns& unknown
     sums[s.view].second += w * here;
     ++counts[s.view];
   }
-  std::vector<double> diameters;
+  std::vector<double> diameters, own;
   for (const auto& [view, sum] : sums) {
     if (counts[view] < 3) continue;
     fit.per_view.push_back({view, sum.second / sum.first, 1, counts[view]});
     diameters.push_back(sum.second / sum.first);
+    own.push_back(own_variance(sum.first));
   }
   if (diameters.empty()) return;
   double mean = median(diameters), total = 0, squares = 0, scale = 0;
@@ -174,10 +180,11 @@ void average_views(const std::vector<StemStrip>& strips, const Unknowns& unknown
     scale = std::max(1.4826 * median(std::move(sizes)), 1e-4 * mean);
     double sum = 0;
     total = squares = 0;
-    for (auto& v : fit.per_view) {
+    const double between = std::max(scale * scale - median(own), 0.04 * scale * scale);
+    for (std::size_t i = 0; i < fit.per_view.size(); ++i) {
+      auto& v = fit.per_view[i];
       const double u = (v.diameter - mean) / (tukey * scale);
-      // A view with few strips says less: strips of a view share half of their error.
-      const double votes = 1 / (0.5 + 0.5 * 8 / static_cast<double>(v.strips));
+      const double votes = between / (between + own[i]);
       v.weight = std::abs(u) < 1 ? (1 - u * u) * (1 - u * u) * votes : 0;
       sum += v.weight * v.diameter;
       total += v.weight;

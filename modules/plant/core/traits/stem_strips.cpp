@@ -18,7 +18,8 @@ namespace {
 constexpr double margin = 5;           // pixels of background beside the stem
 constexpr double max_half_width = 90;  // pixels; a stem that fills the picture is measured from others
 constexpr double min_contrast = 0.02;  // of 0..1
-constexpr int depth_block = 4;         // pixels of a cell of the depth picture
+constexpr double min_blur_px = 0.5;
+constexpr int depth_block = 4;  // pixels of a cell of the depth picture
 
 const std::array<float, 256>& light_table() {
   static const auto table = [] {
@@ -237,7 +238,14 @@ void measure_view(const ViewStem& stem, const StripSearch& search, const ColorIm
     return;
   }
   // The point spread belongs to the view: its strips share it.
-  use.sigma = median(spreads);
+  use.own_sigma = median(spreads);
+  std::vector<double> contrasts;
+  for (const auto& f : fitted) contrasts.push_back(f.edges.contrast);
+  use.contrast = median(std::move(contrasts));
+  // Where the stem hardly differs from what is behind it, a wider spread with a thinner stem explains the picture as
+  // well. A camera has one spread; a view is blurred more only where that shows clearly.
+  const bool blurred = use.own_sigma > search.usual_spread + min_blur_px;
+  use.sigma = search.usual_spread > 0 && !blurred ? search.usual_spread : use.own_sigma;
   std::vector<double> costs;
   std::vector<std::array<double, 3>> explained;
   for (auto& f : fitted) {
@@ -271,6 +279,19 @@ void measure_view(const ViewStem& stem, const StripSearch& search, const ColorIm
 }
 
 }  // namespace
+
+double usual_spread(const std::vector<ViewUse>& views) {
+  constexpr std::size_t min_views = 5;
+  std::vector<const ViewUse*> used;
+  for (const auto& v : views)
+    if (v.state == "used") used.push_back(&v);
+  if (used.size() < min_views) return 0;
+  std::ranges::sort(used, std::ranges::greater{}, &ViewUse::contrast);
+  used.resize(std::max(min_views, used.size() / 3));
+  std::vector<double> sigmas;
+  for (const auto* v : used) sigmas.push_back(v->own_sigma);
+  return median(std::move(sigmas));
+}
 
 StripsFound find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
                         const Points3& cloud, double spacing, const StripSearch& search,

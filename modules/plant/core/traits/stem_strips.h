@@ -35,20 +35,26 @@ struct StripSearch {
   double bottom = 0, top = 0;  // z of the stretch
   int sections = 24;
   bool linear_light = true;  // sRGB undone: optics blur light, not codes
+  double usual_spread = 0;   // point spread of sharp views, pixels; 0: not known, each view finds its own
 };
 
 struct ViewUse {
   std::uint32_t view = 0;
   std::size_t tried = 0, occluded = 0, measured = 0;
-  double sigma = 0;   // point spread of the view, pixels
-  double cost = 0;    // mean square error of the fitted strips in codes of the picture (0..1)
-  std::string state;  // used, no_pose, outside, hidden, no_contrast, unreadable
+  double sigma = 0;      // point spread that was taken, pixels
+  double own_sigma = 0;  // that its strips alone would have
+  double contrast = 0;   // median of its strips, 0..1
+  double cost = 0;       // mean square error of the fitted strips in codes of the picture (0..1)
+  std::string state;     // used, no_pose, outside, hidden, no_contrast, unreadable
 };
 
 struct StripsFound {
   std::vector<StemStrip> strips;
   std::vector<ViewUse> views;
 };
+
+// The point spread that the views of most contrast agree on; 0 where fewer than five views have measured it.
+double usual_spread(const std::vector<ViewUse>& views);
 
 // `cloud`: everything around, in plant axes, for what hides the stem; `spacing`: of its points.
 // `T_plant_world`: from the axes of the poses. Views that cannot be read are listed, not fatal.

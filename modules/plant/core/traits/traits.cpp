@@ -19,7 +19,9 @@ namespace bole::plant {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double edge_px = 0.03;  // what a wrong curve of the picture or shading moves an edge by, all views alike
+// What shading, a wrong curve of the picture and a background of the stem's own colour move an edge by, all views
+// alike: diameters of six simulated plants were off by -0.07 pixels in the mean, with a scatter of 0.07.
+constexpr double edge_px = 0.05;
 
 class Measurement {
  public:
@@ -196,6 +198,7 @@ class Measurement {
     search.radius = fit_->diameter / 2;
     search.radius_share = 1.35;
     search.shift = 0.25 * fit_->diameter;
+    search.usual_spread = usual_spread(contours_.views);
     auto again = find(search, which, 0.55, 0.9);
     if (const auto better = fit_stem(again.strips, fit_->axis, fit_->diameter / 2, pose_sigma_px, run_)) {
       fit_ = better;
