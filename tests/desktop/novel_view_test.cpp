@@ -187,7 +187,7 @@ class NovelViewTest : public QObject {
       window_->run();
       QTest::qWait(30000);
       QVERIFY(window_->grab().save(file + "_training.png"));
-      QVERIFY(wait_for_run(*window_));
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->runner().running(), 1200000);
       if (!novel().shown()) window_->commands().trigger("field.show");
       scene().reset_camera();
       zoom(6);
