@@ -7,11 +7,8 @@
 #include <numeric>
 
 #include "base/statistics.h"
-<<<<<<< HEAD
 #include "plant/core/leaves/leaf_traits.h"
-=======
 #include "plant/core/surface/region.h"
->>>>>>> 305b139c860e92a564a305efe5ebd3132773cfdf
 #include "plant/core/traits/extents.h"
 #include "plant/core/traits/picture_tone.h"
 #include "plant/core/traits/stem_fit.h"
