@@ -32,7 +32,7 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
   if (5 * static_cast<std::size_t>(hanging) > organs.leaves.size() || stem > 1.6 * height)
     report.find(Severity::look, "leaves_not_apart",
                 fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
-                            "stem apart. Do not use the number of leaves, internodes and the length of the stem.",
+                            "stem apart. Do not use leaves, leaf area, internodes and the length of the stem.",
                             hanging, organs.leaves.size()));
   if (organs.sparse)
     report.find(Severity::look, "plant_too_sparse",

@@ -42,12 +42,14 @@ class Finding {
   }
 
  private:
-  // Nodes as near as the points allow: where many parts have no neighbours, they are taken further apart.
+  // Nodes as near as the points allow: where many have few neighbours, they are taken further apart.
   void link() {
     double cell = std::max({0.05 * s_.unit, 1.2 * s_.spacing, 0.8 * s_.noise});
     for (;; cell *= 1.4) {
       graph_ = plant_graph(plant_, cell, s_.noise, s_.max_gap, run_.part(0, 0.4));
-      out_.sparse = graph_.gaps * 50 > graph_.size();
+      std::size_t lonely = 0;  // on a full sheet a node has about 15 links
+      for (std::size_t i = 0; i < graph_.size(); ++i) lonely += graph_.first[i + 1] - graph_.first[i] < 4;
+      out_.sparse = 4 * lonely > graph_.size();
       if (!out_.sparse || 1.4 * cell > 0.2 * s_.unit) return;
     }
   }
@@ -134,7 +136,7 @@ class Finding {
       }
       for (const auto& [other, links] : borders) {
         if (links.first < 20 || links.second < 0.6 * links.first) continue;
-        if (static_cast<double>(sizes[o]) > 0.6 * static_cast<double>(sizes[static_cast<std::size_t>(other)])) continue;
+        if (static_cast<double>(sizes[o]) > 0.35 * static_cast<double>(sizes[static_cast<std::size_t>(other)])) continue;
         for (auto& l : label_)
           if (l == static_cast<int>(o)) l = other;
         break;
