@@ -12,7 +12,8 @@
 namespace bole::plant {
 namespace {
 
-constexpr double straight_on = 0.85;  // cosine of a turn that a stem may make from one level to the next
+constexpr double straight_on = 0.85;  // cosine of a turn that a bare tip may make
+constexpr double last_on = 0.7;       // the same where the way on ends in the last leaf, which itself turns away
 
 class Growing {
  public:
@@ -104,7 +105,7 @@ class Growing {
         best_turn = turn;
         best = c;
       }
-      const bool on = ends_[best] >= 2 || best_turn > straight_on;
+      const bool on = ends_[best] >= 2 || best_turn > last_on;
       for (const auto c : kids)
         if (!on || c != best) sides.push_back({c, number, at});
       if (!on) break;

@@ -13,6 +13,9 @@
 namespace bole::plant {
 namespace {
 
+// Clouds lose or gain at the edges of leaves, which are thinner than their noise, all of them alike.
+constexpr double edge_of_noise = 0.6;
+
 // A smooth curve through the middles of a leaf, with a frame along it: u along, v across on the sheet, h off it.
 class Midrib {
  public:
@@ -287,7 +290,8 @@ class Spreading {
     out_.area += gap;
     // A stair of cells is longer than the edge that it follows by 4 / pi on average.
     edge *= std::numbers::pi / 4;
-    out_.area_sd = edge * std::hypot(0.2 * s_.cell, 0.3 * s_.noise) + 0.5 * gap;
+    out_.edge = edge;
+    out_.area_sd = edge * std::hypot(0.2 * s_.cell, edge_of_noise * s_.noise) + 0.5 * gap;
     out_.filled = cells > 0 ? empty / cells : 1;
     std::vector<double> off;
     for (const auto& p : uvh_)

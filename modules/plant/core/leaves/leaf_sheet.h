@@ -21,6 +21,7 @@ struct LeafSheet {
   double width = 0;                                      // of the blade along its surface, where it is broadest
   double area = 0;                                       // of one side of the blade
   double area_sd = 0;                                    // of where its edge is
+  double edge = 0;                                       // length of the margin of the blade
   double filled = 0;                                     // share of the area without points
   Eigen::Vector3d blade_foot = Eigen::Vector3d::Zero();  // where the blade begins
   Points3 stalk_middles;                                 // middles from the beginning into the blade, for the direction

@@ -10,6 +10,8 @@
 namespace bole::plant {
 namespace {
 
+constexpr double lost_at_edge = 0.8;  // of the noise; fields of simulated plants lose 0.5 to 1 mm
+
 double azimuth_of(const Leaf& leaf, const Eigen::Matrix3d& R_world_plant) {
   const Eigen::Vector3d d = R_world_plant * leaf.direction;
   return std::atan2(d.y(), d.x());
@@ -19,21 +21,21 @@ const char* quality_of(const Leaf& leaf) { return leaf.doubt.empty() ? "good" : 
 
 }  // namespace
 
-AreaBounds area_bounds(const Leaf& leaf, double scale_sd) {
+AreaBounds area_bounds(const Leaf& leaf, double scale_sd, double noise) {
   const auto& s = leaf.sheet;
   const double half = 1.96 * std::hypot(s.area_sd, 2 * scale_sd * s.area, 0.02 * s.area);
   // Parts of a leaf that touches another may have gone to it, or come from it.
   const double doubt = leaf.touching.empty() ? 0 : 0.15 * s.area;
-  return {std::max(0.0, s.area - half - doubt), s.area + half + doubt};
+  return {std::max(0.0, s.area - half - doubt), s.area + half + doubt + lost_at_edge * noise * s.edge};
 }
 
-Table leaf_table(const PlantOrgans& organs, const Eigen::Matrix3d& R_world_plant, double scale_sd) {
+Table leaf_table(const PlantOrgans& organs, const Eigen::Matrix3d& R_world_plant, double scale_sd, double noise) {
   std::vector<std::int64_t> number, axis;
   std::vector<double> height, x, y, z, azimuth, angle, length, width, petiole, area, low, high;
   std::vector<std::string> quality, remark;
   for (std::size_t i = 0; i < organs.leaves.size(); ++i) {
     const auto& leaf = organs.leaves[i];
-    const auto bounds = area_bounds(leaf, scale_sd);
+    const auto bounds = area_bounds(leaf, scale_sd, noise);
     number.push_back(static_cast<std::int64_t>(i) + 1);
     axis.push_back(leaf.axis);
     height.push_back(1000 * leaf.node.z());

@@ -32,7 +32,7 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
   if (5 * static_cast<std::size_t>(hanging) > organs.leaves.size() || stem > 1.6 * height)
     report.find(Severity::look, "leaves_not_apart",
                 fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
-                            "stem apart. Do not use the number of leaves, internodes and the length of the stem.",
+                            "stem apart. Do not use leaves, leaf area, internodes and the length of the stem.",
                             hanging, organs.leaves.size()));
   if (organs.sparse)
     report.find(Severity::look, "plant_too_sparse",
@@ -66,7 +66,7 @@ LeafTraits measure_leaves(const LeafInputs& in, const Run& run, Report& report) 
   out.organs = find_organs(*in.plant, {in.unit, in.spacing, in.noise, in.max_gap}, run);
   mark_doubts(out.organs);
   find_doubts(out.organs, report);
-  out.leaves = leaf_table(out.organs, in.R_world_plant, in.scale_sd);
+  out.leaves = leaf_table(out.organs, in.R_world_plant, in.scale_sd, in.noise);
   out.internodes = internode_table(out.organs, in.R_world_plant);
   out.branches = branch_table(out.organs);
   if (out.organs.axes.empty() || out.organs.axes.front().curve.empty()) return out;
@@ -92,7 +92,7 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : nan});
   double area = 0, low = 0, high = 0;
   for (const auto& leaf : organs.leaves) {
-    const auto bounds = area_bounds(leaf, in.scale_sd);
+    const auto bounds = area_bounds(leaf, in.scale_sd, in.noise);
     area += leaf.sheet.area;
     low += bounds.low;
     high += bounds.high;
@@ -103,7 +103,8 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   traits.set("branch_count", std::vector<double>{found ? static_cast<double>(organs.axes.size()) - 1 : nan});
   const double length = found ? organs.axes.front().curve.length() : nan;
   const double half = 1.96 * std::hypot((organs.stem_ends_in_leaf ? 0.25 : 0.12) * in.unit, in.scale_sd * length);
-  set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half));
+  // The tip hides between the last leaves, up to an internode further.
+  set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half + 0.6 * in.unit));
   const bool known = found && !leaves.taper.along.empty();
   set("stem_volume", "cm3", known ? 1e6 * leaves.taper.volume : nan, known ? 1e6 * leaves.taper.volume_low : nan,
       known ? 1e6 * leaves.taper.volume_high : nan);

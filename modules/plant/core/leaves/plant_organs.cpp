@@ -31,6 +31,7 @@ class Finding {
     branching_ = branching_of(levels_, organ_ends(graph_, from_foot_, scales.tip), scales);
     if (branching_.axes.empty()) return std::move(out_);
     label();
+    join_fragments();
     find_axes();
     run_.report(0.6, "leaves");
     measure_organs();
@@ -41,12 +42,14 @@ class Finding {
   }
 
  private:
-  // Nodes as near as the points allow: where many parts have no neighbours, they are taken further apart.
+  // Nodes as near as the points allow: where many have few neighbours, they are taken further apart.
   void link() {
     double cell = std::max({0.05 * s_.unit, 1.2 * s_.spacing, 0.8 * s_.noise});
     for (;; cell *= 1.4) {
       graph_ = plant_graph(plant_, cell, s_.noise, s_.max_gap, run_.part(0, 0.4));
-      out_.sparse = graph_.gaps * 50 > graph_.size();
+      std::size_t lonely = 0;  // on a full sheet a node has about 15 links
+      for (std::size_t i = 0; i < graph_.size(); ++i) lonely += graph_.first[i + 1] - graph_.first[i] < 4;
+      out_.sparse = 4 * lonely > graph_.size();
       if (!out_.sparse || 1.4 * cell > 0.2 * s_.unit) return;
     }
   }
@@ -111,6 +114,34 @@ class Finding {
     label_.assign(graph_.size(), nothing);
     for (std::size_t i = 0; i < graph_.size(); ++i)
       if (nearest_.origin[i] != no_node) label_[i] = labels[nearest_.origin[i]];
+  }
+
+  // A slit in a blade makes two ends of it. The smaller part goes back where the sheet goes on over their border.
+  void join_fragments() {
+    std::vector<std::size_t> sizes(branching_.organs.size(), 0);
+    for (const int l : label_)
+      if (l >= 0 && l < nothing) ++sizes[static_cast<std::size_t>(l)];
+    for (std::size_t o = 0; o < branching_.organs.size(); ++o) {
+      if (!branching_.organs[o].through_other) continue;
+      std::map<int, std::pair<double, double>> borders;  // links to each other organ: all, and smooth ones
+      for (std::uint32_t i = 0; i < graph_.size(); ++i) {
+        if (label_[i] != static_cast<int>(o)) continue;
+        for (auto l = graph_.first[i]; l < graph_.first[i + 1]; ++l) {
+          const auto k = graph_.neighbour[l];
+          if (label_[k] < 0 || label_[k] >= nothing || label_[k] == label_[i]) continue;
+          auto& border = borders[label_[k]];
+          border.first += 1;
+          border.second += graph_.cost[l] < 1.5 * (graph_.places[k] - graph_.places[i]).norm();
+        }
+      }
+      for (const auto& [other, links] : borders) {
+        if (links.first < 20 || links.second < 0.6 * links.first) continue;
+        if (static_cast<double>(sizes[o]) > 0.35 * static_cast<double>(sizes[static_cast<std::size_t>(other)])) continue;
+        for (auto& l : label_)
+          if (l == static_cast<int>(o)) l = other;
+        break;
+      }
+    }
   }
 
   void find_axes() {
@@ -206,7 +237,8 @@ class Finding {
     Leaf leaf;
     leaf.sheet = leaf_sheet(points, distance, {0.8 * graph_.cell, 0.15 * s_.unit, s_.noise, 0.3 * s_.unit});
     const double smallest = 0.125 * s_.unit * s_.unit;
-    if (!leaf.sheet.blade || leaf.sheet.area < smallest) {
+    const bool crumbs = std::ranges::all_of(points, [&](const auto& p) { return p.z() < 0.5 * s_.unit; });
+    if (!leaf.sheet.blade || leaf.sheet.area < smallest || crumbs) {
       ++out_.twigs;
       return;
     }

@@ -40,7 +40,7 @@ struct PlantOrgans {
   std::size_t twigs = 0;             // organs without blade
   std::size_t gaps = 0;              // bridged
   double widest_gap = 0;
-  bool sparse = false;  // the points lie too far apart for their neighbours to be known
+  bool sparse = false;    // the points lie too far apart for their neighbours to be known
   double lost_share = 0;  // of the points: not connected with the stem
   bool stem_ends_in_leaf = false;
 };
