@@ -169,19 +169,33 @@ class NovelViewTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(scene().rendering_shown(), 30000);
   }
 
-  // BOLE_PLANT_SCREENSHOT=file.png takes a picture.
-  void a_picture_of_the_field() {
-    const auto file = qEnvironmentVariable("BOLE_PLANT_SCREENSHOT");
-    if (file.isEmpty()) QSKIP("BOLE_PLANT_SCREENSHOT is not set");
-    QTest::qWait(2000);
-    QVERIFY(window_->grab().save(file + "_field.png"));
-  }
-
   void it_is_turned_off() {
     window_->commands().trigger("field.show");
     QVERIFY(!scene().rendering_shown());
     QTest::qWait(300);
     QVERIFY(!scene().rendering_shown());
+  }
+
+  // BOLE_PLANT_SCREENSHOT=file.png takes a picture; of another pipeline, with its report, with
+  // BOLE_FIELD_PIPELINE=file.json.
+  void a_picture_of_the_field() {
+    const auto file = qEnvironmentVariable("BOLE_PLANT_SCREENSHOT");
+    if (file.isEmpty()) QSKIP("BOLE_PLANT_SCREENSHOT is not set");
+    const auto other = qEnvironmentVariable("BOLE_FIELD_PIPELINE");
+    if (!other.isEmpty()) {
+      window_->open(other);
+      window_->run();
+      QTest::qWait(30000);
+      QVERIFY(window_->grab().save(file + "_training.png"));
+      QTRY_VERIFY_WITH_TIMEOUT(!window_->runner().running(), 1200000);
+      if (!novel().shown()) window_->commands().trigger("field.show");
+      scene().reset_camera();
+      zoom(6);
+    }
+    QTest::qWait(500);
+    QVERIFY(window_->grab().save(file + "_coarse.png"));
+    QTest::qWait(15000);
+    QVERIFY(window_->grab().save(file + "_field.png"));
   }
 
  private:

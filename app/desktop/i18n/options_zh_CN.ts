@@ -4,6 +4,10 @@
     <context>
         <name>option labels</name>
         <message>
+            <source>Extent</source>
+            <translation>范围</translation>
+        </message>
+        <message>
             <source>Match distance</source>
             <translation>匹配距离</translation>
         </message>
@@ -1540,6 +1544,10 @@
 </context>
     <context>
         <name>option help</name>
+        <message>
+            <source>What is found as the region. standing: what stands on the largest plane, so that fine voxels are not spent on the table. common: all that the views see together.</source>
+            <translation>把什么取为区域。standing：立在最大平面上的物体，细体素不耗费在桌面上。common：各视图共同看到的全部。</translation>
+        </message>
         <message>
             <source>Maximum distance between a stem and its reference tree.</source>
             <translation>单木与其参考树之间的最大距离。</translation>
@@ -3155,6 +3163,14 @@
 </context>
     <context>
         <name>choices</name>
+        <message>
+            <source>standing</source>
+            <translation>直立物体</translation>
+        </message>
+        <message>
+            <source>common</source>
+            <translation>共同可见</translation>
+        </message>
         <message>
             <source>none</source>
             <translation>无</translation>

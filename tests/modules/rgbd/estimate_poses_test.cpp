@@ -114,6 +114,23 @@ TEST(EstimatePoses, WrongDepthScaleIsNamedAndTheBoardDecides) {
   EXPECT_LT(synthetic::place_rms(pairs.found, pairs.truth), 0.5e-3);
 }
 
+TEST(EstimatePoses, DepthInAnotherUnitThanTheBoardIsRefused) {
+  auto camera = noisy_camera();
+  camera.depth_factor = 1000;
+  SceneViews views(scene_with_board(), camera, synthetic::orbit(6, 0.42, 0.3, 0.04, 1));
+  views.board_facts = small_board();
+  EXPECT_THROW(
+      {
+        try {
+          estimate(views);
+        } catch (const Error& e) {
+          EXPECT_THAT(e.what(), testing::HasSubstr("times what the board says"));
+          throw;
+        }
+      },
+      Error);
+}
+
 TEST(EstimatePoses, BoardAloneIsEnough) {
   auto camera = noisy_camera();
   camera.with_depth = false;

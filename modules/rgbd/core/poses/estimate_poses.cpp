@@ -92,6 +92,11 @@ class Estimator {
     depth_ratio_ = median(std::move(ratios));
     out_.report.metrics["depth_to_board"] = {depth_ratio_, Unit::none};
     if (std::abs(depth_ratio_ - 1) <= max_scale_gap) return;
+    constexpr double max_ratio = 1.6;  // beyond it no calibration is off: the unit is another one
+    if (depth_ratio_ > max_ratio || depth_ratio_ < 1 / max_ratio)
+      throw bad_input(fmt::format("measured depth is {:.4g} times what the board says", depth_ratio_),
+                      "depth and board of one size",
+                      "Correct depth_scale (units per metre) in camera.json, or square_mm in mat.json.");
     out_.report.find(Severity::look, "depth_scale",
                      fmt::format("measured depth is {:.4g} times what the board says; the scale of the board is used. "
                                  "Check depth_scale in camera.json and square_mm in mat.json",
