@@ -267,29 +267,6 @@ TEST(LeafSheet, AreaDoesNotGrowWithNoiseOrSides) {
     }
 }
 
-TEST(StemTaper, TakesOffWhatTheCloudReadsTooMuch) {
-  AxisCurve stem;
-  for (int i = 0; i <= 100; ++i) {
-    stem.places.emplace_back(0, 0, 0.003 * i);
-    stem.arc.push_back(0.003 * i);
-    const double truth = 0.003 - 0.005 * 0.003 * i;
-    // Half of what is too much is the same everywhere, half is noise; petioles widen some slices.
-    stem.radii.push_back(0.5 * (truth + 0.0008) + 0.5 * std::hypot(truth, 0.002) + (i % 6 == 0 ? 0.0015 : 0));
-  }
-  const auto out = stem_taper(stem, {0.03, 2 * (0.003 - 0.005 * 0.03), 0.00003}, 0.005);
-  ASSERT_FALSE(out.along.empty());
-  for (std::size_t i = 0; i < out.along.size(); ++i) {
-    const double truth = 2 * (0.003 - 0.005 * out.along[i]);
-    EXPECT_NEAR(out.diameter[i], truth, 0.0004);
-    EXPECT_NEAR(out.diameter[i], truth, 3 * out.sd[i] + 2e-5);
-  }
-  double volume = 0;
-  for (int i = 0; i < 3000; ++i) volume += pi * std::pow(0.003 - 0.005 * 0.0001 * (i + 0.5), 2) * 0.0001;
-  EXPECT_LE(out.volume_low, volume);
-  EXPECT_GE(out.volume_high, volume);
-  EXPECT_NEAR(out.volume, volume, 0.05 * volume);
-}
-
 TEST(Leaves, ColumnsOfTraitsComeAfterThoseOfTheContract) {
   const tests::PottedPlant plant;
   const auto separated = separate(tests::cloud_of(plant), nullptr, false, {}, {});
@@ -299,8 +276,6 @@ TEST(Leaves, ColumnsOfTraitsComeAfterThoseOfTheContract) {
   EXPECT_EQ(out.traits.numbers("leaf_count")[0], plant.leaves);
   EXPECT_EQ(out.leaves.rows(), static_cast<std::size_t>(plant.leaves));
   EXPECT_EQ(out.internodes.rows(), static_cast<std::size_t>(plant.leaves) - 1);
-  // Without pictures the diameter is not known without bias: no volume, and no diameters beyond those of the cloud.
-  EXPECT_TRUE(std::isnan(out.traits.numbers("stem_volume_cm3")[0]));
   const auto height = out.stem.numbers("height_mm");
   EXPECT_TRUE(std::ranges::is_sorted(height));
   EXPECT_GT(height.back(), 230);

@@ -69,12 +69,6 @@ LeafTraits measure_leaves(const LeafInputs& in, const Run& run, Report& report) 
   out.leaves = leaf_table(out.organs, in.R_world_plant, in.scale_sd, in.noise);
   out.internodes = internode_table(out.organs, in.R_world_plant);
   out.branches = branch_table(out.organs);
-  if (out.organs.axes.empty() || out.organs.axes.front().curve.empty()) return out;
-  const auto& stem = out.organs.axes.front().curve;
-  if (in.stem_diameter > 0 && stem.length() > 1.5 * in.stem_height) {
-    const double along = stem.nearest({stem.at(in.stem_height).x(), stem.at(in.stem_height).y(), in.stem_height}).along;
-    out.taper = stem_taper(stem, {along, in.stem_diameter, in.stem_diameter_sd}, section * in.unit / 0.02);
-  }
   report.counts["leaves"] = static_cast<std::int64_t>(out.organs.leaves.size());
   report.counts["branches"] = static_cast<std::int64_t>(out.organs.axes.size()) - 1;
   report.counts["gaps_bridged"] = static_cast<std::int64_t>(out.organs.gaps);
@@ -105,9 +99,6 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   const double half = 1.96 * std::hypot((organs.stem_ends_in_leaf ? 0.25 : 0.12) * in.unit, in.scale_sd * length);
   // The tip hides between the last leaves, up to an internode further.
   set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half + 0.6 * in.unit));
-  const bool known = found && !leaves.taper.along.empty();
-  set("stem_volume", "cm3", known ? 1e6 * leaves.taper.volume : nan, known ? 1e6 * leaves.taper.volume_low : nan,
-      known ? 1e6 * leaves.taper.volume_high : nan);
 }
 
 void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& in) {
@@ -116,7 +107,6 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   auto height = stem.numbers("height_mm"), x = stem.numbers("x_m"), y = stem.numbers("y_m"), z = stem.numbers("z_m"),
        diameter = stem.numbers("diameter_mm");
   auto source = stem.texts("source");
-  std::vector<double> sd(height.size(), nan);
   const double none = std::numeric_limits<double>::infinity();
   const double first = height.empty() ? none : *std::ranges::min_element(height);
   const double last = height.empty() ? -none : *std::ranges::max_element(height);
@@ -127,20 +117,13 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
     const double along = std::min(curve.length(), static_cast<double>(i) * step);
     const Eigen::Vector3d p = curve.at(along);
     if (1000 * (p.z() + step / 2) > first && 1000 * (p.z() - step / 2) < last) continue;
-    double d = nan, d_sd = nan;
-    for (std::size_t k = 1; k < leaves.taper.along.size(); ++k)
-      if (leaves.taper.along[k] >= along - 1e-9 && leaves.taper.along[k - 1] <= along) {
-        d = leaves.taper.diameter[k];
-        d_sd = leaves.taper.sd[k];
-      }
     const bool down = 1000 * p.z() < first && !height.empty() && first < none;
     const auto at = down ? static_cast<std::ptrdiff_t>(below++) : static_cast<std::ptrdiff_t>(height.size());
     height.insert(height.begin() + at, 1000 * p.z());
     x.insert(x.begin() + at, p.x());
     y.insert(y.begin() + at, p.y());
     z.insert(z.begin() + at, p.z());
-    diameter.insert(diameter.begin() + at, d > 0 ? 1000 * d : nan);
-    sd.insert(sd.begin() + at, d > 0 ? 1000 * d_sd : nan);
+    diameter.insert(diameter.begin() + at, nan);  // a cloud shows thin stems too wide
     source.insert(source.begin() + at, "cloud");
   }
   Table all;
@@ -151,7 +134,6 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   all.set("z_m", z);
   all.set("diameter_mm", diameter);
   all.set("source", source);
-  all.set("diameter_sd_mm", sd);
   stem = std::move(all);
 }
 

@@ -6,7 +6,6 @@
 #include "base/report.h"
 #include "cloud/table.h"
 #include "plant/core/leaves/plant_organs.h"
-#include "plant/core/leaves/stem_taper.h"
 
 namespace bole::plant {
 
@@ -15,26 +14,23 @@ struct LeafInputs {
   Eigen::Matrix3d R_world_plant = Eigen::Matrix3d::Identity();
   double unit = 0.02;  // as OrganScales
   double spacing = 0, noise = 0, max_gap = 0;
-  double scale_sd = 0;                             // of lengths, as a share
-  double stem_height = 0;                          // where the diameter was measured
-  double stem_diameter = 0, stem_diameter_sd = 0;  // by contours; 0: not known without bias
+  double scale_sd = 0;  // of lengths, as a share
 };
 
 struct LeafTraits {
   PlantOrgans organs;
-  StemTaper taper;
   Table leaves, internodes, branches;
 };
 
 // Finds of what is uncertain go into `report`.
 LeafTraits measure_leaves(const LeafInputs& inputs, const Run& run, Report& report);
 
-// leaf_count, leaf_area_cm2, branch_count, stem_length_mm, stem_volume_cm3, intervals as NAME_lo_UNIT and NAME_hi_UNIT.
+// leaf_count, leaf_area_cm2, branch_count, stem_length_mm, intervals as NAME_lo_UNIT and NAME_hi_UNIT.
 // NaN where nothing is known.
 void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs& inputs);
 
 // Adds the rest of the main stem, every 5 mm (source cloud), to the sections that were measured; rows go upwards.
-// Diameters are NaN where they cannot be known.
+// Their diameters are NaN: a cloud shows thin stems too wide.
 void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& inputs);
 
 }  // namespace bole::plant

@@ -136,7 +136,8 @@ class Finding {
       }
       for (const auto& [other, links] : borders) {
         if (links.first < 20 || links.second < 0.6 * links.first) continue;
-        if (static_cast<double>(sizes[o]) > 0.35 * static_cast<double>(sizes[static_cast<std::size_t>(other)])) continue;
+        if (static_cast<double>(sizes[o]) > 0.35 * static_cast<double>(sizes[static_cast<std::size_t>(other)]))
+          continue;
         for (auto& l : label_)
           if (l == static_cast<int>(o)) l = other;
         break;

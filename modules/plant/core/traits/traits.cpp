@@ -317,11 +317,6 @@ class Measurement {
     leaf_inputs_.noise = extents_.noise;
     leaf_inputs_.max_gap = 0.8 * stem_unit();
     leaf_inputs_.scale_sd = options_.scale_sd / 100;
-    leaf_inputs_.stem_height = stem_at_;
-    if (fit_) {  // the cloud itself shows thin stems too wide
-      leaf_inputs_.stem_diameter = stem_.value;
-      leaf_inputs_.stem_diameter_sd = (stem_.high - stem_.low) / (2 * 1.96);
-    }
     leaves_ = measure_leaves(leaf_inputs_, run_.part(0.9, 1), report_);
   }
 
