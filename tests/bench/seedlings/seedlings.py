@@ -17,7 +17,7 @@ import re
 import subprocess
 import time
 
-TRAITS = ["height", "breadth_length", "breadth_width", "stem_diameter"]
+TRAITS = {"height": "mm", "breadth_length": "mm", "breadth_width": "mm", "stem_diameter": "mm", "leaf_area": "cm2"}
 PUBLISHED = {"height": 97.94, "breadth_length": 93.95, "breadth_width": 94.11, "stem_diameter": 97.62}
 PIPELINE = pathlib.Path(__file__).resolve().parents[3] / "pipelines/seedling.json"
 
@@ -128,8 +128,8 @@ def main():
     options.name = options.name or options.method
     errors, covered = {t: [] for t in TRAITS}, {t: [] for t in TRAITS}
     ates, psnrs, seconds, mib, median_mm, f1, failed = [], [], [], [], [], [], 0
-    print("| plant | " + " | ".join(f"{t.replace('_', ' ')}, %" for t in TRAITS) + " | ATE, mm | PSNR, dB | surface, mm | F1 at 2 mm | s | MiB |")
-    print("|---" * (len(TRAITS) + 7) + "|")
+    print("| plant | " + " | ".join(f"{t.replace('_', ' ')}, %" for t in TRAITS) + " | leaves | ATE, mm | PSNR, dB | surface, mm | F1 at 2 mm | s | MiB |")
+    print("|---" * (len(TRAITS) + 8) + "|")
     for seed in numbers(options.seeds):
         folder = simulated(options, seed)
         out, truth = surveyed(options, folder, seed), folder / "truth"
@@ -141,8 +141,8 @@ def main():
         row, true = row_of(out / "traits.csv"), row_of(truth / "traits.csv")
         shown = []
         for trait in TRAITS:
-            want = cell(true, f"{trait}_mm")
-            got, lo, hi = (cell(row, f"{trait}{part}_mm") for part in ("", "_lo", "_hi"))
+            want = cell(true, f"{trait}_{TRAITS[trait]}")
+            got, lo, hi = (cell(row, f"{trait}{part}_{TRAITS[trait]}") for part in ("", "_lo", "_hi"))
             error = (got - want) / want
             errors[trait].append(abs(error) if math.isfinite(error) else 1.0)
             covered[trait].append(1.0 if lo <= want <= hi else 0.0)
@@ -157,13 +157,14 @@ def main():
         found = surface(options.surface, out, folder)
         median_mm.append(found.get("median_mm", math.nan))
         f1.append(found.get("f1", math.nan))
-        print(f"| {seed} | " + " | ".join(shown) + f" | {ates[-1]:.2f} | {psnrs[-1] or math.nan:.1f} | {median_mm[-1]:.2f} | {100 * f1[-1]:.0f} | {seconds[-1]:.0f} | {mib[-1]:.0f} |",
+        leaves = f"{cell(row, 'leaf_count'):.0f} of {cell(true, 'leaf_count'):.0f}"
+        print(f"| {seed} | " + " | ".join(shown) + f" | {leaves} | {ates[-1]:.2f} | {psnrs[-1] or math.nan:.1f} | {median_mm[-1]:.2f} | {100 * f1[-1]:.0f} | {seconds[-1]:.0f} | {mib[-1]:.0f} |",
               flush=True)
     if not seconds:
         return
     print("\n| trait | accuracy, % | published, % | intervals that hold, % |\n|---|---|---|---|")
     for trait in TRAITS:
-        print(f"| {trait.replace('_', ' ')} | {100 * (1 - mean(errors[trait])):.2f} | {PUBLISHED[trait]} | {100 * mean(covered[trait]):.0f} |")
+        print(f"| {trait.replace('_', ' ')} | {100 * (1 - mean(errors[trait])):.2f} | {PUBLISHED.get(trait, '')} | {100 * mean(covered[trait]):.0f} |")
     print(f"\n{len(seconds)} plants, {failed} failed; ATE {mean(ates):.2f} mm, PSNR {mean(psnrs):.1f} dB, surface {mean(median_mm):.2f} mm, F1 {100 * mean(f1):.0f} %, "
           f"{mean(seconds):.0f} s (longest {max(seconds):.0f}), {max(mib):.0f} MiB")
 

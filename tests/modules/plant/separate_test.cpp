@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "base/random.h"
 #include "synthetic/potted_plant.h"
 
 namespace bole::plant {
@@ -50,6 +53,26 @@ TEST(Separate, FindsUpWhereNobodySays) {
   EXPECT_EQ(out.scene.up_source, "plane");
   EXPECT_LT((out.scene.up - turn.col(2)).norm(), 0.01);
   EXPECT_LT((out.scene.base - (turn * plant.foot + Eigen::Vector3d(3, -2, 1))).norm(), 0.003);
+}
+
+// A cloud of a plant alone, half of whose points lie on two flat leaves: a leaf is not the table.
+TEST(Separate, AFlatLeafIsNotTheGround) {
+  PointCloud::Positions points;
+  Random random(8, 0);
+  for (int i = 0; i < 4000; ++i) {
+    const double turn = random.uniform(0, 6.28);
+    points.push_back(
+        Eigen::Vector3d(0.01 * std::cos(turn), 0.01 * std::sin(turn), random.uniform(-0.7, 0.9)).cast<float>());
+  }
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < 3000; ++i) {
+      const double along = random.uniform(0.02, 0.6), across = random.uniform(-0.05, 0.05);
+      points.push_back(Eigen::Vector3d(side * along, across, 0.1 * side + 0.9 * along).cast<float>());
+    }
+  const auto out = separate(PointCloud(std::move(points)), nullptr, false, {}, {});
+  EXPECT_EQ(out.scene.up_source, "assumed");
+  EXPECT_NEAR(out.scene.up.z(), 1, 1e-9);
+  EXPECT_THAT(out.report.findings, testing::Contains(testing::Field(&Finding::code, "plant_up_assumed")));
 }
 
 TEST(Separate, FloatersAreNoPlant) {

@@ -17,6 +17,7 @@ namespace bole::plant {
 namespace {
 
 constexpr std::size_t min_points = 100;
+constexpr double max_below = 0.05;  // share of the points below what they stand on
 constexpr double level_angle_rad = 12 * std::numbers::pi / 180;
 
 std::vector<double> numbers_of(const std::string& text, std::size_t count, const char* option) {
@@ -198,7 +199,11 @@ class Separation {
         if (std::abs(d) > size_ / 100) side += d > 0 ? 1 : -1;
       }
     }
-    return side < 0 ? Eigen::Vector3d(-plane->normal) : plane->normal;
+    const Eigen::Vector3d up = side < 0 ? Eigen::Vector3d(-plane->normal) : plane->normal;
+    // A leaf is flat too, but what lies below a table or the soil is next to nothing.
+    const double offset = side < 0 ? -plane->offset : plane->offset;
+    if (share_below(up, offset, thin) > max_below) return std::nullopt;
+    return up;
   }
 
   // The table is the lowest wide level layer, with next to nothing below it.
@@ -209,8 +214,7 @@ class Separation {
     std::erase_if(layers_, [&](const Layer& l) { return l.area < 0.1 * largest; });
     for (const auto& l : layers_) {
       if (l.area < 0.3 * largest) continue;
-      const auto below = std::ranges::count_if(thin_, [&](const auto& p) { return p.z() < l.height - size_ / 60; });
-      if (static_cast<double>(below) > 0.03 * static_cast<double>(thin_.size())) break;
+      if (share_below(Eigen::Vector3d::UnitZ(), l.height, thin_) > 0.03) break;
       Points3 near;
       for (const auto& p : thin_)
         if (std::abs(p.z() - l.height) < size_ / 50) near.push_back(p);
@@ -219,6 +223,15 @@ class Separation {
       if (table_) scene_.table_height = table_->offset;
       break;
     }
+    // Without a table a layer with much below it is no soil but leaves.
+    if (!table_)
+      std::erase_if(layers_,
+                    [&](const Layer& l) { return share_below(Eigen::Vector3d::UnitZ(), l.height, thin_) > max_below; });
+  }
+
+  double share_below(const Eigen::Vector3d& up, double height, const Points3& points) const {
+    const auto below = std::ranges::count_if(points, [&](const auto& p) { return up.dot(p) < height - size_ / 60; });
+    return static_cast<double>(below) / static_cast<double>(points.size());
   }
 
   double table_at(const Eigen::Vector3d& p) const {
