@@ -14,12 +14,13 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double section = 0.005;  // metres between sections of the stem
 
-void find_doubts(const PlantOrgans& organs, Report& report) {
+// Whether leaves and stem can be told apart at all.
+bool find_doubts(const PlantOrgans& organs, Report& report) {
   if (organs.axes.empty() || organs.axes.front().curve.empty()) {
     report.find(Severity::look, "stem_not_followed",
                 "The stem could not be followed from its foot: leaves and internodes were not measured. Look at the "
                 "base of the plant.");
-    return;
+    return false;
   }
   const auto doubtful = std::ranges::count_if(organs.leaves, [](const auto& l) { return !l.doubt.empty(); });
   if (doubtful > 0)
@@ -29,11 +30,14 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
                             organs.leaves.size()));
   const auto hanging = std::ranges::count_if(organs.leaves, &Leaf::on_other);
   const double stem = organs.axes.front().curve.length(), height = organs.axes.front().curve.places.back().z();
-  if (5 * static_cast<std::size_t>(hanging) > organs.leaves.size() || stem > 1.6 * height)
-    report.find(Severity::look, "leaves_not_apart",
-                fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
-                            "stem apart. Do not use leaves, leaf area, internodes and the length of the stem.",
-                            hanging, organs.leaves.size()));
+  const bool apart = 5 * static_cast<std::size_t>(hanging) <= organs.leaves.size() && stem <= 1.6 * height;
+  if (!apart)
+    report.find(
+        Severity::look, "leaves_not_apart",
+        fmt::format("{} of {} leaves hang on others: the cloud is too coarse or too thick to tell leaves and "
+                    "stem apart. Number and area of the leaves and the length of the stem are left out; do not use the "
+                    "tables of leaves and internodes.",
+                    hanging, organs.leaves.size()));
   if (organs.sparse)
     report.find(Severity::look, "plant_too_sparse",
                 fmt::format("The plant's points lie too far apart: {} gaps between them were bridged. Do not use the "
@@ -45,6 +49,7 @@ void find_doubts(const PlantOrgans& organs, Report& report) {
         fmt::format("{:.0f} % of the plant's points are not connected with its stem: leaves may be missing, and "
                     "the leaf area is a lower bound.",
                     100 * organs.lost_share));
+  return apart && !organs.sparse;
 }
 
 void mark_doubts(PlantOrgans& organs) {
@@ -65,7 +70,7 @@ LeafTraits measure_leaves(const LeafInputs& in, const Run& run, Report& report) 
   LeafTraits out;
   out.organs = find_organs(*in.plant, {in.unit, in.spacing, in.noise, in.max_gap}, run);
   mark_doubts(out.organs);
-  find_doubts(out.organs, report);
+  out.usable = find_doubts(out.organs, report);
   out.leaves = leaf_table(out.organs, in.R_world_plant, in.scale_sd, in.noise);
   out.internodes = internode_table(out.organs, in.R_world_plant);
   out.branches = branch_table(out.organs);
@@ -82,7 +87,7 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
     traits.set(name + "_hi_" + unit, std::vector<double>{high});
   };
   const auto& organs = leaves.organs;
-  const bool found = !organs.axes.empty() && !organs.axes.front().curve.empty();
+  const bool found = leaves.usable;
   traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : nan});
   double area = 0, low = 0, high = 0;
   for (const auto& leaf : organs.leaves) {

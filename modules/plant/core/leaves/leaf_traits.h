@@ -20,6 +20,7 @@ struct LeafInputs {
 struct LeafTraits {
   PlantOrgans organs;
   Table leaves, internodes, branches;
+  bool usable = false;  // leaves and stem can be told apart
 };
 
 // Finds of what is uncertain go into `report`.
