@@ -146,7 +146,7 @@ def main():
             error = (got - want) / want
             errors[trait].append(abs(error) if math.isfinite(error) else 1.0)
             covered[trait].append(1.0 if lo <= want <= hi else 0.0)
-            shown.append(f"{100 * error:+.2f}{'' if lo <= want <= hi else ' (outside)'}")
+            shown.append(f"{100 * error:+.2f}{'' if lo <= want <= hi else ' (outside)'}" if math.isfinite(error) else "none")
         summary = json.loads((out / "summary.json").read_text())
         stages = summary["stages"]
         seconds.append(float((out / "seconds.txt").read_text().split()[0]) if (out / "seconds.txt").exists() else sum(s["seconds"] for s in stages))
