@@ -83,27 +83,30 @@ class Measurement {
     tell_what_is_cut();
   }
 
+  // Whether next to no picture shows the place above the top: then the cloud ends there for that reason.
+  bool pictures_end_at_top() const {
+    if (in_.views == nullptr || in_.poses == nullptr) return false;
+    constexpr int min_views = 4;
+    const Eigen::Vector3d above = extents_.top_point + 0.02 * extents_.top.value * Eigen::Vector3d::UnitZ();
+    int shown = 0, views = 0;
+    for (const auto i : chosen_views()) {
+      const auto& camera = in_.views->camera(i).color;
+      const Pose T_camera_plant = (T_plant_world_ * *pose_of_view(*in_.poses, in_.views->time_s(i))).inverse();
+      const auto pixel = camera.project(T_camera_plant * above);
+      ++views;
+      if (pixel && camera.contains(*pixel)) ++shown;
+    }
+    return views >= 3 * min_views && shown < min_views;
+  }
+
   // A cloud that ends at the border of what was reconstructed says nothing of the plant beyond.
   void tell_what_is_cut() {
     const auto& points = *in_.points;
-    const auto fact = points.facts.find(region_fact);
-    if (fact == points.facts.end()) return;
-    const auto region = region_from_text(fact->second);
-    if (!region) return;
     constexpr int min_at_border = 20;
-    const double near = std::max(2 * extents_.spacing, 0.005 * extents_.top.value);
-    const auto& part = points.values<std::int32_t>(part_column);
-    int above = 0, aside = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (part[i] != static_cast<std::int32_t>(Part::plant)) continue;
-      const Eigen::Vector3d p = points.position(i);
-      for (int k = 0; k < 3; ++k)
-        for (const double side : {-1.0, 1.0}) {
-          if ((side < 0 ? p[k] - region->min[k] : region->max[k] - p[k]) > near) continue;
-          const double upwards = side * scene_.up[k];
-          if (upwards > -0.5) ++(upwards > 0.5 ? above : aside);
-        }
-    }
+    int above = pictures_end_at_top() ? min_at_border : 0, aside = 0;
+    const auto fact = points.facts.find(region_fact);
+    const auto region = fact == points.facts.end() ? std::nullopt : region_from_text(fact->second);
+    if (region) count_at_border(*region, above, aside);
     if (above >= min_at_border) height_.high = nan;
     if (aside >= min_at_border) length_.high = width_.high = nan;
     if (above < min_at_border && aside < min_at_border) return;
@@ -111,9 +114,25 @@ class Measurement {
                              : aside < min_at_border ? "The height is that of a part"
                                                      : "Height and breadth are those of a part";
     report_.find(Severity::look, "plant_cut_off",
-                 "The plant reaches the border of what was reconstructed. " + what +
+                 "The plant reaches the border of what was reconstructed, or of the pictures. " + what +
                      ": the value is a lower bound. Too few views see the rest; take views that show all of the "
                      "plant, or give a larger region to plant.field.");
+  }
+
+  void count_at_border(const Region& region, int& above, int& aside) const {
+    const auto& points = *in_.points;
+    const double near = std::max(2 * extents_.spacing, 0.005 * extents_.top.value);
+    const auto& part = points.values<std::int32_t>(part_column);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (part[i] != static_cast<std::int32_t>(Part::plant)) continue;
+      const Eigen::Vector3d p = points.position(i);
+      for (int k = 0; k < 3; ++k)
+        for (const double side : {-1.0, 1.0}) {
+          if ((side < 0 ? p[k] - region.min[k] : region.max[k] - p[k]) > near) continue;
+          const double upwards = side * scene_.up[k];
+          if (upwards > -0.5) ++(upwards > 0.5 ? above : aside);
+        }
+    }
   }
 
   void measure_tips_in_pictures() {
