@@ -117,6 +117,22 @@ TEST(Traits, APlantThatIsCutOffHasOnlyLowerBounds) {
   EXPECT_THAT(part.report.message, testing::HasSubstr("height at least"));
 }
 
+// The cloud ends where the pictures do: whether the plant goes on above nobody knows.
+TEST(Traits, ATopThatNoPictureShowsIsCutOff) {
+  PictureSettings pictures;
+  pictures.views = 16;
+  pictures.width = 640;
+  pictures.height = 360;
+  for (const double focal : {300.0, 1500.0}) {
+    pictures.focal = focal;
+    const auto t = traits_of({}, {}, &pictures);
+    const bool cut = focal > 1000;
+    EXPECT_EQ(std::isfinite(cell(t.traits, "height_hi_mm")), !cut) << focal;
+    EXPECT_EQ(testing::Matches(testing::Contains(testing::Field(&Finding::code, "plant_cut_off")))(t.report.findings),
+              cut);
+  }
+}
+
 TEST(Traits, PlacesAreThoseOfThePlant) {
   const PottedPlant plant;
   const auto t = traits_of(plant, {}, nullptr).traits;
