@@ -15,7 +15,7 @@ Region field_region(const ViewSource& views, const std::vector<PosedView>& posed
                     const Run& run, Report& report);
 
 // Boxes around the region with the cells near measured depth; one full box without depth. Voxels are enlarged where the
-// memory is not enough, with a finding. Throws Error{bad_input} where no depth lies in the region.
+// memory is not enough, with a warning. Throws Error{bad_input} where no depth lies in the region.
 FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
                        const FieldOptions& options, const Run& run, Report& report);
 

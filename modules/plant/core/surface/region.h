@@ -25,8 +25,8 @@ constexpr std::string_view region_fact = "region";  // of a cloud: all of it lie
 
 // Depth pixels of up to 40 views vote for cells that at least `min_share` of the views have in their image; the box
 // around the cells with votes of several views, with a margin. What stands on a plane there is followed to where fewer
-// views see it. Without depth: a cube around the point that is nearest
-// to all lines of sight. Throws Error{bad_input} where the views have nothing in common.
+// views see it. Without depth: a cube around the point that is nearest to all lines of sight. Throws Error{bad_input}
+// where the views have nothing in common.
 Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
                    Report& report);
 

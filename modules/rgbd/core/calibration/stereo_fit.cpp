@@ -6,6 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/error.h"
+#include "base/statistics.h"
 
 namespace bole::rgbd {
 namespace {
@@ -51,12 +52,6 @@ void add_pair(const BoardShot& a, const ShotFit& fit_a, const BoardShot& b, cons
   pairs.T_color_other.push_back(fit_a.T_camera_board * fit_b.T_camera_board.inverse());
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 // Leaves out views whose own pose is far from the others': a board that one camera took for shifted by a square fits
 // that camera, and not the pair.
 void drop_strangers(Pairs& pairs) {
@@ -65,11 +60,11 @@ void drop_strangers(Pairs& pairs) {
   for (int k = 0; k < 3; ++k) {
     std::vector<double> values;
     for (const auto& T : pairs.T_color_other) values.push_back(T.translation()[k]);
-    middle[k] = median_of(values);
+    middle[k] = upper_median(std::move(values));
   }
   std::vector<double> apart;
   for (const auto& T : pairs.T_color_other) apart.push_back((T.translation() - middle).norm());
-  const double limit = std::max(min_apart, 5 * median_of(apart));
+  const double limit = std::max(min_apart, 5 * upper_median(std::vector<double>(apart)));
   Pairs kept;
   for (std::size_t i = 0; i < apart.size(); ++i) {
     if (apart[i] > limit) continue;
