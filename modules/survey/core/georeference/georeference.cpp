@@ -11,48 +11,15 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/no_number.h"
-#include "base/statistics.h"
 #include "cloud/table_columns.h"
 #include "survey/core/georeference/blunders.h"
-#include "survey/core/georeference/height_fit.h"
+#include "survey/core/georeference/control_level.h"
+#include "survey/core/georeference/grid_scale.h"
 #include "survey/core/georeference/plan_fit.h"
+#include "survey/core/georeference/unit_weight.h"
 
 namespace bole::survey {
 namespace {
-
-constexpr double normal_975 = 1.959964;
-constexpr int min_own_freedom = 3;  // residuals with less do not give a standard deviation of their own
-
-double or_usual(double stated, const std::optional<double>& option, double usual) {
-  return std::isfinite(stated) ? stated : option.value_or(usual);
-}
-
-// By how much standard errors from stated standard deviations grow.
-struct Unit {
-  double factor = 1;
-  bool failed = false;  // residuals much larger than stated
-};
-
-// Of the sum of squares in chance, one in a thousand (Wilson and Hilferty 1931).
-double chi2_limit(int freedom) {
-  constexpr double normal_999 = 3.0902;
-  const double f = freedom, part = 2 / (9 * f);
-  return f * std::pow(1 - part + normal_999 * std::sqrt(part), 3);
-}
-
-// Stated standard deviations hold unless the residuals contradict them. Assumed ones give way to the residuals where
-// these have enough redundancy: then a 95 % interval is that of Student's t, and the factor contains the difference.
-Unit unit_of(double chi2, int redundancy, bool stated) {
-  if (redundancy <= 0) return {};
-  if (stated) {
-    if (chi2 <= chi2_limit(redundancy)) return {};
-    return {std::sqrt(chi2 / redundancy), true};
-  }
-  if (redundancy >= min_own_freedom)
-    return {std::sqrt(chi2 / redundancy) * student_975(redundancy) / normal_975, false};
-  const double freedom = assumed_freedom + redundancy;
-  return {std::sqrt((assumed_freedom + chi2) / freedom) * student_975(freedom) / normal_975, false};
-}
 
 class Placing {
  public:
@@ -61,7 +28,6 @@ class Placing {
       : points_(points), crs_(crs), plot_(plot), o_(options) {
     out_.report = std::move(report);
     used_.assign(points.size(), true);
-    note_.assign(points.size(), "");
     misfit_.assign(points.size(), {no_number, 0, 0, 0});
     for (auto& m : misfit_) m.limit_m = no_number;
     stated_ = o_.control_sd || std::ranges::all_of(points, [](const auto& p) { return std::isfinite(p.sd_m); });
@@ -69,116 +35,20 @@ class Placing {
 
   Georeference place() {
     check_distances(points_);
-    adjust_heights();
+    level_ = control_level(points_, o_, out_.report);
+    note_ = level_.notes;
     known_ = known_turn();
     check_number();
     refuse_mirrored();
     judge_bearing();
     find_blunders();
-    choose_scale();
+    adjust();
     check_residuals();
     finish();
     return std::move(out_);
   }
 
  private:
-  // --- heights and level
-
-  std::vector<HeightPair> height_pairs() const {
-    std::vector<HeightPair> pairs;
-    for (const auto i : height_rows_) {
-      const auto& p = points_[i];
-      const double sd = or_usual(p.height_sd_m, o_.height_sd, usual_height_sd_m);
-      pairs.push_back({p.local, p.global.z(), std::hypot(sd, o_.map_sd)});
-    }
-    return pairs;
-  }
-
-  void adjust_heights() {
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (std::isfinite(points_[i].global.z()) && std::isfinite(points_[i].local.z())) height_rows_.push_back(i);
-    tilt_se_rad_ = radians(o_.level_sd_deg);
-    if (height_rows_.empty()) {
-      const bool given = std::ranges::any_of(points_, [](const auto& p) { return std::isfinite(p.global.z()); });
-      out_.report.find(Severity::note, "heights_local",
-                       given ? "the heights of the control points are not used: the map has no height for them"
-                             : "the control points have no heights: heights stay those of the plot");
-      return;
-    }
-    height_stated_ = o_.height_sd || std::ranges::all_of(height_rows_, [&](std::size_t i) {
-                       return std::isfinite(points_[i].height_sd_m);
-                     });
-    drop_height_blunders();
-    level_by_heights();
-  }
-
-  void drop_height_blunders() {
-    constexpr int most = 3;
-    for (int k = 0; k < most; ++k) {
-      const auto pairs = height_pairs();
-      const int worst = height_blunder(pairs, free_level_rad, o_.level, height_stated_);
-      if (worst < 0) return;
-      const auto row = height_rows_[static_cast<std::size_t>(worst)];
-      auto others = pairs;
-      others.erase(others.begin() + worst);
-      const double off =
-          points_[row].global.z() - fit_heights(others, free_level_rad, o_.level).height_of(points_[row].local);
-      out_.report.find(Severity::look, "control_height_blunder",
-                       fmt::format("the height of control point '{}' is {:+.3f} m off where the others put it{}. Check "
-                                   "its height, and whether it was measured on the target or on the ground (height_of)",
-                                   points_[row].name, off, o_.leave_out_blunders ? ": it is left out" : ""));
-      note_[row] = fmt::format("height {:+.3f} m off", off);
-      if (!o_.leave_out_blunders) return;
-      height_rows_.erase(height_rows_.begin() + worst);
-    }
-  }
-
-  // The level of the map is an observation too, unless the heights contradict it.
-  void level_by_heights() {
-    const auto pairs = height_pairs();
-    const double known_rad = radians(o_.level_sd_deg);
-    heights_ = fit_heights(pairs, known_rad, o_.level);
-    if (heights_->levelled) {
-      const auto free = fit_heights(pairs, free_level_rad, true);
-      const auto unit = unit_of(free.chi2, static_cast<int>(pairs.size()) - 3, height_stated_);
-      const double se = std::sqrt(free.rise_covariance.trace() / 2) * std::max(1.0, unit.factor);
-      constexpr double limit = 3.7;
-      if (free.rise.norm() > limit * std::hypot(known_rad, se)) {
-        heights_ = free;
-        out_.report.find(
-            Severity::look, "level_changed",
-            fmt::format("the control heights tilt the plot by {:.2f} deg +- {:.2f}, more than its level "
-                        "was thought to be off (level_sd {} deg). They were followed; if a height is wrong, "
-                        "correct it or set level=false",
-                        degrees(free.rise.norm()), degrees(se), number_text(o_.level_sd_deg)));
-      }
-      tilt_se_rad_ = std::sqrt(heights_->rise_covariance.trace() / 2);
-      out_.report.metrics["tilt"] = {degrees(heights_->rise.norm()), bole::Unit::degree};
-      out_.report.metrics["tilt_se"] = {degrees(tilt_se_rad_), bole::Unit::degree};
-    } else if (o_.level) {
-      out_.report.facts["level"] =
-          pairs.size() < 3 ? "kept: fewer than three control heights" : "kept: the control heights lie on a line";
-    }
-    const auto unit = unit_of(heights_->chi2, heights_->redundancy, height_stated_);
-    out_.report.metrics["height_se"] = {heights_->shift_se_m * unit.factor, bole::Unit::metre};
-    if (unit.failed)
-      out_.report.find(
-          Severity::look, "height_residuals_large",
-          fmt::format("the residuals of the control heights are {:.1f} times as large as height_sd says", unit.factor));
-    for (const double r : heights_->residuals_m)
-      if (std::abs(r) > o_.max_residual)
-        throw bad_input(fmt::format("a control height is {:.2f} m off the adjusted plot", r),
-                        fmt::format("residuals of at most {} m (max_residual)", number_text(o_.max_residual)),
-                        "Check the heights, and whether they were measured on the target or on the ground (height_of)");
-  }
-
-  Eigen::Vector3d levelled(Eigen::Vector3d p) const {
-    if (!heights_ || !heights_->levelled) return p;
-    const Eigen::Vector3d& c = heights_->centre_local;
-    if (!std::isfinite(p.z())) p.z() = c.z();
-    return c + heights_->R_level_local() * (p - c);
-  }
-
   // --- plan
 
   std::vector<PlanPair> pairs() const {
@@ -190,7 +60,7 @@ class Placing {
   PlanPair pair(std::size_t i) const {
     const auto& p = points_[i];
     const double sd = std::hypot(or_usual(p.sd_m, o_.control_sd, usual_control_sd_m), o_.map_sd);
-    return {levelled(p.local).head<2>(), p.global.head<2>(), sd};
+    return {level_.levelled(p.local).head<2>(), p.global.head<2>(), sd};
   }
   std::vector<std::size_t> used_rows() const {
     std::vector<std::size_t> rows;
@@ -203,12 +73,12 @@ class Placing {
     if (points_.empty()) return std::nullopt;
     const auto at = crs_.inverse(points_[0].global.x(), points_[0].global.y());
     const double convergence_deg = crs_.forward(at).convergence_deg;
-    out_.report.metrics["convergence"] = {convergence_deg, bole::Unit::degree};
+    out_.report.metrics["convergence"] = {convergence_deg, Unit::degree};
     if (!o_.bearing_deg) return std::nullopt;
     double grid_deg = *o_.bearing_deg;
     if (o_.bearing_kind == BearingKind::magnetic) grid_deg += o_.declination_deg.value_or(0);
     if (o_.bearing_kind != BearingKind::grid) grid_deg -= convergence_deg;
-    out_.report.metrics["grid_bearing"] = {grid_deg, bole::Unit::degree};
+    out_.report.metrics["grid_bearing"] = {grid_deg, Unit::degree};
     return KnownTurn{wrapped(std::numbers::pi / 2 - radians(grid_deg) - plot_.bearing_target_rad),
                      radians(o_.bearing_sd_deg)};
   }
@@ -297,71 +167,16 @@ class Placing {
     }
   }
 
-  // The scale is 1 unless asked for otherwise, or unless the residuals contradict 1 and agree with the grid's.
-  void choose_scale() {
-    const auto all = pairs();
-    fit_ = fit_plan(all, 1, known_);
-    const Eigen::Vector2d at = fit_.centre_global;
-    const double height = heights_ ? heights_->centre_height_m : 0;
-    const double grid = crs_.ground_scale(at.x(), at.y(), height);
-    out_.report.metrics["grid_scale"] = {grid, bole::Unit::none};
-    const bool free_known = std::isfinite(fit_.free_scale) && all.size() >= 2;
-    bool one_fits = true, grid_fits = true, decided = false;
-    double se = no_number;
-    if (free_known) {
-      const double z = (fit_.free_scale - 1) / fit_.free_scale_se;
-      const int freedom = fit_.redundancy - 1;
-      double unit = 1, limit = std::sqrt(2 * f2_limit(0.01, std::numeric_limits<double>::infinity()));
-      bool can_tell = true;
-      if (!stated_) {
-        can_tell = freedom >= 2;
-        constexpr double min_sd_m = 1e-4;  // exact coordinates have digits to 0.1 mm
-        if (can_tell) {
-          unit = std::max(std::sqrt(std::max(0.0, fit_.chi2 - z * z) / freedom), min_sd_m / all[0].sd_m);
-          limit = std::sqrt(2 * f2_limit(0.01, freedom));
-        }
-      }
-      se = fit_.free_scale_se * unit;
-      out_.report.metrics["free_scale"] = {fit_.free_scale, bole::Unit::none};
-      if (can_tell) {
-        out_.report.metrics["free_scale_se"] = {se, bole::Unit::none};
-        one_fits = std::abs(fit_.free_scale - 1) <= limit * se;
-        grid_fits = std::abs(fit_.free_scale - grid) <= limit * se;
-        decided = one_fits != grid_fits;
-      }
-    }
-    const bool take_grid = o_.scale ? *o_.scale == GridScale::grid : decided && grid_fits;
-    if (take_grid) fit_ = fit_plan(all, grid, known_);
-    if (!o_.scale && !decided) out_.uncertainty.scale_doubt = std::abs(grid - 1);
-    tell_scale(take_grid, grid, se, one_fits, grid_fits);
-  }
-
-  void tell_scale(bool take_grid, double grid, double se, bool one_fits, bool grid_fits) {
-    auto& report = out_.report;
-    report.facts["scale"] = take_grid ? "grid" : "one";
-    double reach = 0;
-    for (const auto& s : plot_.stems) reach = std::max(reach, (s.head<2>() - fit_.centre_local).norm());
-    const double effect_mm = 1000 * std::abs(grid - 1) * reach;
-    if (!one_fits && !grid_fits)
-      report.find(Severity::look, "scale_unexplained",
-                  fmt::format("the control points ask for a scale of {:.5f} +- {:.5f}; neither 1 nor that of the grid "
-                              "({:.5f}) fits. Check the points farthest out, and the range scale of the sensor",
-                              fit_.free_scale, se, grid));
-    else if (take_grid && !o_.scale)
-      report.find(
-          Severity::note, "grid_scale_used",
-          fmt::format("the residuals speak for the scale of the grid ({:.6f}: projection and height): it is used",
-                      grid));
-    else if (o_.scale && (take_grid ? !grid_fits : !one_fits))
-      report.find(Severity::look, "scale_contradicts",
-                  fmt::format("the control points ask for a scale of {:.5f} +- {:.5f}, which speaks against scale={}",
-                              fit_.free_scale, se, choice_name(*o_.scale)));
-    else if (constexpr double told_mm = 3; !take_grid && !o_.scale && effect_mm > told_mm)
-      report.find(Severity::note, "grid_scale_not_used",
-                  fmt::format("a metre in the plot is {:.6f} m on the plane of the coordinate system (projection and "
-                              "height). The scale 1 is used: trees at the edge would move by up to {:.0f} mm{}; "
-                              "scale=grid applies it",
-                              grid, effect_mm, out_.uncertainty.scale_doubt > 0 ? " (part of position_se_m)" : ""));
+  void adjust() {
+    const double height = level_.heights ? level_.heights->centre_height_m : 0;
+    ScaleQuestion question{pairs(), known_, stated_, 1, 0};
+    fit_ = fit_plan(question.pairs, 1, known_);
+    question.grid = crs_.ground_scale(fit_.centre_global.x(), fit_.centre_global.y(), height);
+    for (const auto& stem : plot_.stems)
+      question.reach_m = std::max(question.reach_m, (stem.head<2>() - fit_.centre_local).norm());
+    const auto scale = choose_scale(question, fit_, o_.scale, out_.report);
+    if (scale.value != 1) fit_ = fit_plan(question.pairs, scale.value, known_);
+    out_.uncertainty.scale_doubt = scale.doubt;
   }
 
   void check_residuals() {
@@ -376,8 +191,8 @@ class Placing {
         worst = rows[k];
       }
     }
-    out_.report.metrics["residual_rms"] = {std::sqrt(sum / static_cast<double>(rows.size())), bole::Unit::metre};
-    out_.report.metrics["residual_max"] = {most, bole::Unit::metre};
+    out_.report.metrics["residual_rms"] = {std::sqrt(sum / static_cast<double>(rows.size())), Unit::metre};
+    out_.report.metrics["residual_max"] = {most, Unit::metre};
     if (most > o_.max_residual)
       throw bad_input(misfit_text(worst, most), fits_needed(), "Check the names of the points and their coordinates");
   }
@@ -403,7 +218,7 @@ class Placing {
   // --- result
 
   void finish() {
-    const auto unit = unit_of(fit_.chi2, fit_.redundancy, stated_);
+    const auto unit = unit_weight(fit_.chi2, fit_.redundancy, stated_);
     if (unit.failed)
       out_.report.find(Severity::look, "control_residuals_large",
                        fmt::format("the residuals of the control points are {:.1f} times as large as control_sd and "
@@ -412,10 +227,10 @@ class Placing {
     set_frame();
     auto& u = out_.uncertainty;
     u.centre_local = fit_.centre_local;
-    u.centre_z_m = heights_ ? heights_->centre_local.z() : mean_control_z();
+    u.centre_z_m = level_.heights ? level_.heights->centre_local.z() : mean_control_z();
     u.shift_se_m = fit_.shift_se_m * unit.factor;
     u.turn_se_rad = fit_.turn_se_rad * unit.factor;
-    u.tilt_se_rad = tilt_se_rad_;
+    u.tilt_se_rad = level_.tilt_se_rad;
     set_table();
     tell();
   }
@@ -433,16 +248,17 @@ class Placing {
 
   void set_frame() {
     auto& frame = out_.frame;
-    const Eigen::Matrix3d level =
-        heights_ && heights_->levelled ? heights_->R_level_local() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    const Eigen::Matrix3d level = level_.heights && level_.heights->levelled
+                                      ? level_.heights->R_level_local()
+                                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(fit_.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const Eigen::Vector3d scale(fit_.scale, fit_.scale, 1);
     frame.A_global_local = scale.asDiagonal() * turn * level;
-    frame.centre_local =
-        heights_ ? heights_->centre_local : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
+    frame.centre_local = level_.heights ? level_.heights->centre_local
+                                        : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
     const Eigen::Vector2d at = fit_.to_global(frame.centre_local.head<2>());
-    frame.shift_global = {at.x(), at.y(), heights_ ? heights_->centre_height_m : 0};
-    frame.heights_known = heights_.has_value();
+    frame.shift_global = {at.x(), at.y(), level_.heights ? level_.heights->centre_height_m : 0};
+    frame.heights_known = level_.heights.has_value();
     frame.crs_wkt = crs_.wkt();
   }
 
@@ -459,10 +275,11 @@ class Placing {
       e.push_back(p.global.x());
       n.push_back(p.global.y());
       h.push_back(p.global.z());
-      const Eigen::Vector2d r = p.global.head<2>() - fit_.to_global(levelled(p.local).head<2>());
+      const Eigen::Vector2d r = p.global.head<2>() - fit_.to_global(level_.levelled(p.local).head<2>());
       re.push_back(r.x());
       rn.push_back(r.y());
-      rh.push_back(heights_ && std::isfinite(p.local.z()) ? p.global.z() - heights_->height_of(p.local) : no_number);
+      rh.push_back(level_.heights && std::isfinite(p.local.z()) ? p.global.z() - level_.heights->height_of(p.local)
+                                                                : no_number);
       misfit.push_back(misfit_[i].distance_m);
       limit.push_back(std::isfinite(misfit_[i].limit_m) ? misfit_[i].limit_m : no_number);
       used.push_back(used_[i]);
@@ -489,18 +306,18 @@ class Placing {
   void tell() {
     auto& report = out_.report;
     const double turn_deg = degrees(fit_.turn_rad);
-    report.metrics["turn"] = {turn_deg, bole::Unit::degree};
-    report.metrics["turn_se"] = {degrees(out_.uncertainty.turn_se_rad), bole::Unit::degree};
-    report.metrics["shift_se"] = {out_.uncertainty.shift_se_m, bole::Unit::metre};
-    report.metrics["easting"] = {out_.frame.shift_global.x(), bole::Unit::metre};
-    report.metrics["northing"] = {out_.frame.shift_global.y(), bole::Unit::metre};
+    report.metrics["turn"] = {turn_deg, Unit::degree};
+    report.metrics["turn_se"] = {degrees(out_.uncertainty.turn_se_rad), Unit::degree};
+    report.metrics["shift_se"] = {out_.uncertainty.shift_se_m, Unit::metre};
+    report.metrics["easting"] = {out_.frame.shift_global.x(), Unit::metre};
+    report.metrics["northing"] = {out_.frame.shift_global.y(), Unit::metre};
     report.counts["control_points"] = static_cast<std::int64_t>(points_.size());
     report.counts["control_points_used"] = static_cast<std::int64_t>(used_rows().size());
     report.counts["redundancy"] = fit_.redundancy;
     report.facts["crs"] = crs_.title();
     double worst = 0;
     for (const auto& s : plot_.stems) worst = std::max(worst, out_.uncertainty.at(s));
-    report.metrics["frame_se_max"] = {worst, bole::Unit::metre};
+    report.metrics["frame_se_max"] = {worst, Unit::metre};
     report.message = fmt::format(
         "{}: {} of {} control points, residuals {:.1f} cm, turn {:.2f} +- {:.2f} deg, place of "
         "the farthest stem +- {:.1f} cm",
@@ -524,8 +341,6 @@ class Placing {
                       turn_deg));
   }
 
-  static constexpr double free_level_rad = 1;
-
   const std::vector<ControlPoint>& points_;
   const geo::ProjectedCrs& crs_;
   const LocalPlot& plot_;
@@ -534,10 +349,8 @@ class Placing {
   std::vector<bool> used_;
   std::vector<std::string> note_;
   std::vector<LeftOut> misfit_;
-  std::vector<std::size_t> height_rows_;
-  bool stated_ = false, height_stated_ = false;
-  double tilt_se_rad_ = 0;
-  std::optional<HeightFit> heights_;
+  bool stated_ = false;
+  ControlLevel level_;
   std::optional<KnownTurn> known_;
   PlanFit fit_;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,7 +45,8 @@ Eigen::Matrix3d HeightFit::R_level_local() const {
   return Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-HeightFit fit_heights(const std::vector<HeightPair>& pairs, double level_sd_rad, bool adjust_level) {
+HeightFit fit_heights(const std::vector<HeightPair>& pairs, const std::optional<double>& known_level_rad,
+                      bool adjust_level) {
   if (pairs.empty()) throw bad_input("there is no control height", "at least one");
   HeightFit fit;
   double weight = 0, difference = 0;
@@ -58,7 +60,8 @@ HeightFit fit_heights(const std::vector<HeightPair>& pairs, double level_sd_rad,
   difference /= weight;
   fit.centre_height_m = fit.centre_local.z() + difference;
   fit.shift_se_m = 1 / std::sqrt(weight);
-  const double known = 1 / (level_sd_rad * level_sd_rad);
+  constexpr double unknown_level_rad = 1;
+  const double level_rad = known_level_rad.value_or(unknown_level_rad), known = 1 / (level_rad * level_rad);
   Eigen::Matrix2d normal = known * Eigen::Matrix2d::Identity();
   fit.levelled = adjust_level && spans_a_plane(plan_of(pairs));
   if (fit.levelled) {
@@ -76,19 +79,21 @@ HeightFit fit_heights(const std::vector<HeightPair>& pairs, double level_sd_rad,
     fit.residuals_m.push_back(p.height_m - fit.height_of(p.local));
     fit.chi2 += fit.residuals_m.back() * fit.residuals_m.back() * weight_of(p);
   }
-  fit.redundancy = static_cast<int>(pairs.size()) - 1;  // the rise has as many observations as unknowns
+  // A known level gives the rise as many observations as unknowns.
+  fit.redundancy = static_cast<int>(pairs.size()) - (fit.levelled && !known_level_rad ? 3 : 1);
   return fit;
 }
 
-int height_blunder(const std::vector<HeightPair>& pairs, double level_sd_rad, bool adjust_level, bool sd_stated) {
+int height_blunder(const std::vector<HeightPair>& pairs, bool adjust_level, bool sd_stated) {
   if (pairs.size() < 4) return -1;
   double most = 1;
   int worst = -1;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     auto others = pairs;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    const auto fit = fit_heights(others, level_sd_rad, adjust_level);
-    const double freedom = sd_stated ? std::numeric_limits<double>::infinity() : assumed_freedom + fit.redundancy;
+    const auto fit = fit_heights(others, std::nullopt, adjust_level);
+    const double freedom =
+        sd_stated ? std::numeric_limits<double>::infinity() : assumed_freedom + std::max(0, fit.redundancy);
     const double unit2 = sd_stated ? 1 : (assumed_freedom + fit.chi2) / freedom;
     const Eigen::Vector2d arm = (pairs[i].local - fit.centre_local).head<2>();
     const double variance =

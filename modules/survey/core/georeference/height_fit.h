@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace bole::survey {
@@ -29,15 +30,17 @@ struct HeightFit {
   Eigen::Matrix3d R_level_local() const;
 };
 
-// Least squares. The level is adjusted where three or more points do not lie on a line; `level_sd_rad` is then how well
-// the local axes are known to be level already, as an observation of the rise with the value zero. Else only the shift.
-HeightFit fit_heights(const std::vector<HeightPair>& pairs, double level_sd_rad, bool adjust_level);
+// Least squares. The level is adjusted where three or more points do not lie on a line; `known_level_rad` is then how
+// well the local axes are known to be level already, as an observation of the rise with the value zero; nothing: the
+// level is free. Else only the shift.
+HeightFit fit_heights(const std::vector<HeightPair>& pairs, const std::optional<double>& known_level_rad,
+                      bool adjust_level);
 
 // Whether three or more of the points span a triangle whose height is at least a tenth of its longest side.
 bool spans_a_plane(const std::vector<Eigen::Vector2d>& points);
 
 // The index of the height that the others contradict (by more than one good one in a thousand), -1 for none. Needs four
-// heights to name one.
-int height_blunder(const std::vector<HeightPair>& pairs, double level_sd_rad, bool adjust_level, bool sd_stated);
+// heights to name one. The level is free.
+int height_blunder(const std::vector<HeightPair>& pairs, bool adjust_level, bool sd_stated);
 
 }  // namespace bole::survey

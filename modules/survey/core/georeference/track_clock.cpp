@@ -20,6 +20,7 @@ constexpr std::size_t max_fixes = 300, min_fixes = 20;
 struct Trial {
   double offset_s = 0;
   double misfit_m = std::numeric_limits<double>::infinity();
+  double overlap_s = 0;
 };
 
 class OffsetSearch {
@@ -39,7 +40,8 @@ class OffsetSearch {
   // Median distance after turn and shift, in which half of the fixes may be wrong.
   Trial attempt(double offset) const {
     Trial trial{offset};
-    if (overlap_s(offset) < 0.5 * shorter_s()) return trial;
+    trial.overlap_s = overlap_s(offset);
+    if (trial.overlap_s < 0.5 * shorter_s()) return trial;
     const auto first = std::ranges::lower_bound(track_, curve_.begin_s() - offset, {}, &TrackFix::time_s),
                last = std::ranges::upper_bound(track_, curve_.end_s() - offset, {}, &TrackFix::time_s);
     const auto count = static_cast<std::size_t>(last - first);
@@ -80,6 +82,29 @@ void try_range(const OffsetSearch& search, double from, double to, std::vector<T
     if (const auto trial = search.attempt(offset); std::isfinite(trial.misfit_m)) trials.push_back(trial);
 }
 
+ClockOffsetFound best_of(const std::vector<Trial>& trials, const std::string& times) {
+  constexpr double apart_s = 20, alike = 1.3, negligible_m = 0.05, as_long = 0.8;
+  const double least_m = std::ranges::min_element(trials, {}, &Trial::misfit_m)->misfit_m;
+  const auto fits = [](const Trial& t, double misfit_m) { return t.misfit_m <= alike * misfit_m + negligible_m; };
+  double longest_s = 0;
+  for (const auto& t : trials)
+    if (fits(t, least_m)) longest_s = std::max(longest_s, t.overlap_s);
+  Trial best;
+  for (const auto& t : trials)
+    if (t.overlap_s >= as_long * longest_s && t.misfit_m < best.misfit_m) best = t;
+  ClockOffsetFound found{best.offset_s, best.misfit_m};
+  for (const auto& t : trials) {
+    if (std::abs(t.offset_s - best.offset_s) <= apart_s || !fits(t, best.misfit_m)) continue;
+    if (t.overlap_s >= as_long * longest_s)
+      throw bad_input(times + fmt::format(": with {:.1f} s and with {:.1f} s between the clocks the track fits alike "
+                                          "(median distance {:.2f} and {:.2f} m)",
+                                          best.offset_s, t.offset_s, best.misfit_m, t.misfit_m),
+                      "a walk whose shape tells the time", "Set clock_offset and a small clock_window");
+    found.rival_s = t.offset_s;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<double> usual_clock_offsets(const Trajectory& walk, const std::vector<TrackFix>& track) {
@@ -94,8 +119,8 @@ std::vector<double> usual_clock_offsets(const Trajectory& walk, const std::vecto
   return offsets;
 }
 
-double find_clock_offset(const Trajectory& walk, const std::vector<TrackFix>& track,
-                         const std::vector<double>& candidates_s, double window_s) {
+ClockOffsetFound find_clock_offset(const Trajectory& walk, const std::vector<TrackFix>& track,
+                                   const std::vector<double>& candidates_s, double window_s) {
   if (walk.poses.size() < 2 || track.size() < min_fixes)
     throw bad_input(fmt::format("the walk has {} poses, the track {} fixes", walk.poses.size(), track.size()),
                     fmt::format("at least 2 and {}", min_fixes));
@@ -111,17 +136,7 @@ double find_clock_offset(const Trajectory& walk, const std::vector<TrackFix>& tr
   if (trials.empty())
     throw bad_input(times + ": no offset of the clocks brings half of the shorter one over the other",
                     "a track that was recorded during the walk", "Set clock_offset, or check that both are of one day");
-  const auto best = *std::ranges::min_element(trials, {}, &Trial::misfit_m);
-  constexpr double apart_s = 20, alike = 1.3, negligible_m = 0.05;
-  Trial second;
-  for (const auto& t : trials)
-    if (std::abs(t.offset_s - best.offset_s) > apart_s && t.misfit_m < second.misfit_m) second = t;
-  if (second.misfit_m < alike * best.misfit_m + negligible_m)
-    throw bad_input(times + fmt::format(": with {:.1f} s and with {:.1f} s between the clocks the track fits alike "
-                                        "(median distance {:.2f} and {:.2f} m)",
-                                        best.offset_s, second.offset_s, best.misfit_m, second.misfit_m),
-                    "a walk whose shape tells the time", "Set clock_offset and a small clock_window");
-  return best.offset_s;
+  return best_of(trials, times);
 }
 
 }  // namespace bole::survey

@@ -185,7 +185,10 @@ class TrackAdjustment {
     const auto rows = linearised();
     weigh(rows);
     const Matrix covariance = normal_matrix(rows).inverse();
-    const auto se = [&](Eigen::Index k) { return std::sqrt(covariance(k, k)); };
+    // Few independent fixes: the factor from normal to Student's t intervals.
+    const double independent = static_cast<double>(rows.size()) / correlation_;
+    const double t_factor = student_975(std::max(1.0, 2 * independent - unknowns)) / student_975(1e6);
+    const auto se = [&](Eigen::Index k) { return t_factor * std::sqrt(covariance(k, k)); };
     TrackFit fit;
     fit.turn_rad = x_(turn);
     fit.centre_local = centre_;
@@ -194,7 +197,7 @@ class TrackAdjustment {
     fit.clock_offset_s = x_(clock_offset);
     fit.lever_sensor = x_.segment<3>(lever);
     fit.turn_se_rad = se(turn);
-    fit.shift_se_m = std::sqrt((covariance(shift, shift) + covariance(shift + 1, shift + 1)) / 2);
+    fit.shift_se_m = t_factor * std::sqrt((covariance(shift, shift) + covariance(shift + 1, shift + 1)) / 2);
     fit.height_se_m = se(shift + 2);
     fit.clock_offset_se_s = se(clock_offset);
     fit.lever_se_m = {se(lever), se(lever + 1), se(lever + 2)};

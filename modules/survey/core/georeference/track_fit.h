@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "cloud/trajectory.h"
@@ -35,11 +36,20 @@ struct TrackFit {
   double extent_m = 0;    // of the walk in the plan
 };
 
+struct ClockOffsetFound {
+  double offset_s = 0;  // time of the trajectory - time of the receiver
+  double misfit_m = 0;  // median distance after turn and shift
+  // Another offset that fits alike, with a shorter overlap of the recordings.
+  std::optional<double> rival_s{};
+};
+
 // The offset between the clocks at which the track has the shape of the walk, to about a second: every offset in
 // `candidates_s` +- `window_s` is tried, or where none is plausible every one with which half of the shorter recording
-// overlaps. Throws Error{bad_input} where there is none, and where two offsets far apart fit alike.
-double find_clock_offset(const Trajectory& walk, const std::vector<TrackFix>& track,
-                         const std::vector<double>& candidates_s, double window_s);
+// overlaps. Of offsets that fit alike the one with the longest overlap is taken: parallel lines look alike when they
+// are shifted by two. Throws Error{bad_input} where there is none, and where two offsets far apart fit and overlap
+// alike.
+ClockOffsetFound find_clock_offset(const Trajectory& walk, const std::vector<TrackFix>& track,
+                                   const std::vector<double>& candidates_s, double window_s);
 
 // Offsets that clocks of receivers and recorders have: none, days (receivers that send the time of day), leap seconds.
 std::vector<double> usual_clock_offsets(const Trajectory& walk, const std::vector<TrackFix>& track);

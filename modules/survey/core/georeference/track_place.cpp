@@ -92,8 +92,8 @@ Georeference place_by_track(const Trajectory& walk, const Table& track, const ge
         fmt::format("the track has {} positions with times, the walk {} poses", read.fixes.size(), walk.poses.size()),
         "a track of the walk");
   const auto candidates = o.clock_offset ? std::vector<double>{*o.clock_offset} : usual_clock_offsets(walk, read.fixes);
-  const double offset = find_clock_offset(walk, read.fixes, candidates, o.clock_window);
-  const auto fit = fit_track(walk, read.fixes, offset, {{o.lever_x, o.lever_y, o.lever_z}, o.lever_sd});
+  const auto clock = find_clock_offset(walk, read.fixes, candidates, o.clock_window);
+  const auto fit = fit_track(walk, read.fixes, clock.offset_s, {{o.lever_x, o.lever_y, o.lever_z}, o.lever_sd});
   constexpr double max_turn_se_rad = 0.1, min_extent_m = 5;
   if (fit.extent_m < min_extent_m || fit.turn_se_rad > max_turn_se_rad)
     throw bad_input(
@@ -105,6 +105,12 @@ Georeference place_by_track(const Trajectory& walk, const Table& track, const ge
   Georeference out;
   const double shared_m = o.track_sd ? *o.track_sd : median(read.shared_m);
   tell(fit, shared_m, out.report);
+  if (clock.rival_s)
+    out.report.find(
+        Severity::look, "clock_by_overlap",
+        fmt::format("the track fits the walk with {:.1f} s between the clocks, and with {:.1f} s as well; the "
+                    "first was taken, since more of the recordings overlaps. Check it, or set clock_offset",
+                    clock.offset_s, *clock.rival_s));
   auto& frame = out.frame;
   frame.A_global_local = Eigen::AngleAxisd(fit.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   frame.centre_local = fit.centre_local;
