@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cloud/core/global_frame.h"
 #include "cloud/data.h"
-#include "cloud/global_frame.h"
 #include "cloud/plot_area.h"
 #include "pipeline/stage.h"
 

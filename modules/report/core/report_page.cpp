@@ -11,7 +11,6 @@
 #include "report/core/html.h"
 #include "report/core/overview.h"
 #include "report/core/page_resources.h"
-#include "report/core/place_section.h"
 #include "report/core/plot_section.h"
 #include "report/core/slam_section.h"
 #include "report/core/slices.h"
@@ -19,6 +18,7 @@
 #include "report/core/survey_facts.h"
 #include "report/core/terms.h"
 #include "report/core/view3d.h"
+#include "report/place_section.h"
 
 namespace bole::report {
 namespace {
@@ -120,9 +120,9 @@ std::optional<Judgement> judgement_of(const ReportContent& c, Report& told) {
 
 std::string navigation(const std::string& page) {
   constexpr std::pair<const char*, const char*> links[] = {
-      {"plot", "Values"}, {"place", "Place"}, {"check", "What to look at"}, {"stems", "Stems"},          {"slices", "Slices"},
-      {"view3d", "3-D"},  {"figures", "Figures"},       {"evaluation", "Reference"}, {"signature", "Signature"},
-      {"terms", "Words"}, {"run", "Appendix"}};
+      {"plot", "Values"},         {"place", "Place"}, {"check", "What to look at"}, {"stems", "Stems"},
+      {"slices", "Slices"},       {"view3d", "3-D"},  {"figures", "Figures"},       {"evaluation", "Reference"},
+      {"signature", "Signature"}, {"terms", "Words"}, {"run", "Appendix"}};
   std::string out = "<nav class=\"screen\">";
   for (const auto& [id, title] : links)
     if (page.find("<section id=\"" + std::string(id) + "\">") != std::string::npos)

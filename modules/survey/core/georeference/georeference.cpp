@@ -204,9 +204,9 @@ class Placing {
   std::string misfit_text(std::size_t worst, double residual) const {
     std::string distances;
     int told = 0;
-    constexpr int most_told = 4;
+    constexpr int max_told = 4;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (i == worst || !used_[i] || ++told > most_told) continue;
+      if (i == worst || !used_[i] || ++told > max_told) continue;
       distances += fmt::format("{}to '{}' {:.2f} m by coordinates, {:.2f} m in the map", distances.empty() ? "" : "; ",
                                points_[i].name, (points_[i].global - points_[worst].global).head<2>().norm(),
                                (points_[i].local - points_[worst].local).head<2>().norm());

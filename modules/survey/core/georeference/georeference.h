@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/report.h"
-#include "cloud/global_frame.h"
+#include "cloud/core/global_frame.h"
 #include "cloud/table.h"
 #include "geo/core/projected_crs.h"
 #include "survey/core/georeference/control_points.h"

@@ -84,11 +84,11 @@ void try_range(const OffsetSearch& search, double from, double to, std::vector<T
 
 ClockOffsetFound best_of(const std::vector<Trial>& trials, const std::string& times) {
   constexpr double apart_s = 20, alike = 1.3, negligible_m = 0.05, as_long = 0.8;
-  const double least_m = std::ranges::min_element(trials, {}, &Trial::misfit_m)->misfit_m;
+  const double smallest_misfit_m = std::ranges::min_element(trials, {}, &Trial::misfit_m)->misfit_m;
   const auto fits = [](const Trial& t, double misfit_m) { return t.misfit_m <= alike * misfit_m + negligible_m; };
   double longest_s = 0;
   for (const auto& t : trials)
-    if (fits(t, least_m)) longest_s = std::max(longest_s, t.overlap_s);
+    if (fits(t, smallest_misfit_m)) longest_s = std::max(longest_s, t.overlap_s);
   Trial best;
   for (const auto& t : trials)
     if (t.overlap_s >= as_long * longest_s && t.misfit_m < best.misfit_m) best = t;

@@ -1,4 +1,4 @@
-#include "report/core/place_section.h"
+#include "report/place_section.h"
 
 #include <cmath>
 

@@ -19,7 +19,7 @@ namespace facts {
 inline constexpr FactInfo global_crs{"global_crs", "", 0, 0,
                                      "Coordinate reference system in which the local axes have a place, as WKT."};
 inline constexpr FactInfo global_frame{"global_frame", "", 0, 0,
-                                       "Place of the local axes in it: 15 numbers, see cloud/global_frame.h."};
+                                       "Place of the local axes in it: 15 numbers, see cloud/core/global_frame.h."};
 
 }  // namespace facts
 

@@ -1,4 +1,4 @@
-#include "cloud/global_frame.h"
+#include "cloud/core/global_frame.h"
 
 #include <fmt/format.h>
 
