@@ -124,6 +124,7 @@ TEST(Georeference, HeightsOnALineKeepTheLevel) {
   const Truth truth;
   const auto place = georeference(control_at(line, truth), utm32(), plot_with(stems_of(5, 3)), {});
   EXPECT_THAT(place.report.facts.at("level"), HasSubstr("on a line"));
+  EXPECT_TRUE(found(place.report, "control_on_a_line"));
 }
 
 TEST(Georeference, ScaleOfTheGridIsToldAndTakenWhereTheResidualsSaySo) {

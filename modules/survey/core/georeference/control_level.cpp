@@ -86,10 +86,23 @@ class LevelFinder {
     if (out_.heights->levelled)
       judge_level(pairs, known_rad);
     else if (o_.level)
-      report_.facts["level"] =
-          pairs.size() < 3 ? "kept: fewer than three control heights" : "kept: the control heights lie on a line";
+      tell_kept(pairs.size());
     report_.metrics["height_se"] = {out_.heights->shift_se_m, Unit::metre};
     check_residuals();
+  }
+
+  void tell_kept(std::size_t heights) {
+    constexpr std::size_t min_heights = 3;
+    if (heights < min_heights) {
+      report_.facts["level"] = "kept: fewer than three control heights";
+      return;
+    }
+    report_.facts["level"] = "kept: the control heights lie on a line";
+    report_.find(
+        Severity::look, "control_on_a_line",
+        fmt::format("the {} points with control heights lie on a line: they cannot level the plot, whose level "
+                    "is kept ({} deg). Measure one to the side, or set level=false",
+                    heights, number_text(o_.level_sd_deg)));
   }
 
   void judge_level(const std::vector<HeightPair>& pairs, double known_rad) {
