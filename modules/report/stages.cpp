@@ -19,6 +19,7 @@ void register_result_names() {
                               "cloud.laz",
                               "cloud.ply",
                               "contours.csv",
+                              "control_points.csv",
                               "dem.tif",
                               "diameter_classes.csv",
                               "edits.csv",

@@ -41,6 +41,7 @@ const std::vector<Input>& survey_inputs() {
       {"rejected", &S::rejected, "Candidates that are no stems, with their reasons."},
       {"edits", &S::edits, "What a person changed, from stems.edit."},
       {"targets", &S::targets, "Reflective targets of the plot frame."},
+      {"control", &S::control, "Control points with residuals, from survey.georeference."},
       {"matches", &S::matches, "Stems matched with a reference."},
       {"summary", &S::summary, "Measures of the evaluation beside published ones."},
       {"loops", &S::loops, "Loop closures, from slam.run."},
@@ -109,6 +110,7 @@ double SurveyData::class_width_cm() const {
 }
 
 std::string SurveyData::crs_wkt() const {
+  if (place) return place->crs_wkt;
   if (axes != Axes::global) return {};
   if (points != nullptr && !points->crs_wkt.empty()) return points->crs_wkt;
   return fact_text(stems->facts, facts::crs).value_or("");
@@ -127,6 +129,7 @@ SurveyData survey_data(const DataSet& inputs) {
     if (!input.optional || inputs.has(input.port))
       std::visit([&](auto member) { take(inputs, input.port, member, data); }, input.member);
   data.axes = axes_of(data);
+  data.place = global_frame_of(data.stems->facts);
   if (data.plot != nullptr) data.rule = counting_rule(*data.plot);
   data.own_stems = with_counted(*data.stems, data.rule);
   if (data.own_stems) data.stems = data.own_stems.get();

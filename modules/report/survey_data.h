@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cloud/core/global_frame.h"
 #include "cloud/data.h"
 #include "cloud/plot_area.h"
 #include "pipeline/stage.h"
@@ -31,6 +33,7 @@ struct SurveyData {
   const Table* rejected = nullptr;
   const Table* edits = nullptr;
   const Table* targets = nullptr;
+  const Table* control = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;
   const Table* loops = nullptr;
@@ -39,6 +42,7 @@ struct SurveyData {
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
   Axes axes = Axes::unknown;               // of the stems
+  std::optional<GlobalFrame> place;        // of local axes, where the stems were georeferenced
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }
 
   // The trajectory was an input of the run, not computed by it.
@@ -49,7 +53,8 @@ struct SurveyData {
   Table stems_in_plot() const;
   // Of diameter classes: that of the plot values, 4 cm where they are not connected.
   double class_width_cm() const;
-  std::string crs_wkt() const;  // of the stems; empty where their axes are not global
+  // Of exported coordinates: of the place, or of the stems; empty where their place on the earth is not known.
+  std::string crs_wkt() const;
 };
 
 // The input ports of report.plot.

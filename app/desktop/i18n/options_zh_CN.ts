@@ -1541,6 +1541,141 @@
             <source>Scene</source>
             <translation>场景</translation>
         </message>
+        <message>
+            <source>File</source>
+            <comment>survey.georeference</comment>
+            <translation>控制点文件</translation>
+        </message>
+        <message>
+            <source>Crs</source>
+            <comment>survey.georeference</comment>
+            <translation>坐标参考系</translation>
+        </message>
+        <message>
+            <source>Control sd</source>
+            <comment>survey.georeference</comment>
+            <translation>控制点平面标准差</translation>
+        </message>
+        <message>
+            <source>Height sd</source>
+            <comment>survey.georeference</comment>
+            <translation>控制点高程标准差</translation>
+        </message>
+        <message>
+            <source>Map sd</source>
+            <comment>survey.georeference</comment>
+            <translation>地图点位标准差</translation>
+        </message>
+        <message>
+            <source>Max residual</source>
+            <comment>survey.georeference</comment>
+            <translation>最大残差</translation>
+        </message>
+        <message>
+            <source>Leave out blunders</source>
+            <comment>survey.georeference</comment>
+            <translation>剔除粗差点</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <comment>survey.georeference</comment>
+            <translation>比例尺</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <comment>survey.georeference</comment>
+            <translation>高程所指</translation>
+        </message>
+        <message>
+            <source>Level</source>
+            <comment>survey.georeference</comment>
+            <translation>按控制高程整平</translation>
+        </message>
+        <message>
+            <source>Level sd</source>
+            <comment>survey.georeference</comment>
+            <translation>原有水平的标准差</translation>
+        </message>
+        <message>
+            <source>Easting</source>
+            <comment>survey.georeference</comment>
+            <translation>中心东坐标</translation>
+        </message>
+        <message>
+            <source>Northing</source>
+            <comment>survey.georeference</comment>
+            <translation>中心北坐标</translation>
+        </message>
+        <message>
+            <source>Latitude</source>
+            <comment>survey.georeference</comment>
+            <translation>中心纬度</translation>
+        </message>
+        <message>
+            <source>Longitude</source>
+            <comment>survey.georeference</comment>
+            <translation>中心经度</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <comment>survey.georeference</comment>
+            <translation>中心高程</translation>
+        </message>
+        <message>
+            <source>Bearing</source>
+            <comment>survey.georeference</comment>
+            <translation>方位角</translation>
+        </message>
+        <message>
+            <source>Bearing kind</source>
+            <comment>survey.georeference</comment>
+            <translation>方位角基准</translation>
+        </message>
+        <message>
+            <source>Declination</source>
+            <comment>survey.georeference</comment>
+            <translation>磁偏角</translation>
+        </message>
+        <message>
+            <source>Bearing sd</source>
+            <comment>survey.georeference</comment>
+            <translation>方位角标准差</translation>
+        </message>
+        <message>
+            <source>Clock offset</source>
+            <comment>survey.georeference</comment>
+            <translation>时钟差</translation>
+        </message>
+        <message>
+            <source>Clock window</source>
+            <comment>survey.georeference</comment>
+            <translation>时钟搜索范围</translation>
+        </message>
+        <message>
+            <source>Lever x</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 x</translation>
+        </message>
+        <message>
+            <source>Lever y</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 y</translation>
+        </message>
+        <message>
+            <source>Lever z</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 z</translation>
+        </message>
+        <message>
+            <source>Lever sd</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移标准差</translation>
+        </message>
+        <message>
+            <source>Track sd</source>
+            <comment>survey.georeference</comment>
+            <translation>轨迹共同误差</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3160,6 +3295,114 @@
             <source>Write scene.ply: all points, with the part that each belongs to, beside cloud.ply, which has the plant alone.</source>
             <translation>除只含植株的 cloud.ply 外,另写 scene.ply:全部点及其所属部位。</translation>
         </message>
+        <message>
+            <source>Control points as CSV: name, easting_m, northing_m, height_m (or latitude_deg, longitude_deg). A point belongs to the target of its name (centre, north), or to x_m, y_m in the same row.</source>
+            <translation>控制点 CSV 文件:name, easting_m, northing_m, height_m(或 latitude_deg, longitude_deg)。点对应同名标靶(centre, north),或对应同一行的 x_m, y_m。</translation>
+        </message>
+        <message>
+            <source>Projected coordinate system of the control points and of all exports: an EPSG code (EPSG:25832) or WKT. Empty with latitude and longitude: the UTM zone.</source>
+            <translation>控制点和所有导出文件的投影坐标系:EPSG 代码(EPSG:25832)或 WKT。给出经纬度而此项为空时:所在的 UTM 带。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the easting and northing of a control point; a column sd_m of the file goes before it. auto: from the residuals, or 0.02 m where there are too few.</source>
+            <translation>控制点东、北坐标的标准差;文件中的 sd_m 列优先。自动:由残差求得,点数不足时取 0.02 m。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the height of a control point; a column height_sd_m goes before it. auto: from the residuals, or 0.03 m where there are too few.</source>
+            <translation>控制点高程的标准差;文件中的 height_sd_m 列优先。自动:由残差求得,点数不足时取 0.03 m。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a place in the map (drift of the SLAM): of targets and of stems.</source>
+            <translation>地图中点位的标准差(SLAM 漂移),用于标靶和单木。</translation>
+        </message>
+        <message>
+            <source>A greater residual of a control point that is used is an error: the points do not fit the plot.</source>
+            <translation>所用控制点的残差超过此值即报错:控制点与样地不符。</translation>
+        </message>
+        <message>
+            <source>Leave out a control point that all others contradict. It is reported in either case.</source>
+            <translation>剔除与其余各点都矛盾的控制点。无论是否剔除都会报告。</translation>
+        </message>
+        <message>
+            <source>one: a metre in the plot is a metre on the plane; grid: times the scale of the projection and the reduction of the height. auto: one, unless the residuals contradict it and agree with grid.</source>
+            <translation>1:样地中的一米即平面上的一米;格网:再乘以投影比例和高程归化。自动:取 1,除非残差与之矛盾而与格网相符。</translation>
+        </message>
+        <message>
+            <source>What the height of a control point with the name of a target was measured on: the target itself, or the ground below it.</source>
+            <translation>以标靶命名的控制点,其高程测自何处:标靶本身,或其下方的地面。</translation>
+        </message>
+        <message>
+            <source>Level the plot by the control heights, where there are three or more that are not on a line.</source>
+            <translation>有三个以上不共线的控制高程时,按其整平样地。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the level that the plot already has; 0.1 deg from stems. A larger value lets the control heights count more.</source>
+            <translation>样地原有水平的标准差;由树干求得时为 0.1 度。数值越大,控制高程的作用越大。</translation>
+        </message>
+        <message>
+            <source>Easting of the centre (the centre target, or the origin of the axes), in place of a file.</source>
+            <translation>中心(中心标靶或坐标原点)的东坐标,代替文件。</translation>
+        </message>
+        <message>
+            <source>Northing of the centre.</source>
+            <translation>中心的北坐标。</translation>
+        </message>
+        <message>
+            <source>Latitude of the centre, in place of easting and northing.</source>
+            <translation>中心的纬度,代替东、北坐标。</translation>
+        </message>
+        <message>
+            <source>Longitude of the centre, east positive.</source>
+            <translation>中心的经度,东经为正。</translation>
+        </message>
+        <message>
+            <source>Height of the centre.</source>
+            <translation>中心的高程。</translation>
+        </message>
+        <message>
+            <source>Bearing from the centre target to the north target, clockwise; without a north target that of the y axis of the map. Needed with one control point.</source>
+            <translation>由中心标靶到北标靶的方位角,顺时针;没有北标靶时为地图 y 轴的方位角。只有一个控制点时必须给出。</translation>
+        </message>
+        <message>
+            <source>North of the bearing: that of the compass, of the grid of the coordinate system, or true north. The convergence of the meridians is computed.</source>
+            <translation>方位角所依据的北方向:磁北、坐标系格网北或真北。子午线收敛角自动计算。</translation>
+        </message>
+        <message>
+            <source>Magnetic declination: bearing of magnetic north from true north, east positive.</source>
+            <translation>磁偏角:磁北相对真北的方位角,东偏为正。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the bearing.</source>
+            <translation>方位角的标准差。</translation>
+        </message>
+        <message>
+            <source>Time of the walk minus time of a GNSS track, about; it is adjusted. auto: by the usual clocks (UTC, GPS time, time of day) and the shape of the walk.</source>
+            <translation>行走时间减去 GNSS 轨迹时间的概值,随后平差求定。自动:依据常用时钟(UTC、GPS 时、当日时间)和行走路线的形状。</translation>
+        </message>
+        <message>
+            <source>How far from there the offset is searched.</source>
+            <translation>在该值前后搜索时钟差的范围。</translation>
+        </message>
+        <message>
+            <source>Antenna from the sensor along the sensor&apos;s x axis, about; it is adjusted.</source>
+            <translation>天线相对传感器沿其 x 轴偏移的概值,随后平差求定。</translation>
+        </message>
+        <message>
+            <source>The same along its y axis.</source>
+            <translation>沿其 y 轴,同上。</translation>
+        </message>
+        <message>
+            <source>The same along its z axis.</source>
+            <translation>沿其 z 轴,同上。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of lever_x, lever_y and lever_z; small where they were measured.</source>
+            <translation>lever_x, lever_y 和 lever_z 的标准差;实测过时取小值。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of an error that all positions of the track share, which residuals cannot show. auto: by their quality, 0.02 m for RTK fixed, 0.5 m for float, 1 m for differential, 3 m else.</source>
+            <translation>轨迹所有点位共有、残差无法显示的误差的标准差。自动:按定位质量,RTK 固定解 0.02 m,浮点解 0.5 m,差分 1 m,其余 3 m。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -3849,6 +4092,101 @@
             <source>linear</source>
             <comment>light</comment>
             <translation>线性</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>control_sd</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>height_sd</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>scale</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>one</source>
+            <comment>scale</comment>
+            <translation>1</translation>
+        </message>
+        <message>
+            <source>grid</source>
+            <comment>scale</comment>
+            <translation>格网</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <comment>height_of</comment>
+            <translation>标靶</translation>
+        </message>
+        <message>
+            <source>ground</source>
+            <comment>height_of</comment>
+            <translation>地面</translation>
+        </message>
+        <message>
+            <source>grid</source>
+            <comment>bearing_kind</comment>
+            <translation>格网北</translation>
+        </message>
+        <message>
+            <source>magnetic</source>
+            <comment>bearing_kind</comment>
+            <translation>磁北</translation>
+        </message>
+        <message>
+            <source>true</source>
+            <comment>bearing_kind</comment>
+            <translation>真北</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>easting</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>northing</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>latitude</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>longitude</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>height</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>bearing</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <comment>declination</comment>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>clock_offset</comment>
+            <translation>自动</translation>
+        </message>
+        <message>
+            <source>auto</source>
+            <comment>track_sd</comment>
+            <translation>自动</translation>
         </message>
 </context>
 </TS>

@@ -179,6 +179,10 @@
             <source>Write the seedling</source>
             <translation>写出幼苗结果</translation>
         </message>
+        <message>
+            <source>Georeference the plot</source>
+            <translation>样地地理定位</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -357,6 +361,10 @@
         <message>
             <source>Writes what was measured of a seedling into the output folder: traits.csv and the other tables, plant.xlsx, trajectory.tum (camera to world), cloud.ply (the plant), scene.ply (all points with their parts), field.json (how well the field shows views that were held out), figures, and report.html. Inputs that are not connected are left out.</source>
             <translation>将幼苗的测量结果写入输出文件夹:traits.csv 及其他表格、plant.xlsx、trajectory.tum(相机到世界)、cloud.ply(植株)、scene.ply(全部点及其部位)、field.json(辐射场对留出视图的再现程度)、插图和 report.html。未连接的输入会被略去。</translation>
+        </message>
+        <message>
+            <source>Gives the plot its place on the earth: from control points with projected or geodetic coordinates, or from the coordinates of the centre and a bearing, or from the track of a GNSS receiver that was carried on the walk (the offset of the clocks and the lever arm are estimated). Turn and shift are adjusted by least squares, the level by control heights; residuals, standard errors and a test for blunders are reported. Stems and targets get easting and northing, stems also the standard error of their position. Reports write their files in the coordinate system. Points that do not carry a place (too few, exchanged axes, other zones, distances that do not fit) are refused. Without control points and centre everything stays as it is.</source>
+            <translation>确定样地在地球上的位置:由具有投影或大地坐标的控制点,或由中心坐标和方位角,或由行走时携带的 GNSS 接收机轨迹(同时求定时钟差和天线偏移)。旋转和平移按最小二乘平差,水平按控制高程整平;报告残差、标准差和粗差检验。单木和标靶得到东、北坐标,单木还得到点位标准差。报告按该坐标系写出文件。不能确定位置的控制点(点数不足、坐标轴互换、不同分带、距离不符)会被拒绝。没有控制点和中心坐标时,一切保持不变。</translation>
         </message>
 </context>
 </TS>
