@@ -63,18 +63,19 @@ std::string check_html(const std::string& title, const SurveyData& data, const s
   for (std::size_t i = 0; i < number.size(); ++i) number[i] = static_cast<std::int64_t>(i) + 1;
   findings.set("number", std::move(number));
   if (findings.rows() > 0)
-    page.tables.push_back({"What was found",
-                           "Numbers as in the maps. Places in the axes of the plot; bearings from the centre, clockwise "
-                           "from north (y).",
-                           &findings,
-                           {{"number", "No."},
-                            {"severity", "severity"},
-                            {"text", "finding"},
-                            {"x_m", "x (m)"},
-                            {"y_m", "y (m)"},
-                            {"distance_m", "distance (m)"},
-                            {"bearing_deg", "bearing (deg)"}},
-                           1});
+    page.tables.push_back(
+        {"What was found",
+         "Numbers as in the maps. Places in the axes of the plot; bearings from the centre, clockwise "
+         "from north (y).",
+         &findings,
+         {{"number", "No."},
+          {"severity", "severity"},
+          {"text", "finding"},
+          {"x_m", "x (m)"},
+          {"y_m", "y (m)"},
+          {"distance_m", "distance (m)"},
+          {"bearing_deg", "bearing (deg)"}},
+         1});
   if (data.check_boundary != nullptr && data.check_boundary->rows() > 0)
     page.tables.push_back({"Trees on the boundary",
                            "In (1) or out (0) by the rule \"" + fact(*data.check_boundary, "boundary_rule") +

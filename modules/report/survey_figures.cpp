@@ -178,8 +178,8 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
     add(
         "check of the map", true,
         [&d, wide] {
-          return render::check_maps(
-              {d.check_cells, d.check_stems, d.check, d.trajectory, d.rule.area, d.north_known()}, wide);
+          return render::check_maps({d.check_cells, d.check_stems, d.check, d.trajectory, d.rule.area, d.north_known()},
+                                    wide);
         },
         true, FigureKind::sheet);
   if (has_matches(d)) {

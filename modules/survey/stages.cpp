@@ -217,21 +217,26 @@ void register_check(pipeline::StageRegistry& registry) {
       "look or walk again, with the reasons and where to go. What an input is missing for is listed as not judged.";
   type.source = "Bole";
   type.inputs = {
-      {"points", DataKind::cloud, "The map; uses height_above_ground, sensor_x/y, pass or time where present.", true, {}},
+      {"points",
+       DataKind::cloud,
+       "The map; uses height_above_ground, sensor_x/y, pass or time where present.",
+       true,
+       {}},
       {"dem", DataKind::raster, "Terrain, for clouds without height_above_ground.", true, {}},
       {"trajectory", DataKind::trajectory, "The walk in the axes of the points.", true, {}},
       {"stems", DataKind::table, "Stems: x_m, y_m, and dbh_cm, lean_deg, height_seen where known.", true, {}},
       {"plot", DataKind::table, "Boundary and minimum diameter, from survey.plot.", true, {}},
       {"loops", DataKind::table, "Accepted loop closures, from slam.run.", true, {}},
       {"targets", DataKind::table, "Targets, from survey.frame.", true, {}}};
-  type.outputs = {{.name = "findings",
-                   .kind = DataKind::table,
-                   .help = "What was found: code, severity, text, and where to go; the verdict is a fact.",
-                   .arrays = {},
-                   .in_summary = true},
-                  {"cells", DataKind::table, "The measures of every cell of the plot.", false, {}},
-                  {"stems", DataKind::table, "Scatter about the bark and distance of the passes at each stem.", false, {}},
-                  {"boundary", DataKind::table, "Trees on the boundary, in or out by the rule.", false, {}}};
+  type.outputs = {
+      {.name = "findings",
+       .kind = DataKind::table,
+       .help = "What was found: code, severity, text, and where to go; the verdict is a fact.",
+       .arrays = {},
+       .in_summary = true},
+      {"cells", DataKind::table, "The measures of every cell of the plot.", false, {}},
+      {"stems", DataKind::table, "Scatter about the bark and distance of the passes at each stem.", false, {}},
+      {"boundary", DataKind::table, "Trees on the boundary, in or out by the rule.", false, {}}};
   type.main_numbers = {"ground_unseen", "one_sided", "ground_pass_spread", "stem_pass_spread", "wall", "common_lean"};
   type.options = &option_table(static_cast<const CheckOptions*>(nullptr));
   type.run = run_check;

@@ -179,6 +179,18 @@
             <source>Write the seedling</source>
             <translation>写出幼苗结果</translation>
         </message>
+        <message>
+            <source>Check the map</source>
+            <translation>检查地图</translation>
+        </message>
+        <message>
+            <source>Compare two surveys</source>
+            <translation>比较两次调查</translation>
+        </message>
+        <message>
+            <source>Write the growth</source>
+            <translation>写出生长量</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -219,8 +231,8 @@
             <translation>读取传感器的轨迹:TUM 和 KITTI 位姿、带列名行的文本(GeoSLAM ZEB、HDMapping 和 MANDEYE、CSV)以及 SBET。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg,check.json 与 check.html(地图检查)、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
         </message>
         <message>
             <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, and report.html with the tables and the map.</source>
@@ -357,6 +369,18 @@
         <message>
             <source>Writes what was measured of a seedling into the output folder: traits.csv and the other tables, plant.xlsx, trajectory.tum (camera to world), cloud.ply (the plant), scene.ply (all points with their parts), field.json (how well the field shows views that were held out), figures, and report.html. Inputs that are not connected are left out.</source>
             <translation>将幼苗的测量结果写入输出文件夹:traits.csv 及其他表格、plant.xlsx、trajectory.tum(相机到世界)、cloud.ply(植株)、scene.ply(全部点及其部位)、field.json(辐射场对留出视图的再现程度)、插图和 report.html。未连接的输入会被略去。</translation>
+        </message>
+        <message>
+            <source>Checks a surveyed plot before somebody signs it: ground never seen, density and directions of view in every cell, places that were not walked, surfaces of different passes, scatter about the bark, loop closures against the final trajectory, common lean of the stems, targets, trees on the boundary, stems in each other, stems without ground or points, heights without tops, and upright structures without a stem. The verdict is sign, look or walk again, with the reasons and where to go. What an input is missing for is listed as not judged.</source>
+            <translation>在签字之前检查整块样地:从未看到的地面,每个单元的点密度与观测方向,没有走到的地方,各次经过的表面是否重合,点相对树皮的离散,回环与最终轨迹是否一致,单木的共同倾斜,靶标,边界木,相互重叠的单木,没有地面或没有点的单木,没有看到树梢的树高,以及没有对应单木的直立结构。结论为签字,查看或重走,并给出理由和应去的地点。因缺少输入而无法判断的内容列为未判断。</translation>
+        </message>
+        <message>
+            <source>Brings two surveys of one plot together by the places and diameters of their stems, whatever the axes of the two, and tells what became of every tree: growth of its diameter with a 95 % interval, ingrowth, trees that are gone, and trees that one of the two missed, told apart by where they stand, how thick they are, whether their neighbours were found again and what the other survey rejected there. Maps that do not go together, or in more than one way, are refused.</source>
+            <translation>根据单木的位置和胸径把同一样地的两次调查合到一起,不论两者采用什么坐标系,并说明每株树的变化:胸径生长量及其 95 % 区间,进界木,消失的树,以及某一次调查漏掉的树。区分的依据是树的位置,粗细,邻近的树是否再次找到,以及另一次调查在该处剔除了什么。不能合到一起或有多种合法的地图会被拒绝。</translation>
+        </message>
+        <message>
+            <source>Writes the comparison of two surveys of one plot into the output folder: growth.csv with every tree, growth_values.csv with the values of the stand, the map of what grew, came and went and the growth over the diameter as PNG, SVG and PDF, and report.html with all of it.</source>
+            <translation>把同一样地两次调查的比较写入输出文件夹:growth.csv(每株树),growth_values.csv(林分数值),变化分布图和生长量图(PNG,SVG,PDF),以及包含全部内容的 report.html。</translation>
         </message>
 </context>
 </TS>

@@ -28,8 +28,8 @@ constexpr std::array<Measure, 6> cell_measures{{{"ground_points", "Ground points
                                                 {"walk_m", "Distance from the walk", "m", false},
                                                 {"ground_thickness_cm", "Scatter of the ground", "cm", false},
                                                 {"pass_spread_cm", "Ground: distance of passes", "cm", false}}};
-constexpr std::array<Measure, 2> stem_measures{{{"wall_cm", "Scatter about the bark", "cm", false},
-                                                {"pass_spread_cm", "Stems: distance of passes", "cm", false}}};
+constexpr std::array<Measure, 2> stem_measures{
+    {{"wall_cm", "Scatter about the bark", "cm", false}, {"pass_spread_cm", "Stems: distance of passes", "cm", false}}};
 
 struct Panel {
   Measure measure;
@@ -84,7 +84,8 @@ std::vector<Mark> marks_of(const Table* findings) {
   const auto at = points_of(findings);
   const auto severity = texts_or_empty(*findings, "severity");
   for (std::size_t i = 0; i < at.size(); ++i)
-    if (at[i].allFinite()) marks.push_back({at[i], std::to_string(i + 1), severity[i] == "note" ? ink::muted : ink::accent});
+    if (at[i].allFinite())
+      marks.push_back({at[i], std::to_string(i + 1), severity[i] == "note" ? ink::muted : ink::accent});
   return marks;
 }
 

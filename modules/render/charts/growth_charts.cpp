@@ -84,7 +84,8 @@ void draw_map(Canvas& canvas, const MapContent& c, const Frame& frame, double wi
       continue;
     }
     const bool known = std::isfinite(t.growth_cm);
-    canvas.circle(at, 1.3, known ? ColorMap::diverging().at((t.growth_cm - c.growth.lo) / c.growth.length()) : ink::grid,
+    canvas.circle(at, 1.3,
+                  known ? ColorMap::diverging().at((t.growth_cm - c.growth.lo) / c.growth.length()) : ink::grid,
                   Stroke{ink::text, 0.12});
   }
   draw_axes(canvas, frame, axes);
@@ -131,13 +132,16 @@ Figure growth_chart(const Table& table, double width_mm) {
   for (std::size_t i = 0; i < dbh.size(); ++i) {
     if (!std::isfinite(growth[i])) continue;
     bars.push_back({dbh[i], growth[i], lo[i], hi[i],
-                    change[i] == "grew" ? ink::good : change[i] == "shrank" ? ink::poor : ink::muted});
+                    change[i] == "grew"     ? ink::good
+                    : change[i] == "shrank" ? ink::poor
+                                            : ink::muted});
     x = {std::min(x.lo, dbh[i]), std::max(x.hi, dbh[i])};
     y = {std::min(y.lo, lo[i]), std::max(y.hi, hi[i])};
   }
   if (bars.empty()) throw bad_input("no tree was found again", "a tree with both diameters");
   const double height_mm = 0.55 * width_mm;
-  const Frame frame{{axis_space_left_mm, 8, width_mm - 3, height_mm - axis_space_below_mm}, nice_interval(x.grown(0.03), 7),
+  const Frame frame{{axis_space_left_mm, 8, width_mm - 3, height_mm - axis_space_below_mm},
+                    nice_interval(x.grown(0.03), 7),
                     nice_interval(y.grown(0.05), 6)};
   Figure figure{"growth",
                 "Growth of the diameters",
@@ -156,7 +160,8 @@ Figure growth_chart(const Table& table, double width_mm) {
     }
     draw_axes(canvas, frame, axes);
     draw_legend_row(canvas, {frame.box.x0, 1}, frame.box.width(),
-                    {{Symbol::disc, ink::good, "grew"}, {Symbol::disc, ink::muted, "not told from none"},
+                    {{Symbol::disc, ink::good, "grew"},
+                     {Symbol::disc, ink::muted, "not told from none"},
                      {Symbol::disc, ink::poor, "thinner than before"}},
                     7);
   };

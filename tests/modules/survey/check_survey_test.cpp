@@ -187,7 +187,8 @@ std::vector<std::int64_t> in_by(BoundaryRule rule) {
   o.boundary_rule = rule;
   const auto check = check_survey(in, o, {});
   EXPECT_EQ(check.boundary.rows(), 2u);
-  EXPECT_EQ(row_of(check, "boundary_rule_differs").has_value(), rule != BoundaryRule::centre && rule != BoundaryRule::base);
+  EXPECT_EQ(row_of(check, "boundary_rule_differs").has_value(),
+            rule != BoundaryRule::centre && rule != BoundaryRule::base);
   return check.boundary.integers("in");
 }
 

@@ -249,11 +249,15 @@ std::vector<std::int32_t> passes_of(const PointCloud& points) {
 
 CheckGrid measure_cells(const CheckInputs& in, const PlotArea& area, const std::vector<float>& heights,
                         const std::vector<std::int32_t>& passes, const CheckOptions& o, const Run& run) {
-  const auto box = region_box(in, area);
+  auto box = region_box(in, area);
   CheckGrid grid;
   grid.bounded = area.shape != PlotArea::Shape::none;
   grid.centre = grid.bounded ? area.centre : Eigen::Vector2d((box.low + box.high) / 2);
   grid.cell_m = o.cell;
+  // A rim of a metre, so that trees on the boundary are measured too.
+  const double rim_m = grid.cell_m * std::ceil(1 / grid.cell_m);
+  box.low.array() -= rim_m;
+  box.high.array() += rim_m;
   const Eigen::Vector2d size = box.high - box.low;
   while ((size.x() / grid.cell_m + 1) * (size.y() / grid.cell_m + 1) > max_cells) grid.cell_m *= 2;
   grid.nx = std::max(1, static_cast<int>(std::ceil(size.x() / grid.cell_m - 1e-9)));

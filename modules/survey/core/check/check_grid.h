@@ -30,10 +30,10 @@ struct CheckInputs {
 struct CheckCell {
   bool inside = false;  // of the region that is judged
   std::uint32_t points = 0, ground_points = 0;
-  int directions = 0;        // of 16 sectors of 22.5 deg from which the sensor saw it
-  double view_span_deg = 0;  // 360 less the widest sector without a view; NaN where views are not known
-  double walk_m = 0;         // distance from the walk; NaN without one
-  double thickness_cm = 0;   // half the middle 68 % of the heights of its ground points; NaN with few points
+  int directions = 0;         // of 16 sectors of 22.5 deg from which the sensor saw it
+  double view_span_deg = 0;   // 360 less the widest sector without a view; NaN where views are not known
+  double walk_m = 0;          // distance from the walk; NaN without one
+  double thickness_cm = 0;    // half the middle 68 % of the heights of its ground points; NaN with few points
   double pass_spread_cm = 0;  // greatest difference between the ground of two passes; NaN with fewer than two
 };
 

@@ -70,7 +70,8 @@ Table stems_table(const std::vector<StemMeasure>& stems) {
 
 SurveyCheck check_survey(const CheckInputs& in, const CheckOptions& options, const Run& run) {
   if (in.points == nullptr && in.stems == nullptr)
-    throw bad_input("neither points nor stems are connected", "at least one of them", "Connect a cloud or a stem table");
+    throw bad_input("neither points nor stems are connected", "at least one of them",
+                    "Connect a cloud or a stem table");
   SurveyCheck out;
   const CountingRule rule = in.plot != nullptr ? counting_rule(*in.plot) : CountingRule{};
   const auto heights = heights_of(in, run);
@@ -96,10 +97,10 @@ SurveyCheck check_survey(const CheckInputs& in, const CheckOptions& options, con
   const auto inside = grid.inside_cells();
   out.report.counts["cells"] = static_cast<std::int64_t>(inside);
   out.report.metrics["checked_area"] = {static_cast<double>(inside) * grid.cell_m * grid.cell_m, Unit::square_metre};
-  const auto n = std::ranges::count_if(out.report.findings,
-                                       [](const Finding& f) { return f.severity != Severity::note; });
-  out.report.message = fmt::format("{}: {} reasons in {:.0f} m2", findings.verdict(), n,
-                                   out.report.metrics["checked_area"].value);
+  const auto n =
+      std::ranges::count_if(out.report.findings, [](const Finding& f) { return f.severity != Severity::note; });
+  out.report.message =
+      fmt::format("{}: {} reasons in {:.0f} m2", findings.verdict(), n, out.report.metrics["checked_area"].value);
   return out;
 }
 

@@ -27,7 +27,8 @@ std::vector<Disagreement> disagreements(const Table& loops, const Trajectory& tr
   const double begin = trajectory.poses.front().time_s, end = trajectory.poses.back().time_s;
   constexpr double slack_s = 0.15;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    if (from[i] < begin - slack_s || to[i] > end + slack_s) {
+    const auto known = [&](double t) { return t >= begin - slack_s && t <= end + slack_s; };
+    if (!known(from[i]) || !known(to[i])) {
       ++outside;
       continue;
     }
@@ -68,11 +69,12 @@ void judge_level(const CheckedMap& map, CheckFindings& out) {
   if (tilt <= map.options.max_tilt_deg || tilt < certain * error) return;
   double bearing = degrees(std::atan2(mean.x(), mean.y()));
   if (bearing < 0) bearing += 360;
-  out.add(Severity::look, "frame_tilted",
-          fmt::format("the stems lean by {:.1f} +- {:.1f} deg together, towards {:.0f} deg from north: the frame is "
-                      "tilted, or the whole stand leans. A tilt moves stems by {:.1f} cm at breast height and terrain by "
-                      "{:.0f} cm over 10 m. Level by the stems (level=stems), or check the slope by hand",
-                      tilt, 1.96 * error, bearing, 130 * mean.norm(), 1000 * mean.norm()));
+  out.add(
+      Severity::look, "frame_tilted",
+      fmt::format("the stems lean by {:.1f} +- {:.1f} deg together, towards {:.0f} deg from north: the frame is "
+                  "tilted, or the whole stand leans. A tilt moves stems by {:.1f} cm at breast height and terrain by "
+                  "{:.0f} cm over 10 m. Level by the stems (level=stems), or check the slope by hand",
+                  tilt, 1.96 * error, bearing, 130 * mean.norm(), 1000 * mean.norm()));
 }
 
 void judge_targets(const CheckedMap& map, CheckFindings& out) {
@@ -96,11 +98,12 @@ void judge_targets(const CheckedMap& map, CheckFindings& out) {
   const double error = distance - o.target_distance;
   if (std::abs(error) <= o.target_tolerance) return;
   constexpr double hopeless = 10;
-  out.add(std::abs(error) > hopeless * o.target_tolerance ? Severity::refused : Severity::look, "target_distance",
-          fmt::format("the targets stand {:.3f} m apart in the map and {:.3f} m by tape ({:+.3f} m): the map is bent, or "
-                      "something else was taken for a target",
-                      distance, o.target_distance, error),
-          Eigen::Vector2d(x[1], y[1]));
+  out.add(
+      std::abs(error) > hopeless * o.target_tolerance ? Severity::refused : Severity::look, "target_distance",
+      fmt::format("the targets stand {:.3f} m apart in the map and {:.3f} m by tape ({:+.3f} m): the map is bent, or "
+                  "something else was taken for a target",
+                  distance, o.target_distance, error),
+      Eigen::Vector2d(x[1], y[1]));
 }
 
 }  // namespace
@@ -125,11 +128,12 @@ void judge_loops(const CheckedMap& map, CheckFindings& out) {
       all, [&](const auto& d) { return d.shift_m > o.max_loop_residual || d.turn_deg > o.max_loop_turn_deg; });
   if (bad == 0) return;
   constexpr double slipped = 5;
-  out.add(worst.shift_m > slipped * o.max_loop_residual ? Severity::refused : Severity::look, "loops_disagree",
-          fmt::format("{} of {} loop closures disagree with the final trajectory, by up to {:.2f} m and {:.1f} deg: one of "
-                      "them is wrong, or the map is strained. Run slam again without it",
-                      bad, all.size(), worst.shift_m, worst_turn),
-          worst.at);
+  out.add(
+      worst.shift_m > slipped * o.max_loop_residual ? Severity::refused : Severity::look, "loops_disagree",
+      fmt::format("{} of {} loop closures disagree with the final trajectory, by up to {:.2f} m and {:.1f} deg: one of "
+                  "them is wrong, or the map is strained. Run slam again without it",
+                  bad, all.size(), worst.shift_m, worst_turn),
+      worst.at);
 }
 
 void judge_axes(const CheckedMap& map, CheckFindings& out) {

@@ -55,9 +55,10 @@ class Cover {
       : map_(map), grid_(map.grid), o_(map.options), out_(findings), inside_(map.grid.inside_cells()) {}
 
   void judge() {
+    if (map_.in.points == nullptr) out_.skip("ground, density and directions of view", "there is no cloud");
     if (inside_ == 0) return out_.skip("cover", "no cell lies in the plot");
     judge_walk();
-    if (map_.in.points == nullptr) return out_.skip("ground, density and directions of view", "there is no cloud");
+    if (map_.in.points == nullptr) return;
     if (grid_.has_heights) {
       judge_ground();
       judge_density();
@@ -119,20 +120,21 @@ class Cover {
     const double share = share_pct(sparse);
     map_.report.metrics["sparse_cells"] = {share, Unit::percent};
     if (share > o_.max_one_sided_pct)
-      out_.add(Severity::look, "ground_sparse",
-               fmt::format("{:.0f} % of the plot have fewer ground points than {:.0f} % of the usual {:.0f} per cell of "
-                           "{:.2g} m: seen from afar or through leaves only",
-                           share, o_.min_density_pct, usual, grid_.cell_m),
-               largest_patch(grid_, sparse).at);
+      out_.add(
+          Severity::look, "ground_sparse",
+          fmt::format("{:.0f} % of the plot have fewer ground points than {:.0f} % of the usual {:.0f} per cell of "
+                      "{:.2g} m: seen from afar or through leaves only",
+                      share, o_.min_density_pct, usual, grid_.cell_m),
+          largest_patch(grid_, sparse).at);
   }
 
   void judge_views() {
-    const auto one_sided = choose([&](const CheckCell& c) {
-      return c.points > 0 && c.view_span_deg < o_.min_view_span_deg;
-    });
+    const auto one_sided =
+        choose([&](const CheckCell& c) { return c.points > 0 && c.view_span_deg < o_.min_view_span_deg; });
     const double share = share_pct(one_sided);
     map_.report.metrics["one_sided"] = {share, Unit::percent};
-    map_.report.metrics["view_directions"] = {median(values([](const CheckCell& c) { return c.directions; })), Unit::none};
+    map_.report.metrics["view_directions"] = {median(values([](const CheckCell& c) { return c.directions; })),
+                                              Unit::none};
     if (share > o_.max_one_sided_pct)
       out_.add(Severity::look, "seen_from_one_side",
                fmt::format("{:.0f} % of the plot were seen from one side only (directions of view within {:.0f} deg): "
@@ -154,11 +156,12 @@ class Cover {
     const double limit = std::max(o_.max_walk_gap, uneven * three_quarters);
     const auto far = choose([&](const CheckCell& c) { return c.walk_m > limit; });
     if (share_pct(far) < min_share_pct) return;
-    out_.add(Severity::refused, "lane_not_walked",
-             fmt::format("{:.0f} % of the plot lie more than {:.1f} m from the walk, up to {:.1f} m, while three quarters "
-                         "of it lie within {:.1f} m: a lane was left out. Walk it",
-                         share_pct(far), limit, farthest, three_quarters),
-             largest_patch(grid_, far).at);
+    out_.add(
+        Severity::refused, "lane_not_walked",
+        fmt::format("{:.0f} % of the plot lie more than {:.1f} m from the walk, up to {:.1f} m, while three quarters "
+                    "of it lie within {:.1f} m: a lane was left out. Walk it",
+                    share_pct(far), limit, farthest, three_quarters),
+        largest_patch(grid_, far).at);
   }
 
   const CheckedMap& map_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/statistics.h"
+#include "cloud/known_facts.h"
 #include "survey/core/check/judge_map.h"
 
 namespace bole::survey {
@@ -84,16 +85,18 @@ void judge_doubled(const CheckedMap& map, CheckFindings& out) {
   std::size_t best = 0;
   const Ghost* at = nullptr;
   for (const auto& g : ghosts) {
-    const auto n = static_cast<std::size_t>(std::ranges::count_if(
-        ghosts, [&](const Ghost& other) { return std::min((other.shift - g.shift).norm(), (other.shift + g.shift).norm()) < alike_m; }));
+    const auto n = static_cast<std::size_t>(std::ranges::count_if(ghosts, [&](const Ghost& other) {
+      return std::min((other.shift - g.shift).norm(), (other.shift + g.shift).norm()) < alike_m;
+    }));
     if (n > best) best = n, at = &g;
   }
   if (best < min_pairs || static_cast<double>(best) < min_share * static_cast<double>(map.stems.size())) return;
-  out.add(Severity::refused, "stand_doubled",
-          fmt::format("{} pairs of stems of like diameter stand {:.2f} m apart in the same direction: parts of the walk "
-                      "were mapped beside each other, and trees stand there twice. Run slam again, or walk again",
-                      best, at->shift.norm()),
-          at->at);
+  out.add(
+      Severity::refused, "stand_doubled",
+      fmt::format("{} pairs of stems of like diameter stand {:.2f} m apart in the same direction: parts of the walk "
+                  "were mapped beside each other, and trees stand there twice. Run slam again, or walk again",
+                  best, at->shift.norm()),
+      at->at);
 }
 
 void judge_walls(const CheckedMap& map, CheckFindings& out) {
@@ -101,7 +104,10 @@ void judge_walls(const CheckedMap& map, CheckFindings& out) {
   for (const auto& s : map.stems)
     if (std::isfinite(s.wall_cm)) walls.push_back({s.at, s.wall_cm});
   if (walls.size() < min_stems) return out.skip("walls", "fewer than 4 stems have enough points on their bark");
-  const double usual = median(values_of(walls)), limit = map.options.max_wall_cm;
+  // A sensor cannot show walls thinner than its own noise.
+  constexpr double cm_of_noise = 150;
+  const double noise_m = fact_number(map.in.points->facts, facts::range_noise).value_or(0);
+  const double usual = median(values_of(walls)), limit = std::max(map.options.max_wall_cm, cm_of_noise * noise_m);
   map.report.metrics["wall"] = {usual, Unit::centimetre};
   constexpr double thick = 1.5, part_pct = 25;
   const double part = share_above_pct(walls, thick * limit);

@@ -78,7 +78,7 @@ void judge_ground(const CheckedMap& map, CheckFindings& out) {
 
 void judge_tops(const CheckedMap& map, CheckFindings& out) {
   if (!map.in.stems->has("height_seen")) return;
-  const auto seen = map.in.stems->numbers("height_seen");
+  const auto seen = numbers_or_nan(*map.in.stems, "height_seen");
   std::size_t inside = 0, without = 0;
   for (const auto& s : map.stems) {
     if (!in_region(map, s)) continue;
@@ -245,11 +245,12 @@ void judge_stems(const CheckedMap& map, const std::vector<MissedStem>& missed, C
   map.report.counts["structures_without_stem"] = std::ssize(missed);
   if (missed.empty()) return;
   const auto& thickest = *std::ranges::max_element(missed, {}, &MissedStem::dbh_cm);
-  out.add(Severity::look, "stems_left_out",
-          fmt::format("{} upright round structures have no stem in the table (the thickest about {:.0f} cm): trees may be "
-                      "left out",
-                      missed.size(), thickest.dbh_cm),
-          thickest.at);
+  out.add(
+      Severity::look, "stems_left_out",
+      fmt::format("{} upright round structures have no stem in the table (the thickest about {:.0f} cm): trees may be "
+                  "left out",
+                  missed.size(), thickest.dbh_cm),
+      thickest.at);
 }
 
 Table judge_boundary(const CheckedMap& map, CheckFindings& out) {

@@ -23,7 +23,8 @@ PointCloud standing_points(const CheckInputs& in, const CheckGrid& grid, const s
     if (i % check_every == 0) run.check_cancel();
     if (!(heights[i] > low_m && heights[i] < high_m)) continue;
     const Eigen::Vector2d p = in.points->position(i).head<2>() - grid.centre;
-    if (grid.index(p + grid.centre)) kept.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), heights[i]);
+    if (grid.index(p + grid.centre))
+      kept.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), heights[i]);
   }
   return PointCloud(std::move(kept));
 }

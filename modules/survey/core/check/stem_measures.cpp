@@ -14,7 +14,7 @@ namespace bole::survey {
 namespace {
 
 constexpr double low_m = 0.9, high_m = 1.7, reach_m = 0.25, wall_reach_m = 0.10;
-constexpr std::size_t min_wall_points = 30, min_pass_points = 20, max_stem_points = 20000;
+constexpr std::size_t min_wall_points = 30, min_pass_points = 50, max_stem_points = 20000;
 constexpr std::size_t check_every = std::size_t{1} << 20;
 constexpr double usual_radius_m = 0.1;
 
@@ -114,8 +114,13 @@ std::vector<StemMeasure> measure_stems(const CheckInputs& in, const CheckGrid& g
   for (const auto row : kept_rows(*in.stems)) {
     const Eigen::Vector2d at(x[row], y[row]);
     if (!at.allFinite() || !grid.index(at)) continue;
-    StemMeasure stem{.row = row, .at = at, .dbh_cm = dbh[row], .points = 0, .wall_cm = no_number,
-                     .pass_spread_cm = no_number, .passes = {}};
+    StemMeasure stem{.row = row,
+                     .at = at,
+                     .dbh_cm = dbh[row],
+                     .points = 0,
+                     .wall_cm = no_number,
+                     .pass_spread_cm = no_number,
+                     .passes = {}};
     const double radius = std::isfinite(dbh[row]) ? dbh[row] / 200 : usual_radius_m, reach = radius + reach_m;
     std::set<std::size_t> cells;
     const int steps = static_cast<int>(std::ceil(2 * reach / grid.cell_m)) + 1;

@@ -13,10 +13,10 @@ namespace bole::survey {
 struct StemMeasure {
   std::size_t row = 0;  // of the table
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
-  double dbh_cm = 0;           // NaN where it is not known
-  std::size_t points = 0;      // on its bark, 0.9 to 1.7 m above the ground
-  double wall_cm = 0;          // scatter of these points about the bark; NaN with fewer than 30
-  double pass_spread_cm = 0;   // greatest distance between the axes of two passes; NaN with fewer than two
+  double dbh_cm = 0;              // NaN where it is not known
+  std::size_t points = 0;         // on its bark, 0.9 to 1.7 m above the ground
+  double wall_cm = 0;             // scatter of these points about the bark; NaN with fewer than 30
+  double pass_spread_cm = 0;      // greatest distance between the axes of two passes; NaN with fewer than two
   std::set<std::int32_t> passes;  // that show it
 };
 

@@ -3,35 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "base/statistics.h"
+#include "survey/core/revisit/motion_votes.h"
 #include "survey/core/revisit/stand_hull.h"
 
 namespace bole::survey {
 namespace {
 
-constexpr std::size_t max_trees = 150, max_candidates = 60;
-constexpr double min_pair_m = 4, max_pair_m = 80, pair_slack_m = 0.15;
-constexpr double turn_cell = 2 * std::numbers::pi / 180, shift_cell_m = 1;
 constexpr double place_sigma_m = 0.15, dbh_sigma_cm = 1.5, miss_log = 1.9;  // 15 % of the trees may be missed
 constexpr double min_evidence = 30, rival_margin = 12, min_share = 0.35;
 constexpr std::size_t min_pairs = 5;
-
-bool may_be_same(const StandTree& a, const StandTree& b, const AlignLimits& limits) {
-  const double growth = b.dbh_cm - a.dbh_cm;
-  return !(growth < -limits.max_loss_cm || growth > limits.max_growth_cm);  // unknown diameters go with all
-}
-
-std::vector<StandTree> thickest(std::vector<StandTree> trees) {
-  std::ranges::stable_sort(trees, [](const StandTree& a, const StandTree& b) {
-    return (std::isfinite(a.dbh_cm) ? a.dbh_cm : 0) > (std::isfinite(b.dbh_cm) ? b.dbh_cm : 0);
-  });
-  if (trees.size() > max_trees) trees.resize(max_trees);
-  return trees;
-}
+constexpr double rival_turn = 3 * std::numbers::pi / 180, rival_shift_m = 0.7;  // nearer motions are the same
 
 Eigen::Vector2d middle_of(const std::vector<StandTree>& trees) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -42,94 +26,6 @@ Eigen::Vector2d middle_of(const std::vector<StandTree>& trees) {
 std::vector<StandTree> about(std::vector<StandTree> trees, const Eigen::Vector2d& middle) {
   for (auto& t : trees) t.at -= middle;
   return trees;
-}
-
-struct Link {
-  double length = 0;
-  std::uint32_t from = 0, to = 0;
-};
-
-// Both directions of every pair, by length.
-std::vector<Link> links_of(const std::vector<StandTree>& trees, bool both_ways) {
-  std::vector<Link> links;
-  for (std::uint32_t i = 0; i < trees.size(); ++i)
-    for (std::uint32_t j = both_ways ? 0 : i + 1; j < trees.size(); ++j) {
-      const double length = (trees[i].at - trees[j].at).norm();
-      if (i != j && length >= min_pair_m && length <= max_pair_m) links.push_back({length, i, j});
-    }
-  std::ranges::stable_sort(links, {}, &Link::length);
-  return links;
-}
-
-struct Vote {
-  std::uint64_t cell = 0;
-  float turn = 0, x = 0, y = 0;
-};
-
-std::uint64_t cell_of(double turn, double x, double y) {
-  constexpr double half = 1 << 19;
-  const auto part = [](double v) { return static_cast<std::uint64_t>(std::clamp(std::floor(v) + half, 0.0, 2 * half - 1)); };
-  return part(turn / turn_cell) << 40 | part(y / shift_cell_m) << 20 | part(x / shift_cell_m);
-}
-
-// A motion for every pair of links of like length whose trees may be the same; the shift is that of the middle of the
-// first map, so that an error of the turn moves it little.
-std::vector<Vote> votes_of(const std::vector<StandTree>& first, const std::vector<StandTree>& second,
-                           const AlignLimits& limits, const Run& run) {
-  constexpr std::size_t most = 20'000'000;
-  const auto a = links_of(first, false), b = links_of(second, true);
-  std::vector<Vote> votes;
-  std::size_t begin = 0;
-  for (const auto& link : a) {
-    run.check_cancel();
-    while (begin < b.size() && b[begin].length < link.length - pair_slack_m) ++begin;
-    const Eigen::Vector2d d = first[link.to].at - first[link.from].at;
-    for (std::size_t k = begin; k < b.size() && b[k].length <= link.length + pair_slack_m; ++k) {
-      const auto &p = second[b[k].from], &q = second[b[k].to];
-      if (!may_be_same(first[link.from], p, limits) || !may_be_same(first[link.to], q, limits)) continue;
-      const Eigen::Vector2d e = q.at - p.at;
-      const double turn = std::atan2(e.x() * d.y() - e.y() * d.x(), e.dot(d));
-      const Eigen::Vector2d shift =
-          (first[link.from].at + first[link.to].at) / 2 - Eigen::Rotation2Dd(turn) * ((p.at + q.at) / 2);
-      votes.push_back({cell_of(turn, shift.x(), shift.y()), static_cast<float>(turn), static_cast<float>(shift.x()),
-                       static_cast<float>(shift.y())});
-      if (votes.size() == most) return votes;
-    }
-  }
-  return votes;
-}
-
-Eigen::Isometry2d motion_of(double turn, const Eigen::Vector2d& shift) {
-  Eigen::Isometry2d T = Eigen::Isometry2d::Identity();
-  T.linear() = Eigen::Rotation2Dd(turn).toRotationMatrix();
-  T.translation() = shift;
-  return T;
-}
-
-// The means of the fullest cells, the fullest first.
-std::vector<Eigen::Isometry2d> candidates_of(std::vector<Vote>& votes) {
-  std::ranges::stable_sort(votes, {}, &Vote::cell);
-  struct Heap {
-    std::size_t n = 0;
-    Eigen::Isometry2d motion;
-  };
-  std::vector<Heap> heaps;
-  for (std::size_t i = 0; i < votes.size();) {
-    std::size_t j = i;
-    double turn = 0;
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
-    for (; j < votes.size() && votes[j].cell == votes[i].cell; ++j) {
-      turn += static_cast<double>(votes[j].turn);
-      shift += Eigen::Vector2f(votes[j].x, votes[j].y).cast<double>();
-    }
-    const auto n = static_cast<double>(j - i);
-    heaps.push_back({j - i, motion_of(turn / n, shift / n)});
-    i = j;
-  }
-  std::ranges::stable_sort(heaps, std::ranges::greater{}, &Heap::n);
-  std::vector<Eigen::Isometry2d> out;
-  for (std::size_t i = 0; i < std::min(max_candidates, heaps.size()); ++i) out.push_back(heaps[i].motion);
-  return out;
 }
 
 // Least squares with Tukey's weights over the pairs.
@@ -224,22 +120,14 @@ StandAlignment refined(const Stand& a, const Stand& b, Eigen::Isometry2d T, cons
   return s;
 }
 
-double turn_of(const Eigen::Isometry2d& T) { return std::atan2(T.linear()(1, 0), T.linear()(0, 0)); }
-
-bool same_motion(const Eigen::Isometry2d& a, const Eigen::Isometry2d& b) {
-  constexpr double turn = 3 * std::numbers::pi / 180, shift_m = 0.7;
-  return std::abs(std::remainder(turn_of(a) - turn_of(b), 2 * std::numbers::pi)) < turn &&
-         (a.translation() - b.translation()).norm() < shift_m;
-}
-
 void judge(const Stand& a, const Stand& b, StandAlignment& best) {
   const auto common = trees_in_common(a, b, best.T_first_second);
   const auto n = static_cast<double>(best.pairs.size());
-  const bool enough = best.pairs.size() >= min_pairs && best.evidence >= min_evidence &&
-                      n >= min_share * static_cast<double>(common);
+  const bool enough =
+      best.pairs.size() >= min_pairs && best.evidence >= min_evidence && n >= min_share * static_cast<double>(common);
   const bool many = static_cast<double>(best.rival_pairs) >= 0.7 * n;
-  const bool as_good = best.rival_pairs > 0 &&
-                       best.rival_evidence / static_cast<double>(best.rival_pairs) > best.evidence / n - 1;
+  const bool as_good =
+      best.rival_pairs > 0 && best.rival_evidence / static_cast<double>(best.rival_pairs) > best.evidence / n - 1;
   best.certain = enough && best.evidence - best.rival_evidence > rival_margin && !(many && as_good);
 }
 
@@ -276,11 +164,10 @@ StandAlignment align_stands(const std::vector<StandTree>& first, const std::vect
                             const AlignLimits& limits, const Run& run) {
   const Eigen::Vector2d middle_first = middle_of(first), middle_second = middle_of(second);
   const auto a = about(first, middle_first), b = about(second, middle_second);
-  auto votes = votes_of(thickest(a), thickest(b), limits, run);
   const Stand stand_a(a), stand_b(b);
   StandAlignment best;
   std::vector<StandAlignment> all;
-  for (const auto& candidate : candidates_of(votes)) {
+  for (const auto& candidate : likely_motions(a, b, limits, run)) {
     run.check_cancel();
     all.push_back(refined(stand_a, stand_b, candidate, limits));
   }
@@ -288,7 +175,7 @@ StandAlignment align_stands(const std::vector<StandTree>& first, const std::vect
   if (all.empty()) return best;
   best = all.front();
   for (const auto& other : all)
-    if (!same_motion(other.T_first_second, best.T_first_second)) {
+    if (!same_motion(other.T_first_second, best.T_first_second, rival_turn, rival_shift_m)) {
       best.rival_evidence = std::max(0.0, other.evidence);
       best.rival_pairs = other.pairs.size();
       break;

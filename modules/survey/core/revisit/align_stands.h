@@ -41,7 +41,7 @@ struct StandAlignment {
 // A rigid motion (no mirror, no scale) without a start. Pairs of trees of one map are laid on pairs of like length and
 // like diameters of the other; motions that many pairs of pairs agree on are refined and scored by the likelihood of
 // their matches (place and diameter, against trees scattered at random; a tree that should have a partner and has none
-// counts against the motion). Of many trees the thickest 150 take part in the search. The motion is certain where its
+// counts against the motion). Of many trees the thickest 200 take part in the search. The motion is certain where its
 // evidence is above what chance gives among all motions, at least a third of the trees that both maps cover have a
 // partner, and no other motion explains nearly as much (rows planted evenly, plots with a symmetry).
 StandAlignment align_stands(const std::vector<StandTree>& first, const std::vector<StandTree>& second,

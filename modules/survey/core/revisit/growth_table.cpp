@@ -18,7 +18,8 @@ std::string id_of(const SurveyedStand& s, std::size_t i) {
 
 class Rows {
  public:
-  Rows(const RevisitOptions& o, const std::optional<double>& years, GrowthSums& sums) : o_(o), years_(years), sums_(sums) {}
+  Rows(const RevisitOptions& o, const std::optional<double>& years, GrowthSums& sums)
+      : o_(o), years_(years), sums_(sums) {}
 
   void add_pair(const SurveyedStand& a, const SurveyedStand& b, const TreePair& p) {
     const auto &t = a.trees[p.first], &u = b.trees[p.second];

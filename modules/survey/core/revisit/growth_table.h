@@ -16,10 +16,10 @@ struct GrowthSums {
   std::size_t counted_first = 0;  // matched or gone trees of min_dbh and more in the first survey
   std::size_t gone = 0;           // of these
   std::map<std::string, std::int64_t> of_kind;
-  double growth_cm = 0, variance_cm2 = 0;        // sums over the matched; the variances without the shared part
+  double growth_cm = 0, variance_cm2 = 0;          // sums over the matched; the variances without the shared part
   double basal_first_m2 = 0, basal_second_m2 = 0;  // of the matched
-  double basal_variance_m4 = 0;                  // of their difference, without the shared part
-  double basal_slope_m2_per_cm = 0;              // of their difference by an error that all diameters share
+  double basal_variance_m4 = 0;                    // of their difference, without the shared part
+  double basal_slope_m2_per_cm = 0;                // of their difference by an error that all diameters share
   double mean_growth_cm() const { return matched > 0 ? growth_cm / static_cast<double>(matched) : 0; }
 };
 

@@ -10,6 +10,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "cloud/known_facts.h"
 #include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
 #include "survey/core/revisit/growth_table.h"
@@ -58,22 +59,23 @@ std::optional<double> years_between(const Table& first, const Table& second, con
   constexpr double days_per_year = 365.25;
   const double years = static_cast<double>((*to - *from).count()) / days_per_year;
   if (years <= 0)
-    throw bad_input("the second survey is not later than the first (dates of the tables)", "an earlier and a later survey",
-                    "Swap them, or set years");
+    throw bad_input("the second survey is not later than the first (dates of the tables)",
+                    "an earlier and a later survey", "Swap them, or set years");
   return years;
 }
 
 [[noreturn]] void refuse(const StandAlignment& a, std::size_t first, std::size_t second) {
-  const auto found = fmt::format("two maps of {} and {} trees that {} of their trees bring together", first, second,
-                                 a.pairs.size());
+  const auto found =
+      fmt::format("two maps of {} and {} trees that {} of their trees bring together", first, second, a.pairs.size());
   if (a.rival_pairs > 0 && 2 * a.rival_pairs > a.pairs.size() && a.pairs.size() >= 5)
     throw bad_input(found + fmt::format(", and another turn or shift does the same for {}", a.rival_pairs),
                     "one motion that fits better than all others",
                     "Rows planted evenly look alike from both ends: bring both tables into the same axes "
                     "(survey.georeference, or the same targets) and set axes=same");
-  throw bad_input(found, "at least 5 trees, a third of those that both cover, at the same places with like diameters",
-                  "Check that both are of the same plot, unmirrored, in metres; set axes=same where both lie in the same "
-                  "axes, and max_growth or match_distance where much has changed");
+  throw bad_input(
+      found, "at least 5 trees, a third of those that both cover, at the same places with like diameters",
+      "Check that both are of the same plot, unmirrored, in metres; set axes=same where both lie in the same "
+      "axes, and max_growth or match_distance where much has changed");
 }
 
 StandAlignment aligned(const SurveyedStand& a, const SurveyedStand& b, const RevisitOptions& o,
@@ -129,6 +131,8 @@ Revisit revisit(const Table& first, const Table& second, const Table* first_reje
   Revisit out;
   GrowthSums sums;
   out.growth = growth_table(a, b, alignment.pairs, kinds, o, years, sums);
+  for (const auto* info : {&facts::axes, &facts::crs})
+    if (const auto text = fact_text(first.facts, *info)) set_fact(out.growth.facts, *info, *text);
   out.values = value_table(sums, o, years);
   auto& r = out.report;
   const double turn = std::atan2(alignment.T_first_second.linear()(1, 0), alignment.T_first_second.linear()(0, 0));

@@ -19,9 +19,9 @@ struct Revisit {
 };
 
 // `first_rejected` and `second_rejected` (x_m, y_m; may be null): candidates that the surveys rejected. A tree that one
-// survey lists and the other rejected was missed, not gone. Intervals are 95 %: those of the two diameters, independent.
-// Throws Error{bad_input} where the maps cannot be brought together for certain, and for tables without x_m, y_m,
-// dbh_cm.
+// survey lists and the other rejected was missed, not gone. Intervals are 95 %: those of the two diameters,
+// independent. Throws Error{bad_input} where the maps cannot be brought together for certain, and for tables without
+// x_m, y_m, dbh_cm.
 Revisit revisit(const Table& first, const Table& second, const Table* first_rejected, const Table* second_rejected,
                 const RevisitOptions& options, const Run& run);
 

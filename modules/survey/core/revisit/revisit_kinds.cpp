@@ -21,8 +21,8 @@ std::vector<Eigen::Vector2d> places_of(const SurveyedStand& s) {
 
 // Half the usual distance of neighbours: so far beyond its outermost trees a survey still covers the ground.
 double margin_of(const StandHull& hull, std::size_t trees) {
-  constexpr double most_m = 2;
-  return trees > 0 ? std::min(most_m, std::sqrt(hull.area_m2() / static_cast<double>(trees)) / 2) : 0;
+  constexpr double max_margin_m = 2;
+  return trees > 0 ? std::min(max_margin_m, std::sqrt(hull.area_m2() / static_cast<double>(trees)) / 2) : 0;
 }
 
 bool any_near(const std::vector<Eigen::Vector2d>& places, const Eigen::Vector2d& at, double reach_m) {
@@ -82,8 +82,10 @@ double UnmatchedTrees::matched_share() const {
 Kind UnmatchedTrees::in_first(std::size_t i) const {
   if (matched_first_[i] != 0) return {"matched", ""};
   const auto& t = first_.trees[i];
-  if (duplicate(first_, matched_first_, i)) return {"duplicate_first", "stands where another stem of the first survey is matched"};
-  if (!hull_second_.contains(t.at, margin_second_m_)) return {"outside_second", "beyond the trees of the second survey"};
+  if (duplicate(first_, matched_first_, i))
+    return {"duplicate_first", "stands where another stem of the first survey is matched"};
+  if (!hull_second_.contains(t.at, margin_second_m_))
+    return {"outside_second", "beyond the trees of the second survey"};
   if (any_near(second_.rejected, t.at, rejected_m))
     return {"missed_in_second", "the second survey rejected a candidate here"};
   if (any_near(places_of(second_), t.at, duplicate_m))
@@ -94,16 +96,19 @@ Kind UnmatchedTrees::in_first(std::size_t i) const {
   if (const double share = share_near(first_, matched_first_, hull_second_, t.at); share < low_share)
     return {"missed_in_second", fmt::format("only {:.0f} % of the trees around it were found again", 100 * share)};
   if (doubtful(first_, i)) return {"gone", "felled, fallen, or no tree: the first survey was not sure of it"};
-  if (!hull_second_.contains(t.at, 0)) return {"gone", "at the edge of the second survey: look whether it reached here"};
+  if (!hull_second_.contains(t.at, 0))
+    return {"gone", "at the edge of the second survey: look whether it reached here"};
   return {"gone", "its neighbours were found again"};
 }
 
 Kind UnmatchedTrees::in_second(std::size_t j) const {
   if (matched_second_[j] != 0) return {"matched", ""};
   const auto& t = second_.trees[j];
-  if (duplicate(second_, matched_second_, j)) return {"duplicate_second", "stands where another stem of the second survey is matched"};
+  if (duplicate(second_, matched_second_, j))
+    return {"duplicate_second", "stands where another stem of the second survey is matched"};
   if (!hull_first_.contains(t.at, margin_first_m_)) return {"outside_first", "beyond the trees of the first survey"};
-  if (any_near(first_.rejected, t.at, rejected_m)) return {"missed_in_first", "the first survey rejected a candidate here"};
+  if (any_near(first_.rejected, t.at, rejected_m))
+    return {"missed_in_first", "the first survey rejected a candidate here"};
   if (any_near(places_of(first_), t.at, duplicate_m))
     return {"missed_in_first", "a stem stands here whose diameter does not go with this one"};
   const double threshold = std::max(first_.min_dbh_cm, limits_.min_dbh_cm);
@@ -111,7 +116,8 @@ Kind UnmatchedTrees::in_second(std::size_t j) const {
     return {"missed_in_first", fmt::format("too thick to have grown past {:.1f} cm since", threshold)};
   if (t.dbh_cm < limits_.min_dbh_cm) return {"below", "thinner than the trees that count"};
   if (const double share = share_near(second_, matched_second_, hull_first_, t.at); share < low_share)
-    return {"missed_in_first", fmt::format("only {:.0f} % of the trees around it were in the first survey", 100 * share)};
+    return {"missed_in_first",
+            fmt::format("only {:.0f} % of the trees around it were in the first survey", 100 * share)};
   return {"ingrowth", "thin enough to have grown in since"};
 }
 

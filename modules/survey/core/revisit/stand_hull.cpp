@@ -13,7 +13,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 void add_chain(const std::vector<Eigen::Vector2d>& sorted, std::vector<Eigen::Vector2d>& hull) {
   const auto begin = hull.size();
   for (const auto& p : sorted) {
-    while (hull.size() >= begin + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) hull.pop_back();
+    while (hull.size() >= begin + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0)
+      hull.pop_back();
     hull.push_back(p);
   }
   hull.pop_back();
@@ -22,7 +23,8 @@ void add_chain(const std::vector<Eigen::Vector2d>& sorted, std::vector<Eigen::Ve
 }  // namespace
 
 StandHull::StandHull(std::vector<Eigen::Vector2d> places) {
-  std::ranges::sort(places, [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::ranges::sort(places,
+                    [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   places.erase(std::unique(places.begin(), places.end()), places.end());
   if (places.size() < 3) {
     corners_ = std::move(places);
