@@ -85,6 +85,8 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   // Both are empty where the poses were given.
   if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
   if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
+  if (d.check_cells != nullptr && d.check_cells->rows() > 0) add_table("check_cells.csv", d.check_cells);
+  if (d.check_boundary != nullptr && d.check_boundary->rows() > 0) add_table("check_boundary.csv", d.check_boundary);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(

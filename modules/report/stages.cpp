@@ -3,6 +3,7 @@
 #include "pipeline/result_names.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
+#include "report/revisit_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
@@ -14,6 +15,10 @@ namespace {
 // What the reports may write, at the top of the output folder.
 void register_result_names() {
   pipeline::add_result_names({"ab_lines.geojson",
+                              "check.html",
+                              "check.json",
+                              "check_boundary.csv",
+                              "check_cells.csv",
                               "chm.tif",
                               "cloud.las",
                               "cloud.laz",
@@ -24,6 +29,8 @@ void register_result_names() {
                               "diameter_classes.csv",
                               "edits.csv",
                               "field.json",
+                              "growth.csv",
+                              "growth_values.csv",
                               "figures",
                               "height_curve.csv",
                               "held_out.csv",
@@ -75,13 +82,13 @@ void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
-  type.version = 4;
+  type.version = 5;
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
       "odometry.csv, cloud.las, "
-      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
+      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
       "stem "
@@ -96,6 +103,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   };
   registry.add(std::move(type));
   registry.add(rows_report_stage());
+  registry.add(revisit_report_stage());
   registry.add(steering_report_stage());
   registry.add(plant_report_stage());
 }

@@ -38,6 +38,10 @@ struct SurveyData {
   const Table* summary = nullptr;
   const Table* loops = nullptr;
   const Table* odometry = nullptr;
+  const Table* check = nullptr;  // findings of survey.check, and its tables
+  const Table* check_cells = nullptr;
+  const Table* check_stems = nullptr;
+  const Table* check_boundary = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
