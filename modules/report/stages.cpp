@@ -1,6 +1,7 @@
-// Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core
-// modules, because they draw.
+// Registers report.plot, report.compare, report.rows and report.steering. They live in bole_report and not with the
+// stages of the core modules, because they draw.
 #include "pipeline/result_names.h"
+#include "report/compare_report.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/rows_report.h"
@@ -18,9 +19,13 @@ void register_result_names() {
                               "cloud.las",
                               "cloud.laz",
                               "cloud.ply",
+                              "compared_trees.csv",
+                              "comparison.json",
                               "contours.csv",
                               "dem.tif",
+                              "detection.csv",
                               "diameter_classes.csv",
+                              "diameters.csv",
                               "edits.csv",
                               "field.json",
                               "figures",
@@ -32,15 +37,21 @@ void register_result_names() {
                               "matches.csv",
                               "mesh.ply",
                               "odometry.csv",
+                              "pairs.csv",
                               "plant.xlsx",
                               "plants.csv",
+                              "plot.csv",
                               "plot.gpkg",
                               "plot_values.csv",
+                              "positions.csv",
+                              "reference_trajectory.tum",
+                              "reference_trees.csv",
                               "rejected.csv",
                               "report.html",
                               "rows.csv",
                               "rows.geojson",
                               "rows.gpkg",
+                              "runs.csv",
                               "scene.ply",
                               "sections.csv",
                               "slope.tif",
@@ -62,6 +73,7 @@ void register_result_names() {
                               "tally.html",
                               "tracking.csv",
                               "traits.csv",
+                              "trajectories.csv",
                               "trajectory.tum",
                               "tree_values.csv"});
 }
@@ -77,7 +89,9 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.version = 4;
   type.title = "Write the report";
   type.help =
-      "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the "
+      "boundary, "
+      "reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
       "odometry.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
@@ -97,6 +111,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(rows_report_stage());
   registry.add(steering_report_stage());
   registry.add(plant_report_stage());
+  registry.add(compare_report_stage());
 }
 
 }  // namespace bole::report
