@@ -132,9 +132,18 @@ void draw_positions(Canvas& canvas, const PositionMap& map, const Frame& frame) 
       }
   }
   draw_axes(canvas, frame, map_axes());
-  std::vector<LegendEntry> entries{{Symbol::ring, ink::axis, "reference"}};
-  for (const auto& run : map.runs) entries.push_back({Symbol::cross, run.color, run.name});
-  draw_below(canvas, frame, entries);
+  const double y = frame.box.y1 + 16.5;
+  double x = frame.box.x0 + draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 30) + 14;
+  // The marks themselves stand in the legend: upright and diagonal crosses.
+  const auto entry = [&](const std::string& name, const auto& draw_at) {
+    const TextStyle style{7};
+    draw_at(Eigen::Vector2d(x + 1.5, y - 0.6));
+    canvas.text({x + 4, y - 0.6}, name, style.aligned(HAlign::left, VAlign::middle));
+    x += 9 + canvas.text_size(name, style).x();
+  };
+  entry("reference", [&](const Eigen::Vector2d& p) { canvas.circle(p, 1.2, {}, Stroke{ink::axis, 0.25}); });
+  for (std::size_t k = 0; k < map.runs.size(); ++k)
+    entry(map.runs[k].name, [&](const Eigen::Vector2d& p) { draw_mark(canvas, p, k, map.runs[k].color); });
 }
 
 Image grey_image(const PlanDensity& cloud) {
@@ -175,10 +184,11 @@ void draw_paths(Canvas& canvas, const PathsOnCloud& p, const Frame& frame, doubl
   const auto clip = canvas.clip(frame.box);
   const auto a = frame.map(p.lo.x(), p.hi.y()), b = frame.map(p.hi.x(), p.lo.y());
   if (p.picture.width > 0) canvas.image(p.picture, {a.x(), a.y(), b.x(), b.y()});
-  for (const auto& line : p.lines) {
+  for (std::size_t k = 0; k < p.lines.size(); ++k) {
     std::vector<Eigen::Vector2d> drawn;
-    for (const auto& at : line.points) drawn.push_back(frame.map(at.x(), at.y()));
-    canvas.polyline(drawn, Stroke{line.color, width_mm});
+    for (const auto& at : p.lines[k].points) drawn.push_back(frame.map(at.x(), at.y()));
+    // Later ones are thinner, so that a path below another one is seen.
+    canvas.polyline(drawn, Stroke{p.lines[k].color, width_mm / (1 + 0.8 * static_cast<double>(k))});
   }
 }
 
@@ -241,9 +251,12 @@ Figure paths_on_cloud(const std::vector<ComparedPath>& paths, const PlanDensity&
     }
     p.lines.push_back(std::move(line));
   }
-  if (cloud.width > 1) {
-    extent.include(p.lo);
-    extent.include(p.hi);
+  // The cloud about the paths; what was scanned from afar would make them small.
+  constexpr double around_m = 6;
+  if (cloud.width > 1 && !extent.empty()) {
+    const Eigen::Vector2d lo = extent.lo.array() - around_m, hi = extent.hi.array() + around_m;
+    extent.include(lo.cwiseMax(p.lo));
+    extent.include(hi.cwiseMin(p.hi));
   }
   if (paths.size() > 1 && paths[0].path.poses.size() > 1 && paths[1].path.poses.size() > 1) {
     const auto& other = paths[1].path;
@@ -257,7 +270,7 @@ Figure paths_on_cloud(const std::vector<ComparedPath>& paths, const PlanDensity&
       p.zooms = true;
     }
   }
-  p.reach_m = std::clamp(6 * p.apart_m, 0.4, 5.0);
+  p.reach_m = std::clamp(6 * p.apart_m, 0.06, 5.0);
   const double gap_mm = 6, side_mm = p.zooms ? 0.3 * width_mm : 0;
   const auto frame =
       map_frame(extent, {axis_space_left_mm, 2},
@@ -272,7 +285,7 @@ Figure paths_on_cloud(const std::vector<ComparedPath>& paths, const PlanDensity&
   figure.width_mm = width_mm;
   figure.height_mm = frame.box.y1 + furniture_mm;
   figure.draw = [p = std::move(p), frame, side_mm](Canvas& canvas) {
-    draw_paths(canvas, p, frame, 0.35);
+    draw_paths(canvas, p, frame, 0.5);
     draw_axes(canvas, frame, map_axes());
     if (p.zooms) {
       const Box box{canvas.width_mm() - side_mm - 2, 2, canvas.width_mm() - 2, 2 + side_mm};
@@ -280,7 +293,7 @@ Figure paths_on_cloud(const std::vector<ComparedPath>& paths, const PlanDensity&
           box, {p.place.x() - p.reach_m, p.place.x() + p.reach_m}, {p.place.y() - p.reach_m, p.place.y() + p.reach_m}};
       const auto a = frame.map(zoom.x.lo, zoom.y.hi), b = frame.map(zoom.x.hi, zoom.y.lo);
       canvas.rectangle({a.x(), a.y(), b.x(), b.y()}, {}, Stroke{ink::text, 0.35});
-      draw_paths(canvas, p, zoom, 0.5);
+      draw_paths(canvas, p, zoom, 0.6);
       AxesStyle axes = map_axes();
       axes.x_ticks = axes.y_ticks = 4;
       draw_axes(canvas, zoom, axes);

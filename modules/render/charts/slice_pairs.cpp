@@ -11,7 +11,7 @@ namespace bole::render {
 namespace {
 
 constexpr double gap_mm = 1.2, group_gap_mm = 5, head_mm = 5, name_mm = 4.2, foot_mm = 4.2, legend_mm = 7;
-constexpr double usual_panel_mm = 41;
+constexpr double max_panel_mm = 41, min_panel_mm = 34;
 
 void draw_circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius_mm, const Stroke& stroke) {
   if (stroke.dash_mm.empty()) return canvas.circle(centre, radius_mm, {}, stroke);
@@ -46,7 +46,7 @@ void draw_slice(Canvas& canvas, const ComparedSlice& slice, const Color& color, 
 }
 
 struct Layout {
-  double panel_mm = usual_panel_mm;
+  double panel_mm = max_panel_mm;
   std::size_t runs = 1, per_row = 1;
   double group_mm() const { return static_cast<double>(runs) * panel_mm + static_cast<double>(runs - 1) * gap_mm; }
   double row_mm() const { return head_mm + name_mm + panel_mm + foot_mm; }
@@ -55,10 +55,11 @@ struct Layout {
 Layout layout_of(std::size_t runs, double width_mm) {
   Layout l;
   l.runs = std::max<std::size_t>(1, runs);
-  const double n = static_cast<double>(l.runs);
-  l.panel_mm = std::min(usual_panel_mm, (width_mm - (n - 1) * gap_mm) / n);
+  const double n = static_cast<double>(l.runs), narrowest_mm = n * min_panel_mm + (n - 1) * gap_mm;
   l.per_row =
-      std::max<std::size_t>(1, static_cast<std::size_t>((width_mm + group_gap_mm) / (l.group_mm() + group_gap_mm)));
+      std::max<std::size_t>(1, static_cast<std::size_t>((width_mm + group_gap_mm) / (narrowest_mm + group_gap_mm)));
+  const double groups = static_cast<double>(l.per_row), group_mm = (width_mm - (groups - 1) * group_gap_mm) / groups;
+  l.panel_mm = std::min(max_panel_mm, (group_mm - (n - 1) * gap_mm) / n);
   return l;
 }
 
@@ -83,7 +84,7 @@ void draw_tree(Canvas& canvas, const ComparedTree& tree, const std::vector<Slice
     const auto& panel = tree.slices[k].panel;
     canvas.text({x, box.y1 + foot_mm - 1}, tree.slices[k].found ? fixed(100 * panel.dbh_m, 1) + " cm" : "not found",
                 TextStyle{7}.aligned(HAlign::left, VAlign::baseline));
-    canvas.text({box.x1, box.y1 + foot_mm - 1}, "n " + std::to_string(panel.found),
+    canvas.text({box.x1, box.y1 + foot_mm - 1}, panel.found > 0 ? "n " + std::to_string(panel.found) : "no points",
                 TextStyle{6, ink::muted}.aligned(HAlign::right, VAlign::baseline));
   }
 }

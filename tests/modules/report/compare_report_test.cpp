@@ -41,7 +41,7 @@ Table trees(unsigned seed, double dx_m, double dbh_cm, double noise_m) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) {
       id.push_back(static_cast<std::int64_t>(id.size()) + 1);
-      x.push_back(3.0 * i - 6 + static_cast<double>(random() % 1000) / 1000 + dx_m + error(noise));
+      x.push_back(3.0 * i - 7.5 + 1.5 * seed + static_cast<double>(random() % 1000) / 1000 + dx_m + error(noise));
       y.push_back(3.0 * j - 6 + static_cast<double>(random() % 1000) / 1000 + error(noise));
       dbh.push_back(15 + static_cast<double>(random() % 2000) / 100 + dbh_cm);
     }
@@ -65,6 +65,7 @@ Trajectory walk(double off_m) {
   return t;
 }
 
+// Another seed is another stand: half a row further.
 // Rings of points at breast height about each tree, and some ground.
 PointCloud cloud_of(const Table& stems) {
   PointCloud::Positions points;
