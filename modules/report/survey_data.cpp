@@ -37,6 +37,7 @@ const std::vector<Input>& survey_inputs() {
       {"canopy", &S::canopy, "Canopy height model."},
       {"trajectory", &S::trajectory, "The trajectory of the scanner."},
       {"reference_trajectory", &S::reference_trajectory, "The true trajectory, in the same axes."},
+      {"reference_stems", &S::reference_stems, "Reference trees, as they were given."},
       {"sections", &S::sections, "Fitted cross-sections."},
       {"rejected", &S::rejected, "Candidates that are no stems, with their reasons."},
       {"edits", &S::edits, "What a person changed, from stems.edit."},

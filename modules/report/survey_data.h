@@ -29,6 +29,7 @@ struct SurveyData {
   const Raster* canopy = nullptr;
   const Trajectory* trajectory = nullptr;
   const Trajectory* reference_trajectory = nullptr;
+  const Table* reference_stems = nullptr;
   const Table* sections = nullptr;
   const Table* rejected = nullptr;
   const Table* edits = nullptr;

@@ -14,6 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/exit_codes.h"
 #include "base/option_text.h"
+#include "base/core/path_list.h"
 #include "pipeline/result_folder.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/core_conversion.h"
@@ -93,7 +94,7 @@ std::string stamps_of_input(const OptionSet& options) {
   std::string stamps;
   for (const auto& spec : options.table().specs)
     if (const auto value = options.get(spec.name); is_input_path(spec, value))
-      stamps += change_stamp(option_text(value));
+      for (const auto& path : input_paths(spec, option_text(value))) stamps += change_stamp(path);
   return stamps;
 }
 

@@ -1772,6 +1772,42 @@
             <source>Assumed se</source>
             <translation>假定标准误</translation>
         </message>
+        <message>
+            <source>Folders</source>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>Names</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Systems</source>
+            <translation>系统</translation>
+        </message>
+        <message>
+            <source>Plots</source>
+            <translation>样地</translation>
+        </message>
+        <message>
+            <source>Min agreement</source>
+            <translation>最小一致率</translation>
+        </message>
+        <message>
+            <source>Published system</source>
+            <translation>论文中的系统</translation>
+        </message>
+        <message>
+            <source>Cloud figures</source>
+            <translation>点云插图</translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation>横切面数</translation>
+        </message>
+        <message>
+            <source>Enlarge</source>
+            <translation>误差放大倍数</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3627,6 +3663,46 @@
             <source>Draw the map and the growth and write them as PNG, SVG and PDF.</source>
             <translation>绘制分布图和生长量图,写成 PNG,SVG 和 PDF。</translation>
         </message>
+        <message>
+            <source>Output folders of bole run or bole survey, with commas between.</source>
+            <translation>bole run 或 bole survey 的输出文件夹，用逗号分隔。</translation>
+        </message>
+        <message>
+            <source>Names of the runs in tables and figures, with commas between; empty: the names of the folders.</source>
+            <translation>各次运行在表格和插图中的名称，用逗号分隔；留空：用文件夹名。</translation>
+        </message>
+        <message>
+            <source>What made each run, with commas between. Runs of one system are pooled; empty: the preset of each run.</source>
+            <translation>每次运行所用的系统，用逗号分隔。同一系统的运行合并统计；留空：用各次运行的预设。</translation>
+        </message>
+        <message>
+            <source>Plot of each run, with commas between. plot1 to plot4 list the published figures of these plots; empty: runs whose stems agree share a plot.</source>
+            <translation>每次运行的样地，用逗号分隔。plot1 至 plot4 会列出论文中这些样地的数值；留空：单木一致的运行视为同一样地。</translation>
+        </message>
+        <message>
+            <source>Share of the stems of the shorter list that must agree before two lists count as one plot in the same axes. A larger value lets less certain ones fall apart.</source>
+            <translation>较短列表中一致单木的最小比例，达到时两份列表才视为同一坐标系中的同一样地。值越大，不够确定的越会分开。</translation>
+        </message>
+        <message>
+            <source>System of the paper whose published figures are listed. auto: that of the preset which made the trajectory, improved_loam where the paper has none.</source>
+            <translation>列出论文中哪个系统的数值。auto：生成轨迹的预设所对应的系统；论文中没有时用 improved_loam。</translation>
+        </message>
+        <message>
+            <source>Read the clouds of the runs and draw paths and slices on them. This takes the most time.</source>
+            <translation>读取各次运行的点云，在其上绘制轨迹和横切面。这一步最费时。</translation>
+        </message>
+        <message>
+            <source>Resolution of the PNG files.</source>
+            <translation>PNG 文件的分辨率。</translation>
+        </message>
+        <message>
+            <source>Trees whose slices are drawn.</source>
+            <translation>绘制横切面的树木数量。</translation>
+        </message>
+        <message>
+            <source>Factor by which the map of positions enlarges the errors. auto: so that they can be seen.</source>
+            <translation>位置图中误差的放大倍数。auto：放大到可以看清。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -4436,6 +4512,14 @@
             <source>same</source>
             <comment>axes</comment>
             <translation>相同</translation>
+        </message>
+        <message>
+            <source>improved_loam</source>
+            <translation>改进的 LOAM</translation>
+        </message>
+        <message>
+            <source>,</source>
+            <translation>,</translation>
         </message>
 </context>
 </TS>

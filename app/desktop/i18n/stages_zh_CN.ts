@@ -195,6 +195,18 @@
             <source>Write the growth</source>
             <translation>写出生长量</translation>
         </message>
+        <message>
+            <source>Read runs</source>
+            <translation>读取运行结果</translation>
+        </message>
+        <message>
+            <source>Compare runs</source>
+            <translation>比较运行结果</translation>
+        </message>
+        <message>
+            <source>Write the comparison</source>
+            <translation>输出比较报告</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -393,6 +405,22 @@
         <message>
             <source>Writes the comparison of two surveys of one plot into the output folder: growth.csv with every tree, growth_values.csv with the values of the stand, the map of what grew, came and went and the growth over the diameter as PNG, SVG and PDF, and report.html with all of it.</source>
             <translation>把同一样地两次调查的比较写入输出文件夹:growth.csv(每株树),growth_values.csv(林分数值),变化分布图和生长量图(PNG,SVG,PDF),以及包含全部内容的 report.html。</translation>
+        </message>
+        <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
+            <source>Reads the output folders of bole run or bole survey, to compare them: stem tables, trajectories, boundaries, the reference that each was compared with, and how each was made (preset, options, scan). A folder needs stems.csv; what else is missing or damaged is reported.</source>
+            <translation>读取 bole run 或 bole survey 的输出文件夹以便比较：单木表、轨迹、样地边界、各自所用的参考数据，以及生成方式（预设、选项、扫描）。文件夹中必须有 stems.csv；其他缺失或损坏的内容会予以说明。</translation>
+        </message>
+        <message>
+            <source>Compares two or more runs with a reference and with each other. Stems are matched as by evaluation.plot. Gives for each run, and for the runs of one system together, found, missed and extra trees, mean and covariance of the position error, RMSE in x and y, BIAS, relBIAS, RMSE and relRMSE of the diameters, and ATE and RPE of the trajectory; for each two runs of a plot their differences. Runs whose stems agree share a plot. Lists that do not agree (other axes, other units, another plot) are reported and never pooled. Without a reference the runs are compared with each other only.</source>
+            <translation>将两次或多次运行与参考数据比较，并相互比较。单木按 evaluation.plot 的方法匹配。对每次运行以及同一系统的全部运行，给出找到、漏测和多余的树木，位置误差的均值和协方差，x、y 方向的 RMSE，胸径的 BIAS、relBIAS、RMSE 和 relRMSE，以及轨迹的 ATE 和 RPE；并给出同一样地每两次运行之间的差异。单木一致的运行视为同一样地。不一致的列表（坐标系、单位或样地不同）会予以说明，且不合并统计。没有参考数据时，各次运行只相互比较。</translation>
+        </message>
+        <message>
+            <source>Writes a comparison of runs into the output folder: runs.csv, positions.csv and diameters.csv (tables 2 and 3 of the paper on improved LOAM, with its published figures beside), detection.csv, trajectories.csv, pairs.csv, compared_trees.csv, comparison.json, report.html, and the figures: paths on the cloud, slices side by side, map of positions, position errors, diameters and their errors by class, pooled and for each plot.</source>
+            <translation>将运行的比较写入输出文件夹：runs.csv、positions.csv 和 diameters.csv（改进 LOAM 论文的表 2 和表 3，旁列论文数值）、detection.csv、trajectories.csv、pairs.csv、compared_trees.csv、comparison.json、report.html，以及插图：点云上的轨迹、并列的横切面、位置图、位置误差、胸径及各径阶的胸径误差，既有合并的，也有逐个样地的。</translation>
         </message>
 </context>
 </TS>
