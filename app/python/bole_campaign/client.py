@@ -8,13 +8,14 @@ import socket
 import time
 import uuid
 
-from . import attempt, cluster, folders, geopackage, merging, planning, states
+from . import attempt, cluster, folders, geopackage, merging, page, planning, states
 from .errors import CANCELLED, FINISHED_EARLY, bad_input, failure
 from .local import LocalWorkers
 from .memory import machine_gib, processors
 from .progress import Progress
 
 WAIT_S = 0.2
+PAGE_EVERY_S = 20
 MOST_LOSSES = 10  # of one input: more often than that its workers are not killed by chance
 
 
@@ -90,6 +91,7 @@ def only_client(out):
 class Run:
     def __init__(self, of_plan, request):
         self.plan, self.request = of_plan, request
+        self.page_written = 0.0
         self.crashes, self.losses, self.waiting, self.at_work = {}, {}, [], {}
 
     def run(self):
@@ -112,7 +114,8 @@ class Run:
         looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in self.plan.tasks]
         self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
         self.ledger = ledger
-        ledger.write_inputs(states.rows_of(self.plan))
+        self.rows = {row["input_id"]: row for row in states.rows_of(self.plan)}
+        ledger.write_inputs(list(self.rows.values()))
         asked = 0
         if self.waiting:
             asked = self._run_waiting(len(looked))
@@ -159,6 +162,7 @@ class Run:
             while not interrupts.asked and (task := next((t for t in self.waiting if self.room is None or self.room.fits(t)), None)):
                 self.waiting.remove(task)
                 self.at_work[task["id"]] = task
+                self._show({**self.rows[task["id"]], "state": "running"})
                 if self.room:
                     self.room.take(task)
                 workers.start({**task, **files, "retry": self.request.get("retry", False)})
@@ -193,7 +197,15 @@ class Run:
             self.waiting.insert(0, task)
             return
         self.progress.end(result)
-        self.ledger.update_input(states.row_of(task, self.plan.out, running=False))
+        self._show(states.row_of(task, self.plan.out, running=False))
+
+    def _show(self, row):
+        """In the ledger now, on the page from time to time."""
+        self.rows[row["input_id"]] = row
+        self.ledger.update_input(row)
+        if time.monotonic() - self.page_written > PAGE_EVERY_S:
+            page.write(self.plan.out / "campaign.html", self.plan.title, list(self.rows.values()), ["The campaign is at work: this page is of " + time.strftime("%Y-%m-%d %H:%M:%S")])
+            self.page_written = time.monotonic()
 
     def _tries_again(self, task, result):
         self.crashes[task["id"]] = self.crashes.get(task["id"], 0) + 1

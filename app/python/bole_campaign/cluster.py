@@ -7,7 +7,9 @@ import logging
 import os
 import queue
 import signal
+import shutil
 import sys
+import tempfile
 import threading
 import time
 import uuid
@@ -51,7 +53,7 @@ class DaskWorkers:
         for module in (local, sys.modules[__name__]):
             cloudpickle.register_pickle_by_value(module)
         self.ended, self.running, self.cluster = queue.Queue(), {}, None
-        self.remote = scheduler is not None
+        self.remote, self.space = scheduler is not None, None
         self.lost_since = None
         if self.remote:
             self._join(scheduler)
@@ -64,9 +66,10 @@ class DaskWorkers:
         logging.getLogger("distributed").setLevel(logging.CRITICAL)
         # The children of a worker hold the memory: client.py counts what they declare.
         dask.config.set({"distributed.scheduler.allowed-failures": 0, "distributed.worker.daemon": True, "distributed.logging.distributed": "critical"})
+        self.space = tempfile.mkdtemp(prefix="bole_dask_")  # else Dask writes into the working directory
         before = signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the client
         try:
-            self.cluster = self.distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, memory_limit=None, dashboard_address=None,
+            self.cluster = self.distributed.LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, memory_limit=None, dashboard_address=None, local_directory=self.space,
                                                          silence_logs=logging.CRITICAL)
             self.client = self.distributed.Client(self.cluster)
         finally:
@@ -157,3 +160,5 @@ class DaskWorkers:
         ending = threading.Thread(target=end, daemon=True)
         ending.start()
         ending.join(15)
+        if self.space:
+            shutil.rmtree(self.space, ignore_errors=True)

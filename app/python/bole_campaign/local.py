@@ -3,11 +3,12 @@
 import json
 import os
 import pathlib
-import select
 import subprocess
 import sys
 import tempfile
+import time
 
+LOOK_EVERY_S = 0.02
 START = pathlib.Path(__file__).with_name("start.py")
 
 
@@ -38,32 +39,25 @@ class LocalWorkers:
 
     def __init__(self, workers):
         self.workers = workers
-        self.running = {}  # process id: (process, output, spec, descriptor)
-        self.poll = select.poll()
+        self.running = []  # (process, output, spec)
 
     def start(self, spec):
-        process, said = start_attempt(spec, os.getpid())
-        handle = os.pidfd_open(process.pid)
-        self.poll.register(handle, select.POLLIN)
-        self.running[handle] = (process, said, spec)
+        self.running.append((*start_attempt(spec, os.getpid()), spec))
 
     def finished(self, wait_s):
         """[(spec, result)] of attempts that ended by now, or within a time."""
-        ended = []
-        for handle, _ in self.poll.poll(1000 * wait_s) if self.running else []:
-            process, said, spec = self.running.pop(handle)
-            self.poll.unregister(handle)
-            os.close(handle)
-            process.wait()
-            ended.append((spec, result_of(process, said)))
-        return ended
+        until = time.monotonic() + wait_s
+        while not (ended := [entry for entry in self.running if entry[0].poll() is not None]) and time.monotonic() < until:
+            time.sleep(LOOK_EVERY_S)
+        self.running = [entry for entry in self.running if entry not in ended]
+        return [(spec, result_of(process, said)) for process, said, spec in ended]
 
     def close(self):
-        for process, said, _ in self.running.values():
+        for process, said, _ in self.running:
             process.kill()
             process.wait()
             said.close()
-        self.running = {}
+        self.running = []
 
 
 def run_attempt_in_process(spec):

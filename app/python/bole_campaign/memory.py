@@ -11,7 +11,8 @@ GIB = 1 << 30
 # costs an attempt, one that is too high only a place for another input.
 BASE_GIB = 0.5
 FACTORS = {".laz": 25.0, ".las": 6.0, ".e57": 8.0, ".ply": 6.0, ".pcd": 6.0, ".ptx": 3.0, ".xyz": 3.0, ".csv": 3.0, ".txt": 3.0}
-FACTOR_OF_OTHERS = 8.0  # recordings and folders of frames
+# Recordings and folders of frames are streamed: the map grows with them at first, then most of it lies on file.
+FACTOR_OF_RECORDINGS, FULL_GIB, FACTOR_BEYOND = 8.0, 0.3, 0.8
 RESERVE = 0.1
 
 
@@ -21,8 +22,9 @@ def declared_gib(entry):
         return entry["memory_gib"]
     needed = BASE_GIB
     for path in set(entry["files"].values()):
-        factor = FACTORS.get(pathlib.Path(path).suffix.lower(), FACTOR_OF_OTHERS)
-        needed += factor * keys.size_of(path) / GIB
+        size = keys.size_of(path) / GIB
+        factor = FACTORS.get(pathlib.Path(path).suffix.lower())
+        needed += factor * size if factor else FACTOR_OF_RECORDINGS * min(size, FULL_GIB) + FACTOR_BEYOND * max(0.0, size - FULL_GIB)
     return round(needed, 2)
 
 
