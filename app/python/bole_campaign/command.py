@@ -52,11 +52,11 @@ def print_status(request):
     if request.get("json"):
         print(json.dumps({"title": found.title, "folder": str(found.out), "counts": states.counts_of(rows), "inputs": rows}, indent=1))
         return 0
-    print(f"{'input':<16} {'state':<10} {'verdict':<8} {'stems':>6} {'time':>9} {'MiB':>7} {'tries':>5}  error")
+    print(f"{'input':<16} {'state':<10} {'verdict':<8} {'stems':>6} {'time (s)':>9} {'MiB':>7} {'tries':>5}  error")
     for row in rows:
         stems = "" if row["stems"] is None else row["stems"]
         seconds, peak = ("" if row[name] is None else format(row[name], form) for name, form in (("seconds", ".1f"), ("peak_mib", ".0f")))
-        print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['verdict']:<8} {stems:>6} {seconds:>7} s {peak:>7} {row['attempts']:>5}  {row['error']}")
+        print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['verdict']:<8} {stems:>6} {seconds:>9} {peak:>7} {row['attempts']:>5}  {row['error']}")
     print(f"{len(rows)} inputs: {states.in_words(states.counts_of(rows))}")
     return 0
 

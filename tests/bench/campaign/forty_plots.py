@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Simulated plots by one command, while workers and clients are killed; then overhead and efficiency of the engine.
 
-    forty_plots.py --bole build/headless/bin/bole --work /tmp/forty [--plots 40] [--max-time 12] [--engine local]
+    forty_plots.py --bole build/headless/bin/bole --work /tmp/forty [--plots 40] [--max-time 12] [--engine local] [--cloud plot.las]
+
+0. With --cloud the inputs are squares of that cloud, for stem_map_from_cloud, instead of simulated captures for forest_plot: quicker.
 
 1. Simulates the plots (a folder that exists is used again), one capture is damaged.
 2. Runs them one by one with `bole run`: the tables that are right.
@@ -29,6 +31,25 @@ def run(*command):
     return subprocess.run([str(c) for c in command], capture_output=True, text=True)
 
 
+def make_inputs(args):
+    """[{id, set}]; the last is damaged."""
+    if not args.cloud:
+        simulate(args)
+        return [{"id": f"p{i}", "set": {"scan.file": str(args.work / f"scan{i}" / "walk.pcap")}} for i in range(1, args.plots + 1)]
+    (cloud,) = json.loads(run(args.bole, "info", "--json", args.cloud).stdout)
+    chance = random.Random(args.seed)
+    low, high = cloud["min_m"], cloud["max_m"]
+    middle, spread = [(low[i] + high[i]) / 2 for i in (0, 1)], [max(0.0, min(20.0, high[i] - low[i]) / 2 - args.side / 2) for i in (0, 1)]
+    inputs = []
+    for i in range(1, args.plots + 1):
+        x, y = (middle[k] + chance.uniform(-spread[k], spread[k]) - args.side / 2 for k in (0, 1))
+        inputs.append({"id": f"p{i}", "set": {"scan.file": str(args.cloud), "scan.bounds": f"{x:.2f},{y:.2f},{x + args.side:.2f},{y + args.side:.2f}"}})
+    damaged = args.work / "damaged.las"
+    damaged.write_bytes(b"no cloud " * 1000)
+    inputs[-1]["set"]["scan.file"] = str(damaged)
+    return inputs
+
+
 def simulate(args):
     for i in range(1, args.plots + 1):
         scan = args.work / f"scan{i}"
@@ -41,21 +62,21 @@ def simulate(args):
 
 
 def write_document(args, **more):
-    inputs = [{"id": f"p{i}", "set": {"scan.file": str(args.work / f"scan{i}" / "walk.pcap")}} for i in range(1, args.plots + 1)]
     path = args.work / "campaign.json"
-    path.write_text(json.dumps({"pipeline": "forest_plot", "inputs": inputs, **more}))
+    path.write_text(json.dumps({"pipeline": args.pipeline, "inputs": args.inputs, **more}))
     return path
 
 
 def single_runs(args):
     """{plot: text of stems.csv}, None of those that give none."""
     tables = {}
-    for i in range(1, args.plots + 1):
-        out = args.work / "single" / f"p{i}"
+    for entry in args.inputs:
+        out = args.work / "single" / entry["id"]
         if not (out / "stems.csv").exists():
-            run(args.bole, "run", "forest_plot", "--set", f"scan.file={args.work / f'scan{i}' / 'walk.pcap'}", "--out", out, "--no-cache")
+            sets = [word for name, value in entry["set"].items() for word in ("--set", f"{name}={value}")]
+            run(args.bole, "run", args.pipeline, *sets, "--out", out, "--no-cache")
         table = out / "stems.csv"
-        tables[f"p{i}"] = table.read_text() if table.exists() else None
+        tables[entry["id"]] = table.read_text() if table.exists() else None
     return tables
 
 
@@ -156,12 +177,15 @@ def main():
     parser.add_argument("--work", type=lambda p: pathlib.Path(p).resolve(), required=True)
     parser.add_argument("--plots", type=int, default=40)
     parser.add_argument("--max-time", type=float, default=12)
+    parser.add_argument("--cloud", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("--side", type=float, default=8, help="of the squares of --cloud, metres")
     parser.add_argument("--engine", choices=("local", "dask"), default="local")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kill-every", type=float, default=5, help="seconds between kills, on average")
     args = parser.parse_args()
     args.work.mkdir(parents=True, exist_ok=True)
-    simulate(args)
+    args.pipeline = "stem_map_from_cloud" if args.cloud else "forest_plot"
+    args.inputs = make_inputs(args)
     tables = single_runs(args)
     stamp = f"{args.engine}-{int(time.time())}"
     out = args.work / f"killed-{stamp}"
