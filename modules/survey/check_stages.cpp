@@ -6,7 +6,7 @@
 #include "cloud/table_columns.h"
 #include "survey/core/check/check_survey.h"
 #include "survey/core/revisit/revisit.h"
-#include "survey/stage_groups.h"
+#include "survey/survey_stages.h"
 
 namespace bole::survey {
 namespace {

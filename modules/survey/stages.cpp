@@ -13,7 +13,7 @@
 #include "survey/core/plot_cover.h"
 #include "survey/core/plot_frame.h"
 #include "survey/core/plot_options.h"
-#include "survey/stage_groups.h"
+#include "survey/survey_stages.h"
 
 namespace bole::survey {
 namespace {
@@ -31,15 +31,6 @@ pipeline::StageResult run_frame(const DataSet& inputs, const OptionSet& options,
   result.outputs.set("targets", std::move(frame.targets));
   result.report = std::move(frame.report);
   return result;
-}
-
-// Of the first input that says so.
-Axes axes_of(const DataSet& inputs) {
-  if (inputs.has("points")) return inputs.cloud("points").axes;
-  if (!inputs.has("stems")) return Axes::unknown;
-  const auto& facts = inputs.table("stems").facts;
-  const auto it = facts.find("axes");
-  return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
 }
 
 std::optional<Eigen::Vector2d> centre_target(const Table& targets) {
@@ -187,6 +178,14 @@ void register_plot(pipeline::StageRegistry& registry) {
 }
 
 }  // namespace
+
+Axes axes_of(const DataSet& inputs) {
+  if (inputs.has("points")) return inputs.cloud("points").axes;
+  if (!inputs.has("stems")) return Axes::unknown;
+  const auto& facts = inputs.table("stems").facts;
+  const auto it = facts.find("axes");
+  return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
+}
 
 void register_stages(pipeline::StageRegistry& registry) {
   register_frame(registry);

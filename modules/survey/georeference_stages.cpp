@@ -8,7 +8,7 @@
 #include "survey/core/georeference/georeference.h"
 #include "survey/core/georeference/place_trees.h"
 #include "survey/core/georeference/track_place.h"
-#include "survey/stage_groups.h"
+#include "survey/survey_stages.h"
 
 namespace bole::survey {
 namespace {
