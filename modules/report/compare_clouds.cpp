@@ -7,7 +7,6 @@
 #include <map>
 
 #include "base/no_number.h"
-#include "cloud/breast_height.h"
 #include "cloud/table_columns.h"
 #include "io/core/clouds/cloud_reader.h"
 
@@ -82,11 +81,11 @@ render::PlanDensity density_of(const PointCloud& cloud) {
   return plan;
 }
 
-PointCloud slice_of(const PointCloud& cloud, const std::vector<ComparedPlace>& places) {
+PointCloud slice_of(const PointCloud& cloud, const std::vector<ComparedPlace>& places, double breast_height_m) {
   const auto heights = heights_of(cloud);
   std::vector<std::uint32_t> picked;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (std::abs(heights[i] - usual_breast_height_m) > half_slice_m) continue;
+    if (std::abs(heights[i] - breast_height_m) > half_slice_m) continue;
     const Eigen::Vector2d p = cloud.position(i).head<2>();
     if (std::ranges::any_of(places,
                             [&](const ComparedPlace& place) { return (p - place.reference).norm() < margin_m; }))
@@ -123,7 +122,7 @@ std::vector<CompareCloud> read_compare_clouds(const Table& runs, const std::vect
     if (file.empty()) continue;
     const auto cloud = io::read_cloud(file, part_of(area), run).cloud;
     if (k == 0) out[k].density = density_of(cloud);
-    out[k].slice = slice_of(cloud, places);
+    out[k].slice = slice_of(cloud, places, runs.numbers("breast_height_m")[of[k]]);
   }
   return out;
 }

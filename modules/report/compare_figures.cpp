@@ -12,6 +12,7 @@
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_pairs.h"
+#include "render/charts/trajectory_charts.h"
 #include "report/compare_clouds.h"
 
 namespace bole::report {
@@ -144,12 +145,12 @@ class Figures {
     return area;
   }
 
-  Trajectory path_of(std::size_t run) const {
+  static Trajectory path_of(const Table* poses, std::size_t run) {
     Trajectory path;
-    if (d_.poses == nullptr) return path;
-    const auto runs = d_.poses->integers("run");
-    const auto t = d_.poses->numbers("time_s"), x = d_.poses->numbers("x_m"), y = d_.poses->numbers("y_m"),
-               z = d_.poses->numbers("z_m");
+    if (poses == nullptr || poses->rows() == 0) return path;
+    const auto runs = poses->integers("run");
+    const auto t = poses->numbers("time_s"), x = poses->numbers("x_m"), y = poses->numbers("y_m"),
+               z = poses->numbers("z_m");
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (runs[i] != static_cast<std::int64_t>(run) + 1) continue;
       StampedPose pose;
@@ -158,6 +159,28 @@ class Figures {
       path.poses.push_back(pose);
     }
     return path;
+  }
+
+  std::vector<render::ComparedPath> paths_of(const std::vector<std::size_t>& runs) const {
+    std::vector<render::ComparedPath> paths;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      if (auto path = path_of(d_.poses, runs[k]); path.poses.size() > 1)
+        paths.push_back({d_.compared->texts("name")[runs[k]], render::series_color(k), std::move(path)});
+    return paths;
+  }
+
+  // Of the first of these runs that carries one.
+  Trajectory reference_of(const std::vector<std::size_t>& runs) const {
+    for (const auto r : runs)
+      if (auto path = path_of(d_.reference_poses, r); path.poses.size() > 1) return path;
+    return {};
+  }
+
+  bool in_plot_axes(const std::vector<std::size_t>& runs) const {
+    return std::ranges::all_of(runs, [&](std::size_t r) {
+      const auto& axes = d_.runs->texts("axes")[r];
+      return axes == "plot" || axes == "global";
+    });
   }
 
   void add_clouds(const std::string& plot, const std::string& suffix) {
@@ -171,13 +194,23 @@ class Figures {
       if (clouds->empty()) *clouds = read_compare_clouds(*d_.runs, runs, *trees, area_of(plot), run_);
     };
     add("paths on the cloud", suffix, named, [this, clouds, runs, read] {
-      std::vector<render::ComparedPath> paths;
-      for (const auto r : runs)
-        if (auto path = path_of(r); !path.empty())
-          paths.push_back({d_.compared->texts("name")[r], render::series_color(paths.size()), std::move(path)});
+      auto paths = paths_of(runs);
       if (paths.empty()) return std::vector<render::Figure>();
-      read();
-      return std::vector{render::paths_on_cloud(paths, clouds->front().density, o_.figure_width)};
+      const Trajectory truth = reference_of(runs);
+      if (in_plot_axes(runs)) {
+        read();
+        if (!truth.empty()) paths.push_back({"reference", render::ink::text, truth});
+        return std::vector{render::paths_on_cloud(paths, clouds->front().density, o_.figure_width)};
+      }
+      // Maps without targets have axes of their own: the cloud of one would not fit the path of another.
+      const Trajectory& common = truth.empty() ? paths.front().path : truth;
+      for (auto& p : paths) p.path = render::aligned_to(p.path, common);
+      if (!truth.empty()) paths.push_back({"reference", render::ink::text, truth});
+      auto figure = render::paths_on_cloud(paths, {}, o_.figure_width);
+      figure.title = "Paths of the scanner";
+      figure.caption = std::string("The path of each run from above, aligned with ") +
+                       (truth.empty() ? "that of the first run" : "the reference") + " by the best rigid motion.";
+      return std::vector{std::move(figure)};
     });
     add("slices", suffix, named, [this, clouds, trees, runs, read] {
       if (trees->empty()) return std::vector<render::Figure>();

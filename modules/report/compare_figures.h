@@ -13,7 +13,7 @@
 
 namespace bole::report {
 
-// Inputs of report.compare; `poses` and `boundaries` may be null.
+// Inputs of report.compare; the last three may be null.
 struct CompareData {
   const Table* runs = nullptr;
   const Table* compared = nullptr;
@@ -21,6 +21,7 @@ struct CompareData {
   const Table* stems = nullptr;
   const Table* poses = nullptr;
   const Table* boundaries = nullptr;
+  const Table* reference_poses = nullptr;
 };
 
 struct ComparePlan {

@@ -70,7 +70,8 @@ class CompareReport {
   CompareReport(const DataSet& inputs, const CompareReportOptions& options, const Run& run)
       : in_(inputs), o_(options), run_(run), writer_(run) {
     const auto table = [&](const char* port) { return inputs.has(port) ? &inputs.table(port) : nullptr; };
-    data_ = {table("runs"), table("compared"), table("trees"), table("stems"), table("poses"), table("boundaries")};
+    data_ = {table("runs"),  table("compared"),   table("trees"),          table("stems"),
+             table("poses"), table("boundaries"), table("reference_poses")};
   }
 
   pipeline::StageResult write() {
@@ -200,7 +201,8 @@ pipeline::StageType compare_report_stage() {
                  {"trees", DataKind::table, "Matched, missed and extra trees.", false, {}},
                  {"stems", DataKind::table, "The stems of all runs.", false, {}},
                  {"poses", DataKind::table, "The trajectories of all runs.", true, {}},
-                 {"boundaries", DataKind::table, "Vertices of the plot boundaries.", true, {}}};
+                 {"boundaries", DataKind::table, "Vertices of the plot boundaries.", true, {}},
+                 {"reference_poses", DataKind::table, "The reference trajectories that the runs carry.", true, {}}};
   type.options = &option_table(static_cast<const CompareReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

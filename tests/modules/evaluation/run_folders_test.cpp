@@ -24,6 +24,7 @@ constexpr const char* stems_text = "tree_id,x_m,y_m,dbh_cm,counted\n1,0.5,1,20.5
 constexpr const char* summary_text = R"({"axes": "plot", "verdict": "look", "stages": [
   {"type": "io.read_scan", "options": {"file": "/scans/walk.pcap"}},
   {"type": "slam.run", "options": {"preset": "forest", "deskew": "once"}, "defaults": {"trajectory": ""}},
+  {"type": "stems.slice", "options": {"height": "1.37"}},
   {"type": "evaluation.plot", "options": {"reference_columns": "dbh_cm=D:mm"}}]})";
 
 RunFolders read(const std::string& folders, const std::string& names = {}) {
@@ -65,6 +66,7 @@ TEST(RunFolders, ReadsWhatARunLeft) {
   EXPECT_EQ(found.runs.texts("scan")[0], "/scans/walk.pcap");
   EXPECT_EQ(found.runs.texts("reference")[0], "reference_trees.csv");
   EXPECT_EQ(found.runs.texts("reference_columns")[0], "dbh_cm=D:mm");
+  EXPECT_THAT(found.runs.numbers("breast_height_m"), testing::ElementsAre(1.37, 1.3));
   EXPECT_NEAR(found.runs.numbers("width_m")[0], 16, 1e-12);
   EXPECT_NEAR(found.runs.numbers("bearing_rad")[0], 0.1, 1e-9);
   EXPECT_THAT(found.stems.integers("run"), testing::ElementsAre(1, 1, 2, 2));

@@ -133,6 +133,7 @@ class CompareReport : public testing::Test {
     in.set("stems", read.stems);
     in.set("poses", read.poses);
     in.set("boundaries", read.boundaries);
+    in.set("reference_poses", read.reference_poses);
     return write_compare_report(in, options, run_);
   }
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "base/no_number.h"
 #include "base/core/path_list.h"
+#include "base/no_number.h"
 #include "cloud/trajectory.h"
 #include "io/core/runs/plot_file.h"
 #include "io/core/runs/run_summary.h"
@@ -272,6 +272,9 @@ Table runs_table(const std::vector<Survey>& surveys) {
   rule_numbers("length_m", [](const CountingRule& r) { return r.area.length_m; });
   rule_numbers("bearing_rad", [](const CountingRule& r) { return r.area.bearing_rad; });
   rule_numbers("min_dbh_cm", [](const CountingRule& r) { return r.min_dbh_cm; });
+  std::vector<double> breast_height_m;
+  for (const auto& s : surveys) breast_height_m.push_back(s.summary.breast_height_m);
+  t.set("breast_height_m", std::move(breast_height_m));
   texts("reference", [](const Survey& s) { return s.reference_file; });
   const auto own_columns = [](const Survey& s) { return s.reference_file == "reference_trees.csv"; };
   texts("reference_columns", [&](const Survey& s) { return own_columns(s) ? s.summary.reference_columns : ""; });

@@ -20,7 +20,7 @@ const OptionTable& option_table(const RunFolderOptions*);
 struct RunFolders {
   // A row per run: run (1, 2, ...), name, system, plot, folder, scan, preset, poses_given (0, 1), axes, verdict, stems,
   // poses, has_plot (0, 1), shape, centre_x_m, centre_y_m, width_m, length_m, bearing_rad, min_dbh_cm,
-  // reference (where its trees come from: "reference_trees.csv", "matches.csv"; empty), reference_columns,
+  // breast_height_m, reference (where its trees come from: "reference_trees.csv", "matches.csv"; empty), reference_columns,
   // reference_rows, cloud (path, or empty).
   Table runs;
   Table stems;            // of all, with a column `run`

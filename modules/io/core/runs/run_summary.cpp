@@ -1,5 +1,6 @@
 #include "io/core/runs/run_summary.h"
 
+#include "base/option_text.h"
 #include "io/core/views/json_fields.h"
 
 namespace bole::io {
@@ -50,6 +51,8 @@ RunSummary read_run_summary(const std::filesystem::path& path) {
     if (type == "slam.run") take_slam(stage, out);
     if (type == "io.read_cloud" || type == "io.read_scan") out.scan = option_of(stage, "file");
     if (type == "io.read_cloud") out.system = "cloud";
+    if (type == "stems.slice")
+      out.breast_height_m = number_from_text(option_of(stage, "height")).value_or(usual_breast_height_m);
     if (type == "evaluation.plot") {
       out.reference_columns = option_of(stage, "reference_columns");
       out.reference_rows = option_of(stage, "reference_rows");

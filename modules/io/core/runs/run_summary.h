@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "cloud/breast_height.h"
+
 namespace bole::io {
 
 // Empty texts where the file does not say.
@@ -12,6 +14,7 @@ struct RunSummary {
   std::string preset, scan, axes, verdict;
   std::string reference_columns, reference_rows;  // options of its evaluation
   bool poses_given = false;
+  double breast_height_m = usual_breast_height_m;  // at which its stems were measured
 };
 
 // Throws Error{bad_input} for a file that is no JSON object. Entries of another kind than expected count as absent.
