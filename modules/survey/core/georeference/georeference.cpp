@@ -16,6 +16,7 @@
 #include "survey/core/georeference/control_level.h"
 #include "survey/core/georeference/grid_scale.h"
 #include "survey/core/georeference/plan_fit.h"
+#include "survey/core/georeference/residual_table.h"
 #include "survey/core/georeference/unit_weight.h"
 
 namespace bole::survey {
@@ -263,44 +264,9 @@ class Placing {
   }
 
   void set_table() {
-    std::vector<std::string> names;
-    std::vector<double> x, y, z, e, n, h, re, rn, rh, misfit, limit;
-    std::vector<std::int64_t> used;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const auto& p = points_[i];
-      names.push_back(p.name);
-      x.push_back(p.local.x());
-      y.push_back(p.local.y());
-      z.push_back(p.local.z());
-      e.push_back(p.global.x());
-      n.push_back(p.global.y());
-      h.push_back(p.global.z());
-      const Eigen::Vector2d r = p.global.head<2>() - fit_.to_global(level_.levelled(p.local).head<2>());
-      re.push_back(r.x());
-      rn.push_back(r.y());
-      rh.push_back(level_.heights && std::isfinite(p.local.z()) ? p.global.z() - level_.heights->height_of(p.local)
-                                                                : no_number);
-      misfit.push_back(misfit_[i].distance_m);
-      limit.push_back(std::isfinite(misfit_[i].limit_m) ? misfit_[i].limit_m : no_number);
-      used.push_back(used_[i]);
-    }
-    auto& t = out_.control;
-    t.set("name", std::move(names));
-    t.set("x_m", std::move(x));
-    t.set("y_m", std::move(y));
-    t.set("z_m", std::move(z));
-    t.set("easting_m", std::move(e));
-    t.set("northing_m", std::move(n));
-    t.set("height_m", std::move(h));
-    t.set("residual_east_m", std::move(re));
-    t.set("residual_north_m", std::move(rn));
-    t.set("residual_height_m", std::move(rh));
-    t.set("misfit_m", std::move(misfit));
-    t.set("misfit_limit_m", std::move(limit));
-    t.set("used", std::move(used));
-    t.set("note", note_);
-    set_fact(t.facts, facts::axes, axes_name(plot_.axes));
-    set_facts(t.facts, out_.frame);
+    out_.control = residual_table({points_, used_, note_, misfit_, fit_, level_});
+    set_fact(out_.control.facts, facts::axes, axes_name(plot_.axes));
+    set_facts(out_.control.facts, out_.frame);
   }
 
   void tell() {
