@@ -3,7 +3,7 @@
 #include "base/atomic_file.h"
 #include "base/verdict.h"
 #include "base/version.h"
-#include "render/charts/check_maps.h"
+#include "render/maps/check_maps.h"
 #include "render/offscreen/offscreen.h"
 #include "report/check_files.h"
 #include "report/core/page_warnings.h"

@@ -1,7 +1,7 @@
 // Registers report.plot, report.compare, report.rows and report.steering. They live in bole_report and not with the
 // stages of the core modules, because they draw.
 #include "pipeline/result_names.h"
-#include "report/compare_report.h"
+#include "report/compare/compare_report.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/revisit_report.h"

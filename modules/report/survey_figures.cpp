@@ -4,14 +4,14 @@
 #include <memory>
 
 #include "cloud/stem_rows.h"
-#include "render/charts/check_maps.h"
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
-#include "render/charts/raster_map.h"
 #include "render/charts/slice_sheet.h"
 #include "render/charts/stand_charts.h"
-#include "render/charts/stem_map.h"
 #include "render/charts/trajectory_charts.h"
+#include "render/maps/check_maps.h"
+#include "render/maps/raster_map.h"
+#include "render/maps/stem_map.h"
 #include "render/scene/map_figure.h"
 
 namespace bole::report {

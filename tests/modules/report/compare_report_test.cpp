@@ -1,5 +1,5 @@
 // From folders of runs to the files of their comparison.
-#include "report/compare_report.h"
+#include "report/compare/compare_report.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@
 #include "io/core/runs/run_folders.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
-#include "report/compare_tables.h"
+#include "report/compare/compare_tables.h"
 
 namespace bole::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/compare_report.h"
+#include "report/compare/compare_report.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "io/core/tables/table_file.h"
-#include "report/compare_figures.h"
-#include "report/compare_tables.h"
+#include "report/compare/compare_figures.h"
+#include "report/compare/compare_tables.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/report_writer.h"

@@ -1,4 +1,4 @@
-#include "report/compare_figures.h"
+#include "report/compare/compare_figures.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <set>
 
 #include "cloud/table_columns.h"
-#include "render/charts/comparison_maps.h"
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_pairs.h"
 #include "render/charts/trajectory_charts.h"
-#include "report/compare_clouds.h"
+#include "render/maps/comparison_maps.h"
+#include "report/compare/compare_clouds.h"
 
 namespace bole::report {
 namespace {

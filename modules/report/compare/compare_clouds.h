@@ -8,8 +8,8 @@
 #include "base/run.h"
 #include "cloud/plot_area.h"
 #include "cloud/table.h"
-#include "render/charts/comparison_maps.h"
 #include "render/charts/slice_pairs.h"
+#include "render/maps/comparison_maps.h"
 
 namespace bole::report {
 

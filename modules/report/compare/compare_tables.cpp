@@ -1,4 +1,4 @@
-#include "report/compare_tables.h"
+#include "report/compare/compare_tables.h"
 
 #include <algorithm>
 #include <array>

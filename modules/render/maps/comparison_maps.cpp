@@ -1,4 +1,4 @@
-#include "render/charts/comparison_maps.h"
+#include "render/maps/comparison_maps.h"
 
 #include <fmt/format.h>
 

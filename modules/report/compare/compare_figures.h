@@ -9,7 +9,7 @@
 #include "base/run.h"
 #include "cloud/table.h"
 #include "render/draw/figure.h"
-#include "report/compare_report.h"
+#include "report/compare/compare_report.h"
 
 namespace bole::report {
 

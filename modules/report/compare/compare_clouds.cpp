@@ -1,4 +1,4 @@
-#include "report/compare_clouds.h"
+#include "report/compare/compare_clouds.h"
 
 #include <fmt/format.h>
 

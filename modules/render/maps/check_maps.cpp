@@ -1,4 +1,4 @@
-#include "render/charts/check_maps.h"
+#include "render/maps/check_maps.h"
 
 #include <algorithm>
 #include <array>
