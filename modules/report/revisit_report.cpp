@@ -1,5 +1,7 @@
 #include "report/revisit_report.h"
 
+#include <algorithm>
+
 #include "base/atomic_file.h"
 #include "cloud/known_facts.h"
 #include "io/core/tables/table_file.h"
@@ -40,12 +42,25 @@ const io::Decimals& decimals() {
   return d;
 }
 
+// The rows that count trees, or those that measure; with the words of people.
+Table printed_values(const Table& values, bool counts) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < values.rows(); ++i)
+    if (values.texts("unit")[i].empty() == counts) rows.push_back(i);
+  Table out = values.subset(rows);
+  auto measures = out.texts("measure");
+  for (auto& m : measures) std::ranges::replace(m, '_', ' ');
+  out.set("measure", std::move(measures));
+  return out;
+}
+
 bool north_known(const Table& growth) {
   const auto axes = fact_text(growth.facts, facts::axes);
   return axes == "plot" || axes == "global";
 }
 
 void write_page(const Table& growth, const Table& values, const Run& run, ReportWriter& writer) {
+  const Table measures = printed_values(values, false), counts = printed_values(values, true);
   SimplePage page;
   page.title = "The plot at two surveys";
   page.paragraphs.emplace_back(
@@ -53,9 +68,10 @@ void write_page(const Table& growth, const Table& values, const Run& run, Report
       "survey alone has are told apart by where they stand, how thick they are and what the other survey found there.");
   page.tables.push_back({"The stand",
                          "95 % intervals; those of means include the error that all diameters of one survey share.",
-                         &values,
+                         &measures,
                          {{"measure", "measure"}, {"value", "value"}, {"lo", "from"}, {"hi", "to"}, {"unit", "unit"}},
                          3});
+  page.tables.push_back({"Trees by what became of them", "", &counts, {{"measure", "kind"}, {"value", "trees"}}, 0});
   page.tables.push_back({"Trees",
                          "Places in the axes of the first survey.",
                          &growth,
