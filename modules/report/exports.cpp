@@ -73,7 +73,13 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("matches.csv", d.matches);
   // Both are empty where the poses were given.
   if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
-  if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
+  const auto add_filled = [&](const char* file, const Table* table) {
+    if (table != nullptr && table->rows() > 0) add_table(file, table);
+  };
+  add_filled("odometry.csv", d.odometry);
+  add_filled("loop_candidates.csv", d.loop_candidates);
+  add_filled("pose_graph.csv", d.pose_graph);
+  add_filled("loop_edits.csv", d.loop_edits);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(

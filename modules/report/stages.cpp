@@ -28,6 +28,8 @@ void register_result_names() {
                               "held_out.csv",
                               "internodes.csv",
                               "leaves.csv",
+                              "loop_candidates.csv",
+                              "loop_edits.csv",
                               "loops.csv",
                               "matches.csv",
                               "mesh.ply",
@@ -36,6 +38,7 @@ void register_result_names() {
                               "plants.csv",
                               "plot.gpkg",
                               "plot_values.csv",
+                              "pose_graph.csv",
                               "rejected.csv",
                               "report.html",
                               "rows.csv",
@@ -79,7 +82,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
-      "odometry.csv, cloud.las, "
+      "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "

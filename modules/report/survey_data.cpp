@@ -43,8 +43,11 @@ const std::vector<Input>& survey_inputs() {
       {"targets", &S::targets, "Reflective targets of the plot frame."},
       {"matches", &S::matches, "Stems matched with a reference."},
       {"summary", &S::summary, "Measures of the evaluation beside published ones."},
-      {"loops", &S::loops, "Loop closures, from slam.run."},
-      {"odometry", &S::odometry, "What slam.run found for each frame."}};
+      {"loops", &S::loops, "Loop closures, from slam.run or slam.edit_loops."},
+      {"odometry", &S::odometry, "What slam.run found for each frame."},
+      {"loop_candidates", &S::loop_candidates, "All loop closures that were tried, from the same stage."},
+      {"pose_graph", &S::pose_graph, "Edges of the pose graph, from the same stage."},
+      {"loop_edits", &S::loop_edits, "What a person decided about loop closures, from slam.edit_loops."}};
   return all;
 }
 

@@ -35,6 +35,9 @@ struct SurveyData {
   const Table* summary = nullptr;
   const Table* loops = nullptr;
   const Table* odometry = nullptr;
+  const Table* loop_candidates = nullptr;
+  const Table* pose_graph = nullptr;
+  const Table* loop_edits = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added

@@ -179,6 +179,10 @@
             <source>Write the seedling</source>
             <translation>写出幼苗结果</translation>
         </message>
+        <message>
+            <source>Edit loop closures</source>
+            <translation>编辑回环</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -219,8 +223,8 @@
             <translation>读取传感器的轨迹:TUM 和 KITTI 位姿、带列名行的文本(GeoSLAM ZEB、HDMapping 和 MANDEYE、CSV)以及 SBET。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
         </message>
         <message>
             <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, and report.html with the tables and the map.</source>
@@ -357,6 +361,10 @@
         <message>
             <source>Writes what was measured of a seedling into the output folder: traits.csv and the other tables, plant.xlsx, trajectory.tum (camera to world), cloud.ply (the plant), scene.ply (all points with their parts), field.json (how well the field shows views that were held out), figures, and report.html. Inputs that are not connected are left out.</source>
             <translation>将幼苗的测量结果写入输出文件夹:traits.csv 及其他表格、plant.xlsx、trajectory.tum(相机到世界)、cloud.ply(植株)、scene.ply(全部点及其部位)、field.json(辐射场对留出视图的再现程度)、插图和 report.html。未连接的输入会被略去。</translation>
+        </message>
+        <message>
+            <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
+            <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
         </message>
 </context>
 </TS>
