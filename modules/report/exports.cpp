@@ -92,9 +92,15 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back({"plot.csv", [&d](const auto& path, const Run&, Report&) { io::write_plot(path, d.rule); }});
   // Both are empty where the poses were given.
   if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
-  if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
-  if (d.check_cells != nullptr && d.check_cells->rows() > 0) add_table("check_cells.csv", d.check_cells);
-  if (d.check_boundary != nullptr && d.check_boundary->rows() > 0) add_table("check_boundary.csv", d.check_boundary);
+  const auto add_filled = [&](const char* file, const Table* table) {
+    if (table != nullptr && table->rows() > 0) add_table(file, table);
+  };
+  add_filled("odometry.csv", d.odometry);
+  add_filled("loop_candidates.csv", d.loop_candidates);
+  add_filled("pose_graph.csv", d.pose_graph);
+  add_filled("loop_edits.csv", d.loop_edits);
+  add_filled("check_cells.csv", d.check_cells);
+  add_filled("check_boundary.csv", d.check_boundary);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(

@@ -41,6 +41,8 @@ void register_result_names() {
                               "held_out.csv",
                               "internodes.csv",
                               "leaves.csv",
+                              "loop_candidates.csv",
+                              "loop_edits.csv",
                               "loops.csv",
                               "matches.csv",
                               "mesh.ply",
@@ -51,6 +53,7 @@ void register_result_names() {
                               "plot.csv",
                               "plot.gpkg",
                               "plot_values.csv",
+                              "pose_graph.csv",
                               "positions.csv",
                               "reference_trajectory.tum",
                               "reference_trees.csv",
@@ -101,7 +104,7 @@ void register_stages(pipeline::StageRegistry& registry) {
       "boundary, "
       "reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
-      "odometry.csv, cloud.las, "
+      "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "

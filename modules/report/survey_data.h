@@ -43,6 +43,9 @@ struct SurveyData {
   const Table* check_cells = nullptr;
   const Table* check_stems = nullptr;
   const Table* check_boundary = nullptr;
+  const Table* loop_candidates = nullptr;
+  const Table* pose_graph = nullptr;
+  const Table* loop_edits = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs twelve pipelines with one build of bole and keeps their tables; compares two such runs digit for digit.
+"""Runs thirteen pipelines with one build of bole and keeps their tables; compares two such runs digit for digit.
 
   same_results.py run --bole build/headless/bin/bole --out BEFORE [--only NAME ...]
   same_results.py compare BEFORE AFTER [--renamed OLD=NEW ...] [--reworded COLUMN ...] [--allow-added]
@@ -47,6 +47,7 @@ WALK = {"scan.file": "{recording}/walk.pcap", "reference_trees.file": "{recordin
 PIPELINES = {
     "plot_loam": ("forest_plot", "plot", {**WALK, "slam.preset": "loam"}),
     "plot_forest": ("forest_plot", "plot", {**WALK, "slam.preset": "forest"}),
+    "plot_lego_loam": ("forest_plot", "plot", {**WALK, "slam.preset": "lego_loam"}),
     "plot_best": ("forest_plot", "second_plot", {**WALK, "slam.preset": "best"}),
     "plot_true_poses": ("forest_plot", "second_plot", {**WALK, "slam.trajectory": "{recording}/trajectory.tum"}),
     "vineyard_orchard": ("forest_plot", "vineyard", {**WALK, "slam.preset": "orchard"}),

@@ -29,6 +29,7 @@
 #include "features/history/camera_link.h"
 #include "features/history/compare_window.h"
 #include "features/history/history_panel.h"
+#include "features/loops/loop_editor.h"
 #include "features/walk/frame_bar.h"
 #include "features/walk/walk_panel.h"
 #include "pipeline/register_all_stages.h"
@@ -388,6 +389,27 @@ class RunningTest : public QObject {
     window_->open(folder_.filePath("walk"));  // again: the same document
     QCOMPARE(session.path(), folder_.filePath("walk.json"));
     QVERIFY(session.undo_stack().isClean());
+  }
+
+  void loop_closures_are_decided_in_their_table() {
+    write_loops_pipeline(folder_.filePath("loops.json").toStdString());
+    window_->open(folder_.filePath("loops.json"));
+    auto* editor = window_->findChild<LoopEditor*>();
+    QVERIFY(editor != nullptr);
+    window_->run();
+    QTRY_VERIFY_WITH_TIMEOUT(editor->loops() != nullptr && editor->loops()->rows() > 0 && !runner().running(), 60000);
+    trigger("loop.show");
+    editor->select(0);
+    const auto verdict = editor->loops()->texts("verdict")[0];
+    trigger(verdict == "accepted" ? "loop.refuse" : "loop.accept");
+    const auto edits = option_text(window_->session().document().at("loops").options.get("edits"));
+    QVERIFY(edits.find("from_frame") != std::string::npos && edits.find("author") != std::string::npos);
+    QTRY_VERIFY_WITH_TIMEOUT(editor->loops()->texts("verdict")[0] != verdict, 60000);
+    QCOMPARE(QString::fromStdString(editor->loops()->texts("state")[0]), QString("edited"));
+    QCOMPARE(int(runner().jobs().back()->state), int(JobState::done));
+    picture("loop_closures");
+    window_->session().undo_stack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(editor->loops()->texts("verdict")[0] == verdict, 60000);
   }
 
   // BOLE_CAPTURE=folder BOLE_PICTURES=docs/user/img takes the pictures of the manual from a simulated walk: walk.pcap,

@@ -64,4 +64,12 @@ inline void write_walk_pipeline(const std::filesystem::path& file) {
     {"id": "evaluate", "type": "evaluation.plot", "inputs": {"stems": "stems.stems", "trajectory": "slam.trajectory", "reference_trajectory": "truth.trajectory"}}]})";
 }
 
+// SLAM and what a person decides about its loop closures.
+inline void write_loops_pipeline(const std::filesystem::path& file) {
+  std::ofstream(file) << R"({"title": "Loops", "stages": [
+    {"id": "scan", "type": "io.read_scan", "options": {"file": "walk"}},
+    {"id": "slam", "type": "slam.run", "inputs": {"frames": "scan.frames"}, "options": {"map_voxel": 0.1, "loop_path": 2}},
+    {"id": "loops", "type": "slam.edit_loops", "inputs": {"points": "slam.points", "trajectory": "slam.trajectory", "odometry": "slam.odometry", "loop_candidates": "slam.loop_candidates"}}]})";
+}
+
 }  // namespace bole::desktop

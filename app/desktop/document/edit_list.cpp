@@ -9,7 +9,8 @@
 namespace bole::desktop {
 namespace {
 
-constexpr const char *stems_port = "stems", *rows_port = "rows", *traits_port = "traits";
+constexpr const char *stems_port = "stems", *rows_port = "rows", *traits_port = "traits",
+                     *loops_port = "loop_candidates";
 
 const pipeline::StageNode& editor_or_refuse(const Session& session, const std::string& port) {
   const std::string needed = "a pipeline with a stage that edits " + port;
@@ -46,6 +47,10 @@ void add_edits(Session& session, const std::vector<rows::RowEdit>& edits) {
 
 void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits) {
   add_to_list(session, traits_port, plant::parse_plant_edits, edits);
+}
+
+void add_edits(Session& session, const std::vector<slam::LoopEdit>& edits) {
+  add_to_list(session, loops_port, slam::parse_loop_edits, edits);
 }
 
 void check_stems_can_be_edited(const Session& session) { editor_or_refuse(session, stems_port); }

@@ -6,6 +6,7 @@
 #include "document/session.h"
 #include "plant/core/edits/plant_edits.h"
 #include "rows/core/edits/row_edits.h"
+#include "slam/core/edits/loop_edits.h"
 #include "stems/core/edits/stem_edits.h"
 
 namespace bole::desktop {
@@ -15,6 +16,7 @@ namespace bole::desktop {
 void add_edits(Session& session, const std::vector<stems::StemEdit>& edits);
 void add_edits(Session& session, const std::vector<rows::RowEdit>& edits);
 void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits);
+void add_edits(Session& session, const std::vector<slam::LoopEdit>& edits);
 
 // Throw bole::Error when the document has no stage that takes such edits.
 void check_stems_can_be_edited(const Session& session);

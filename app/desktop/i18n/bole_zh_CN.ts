@@ -2053,4 +2053,23 @@
             <translation>尺度未知:大小为相对值。</translation>
         </message>
     </context>
+    <context>
+        <name>bole::desktop::LoopEditor</name>
+        <message>
+            <source>Loop closures</source>
+            <translation>回环</translation>
+        </message>
+        <message>
+            <source>Show the loop closures</source>
+            <translation>显示回环</translation>
+        </message>
+        <message>
+            <source>Accept the selected loop closure</source>
+            <translation>接受所选回环</translation>
+        </message>
+        <message>
+            <source>Strike the selected loop closure out</source>
+            <translation>剔除所选回环</translation>
+        </message>
+    </context>
 </TS>

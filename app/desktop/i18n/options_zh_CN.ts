@@ -1808,6 +1808,26 @@
             <source>Enlarge</source>
             <translation>误差放大倍数</translation>
         </message>
+        <message>
+            <source>Context distance</source>
+            <translation>场景描述距离</translation>
+        </message>
+        <message>
+            <source>Loop stretch</source>
+            <translation>回环配准的关键帧数</translation>
+        </message>
+        <message>
+            <source>Loop acceptance</source>
+            <translation>回环的接受条件</translation>
+        </message>
+        <message>
+            <source>Loop fitness</source>
+            <translation>回环最近点距离</translation>
+        </message>
+        <message>
+            <source>Match frames</source>
+            <translation>匹配帧数</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3703,6 +3723,42 @@
             <source>Factor by which the map of positions enlarges the errors. auto: so that they can be seen.</source>
             <translation>位置图中误差的放大倍数。auto：放大到可以看清。</translation>
         </message>
+        <message>
+            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory adjustment, with the inertial unit where the recording has one), inertial (the same, and only with an inertial unit), or to the letter of a paper: loam_paper, forest_paper, lego_loam_orchard_paper.</source>
+            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)惯性(inertial,与最佳相同,但必须有惯性单元),或严格按照论文:loam_paper、forest_paper、lego_loam_orchard_paper。</translation>
+        </message>
+        <message>
+            <source>Motion before registration: constant velocity, the frame matched as a whole against the last frame, or the motion within the frame matched point by point against the last frame.</source>
+            <translation>配准前的运动:匀速、将整帧与上一帧匹配,或将帧内运动逐点与上一帧匹配。</translation>
+        </message>
+        <message>
+            <source>Weight of a match: from the thickness of the surface and the range noise (thickness), from the covariances of the points by sensor and poses (priors), or without a robust kernel the same for all (equal) or with the covariance of every single point (conditions).</source>
+            <translation>匹配的权:由表面厚度和测距噪声得出(thickness),由传感器和位姿给出的点协方差得出(priors);或不用稳健核,全部等权(equal)或采用每个点各自的协方差(conditions)。</translation>
+        </message>
+        <message>
+            <source>All six unknowns from all features, or height, roll and pitch from planes and the rest from edges, always or only against the last frame (LeGO-LOAM; not with elastic frames).</source>
+            <translation>由全部特征求六个未知数;或由平面求高程、横滚和俯仰,由线特征求其余,始终如此或仅在与上一帧匹配时如此(LeGO-LOAM;不能用于弹性帧)。</translation>
+        </message>
+        <message>
+            <source>Sectors over which the distance of two scan contexts is the mean: those that both have, or all of them; a sector that one lacks then counts as different.</source>
+            <translation>两个场景描述(scan context)的距离取哪些扇区的平均:双方都有的扇区,或全部扇区;后者中一方缺少的扇区视为不同。</translation>
+        </message>
+        <message>
+            <source>Keyframes on each side of the earlier one that a loop closure is registered against. 0: that one alone.</source>
+            <translation>回环配准时,较早关键帧两侧各取的关键帧数。0:只用该帧。</translation>
+        </message>
+        <message>
+            <source>What makes a candidate a loop closure: points that agree at a place that the odometry allows (overlap), or similar scan contexts and near closest points (distance).</source>
+            <translation>候选成为回环的条件:点云在里程计允许的位置上一致(overlap),或场景描述相似且最近点距离小(distance)。</translation>
+        </message>
+        <message>
+            <source>Maximum distance between closest points (root mean square) of a loop closure that is accepted by distance.</source>
+            <translation>按距离接受的回环,其最近点之间的最大距离(均方根)。</translation>
+        </message>
+        <message>
+            <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
+            <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -4520,6 +4576,50 @@
         <message>
             <source>,</source>
             <translation>,</translation>
+        </message>
+        <message>
+            <source>loam_paper</source>
+            <translation>LOAM(论文)</translation>
+        </message>
+        <message>
+            <source>forest_paper</source>
+            <translation>森林(论文)</translation>
+        </message>
+        <message>
+            <source>lego_loam_orchard_paper</source>
+            <translation>LeGO-LOAM 果园(论文)</translation>
+        </message>
+        <message>
+            <source>matched_motion</source>
+            <translation>帧内运动匹配</translation>
+        </message>
+        <message>
+            <source>shared_sectors</source>
+            <translation>共有扇区</translation>
+        </message>
+        <message>
+            <source>all_sectors</source>
+            <translation>全部扇区</translation>
+        </message>
+        <message>
+            <source>overlap</source>
+            <translation>重叠</translation>
+        </message>
+        <message>
+            <source>distance</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>equal</source>
+            <translation>等权</translation>
+        </message>
+        <message>
+            <source>conditions</source>
+            <translation>条件方程</translation>
+        </message>
+        <message>
+            <source>two_step_guess</source>
+            <translation>仅初始估计分两步</translation>
         </message>
 </context>
 </TS>

@@ -207,6 +207,10 @@
             <source>Write the comparison</source>
             <translation>输出比较报告</translation>
         </message>
+        <message>
+            <source>Edit loop closures</source>
+            <translation>编辑回环</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -421,6 +425,14 @@
         <message>
             <source>Writes a comparison of runs into the output folder: runs.csv, positions.csv and diameters.csv (tables 2 and 3 of the paper on improved LOAM, with its published figures beside), detection.csv, trajectories.csv, pairs.csv, compared_trees.csv, comparison.json, report.html, and the figures: paths on the cloud, slices side by side, map of positions, position errors, diameters and their errors by class, pooled and for each plot.</source>
             <translation>将运行的比较写入输出文件夹：runs.csv、positions.csv 和 diameters.csv（改进 LOAM 论文的表 2 和表 3，旁列论文数值）、detection.csv、trajectories.csv、pairs.csv、compared_trees.csv、comparison.json、report.html，以及插图：点云上的轨迹、并列的横切面、位置图、位置误差、胸径及各径阶的胸径误差，既有合并的，也有逐个样地的。</translation>
+        </message>
+        <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
+            <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
+            <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
         </message>
 </context>
 </TS>

@@ -22,8 +22,8 @@ SlamOptionEntries general_options() {
           "preset", &S::preset, Tier::basic,
           "SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware "
           "baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory "
-          "adjustment, with the inertial unit where the recording has one), or inertial (the same, and only with an "
-          "inertial unit)."},
+          "adjustment, with the inertial unit where the recording has one), inertial (the same, and only with an "
+          "inertial unit), or to the letter of a paper: loam_paper, forest_paper, lego_loam_orchard_paper."},
       Option<S, std::string>{
           "trajectory",
           &S::trajectory,
@@ -77,8 +77,10 @@ SlamOptionEntries preset_options() {
             preset,
             Tier::advanced,
             "Grid that thins the points of a keyframe. A larger value is faster and gives a coarser local map."},
-      Open<FirstGuess>{"first_guess", &S::first_guess, preset, Tier::advanced,
-                       "Motion before registration: constant velocity, or the frame matched against the last frame."},
+      Open<FirstGuess>{
+          "first_guess", &S::first_guess, preset, Tier::advanced,
+          "Motion before registration: constant velocity, the frame matched as a whole against the last frame, "
+          "or the motion within the frame matched point by point against the last frame."},
       Open<Deskew>{"deskew", &S::deskew, preset, Tier::advanced,
                    "Correction of the motion within a frame: none, once with the first guess, twice (again after a "
                    "first registration), or elastic (begin and end pose are estimated together)."},
@@ -120,9 +122,22 @@ SlamOptionEntries preset_options() {
                               "How the place is chosen by its surroundings: the most similar one (single), the best "
                               "fit of the three most similar (placed), or the same over the last metres travelled and "
                               "within the drift of the odometry (sequence)."},
+      Open<ContextDistance>{"context_distance", &S::context_distance, preset, Tier::expert,
+                            "Sectors over which the distance of two scan contexts is the mean: those that both have, "
+                            "or all of them; a sector that one lacks then counts as different."},
       Open<LoopRegistrationKind>{"loop_registration", &S::loop_registration, preset, Tier::advanced,
                                  "How the relative pose of a loop closure is found: edges and planes, closest points "
                                  "(ICP), or normal distributions (NDT) and then ICP."},
+      OpenI{"loop_stretch",
+            &S::loop_stretch,
+            Unit::none,
+            {0, 1000},
+            preset,
+            Tier::expert,
+            "Keyframes on each side of the earlier one that a loop closure is registered against. 0: that one alone."},
+      Open<LoopAcceptance>{"loop_acceptance", &S::loop_acceptance, preset, Tier::advanced,
+                           "What makes a candidate a loop closure: points that agree at a place that the odometry "
+                           "allows (overlap), or similar scan contexts and near closest points (distance)."},
       OpenD{"loop_overlap",
             &S::loop_overlap,
             Unit::none,
@@ -131,11 +146,12 @@ SlamOptionEntries preset_options() {
             Tier::advanced,
             "Minimum share of points that agree for a loop closure to be accepted. A larger value rejects more."},
       Open<Weights>{"weights", &S::weights, preset, Tier::advanced,
-                    "Weight of a match: from the thickness of the surface and the range noise, or from the covariances "
-                    "of the points by sensor and poses (SPEC A7)."},
+                    "Weight of a match: from the thickness of the surface and the range noise (thickness), from the "
+                    "covariances of the points by sensor and poses (priors), or without a robust kernel the same for "
+                    "all (equal) or with the covariance of every single point (conditions)."},
       Open<Solve>{"solve", &S::solve, preset, Tier::advanced,
-                  "All six unknowns from all features, or height, roll and pitch from planes and the rest from edges "
-                  "(LeGO-LOAM; not with elastic frames)."},
+                  "All six unknowns from all features, or height, roll and pitch from planes and the rest from edges, "
+                  "always or only against the last frame (LeGO-LOAM; not with elastic frames)."},
       OpenI{"refine_iterations",
             &S::refine_iterations,
             Unit::none,
@@ -147,8 +163,9 @@ SlamOptionEntries preset_options() {
                         "Use of the inertial unit: off, auto (where the recording has one and frames are elastic), or "
                         "required."},
       Unless{"features", {"sampled"}, {"occlusion", "occlusion_step"}},
-      Unless{"loops", {"none"}, {"loop_registration", "loop_overlap"}},
-      OnlyIf{"loops", {"preset", "context", "both"}, {"context_search"}},
+      Unless{"loops", {"none"}, {"loop_registration", "loop_stretch", "loop_acceptance", "loop_overlap"}},
+      Unless{"loop_acceptance", {"distance"}, {"loop_overlap"}},
+      OnlyIf{"loops", {"preset", "context", "both"}, {"context_search", "context_distance"}},
   };
 }
 
@@ -216,7 +233,7 @@ SlamOptionEntries registration_options() {
         {0.1, 60},
         Tier::advanced,
         "Maximum speed of the sensor. A faster frame counts as failed."},
-      OnlyIf{"weights", {"preset", "priors"}, {"angle_sigma"}},
+      OnlyIf{"weights", {"preset", "priors", "conditions"}, {"angle_sigma"}},
       OnlyIf{"deskew", {"preset", "elastic"}, {"continuity_sigma", "continuity_sigma_angle"}},
   };
 }
@@ -271,6 +288,12 @@ SlamOptionEntries loop_options() {
         Tier::expert,
         "Expected drift as a share of the distance travelled. A loop closure found by its surroundings may correct the "
         "trajectory by this much and 3 m."},
+      D{"loop_fitness",
+        &S::loop_fitness,
+        Unit::metre,
+        {0.01, 10},
+        Tier::expert,
+        "Maximum distance between closest points (root mean square) of a loop closure that is accepted by distance."},
       I{"context_rings", &S::context_rings, Unit::none, {2, 200}, Tier::expert, "Number of rings of a scan context."},
       I{"context_sectors",
         &S::context_sectors,
@@ -291,7 +314,8 @@ SlamOptionEntries loop_options() {
         {1, 1000},
         Tier::expert,
         "Number of nearest ring keys whose scan contexts are compared."},
-      Unless{"loops", {"none"}, {"loop_radius", "loop_path"}},
+      Unless{"loops", {"none"}, {"loop_radius", "loop_path", "loop_fitness"}},
+      OnlyIf{"loop_acceptance", {"preset", "distance"}, {"loop_fitness"}},
       OnlyIf{"loops",
              {"preset", "context", "both"},
              {"loop_drift", "context_rings", "context_sectors", "context_range", "context_tau", "context_candidates"}},

@@ -25,9 +25,13 @@ void check(const SlamOptions& o) {
     throw bad_input("map_min_range is " + number_text(o.map_min_range) + " m",
                     "less than map_max_range, " + number_text(o.map_max_range) + " m");
   const SlamSettings in_force = resolved(o);
-  if (o.trajectory.empty() && in_force.deskew == Deskew::elastic && in_force.solve == Solve::two_step)
-    throw bad_input("solve is two_step with deskew elastic", "solve joint with elastic frames",
-                    "Set solve to joint, or deskew to once");
+  if (o.trajectory.empty() && in_force.deskew == Deskew::elastic && in_force.solve != Solve::joint)
+    throw bad_input("solve is " + std::string(choice_name(in_force.solve)) + " with deskew elastic",
+                    "solve joint with elastic frames", "Set solve to joint, or deskew to once");
+  if (o.trajectory.empty() && in_force.deskew == Deskew::elastic && in_force.first_guess == FirstGuess::matched_motion)
+    throw bad_input("first_guess is matched_motion with deskew elastic",
+                    "another first guess, since elastic frames estimate their motion themselves",
+                    "Set first_guess to velocity, or deskew to once or twice");
   if (o.trajectory.empty() && in_force.inertial == InertialUse::required && in_force.deskew != Deskew::elastic)
     throw bad_input("inertial is required with deskew " + std::string(choice_name(in_force.deskew)),
                     "elastic frames, which the inertial unit is joined to", "Set deskew to elastic");

@@ -27,7 +27,10 @@ struct PresetFields {
   Of<double> keyframe_angle_deg{};
   Of<LoopSource> loops{};
   Of<ContextSearchKind> context_search{};
+  Of<ContextDistance> context_distance{};
   Of<LoopRegistrationKind> loop_registration{};
+  Of<int> loop_stretch{};
+  Of<LoopAcceptance> loop_acceptance{};
   Of<double> loop_overlap{};
   Of<Weights> weights{};
   Of<Solve> solve{};
@@ -64,6 +67,7 @@ struct CommonOptions {
   double loop_radius = 3;
   double loop_path = 25;
   double loop_drift = 0.05;
+  double loop_fitness = 0.55;
   int context_rings = 20;
   int context_sectors = 60;
   double context_range = 40;

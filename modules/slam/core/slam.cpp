@@ -106,6 +106,8 @@ void suit_rosette(const SlamOptions& given, SlamSettings& options, Report& repor
                     "features sampled", "Leave the option features to the preset, or set it to sampled");
   report.facts["features"] = "sampled, since the scanner has no scan lines";
   options.features = FeatureKind::sampled;
+  // Neighbours on a scan line and beside it cannot be told either.
+  if (options.first_guess == FirstGuess::matched_motion) options.first_guess = FirstGuess::last_frame;
 }
 
 }  // namespace
@@ -130,6 +132,8 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const R
   out.points = map_frames(source, track, options, out.report, options.trajectory.empty() ? run.part(0.75, 1) : run);
   out.odometry = std::move(track.frame_table);
   out.loops = std::move(track.loop_table);
+  out.loop_candidates = std::move(track.candidate_table);
+  out.pose_graph = std::move(track.graph_table);
   out.points.origin = origin;
   out.trajectory = track.path.sampled(options.trajectory_rate, Axes::map);
   leave_out_gaps(track.gaps_s, out.trajectory);

@@ -15,8 +15,12 @@ struct SlamResult {
   // Map axes: those of the sensor at the start of the first frame, or of the given trajectory.
   PointCloud points;
   Trajectory trajectory;  // the same axes, at an even rate, without the gaps of the recording
-  Table odometry;         // per frame: time, overlap, residual, observability, sigma0, standard deviations of the pose
+  // Per frame: time, overlap, residual, observability, sigma0, standard deviations of the pose, and the pose at its end
+  // before loop closures and adjustment.
+  Table odometry;
   Table loops;            // accepted loop closures: times, distance travelled, correction, overlap, how found
+  Table loop_candidates;  // all that were tried: verdict, reason, residual, relative pose (loops/loop_tables.h)
+  Table pose_graph;       // edges with information and residuals
   Report report;
 };
 

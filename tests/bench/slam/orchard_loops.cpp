@@ -199,9 +199,10 @@ Json registered_from_afar(const Settings& settings, slam::SlamSettings options,
     Pose guess = T_true;
     guess.linear() = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()).toRotationMatrix() * guess.linear();
     guess.translation() += guess_error_m * Eigen::Vector3d(std::cos(direction), std::sin(direction), 0);
-    const auto [first, last] = slam::stretch_about(keyframes, from, to);
-    const Pose found =
-        slam::LoopTarget(keyframes, first, last, options).registered(keyframes[to], guess, {}).motion.T_map_end;
+    const auto [first, last] = slam::stretch_about(keyframes, from, to, options);
+    const Pose found = slam::LoopTarget(keyframes, first, last, options)
+                           .registered(keyframes[to], guess, {})
+                           .registration.motion.T_map_end;
     const Pose error = T_true.inverse() * found;
     errors_m.push_back(error.translation().norm());
     squared += error.translation().squaredNorm();

@@ -100,13 +100,13 @@ std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& 
   };
   const auto max_count = static_cast<std::size_t>(search.nearest);
   for (const auto j : trees_->rings.nearest(own.ring_key, max_count)) {
-    const auto match = match_polar(keyframes[j].context, own);
+    const auto match = match_polar(keyframes[j].context, own, search.columns);
     offer(j, match, 2 * std::numbers::pi * match.shift / shape_.sectors, 0);
   }
   for (const bool reversed : {false, true}) {
     if (!search.cart) break;
     for (const auto j : trees_->carts.nearest(reversed ? reversed_key(own.cart_key) : own.cart_key, max_count)) {
-      const auto match = match_cart(keyframes[j].context, own, reversed);
+      const auto match = match_cart(keyframes[j].context, own, reversed, search.columns);
       offer(j, match, reversed ? std::numbers::pi : 0, 2 * shape_.range / shape_.columns * match.shift);
     }
   }
@@ -114,7 +114,7 @@ std::vector<ContextCandidate> ContextIndex::ranked(const std::vector<Keyframe>& 
 }
 
 std::vector<ContextCandidate> closest(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
-                                           std::size_t max_count, double min_spacing) {
+                                      std::size_t max_count, double min_spacing) {
   std::ranges::stable_sort(found, {}, &ContextCandidate::distance);
   std::vector<ContextCandidate> apart;
   for (const auto& c : found) {

@@ -23,6 +23,7 @@ struct ContextSearch {
   int nearest = 10;   // contexts compared per key
   double tau = 0.5;   // maximum distance
   bool cart = false;  // search by cart context as well, in both directions
+  ContextDistance columns = ContextDistance::shared_sectors;
 };
 
 ScanContextShape context_shape(const SlamSettings& settings);
@@ -35,7 +36,7 @@ Pose levelled(const Pose& T_map_sensor);
 
 // The best of `found`, the most similar first, with at least `min_spacing` travelled between any two of them.
 std::vector<ContextCandidate> closest(const std::vector<Keyframe>& keyframes, std::vector<ContextCandidate> found,
-                                           std::size_t max_count, double min_spacing);
+                                      std::size_t max_count, double min_spacing);
 
 class ContextIndex {
  public:

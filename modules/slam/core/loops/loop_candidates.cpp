@@ -13,7 +13,6 @@ namespace {
 
 constexpr double trial_spacing = 1.5;            // distance travelled between keyframes that are tried
 constexpr double max_odometry_correction = 2.0;  // for candidates by odometry
-constexpr std::size_t stretch_half = 8;          // keyframes on each side of the partner that make its map
 constexpr std::size_t context_places = 3;        // most similar places that are tried
 constexpr double context_spacing = 1.5;
 constexpr double context_offset = 3.0;                 // of a candidate by context, without drift
@@ -45,7 +44,11 @@ std::optional<LoopCandidate> by_odometry(const std::vector<Keyframe>& keyframes,
                                          const SlamSettings& settings) {
   const auto partner = partner_of(keyframes, k, settings);
   if (!partner) return std::nullopt;
-  return LoopCandidate{*partner, k, keyframes[k].T_map_keyframe, max_odometry_correction, FoundBy::odometry};
+  const auto& T_map_k = keyframes[k].T_map_keyframe;
+  return LoopCandidate{
+      *partner,          k,
+      T_map_k,           max_odometry_correction,
+      FoundBy::odometry, (keyframes[*partner].T_map_keyframe.translation() - T_map_k.translation()).norm()};
 }
 
 double max_offset(const std::vector<Keyframe>& keyframes, std::size_t from, std::size_t to,
@@ -115,7 +118,8 @@ class SequenceSearch {
     if (keyframes_[a].context.empty() || keyframes_[b].context.empty()) return {1, 0};
     const Eigen::Matrix3d R = levelled(keyframes_[a].T_map_keyframe).linear().transpose() * T_map_b.linear();
     const auto expected = static_cast<int>(std::lround(std::atan2(R(1, 0), R(0, 0)) / sector_rad()));
-    return match_polar(keyframes_[a].context, keyframes_[b].context, expected - max_sectors, expected + max_sectors);
+    return match_polar(keyframes_[a].context, keyframes_[b].context, expected - max_sectors, expected + max_sectors,
+                       settings_.context_distance);
   }
 
   // Among the keyframes around `j`.
@@ -161,7 +165,9 @@ std::optional<LoopCandidate> by_context(const std::vector<Keyframe>& keyframes, 
              sequence = settings.context_search == ContextSearchKind::sequence;
   const Pose& T_map_k = keyframes[k].T_map_keyframe;
   const Pose T_level_k = levelled(T_map_k).inverse() * T_map_k;
-  const ContextSearch search{settings.context_candidates, settings.context_tau, settings.loops == LoopSource::both};
+  const ContextSearch search{settings.context_candidates, settings.context_tau, settings.loops == LoopSource::both,
+                             settings.context_distance};
+  const bool gated = !single || settings.loop_acceptance == LoopAcceptance::overlap;
   std::optional<LoopCandidate> best;
   double best_score = -1;
   for (const auto& found : sequence
@@ -169,13 +175,13 @@ std::optional<LoopCandidate> by_context(const std::vector<Keyframe>& keyframes, 
                                : index.ranked(keyframes, k, search, single ? 1 : context_places, context_spacing)) {
     const Pose T_map_to = levelled(keyframes[found.keyframe].T_map_keyframe) * found.T_from_to * T_level_k;
     const double max_correction = max_offset(keyframes, found.keyframe, k, settings);
-    if ((T_map_to.translation() - T_map_k.translation()).norm() > max_correction) continue;
-    if (single) return LoopCandidate{found.keyframe, k, T_map_to, max_correction, FoundBy::context};
-    const auto [first, last] = stretch_about(keyframes, found.keyframe, k);
+    if (gated && (T_map_to.translation() - T_map_k.translation()).norm() > max_correction) continue;
+    if (single) return LoopCandidate{found.keyframe, k, T_map_to, max_correction, FoundBy::context, found.distance};
+    const auto [first, last] = stretch_about(keyframes, found.keyframe, k, settings);
     const auto placed = place_on_stretch(keyframes, first, last, keyframes[k], T_map_to);
     if (placed.score <= best_score) continue;
     best_score = placed.score;
-    best = LoopCandidate{found.keyframe, k, placed.T_map_keyframe, max_correction, FoundBy::context};
+    best = LoopCandidate{found.keyframe, k, placed.T_map_keyframe, max_correction, FoundBy::context, found.distance};
   }
   return best;
 }
@@ -183,8 +189,9 @@ std::optional<LoopCandidate> by_context(const std::vector<Keyframe>& keyframes, 
 }  // namespace
 
 std::pair<std::size_t, std::size_t> stretch_about(const std::vector<Keyframe>& keyframes, std::size_t from,
-                                                  std::size_t to) {
-  return {from > stretch_half ? from - stretch_half : 0, std::min({from + stretch_half, keyframes.size() - 1, to - 1})};
+                                                  std::size_t to, const SlamSettings& settings) {
+  const auto half = static_cast<std::size_t>(settings.loop_stretch);
+  return {from > half ? from - half : 0, std::min({from + half, keyframes.size() - 1, to - 1})};
 }
 
 std::vector<LoopCandidate> find_loop_candidates(const std::vector<Keyframe>& keyframes, const SlamSettings& settings,

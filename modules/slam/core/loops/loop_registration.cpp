@@ -37,7 +37,7 @@ LoopTarget::LoopTarget(const std::vector<Keyframe>& keyframes, std::size_t first
   points_ = thinned(points_, point_spacing);
 }
 
-Registration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const {
+LoopRegistration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const {
   RegistrationSettings registration;
   registration.sigma = settings_.range_sigma;
   registration.kernel_sigmas = settings_.kernel_sigmas;
@@ -45,8 +45,10 @@ Registration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess,
   registration.coarse_iterations = 6;
   const FeatureSet features{as_features(keyframe.edges, settings_.query_spacing),
                             as_features(keyframe.planes, settings_.query_spacing)};
-  if (settings_.loop_registration == LoopRegistrationKind::features)
-    return register_frame(features, maps_, {guess, guess}, registration, run);
+  if (settings_.loop_registration == LoopRegistrationKind::features) {
+    auto r = register_frame(features, maps_, {guess, guess}, registration, run);
+    return {r, r.converged, r.rms};
+  }
 
   auto source = keyframe.edges;
   source.insert(source.end(), keyframe.planes.begin(), keyframe.planes.end());
@@ -56,14 +58,15 @@ Registration LoopTarget::registered(const Keyframe& keyframe, const Pose& guess,
   if (settings_.loop_registration == LoopRegistrationKind::ndt_icp)
     T = register_by_ndt(source, points_, T, ndt_cell_size).T_target_source;
   run.check_cancel();
-  T = register_by_icp(source, points_, T, icp_reach).T_target_source;
+  const auto icp = register_by_icp(source, points_, T, icp_reach);
+  T = icp.T_target_source;
   T.translation() += origin_;
   // One iteration measures how well the features agree there; its step is not taken.
   registration.iterations = 1;
   registration.coarse_iterations = 0;
   auto r = register_frame(features, maps_, {T, T}, registration, run);
   r.motion = {T, T};
-  return r;
+  return {r, icp.converged, icp.rms};
 }
 
 }  // namespace bole::slam

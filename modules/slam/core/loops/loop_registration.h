@@ -8,6 +8,14 @@
 
 namespace bole::slam {
 
+struct LoopRegistration {
+  Registration registration;
+  // Of ICP, with or without NDT before it: whether it converged, and the distances to the closest points (root mean
+  // square).
+  bool converged = false;
+  double closest_rms = 0;
+};
+
 // What a keyframe is registered against: the keyframes of one stretch of the walk, in map axes.
 class LoopTarget {
  public:
@@ -16,7 +24,7 @@ class LoopTarget {
   // Registers from `guess` on by settings.loop_registration: edges and planes (SPEC A8), ICP (LeGO-LOAM), or NDT and
   // ICP (SPEC D2). Overlap, rms and information are always those of the edges and planes at the pose that was found, so
   // that one rule applies to all methods.
-  Registration registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const;
+  LoopRegistration registered(const Keyframe& keyframe, const Pose& guess, const Run& run) const;
 
  private:
   const SlamSettings& settings_;

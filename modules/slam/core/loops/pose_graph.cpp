@@ -34,6 +34,10 @@ constexpr Trust drifts{0.002, 0.01, 0.0005, narrow_kernel};
 // is narrowed (graduated non-convexity: Yang, Antonante, Tzoumas and Carlone 2020).
 constexpr Trust slips{0.002, 0.05, 0.002, narrowing_kernel};
 
+double odometry_sigma(const Trust& trust, const Pose& T_ab) {
+  return trust.sigma_floor + trust.sigma_per_m * T_ab.translation().norm();
+}
+
 struct GraphPose {
   Eigen::Quaterniond q;
   Eigen::Vector3d t;
@@ -100,13 +104,17 @@ PoseGraphResult adjusted(const std::vector<Keyframe>& keyframes, const std::vect
   };
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     const Pose T = keyframes[k - 1].T_map_keyframe.inverse() * keyframes[k].T_map_keyframe;
-    add(k - 1, k, edge(T, trust.sigma_rad, trust.sigma_floor + trust.sigma_per_m * T.translation().norm()), nullptr);
+    add(k - 1, k, edge(T, trust.sigma_rad, odometry_sigma(trust, T)), nullptr);
   }
   std::vector<ceres::ResidualBlockId> loop_blocks;
   std::vector<ceres::LossFunctionWrapper*> losses;  // owned by the problem
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const auto& l = loops[i];
     if (refused[i]) continue;
+    if (l.by_hand) {
+      add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma), nullptr);
+      continue;
+    }
     losses.push_back(new ceres::LossFunctionWrapper(nullptr, ceres::TAKE_OWNERSHIP));
     loop_blocks.push_back(add(l.from, l.to, edge(l.T_from_to, loop_sigma_rad, loop_sigma), losses.back()));
   }
@@ -152,10 +160,34 @@ std::vector<std::uint8_t> contradicting(const std::vector<Loop>& loops, const st
   std::vector<std::uint8_t> refused;
   for (const auto& l : loops) {
     const Pose error = l.T_from_to.inverse() * (T_map_keyframe[l.from].inverse() * T_map_keyframe[l.to]);
-    refused.push_back(error.translation().norm() > max_error ||
-                      Eigen::AngleAxisd(error.linear()).angle() > max_error_rad);
+    refused.push_back(!l.by_hand && (error.translation().norm() > max_error ||
+                                     Eigen::AngleAxisd(error.linear()).angle() > max_error_rad));
   }
   return refused;
+}
+
+std::vector<GraphEdge> edges_of(const std::vector<Keyframe>& keyframes, const std::vector<Loop>& loops,
+                                const std::vector<std::uint8_t>& refused, const std::vector<Pose>& T_map_keyframe,
+                                const Trust& trust) {
+  std::vector<GraphEdge> out;
+  const auto add = [&](GraphEdge e, const Pose& T_ab) {
+    const Pose error = T_ab.inverse() * (T_map_keyframe[e.from].inverse() * T_map_keyframe[e.to]);
+    e.turn_rad = Eigen::AngleAxisd(error.linear()).angle();
+    e.shift = error.translation().norm();
+    if (e.loop && !loops[*e.loop].by_hand) {
+      const double k = e.sigmas() / kernel_sigmas;
+      e.weight = refused[*e.loop] ? 0 : 1 / (1 + k * k);
+    }
+    out.push_back(e);
+  };
+  for (std::size_t k = 1; k < keyframes.size(); ++k) {
+    const Pose T = keyframes[k - 1].T_map_keyframe.inverse() * keyframes[k].T_map_keyframe;
+    add({.from = k - 1, .to = k, .loop = {}, .sigma_rad = trust.sigma_rad, .sigma = odometry_sigma(trust, T)}, T);
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    add({.from = loops[i].from, .to = loops[i].to, .loop = i, .sigma_rad = loop_sigma_rad, .sigma = loop_sigma},
+        loops[i].T_from_to);
+  return out;
 }
 
 }  // namespace
@@ -191,6 +223,7 @@ PoseGraphResult optimise_pose_graph(const std::vector<Keyframe>& keyframes, cons
   if (!out.settled)
     out.warnings.push_back("the adjustment of " + std::to_string(loops.size()) + " loop closures stopped after " +
                            std::to_string(max_iterations) + " iterations without converging");
+  out.edges = edges_of(keyframes, loops, refused, out.T_map_keyframe, trust);
   out.refused = std::move(refused);
   return out;
 }

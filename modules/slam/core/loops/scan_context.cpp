@@ -11,10 +11,10 @@ constexpr float lowest = -2;
 constexpr float min_height = 0.05f;  // so that an occupied cell is never 0
 constexpr double min_shared = 0.3;   // of the columns that either has
 
-// Mean cosine distance of the common columns with `b` moved by `shift`. The columns wrap around with `wrap`, and are
-// cut off without.
+// Mean cosine distance of the columns with `b` moved by `shift`. The columns wrap around with `wrap`, and are cut off
+// without.
 double column_distance(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, const std::vector<float>& norm_a,
-                       const std::vector<float>& norm_b, int shift, bool wrap, bool reversed) {
+                       const std::vector<float>& norm_b, int shift, bool wrap, bool reversed, ContextDistance columns) {
   const int n = static_cast<int>(a.cols());
   double sum = 0;
   int shared = 0, either = 0;
@@ -30,6 +30,7 @@ double column_distance(const Eigen::MatrixXf& a, const Eigen::MatrixXf& b, const
     sum += 1 - dot / (na * nb);
     ++shared;
   }
+  if (columns == ContextDistance::all_sectors) return n > 0 ? (sum + either - shared) / n : 1;
   return shared > 0 && shared >= min_shared * either ? sum / shared : 1;
 }
 
@@ -81,21 +82,23 @@ ScanContext make_scan_context(const std::vector<Eigen::Vector3f>& points, const 
   return out;
 }
 
-ContextMatch match_polar(const ScanContext& a, const ScanContext& b) {
-  return match_polar(a, b, 0, static_cast<int>(a.polar.cols()) - 1);
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b, ContextDistance columns) {
+  return match_polar(a, b, 0, static_cast<int>(a.polar.cols()) - 1, columns);
 }
 
-ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift) {
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift,
+                         ContextDistance columns) {
   const auto na = column_norms(a.polar), nb = column_norms(b.polar);
   return best_shift(first_shift, last_shift,
-                    [&](int shift) { return column_distance(a.polar, b.polar, na, nb, shift, true, false); });
+                    [&](int shift) { return column_distance(a.polar, b.polar, na, nb, shift, true, false, columns); });
 }
 
-ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed) {
+ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed, ContextDistance columns) {
   const auto na = column_norms(a.cart), nb = column_norms(b.cart);
   const int max_shift = static_cast<int>(a.cart.cols()) / 4;
-  return best_shift(-max_shift, max_shift,
-                    [&](int shift) { return column_distance(a.cart, b.cart, na, nb, shift, false, reversed); });
+  return best_shift(-max_shift, max_shift, [&](int shift) {
+    return column_distance(a.cart, b.cart, na, nb, shift, false, reversed, columns);
+  });
 }
 
 std::vector<float> reversed_key(const std::vector<float>& cart_key) { return {cart_key.rbegin(), cart_key.rend()}; }

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "slam/core/choices.h"
+
 namespace bole::slam {
 
 struct ScanContextShape {
@@ -29,17 +31,23 @@ struct ScanContext {
 ScanContext make_scan_context(const std::vector<Eigen::Vector3f>& points, const ScanContextShape& shape);
 
 struct ContextMatch {
-  double distance = 1;  // 1 - cosine, averaged over the common columns: 0 the same, 1 nothing in common
+  double distance = 1;  // 1 - cosine, averaged over columns: 0 the same, 1 nothing in common
   int shift = 0;        // columns by which `b` is moved to lie on `a`
 };
 
-// Over all turns. `b` seen in the axes of `a` is turned by 2 pi shift / sectors about z.
-ContextMatch match_polar(const ScanContext& a, const ScanContext& b);
+// The columns that count. shared_sectors: those that both have, and the distance is 1 where these are few. all_sectors:
+// SPEC D, equation 4, d = 1/N_s sum (1 - c_a . c_b / |c_a| |c_b|). The cosine with an empty column is 0/0 there; here
+// it is 0 where one column is empty and 1 where both are, so that a context has no distance to itself. Over all turns.
+// `b` seen in the axes of `a` is turned by 2 pi shift / sectors about z.
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b,
+                         ContextDistance columns = ContextDistance::shared_sectors);
 // Over turns of first_shift to last_shift sectors only, which may be negative: where the heading is roughly known.
-ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift);
+ContextMatch match_polar(const ScanContext& a, const ScanContext& b, int first_shift, int last_shift,
+                         ContextDistance columns = ContextDistance::shared_sectors);
 // Over sideways offsets of up to a quarter of the width. `b` lies 2 range / columns * shift to the left in the axes of
 // `a`. With `reversed`, `b` is turned by 180 deg first: the same lane in the other direction.
-ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed);
+ContextMatch match_cart(const ScanContext& a, const ScanContext& b, bool reversed,
+                        ContextDistance columns = ContextDistance::shared_sectors);
 
 // The cart key of the same place with the opposite heading.
 std::vector<float> reversed_key(const std::vector<float>& cart_key);

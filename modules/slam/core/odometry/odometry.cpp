@@ -6,6 +6,7 @@
 #include "base/angles.h"
 #include "base/statistics.h"
 #include "slam/core/odometry/observability.h"
+#include "slam/core/odometry/point_matches.h"
 #include "slam/core/odometry/relocalise.h"
 #include "slam/core/odometry/unbend.h"
 #include "slam/core/stopwatch.h"
@@ -49,6 +50,8 @@ Odometry::Odometry(const SlamSettings& settings, const InertialUnit* unit)
       last_frame_map_(2 * settings.cell_size) {
   if (unit) filter_.emplace(*unit);
 }
+
+Odometry::~Odometry() = default;
 
 // Constant velocity from the last good frame. Over a gap, the mean motion of the last stride predicts better than one
 // moment of the gait.
@@ -97,6 +100,7 @@ FrameMotion Odometry::with_speed_found(const FrameMotion& found, double begin_s,
 FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features,
                               const Run& run) {
   if (settings_.deskew == Deskew::none) return {prediction.at(0.5), prediction.at(0.5)};
+  if (settings_.first_guess == FirstGuess::matched_motion) return matched_motion(prediction, begin_s, features, run);
   if (settings_.first_guess != FirstGuess::last_frame) return prediction;
   auto settings = base_settings();
   const auto& last = last_good();
@@ -110,6 +114,45 @@ FrameMotion Odometry::guessed(const FrameMotion& prediction, double begin_s, dou
   if (r.overlap < settings_.lost_overlap || r.conditioning < min_conditioning) return prediction;
   motion_covariance_ = r.covariance;
   return with_speed_found(r.motion, begin_s, end_s);
+}
+
+// SPEC A3: the motion within the frame, constant in velocity, is what is estimated. The frame begins where the last one
+// ended, and its points are matched against single points of that one.
+FrameMotion Odometry::matched_motion(const FrameMotion& prediction, double begin_s, const Features& features,
+                                     const Run& run) {
+  const auto& last = last_good();
+  if (!last_frame_points_ || begin_s - last.end_s > max_join_s) return prediction;
+  auto settings = base_settings();
+  settings.model = MotionModel::end;
+  settings.points = last_frame_points_.get();
+  settings.coarse_iterations = 4;  // a wide gate comes first
+  settings.two_step = settings_.solve != Solve::joint;
+  const auto r =
+      register_frame(features.query, last_frame_map_, {last.motion.T_map_end, prediction.T_map_end}, settings, run);
+  if (r.overlap < settings_.lost_overlap || r.conditioning < min_conditioning) return prediction;
+  motion_covariance_ = r.covariance;
+  return r.motion;
+}
+
+// Keeps what the next frame is matched against.
+void Odometry::remember_frame(const TrackedFrame& frame, const Features& features) {
+  if (settings_.first_guess == FirstGuess::last_frame) {
+    last_frame_map_.clear();
+    insert_keyframe(make_keyframe(frame.index, frame.end_s, features.map, frame.motion), last_frame_map_);
+  } else if (settings_.first_guess == FirstGuess::matched_motion) {
+    last_frame_points_ = std::make_unique<PointMatches>(
+        features.map, frame.motion, SensorPrior{settings_.range_sigma, radians(settings_.angle_sigma_deg)},
+        frame.covariance);
+  }
+}
+
+// The motion over a frame that was registered, for de-skewing it. SPEC A5 takes it from the end of the last frame to
+// the end of this one.
+FrameMotion Odometry::motion_found(const FrameMotion& found, double begin_s, double end_s) const {
+  if (settings_.first_guess != FirstGuess::matched_motion) return with_speed_found(found, begin_s, end_s);
+  const auto& last = last_good();
+  if (settings_.deskew != Deskew::twice || begin_s - last.end_s > max_join_s) return found;
+  return {last.motion.T_map_end, found.T_map_end};
 }
 
 // Priors of the motion over a frame that follows the last one after a gap.
@@ -127,7 +170,9 @@ RegistrationSettings Odometry::base_settings() const {
   settings.sigma = settings_.range_sigma;
   settings.kernel_sigmas = settings_.kernel_sigmas;
   settings.two_step = settings_.solve == Solve::two_step;
-  if (settings_.weights == Weights::priors)
+  settings.plain = is_plain(settings_.weights);
+  settings.equal = settings_.weights == Weights::equal;
+  if (uses_priors(settings_.weights))
     settings.priors = AdjustmentPriors{.sensor = {settings_.range_sigma, radians(settings_.angle_sigma_deg)},
                                        .motion_covariance = motion_covariance_};
   return settings;
@@ -195,8 +240,10 @@ Registration Odometry::followed(const FrameMotion& guess, double begin_s, double
     // SPEC A5: the motion that was found replaces the guess, and the raw frame is registered again.
     settings.coarse_iterations = 0;
     if (settings.priors) settings.priors->motion_covariance = r.covariance + last_good().covariance;
-    r = register_frame(features.query, local_map_.maps(), with_speed_found(r.motion, begin_s, end_s), settings, run);
+    r = register_frame(features.query, local_map_.maps(), motion_found(r.motion, begin_s, end_s), settings, run);
   }
+  // The motion that de-skewed the frame was measured, and stays.
+  if (settings_.first_guess == FirstGuess::matched_motion) return r;
   const FrameMotion found = with_speed_found(r.motion, begin_s, end_s);
   if (settings_.deskew == Deskew::once && is_suspect(r, guess, found)) return unbent(r, found, guess, features, run);
   r.motion = found;
@@ -333,10 +380,7 @@ void Odometry::add(std::size_t index, double begin_s, double end_s, const Featur
   Stopwatch watch;
   if (frame.ok && keyframe_due(frame)) add_keyframe(features, frames_.back());
   frames_.back().keyframe = keyframes_.size() - 1;
-  if (frame.ok && settings_.first_guess == FirstGuess::last_frame) {
-    last_frame_map_.clear();
-    insert_keyframe(make_keyframe(index, end_s, features.map, frame.motion), last_frame_map_);
-  }
+  if (frame.ok) remember_frame(frame, features);
   times_.map_s += watch.lap();
 }
 
@@ -404,8 +448,7 @@ void Odometry::add_keyframe(const Features& features, const TrackedFrame& frame)
   keyframes_.push_back(make_keyframe(frames_.size() - 1, frame.end_s, features.map, frame.motion));
   keyframes_.back().travelled = travelled_;
   local_map_.update(keyframes_, frame.motion.T_map_end.translation());
-  if (frames_.size() == 1 && settings_.first_guess == FirstGuess::last_frame)
-    insert_keyframe(keyframes_.back(), last_frame_map_);
+  if (frames_.size() == 1) remember_frame(frame, features);
 }
 
 void Odometry::drop_failed_tail() {

@@ -1,6 +1,7 @@
 // Odometry: registers frame after frame against a local map of keyframes.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "slam/core/options.h"
 
 namespace bole::slam {
+
+class PointMatches;
 
 struct TrackedFrame {
   std::size_t index = 0;  // in the source
@@ -40,6 +43,7 @@ class Odometry {
   // With an inertial unit its measurements predict each frame, shape the motion within it, and are the prior of its
   // registration. The map is then level from the start.
   explicit Odometry(const SlamSettings& settings, const InertialUnit* unit = nullptr);
+  ~Odometry();
 
   // Adds a frame. A frame that does not agree with the map is kept with its predicted motion and marked as not ok; see
   // lost().
@@ -79,6 +83,9 @@ class Odometry {
   FrameMotion with_speed_found(const FrameMotion& found, double begin_s, double end_s) const;
   FrameMotion guessed(const FrameMotion& prediction, double begin_s, double end_s, const Features& features,
                       const Run& run);
+  FrameMotion matched_motion(const FrameMotion& prediction, double begin_s, const Features& features, const Run& run);
+  void remember_frame(const TrackedFrame& frame, const Features& features);
+  FrameMotion motion_found(const FrameMotion& found, double begin_s, double end_s) const;
   Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
                           const Run& run);
   Registration followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
@@ -117,6 +124,7 @@ class Odometry {
   std::vector<Keyframe> keyframes_;
   LocalMap local_map_;
   FeatureMaps last_frame_map_;
+  std::unique_ptr<PointMatches> last_frame_points_;
   Matrix6d motion_covariance_ = Matrix6d::Zero();  // of the first guess for the current frame
   std::optional<InertialFilter> filter_;
   // Of the current frame: what the inertial unit expects, the motions that its points determine, whether the

@@ -4,6 +4,8 @@
 #include <pcl/registration/icp.h>
 #include <pcl/registration/ndt.h>
 
+#include <cmath>
+
 namespace bole::slam {
 namespace {
 
@@ -31,6 +33,7 @@ PointRegistration aligned(Method& method, const std::vector<Eigen::Vector3f>& so
   out.T_target_source = Pose(T);
   out.T_target_source.linear() = Eigen::Quaterniond(out.T_target_source.linear()).normalized().toRotationMatrix();
   out.converged = true;
+  out.rms = std::sqrt(method.getFitnessScore());
   return out;
 }
 

@@ -12,6 +12,7 @@ namespace bole::slam {
 struct PointRegistration {
   Pose T_target_source = Pose::Identity();
   bool converged = false;
+  double rms = 0;  // of the distances from the points of `source` to the closest points of `target`, where converged
 };
 
 // Normal distributions transform (Biber and Strasser 2003, Magnusson 2009) on cells of `cell_size` with at least 5

@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "slam/core/odometry/point_matches.h"
+
 namespace bole::slam {
 namespace {
 
@@ -106,18 +108,17 @@ class FrameEquations {
     const Eigen::Vector3d lever = poses.turned(p.position, p.s);
     const Eigen::Vector3d x = lever + poses.translation(p.s);
     Target& target = targets_[i];
-    if (first_level >= 0)
-      target =
-          find_target(line ? maps_.edges : maps_.planes, x, line, first_level, settings_.priors ? 0 : settings_.sigma);
+    if (first_level >= 0) match(line, p, poses, lever, x, first_level, target);
     if (target.kind == Target::Kind::none) return;
-    if (settings_.priors && first_level >= 0) add_prior_variance(*settings_.priors, poses, p, lever, x, target);
 
-    auto e = pose_equations(target, x, lever, kernel);
+    const double variance = settings_.equal ? settings_.sigma * settings_.sigma : target.variance;
+    auto e = settings_.plain ? condition_equations(target, x, lever, kernel, 1 / variance)
+                             : pose_equations(target, x, lever, kernel);
     ++sums.matched;
     if (e.inlier) {
       ++sums.inliers;
       sums.squared_error += e.squared_error;
-      sums.weighted += e.squared_error / target.variance;
+      sums.weighted += e.squared_error / variance;
     }
     if (settings_.two_step) keep_own_unknowns(line, e);
     sums.H_data += e.H;
@@ -129,6 +130,22 @@ class FrameEquations {
     }
     sums.H.bottomRightCorner<6, 6>() += at_end * at_end * e.H;
     sums.g.tail<6>() += at_end * e.g;
+  }
+
+  void match(bool line, const FeaturePoint& p, const PoseGrid& poses, const Eigen::Vector3d& lever,
+             const Eigen::Vector3d& x, int first_level, Target& target) const {
+    const auto& priors = settings_.priors;
+    if (!settings_.points) {
+      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, priors ? 0 : settings_.sigma);
+      if (priors && target.kind != Target::Kind::none) add_prior_variance(*priors, poses, p, lever, x, target);
+      return;
+    }
+    Eigen::Matrix3d of_point = Eigen::Matrix3d::Zero();
+    if (priors) {
+      const Eigen::Matrix3d& R = poses.rotation(p.s);
+      of_point = R * point_covariance(p.position.cast<double>(), priors->sensor) * R.transpose();
+    }
+    target = settings_.points->target(x, line, priors ? &of_point : nullptr, settings_.sigma * settings_.sigma);
   }
 
   const FeatureSet& features_;
@@ -156,11 +173,10 @@ Vector6d inverse_variances(double sigma_rad, double sigma) {
   return w;
 }
 
-// Begin against its prediction, and (end - begin) against the predicted motion. With MotionModel::end the begin is
-// fixed.
+// Of elastic frames: begin against its prediction, and (end - begin) against the predicted motion.
 void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
                 Sums& sums) {
-  if (settings.model == MotionModel::rigid) return;
+  if (settings.model != MotionModel::elastic) return;
   if (settings.joint_information) {
     Vector12d error;
     error << pose_difference(predicted.T_map_begin, motion.T_map_begin),
@@ -288,6 +304,29 @@ PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_
   return out;
 }
 
+PoseEquations condition_equations(const Target& target, const Eigen::Vector3d& point_in_map,
+                                  const Eigen::Vector3d& lever, double kernel, double weight) {
+  PoseEquations out;
+  const Eigen::Vector3d error = point_in_map - target.mean;
+  const double along = target.axis.dot(error);
+  Eigen::Vector3d direction = target.axis;
+  double distance = along;
+  if (target.kind == Target::Kind::line) {
+    const Eigen::Vector3d across = error - along * target.axis;
+    distance = across.norm();
+    direction = distance > 1e-9 ? Eigen::Vector3d(across / distance) : target.axis.unitOrthogonal();
+  }
+  out.squared_error = distance * distance;
+  out.inlier = out.squared_error < kernel * kernel * target.variance;
+  if (!out.inlier) return out;
+  out.weight = weight;
+  Vector6d b;  // a row of B: d(distance)/d(turn, shift)
+  b << lever.cross(direction), direction;
+  out.H.noalias() = weight * b * b.transpose();
+  out.g = weight * distance * b;
+  return out;
+}
+
 Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess,
                             const RegistrationSettings& settings, const Run& run) {
   Registration out;
@@ -324,7 +363,11 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.conditioning = shift_conditioning(sums.H_data);
   if (sums.inliers > 6) {
     out.sigma0 = std::sqrt(sums.weighted / static_cast<double>(sums.inliers - 6));
-    const Matrix6d H = sums.H_data + 1e-9 * sums.H_data.trace() * Matrix6d::Identity();
+    // With the begin fixed a point tells the less about the end, the earlier it was measured.
+    const Matrix6d N = settings.model == MotionModel::end
+                           ? Matrix6d(out.begin_end_information.bottomRightCorner<6, 6>())
+                           : sums.H_data;
+    const Matrix6d H = N + 1e-9 * N.trace() * Matrix6d::Identity();
     out.covariance = out.sigma0 * out.sigma0 * H.inverse();
   }
   return out;

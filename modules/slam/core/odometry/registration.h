@@ -58,12 +58,18 @@ struct PoseEquations {
 // Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
                              double kernel);
+// As SPEC A7 has them: one condition for each distance, of a line as of a plane, with the given weight (1 / m2) and
+// without a robust kernel. Beyond `kernel` standard deviations of the target the match does not count.
+PoseEquations condition_equations(const Target& target, const Eigen::Vector3d& point_in_map,
+                                  const Eigen::Vector3d& lever, double kernel, double weight);
 
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
+class PointMatches;
+
 enum class MotionModel {
   rigid,   // the motion within the frame is kept and the frame is moved as a whole: 6 unknowns
-  end,     // the begin pose is fixed, the end pose is estimated: 6 unknowns
+  end,     // the begin pose is fixed, the end pose is estimated without priors: 6 unknowns
   elastic  // begin and end pose, with priors of continuity and smoothness: 12 unknowns
 };
 
@@ -76,6 +82,10 @@ struct RegistrationSettings {
   // Planes give height, roll and pitch, lines the rest (rigid only): Shan and Englot 2018.
   bool two_step = false;
   std::optional<AdjustmentPriors> priors;  // instead of `sigma`
+  // See condition_equations(). `equal`: every match has the weight 1 / sigma^2 (A = I).
+  bool plain = false, equal = false;
+  // Single points to match against, instead of the surfaces of the maps.
+  const PointMatches* points = nullptr;
   // Elastic only: standard deviations of the begin from the prediction, and of the motion over the frame from it.
   double begin_sigma = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma = 0.05, motion_sigma_rad = 0.02;
@@ -104,6 +114,7 @@ struct Registration {
 
 // `guess` is where the search starts, and for MotionModel::elastic also the prediction of the priors. Throws
 // Error{cancelled}.
+// `maps` are not used with RegistrationSettings::points.
 Registration register_frame(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& guess,
                             const RegistrationSettings& settings, const Run& run);
 

@@ -8,6 +8,8 @@
 #include "base/angles.h"
 #include "base/statistics.h"
 #include "slam/core/loops/context_index.h"
+#include "slam/core/loops/corrections.h"
+#include "slam/core/loops/loop_tables.h"
 #include "slam/core/loops/loops.h"
 #include "slam/core/loops/pose_graph.h"
 #include "slam/core/map/refine.h"
@@ -166,64 +168,20 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, const I
   return out;
 }
 
-// Frames move with the keyframes around them: the correction is interpolated in time, so that the path stays
-// continuous.
+// Frames move with the keyframes around them.
 void carry_frames(std::vector<TrackedFrame>& frames, const std::vector<Keyframe>& old,
                   const std::vector<Pose>& T_map_keyframe) {
-  std::vector<StampedPose> corrections;
-  for (std::size_t k = 0; k < old.size(); ++k)
-    corrections.push_back({old[k].time_s, T_map_keyframe[k] * old[k].T_map_keyframe.inverse()});
-  const auto correction_at = [&](double t) {
-    const auto upper = std::ranges::upper_bound(corrections, t, {}, &StampedPose::time_s);
-    if (upper == corrections.begin()) return corrections.front().T_target_sensor;
-    if (upper == corrections.end()) return corrections.back().T_target_sensor;
-    const auto &a = *(upper - 1), &b = *upper;
-    return interpolate(a.T_target_sensor, b.T_target_sensor, (t - a.time_s) / (b.time_s - a.time_s));
-  };
+  std::vector<double> times_s;
+  std::vector<Pose> T_map_old;
+  for (const auto& k : old) {
+    times_s.push_back(k.time_s);
+    T_map_old.push_back(k.T_map_keyframe);
+  }
+  const Corrections corrections(times_s, T_map_old, T_map_keyframe);
   for (auto& f : frames) {
-    f.motion.T_map_begin = correction_at(f.begin_s) * f.motion.T_map_begin;
-    f.motion.T_map_end = correction_at(f.end_s) * f.motion.T_map_end;
+    f.motion.T_map_begin = corrections.at(f.begin_s) * f.motion.T_map_begin;
+    f.motion.T_map_end = corrections.at(f.end_s) * f.motion.T_map_end;
   }
-}
-
-// The one of the two quaternions of a rotation that has a positive scalar part.
-Eigen::Quaterniond upright(Eigen::Quaterniond q) {
-  if (q.w() < 0) q.coeffs() *= -1;
-  return q;
-}
-
-// The columns x_m .. qw are the pose of the later keyframe in the axes of the earlier one.
-Table table_of(const std::vector<Loop>& loops, const std::vector<Keyframe>& keyframes) {
-  std::vector<double> from_s, to_s, distance, correction, overlap;
-  std::array<std::vector<double>, 3> shift;
-  std::array<std::vector<double>, 4> turn;
-  std::vector<std::string> found_by;
-  for (const auto& l : loops) {
-    const Eigen::Quaterniond q = upright(Eigen::Quaterniond(l.T_from_to.linear()));
-    for (std::size_t i = 0; i < 3; ++i) shift[i].push_back(l.T_from_to.translation()[static_cast<Eigen::Index>(i)]);
-    for (std::size_t i = 0; i < 4; ++i) turn[i].push_back(q.coeffs()[static_cast<Eigen::Index>(i)]);
-    from_s.push_back(keyframes[l.from].time_s);
-    to_s.push_back(keyframes[l.to].time_s);
-    distance.push_back(keyframes[l.to].travelled - keyframes[l.from].travelled);
-    correction.push_back(l.correction);
-    overlap.push_back(l.overlap);
-    found_by.emplace_back(choice_name(l.found_by));
-  }
-  Table t;
-  t.set("from_time_s", from_s);
-  t.set("to_time_s", to_s);
-  t.set("way_m", distance);
-  t.set("correction_m", correction);
-  t.set("overlap", overlap);
-  t.set("found_by", found_by);
-  t.set("x_m", shift[0]);
-  t.set("y_m", shift[1]);
-  t.set("z_m", shift[2]);
-  t.set("qx", turn[0]);
-  t.set("qy", turn[1]);
-  t.set("qz", turn[2]);
-  t.set("qw", turn[3]);
-  return t;
 }
 
 // Results of the odometry for each frame. Standard deviations are those of the adjustment of that frame alone.
@@ -267,14 +225,23 @@ Table table_of(const std::vector<TrackedFrame>& frames) {
   return t;
 }
 
-Table close_loops(FirstPass& pass, const SlamSettings& options, Report& report, const Run& run) {
+// Index in the scan of the frame of each keyframe.
+std::vector<std::size_t> frames_of_keyframes(const FirstPass& pass) {
+  std::vector<std::size_t> out;
+  for (const auto& k : pass.keyframes) out.push_back(pass.frames[k.frame].index);
+  return out;
+}
+
+void close_loops(FirstPass& pass, const SlamSettings& options, Track& track, Report& report, const Run& run) {
   Stopwatch watch;
   const auto search = find_loops(pass.keyframes, options, run);
   report.counts["loop_candidates"] = static_cast<std::int64_t>(search.candidates);
   preview_loops(run, search.loops, search.refused, true);
   std::vector<Loop> kept = search.loops;
+  PoseGraphResult graph;
+  for (const auto& k : pass.keyframes) graph.T_map_keyframe.push_back(k.T_map_keyframe);
   if (!search.loops.empty()) {
-    const auto graph = optimise_pose_graph(pass.keyframes, search.loops, run);
+    graph = optimise_pose_graph(pass.keyframes, search.loops, run);
     for (const auto& w : graph.warnings) report.warn(w);
     kept = kept_loops(search.loops, graph);
     report.counts["refused_loops"] = static_cast<std::int64_t>(search.loops.size() - kept.size());
@@ -295,7 +262,11 @@ Table close_loops(FirstPass& pass, const SlamSettings& options, Report& report, 
   report.counts["loops"] = static_cast<std::int64_t>(kept.size());
   report.counts["loops_by_context"] = std::ranges::count(kept, FoundBy::context, &Loop::found_by);
   report.metrics["loops_per_frame"] = {ms_per_frame(watch.lap(), pass.frames.size()), Unit::millisecond};
-  return table_of(kept, pass.keyframes);
+  const auto frames = frames_of_keyframes(pass);
+  track.loop_table = loops_table(kept, pass.keyframes);
+  track.candidate_table = candidates_table(judged(search.checked, search.loops.empty() ? nullptr : &graph),
+                                           pass.keyframes, frames, graph.T_map_keyframe);
+  track.graph_table = graph_table(graph.edges, pass.keyframes, frames);
 }
 
 // Elastic frames have their own begin and end. Of the others, registration determines the middle.
@@ -391,8 +362,8 @@ std::string disagreement(const FirstPass& pass) {
   return {};
 }
 
-// The walk as a whole turned so that gravity points down. Keeps the heading of the first pose.
-void level(const Eigen::Vector3d& gravity, Track& track) {
+// The walk as a whole turned so that gravity points down. Keeps the heading of the first pose. What it was turned by.
+Pose level(const Eigen::Vector3d& gravity, Track& track) {
   Pose T = Pose::Identity();
   T.linear() = rotation_between(-gravity.normalized(), Eigen::Vector3d::UnitZ());
   std::vector<StampedPose> nodes = track.path.nodes();
@@ -402,6 +373,7 @@ void level(const Eigen::Vector3d& gravity, Track& track) {
     f.motion.T_map_begin = T * f.motion.T_map_begin;
     f.motion.T_map_end = T * f.motion.T_map_end;
   }
+  return T;
 }
 
 void report_inertial(const FirstPass& pass, const InertialTerms* terms, Report& report) {
@@ -455,6 +427,12 @@ void report_frames(const FirstPass& pass, double min_observability, Report& repo
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
 }
 
+void no_loops(Track& track) {
+  track.loop_table = loops_table({}, {});
+  track.candidate_table = candidates_table({}, {}, {}, {});
+  track.graph_table = graph_table({}, {}, {});
+}
+
 }  // namespace
 
 Track estimate_track(const FrameSource& source, const SlamSettings& options, Report& report, const Run& run) {
@@ -477,9 +455,11 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
         "at least 2 frames with returns that fit together", report.warnings.empty() ? "" : report.warnings.front());
   Track track;
   track.frame_table = table_of(pass.frames);
-  track.loop_table = table_of(std::vector<Loop>{}, pass.keyframes);
+  std::vector<Pose> by_odometry;
+  for (const auto& f : pass.frames) by_odometry.push_back(f.motion.T_map_end);
+  no_loops(track);
   if (options.loops != LoopSource::none && !run.asked_to_finish())
-    track.loop_table = close_loops(pass, options, report, run.part(0.7, 0.8));
+    close_loops(pass, options, track, report, run.part(0.7, 0.8));
   track.gaps_s = gaps_of(pass.frames);
   const bool elastic = options.deskew == Deskew::elastic;
   track.own_motion = !elastic && options.refine_iterations <= 0;
@@ -497,9 +477,11 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
       tell_mount(unit->T_sensor_imu, unit->time_offset_s, *unit->mount_sigmas, report);
   }
   if (pass.inertial) {
-    level(terms ? terms->gravity() : pass.inertial->gravity, track);
+    const Pose T_level = level(terms ? terms->gravity() : pass.inertial->gravity, track);
+    for (auto& T : by_odometry) T = T_level * T;
     report_inertial(pass, terms ? &*terms : nullptr, report);
   }
+  add_odometry_poses(by_odometry, track.frame_table);
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   report_frames(pass, options.min_observability, report);
   return track;
@@ -509,7 +491,8 @@ Track given_track(const FrameSource& source, const std::vector<StampedPose>& pos
   Track track;
   track.path = Path(poses);
   track.frame_table = table_of(std::vector<TrackedFrame>{});
-  track.loop_table = table_of(std::vector<Loop>{}, {});
+  add_odometry_poses({}, track.frame_table);
+  no_loops(track);
   constexpr double margin_s = 0.05;
   for (std::size_t i = 0; i < source.size(); ++i) {
     const double begin_s = source.frame_time_s(i),

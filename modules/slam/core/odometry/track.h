@@ -23,8 +23,10 @@ struct Track {
   bool own_motion = false;
   std::vector<std::pair<double, double>> gaps_s;  // intervals without a mapped frame
   std::vector<double> keyframe_times_s;
-  Table frame_table;  // results of the odometry for each frame
-  Table loop_table;   // accepted loop closures
+  Table frame_table;      // results of the odometry for each frame
+  Table loop_table;       // accepted loop closures
+  Table candidate_table;  // all that were tried, see loop_tables.h
+  Table graph_table;
 };
 
 // Runs odometry, loop closure, pose graph and final adjustment. Writes counts, metrics and warnings to `report`.
