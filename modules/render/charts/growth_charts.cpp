@@ -18,9 +18,10 @@ struct KindLook {
   Symbol symbol;
   Color color;
 };
-constexpr std::array<KindLook, 6> looks{{{"ingrowth", "ingrowth", Symbol::triangle, ink::good},
+constexpr std::array<KindLook, 7> looks{{{"ingrowth", "ingrowth", Symbol::triangle, ink::good},
                                          {"gone", "gone", Symbol::cross, ink::poor},
                                          {"missed", "missed by one survey", Symbol::ring, ink::fair},
+                                         {"edge", "at the edge of one survey", Symbol::triangle, ink::muted},
                                          {"outside", "outside of one survey", Symbol::square, ink::muted},
                                          {"below", "below the threshold", Symbol::disc, ink::grid},
                                          {"duplicate", "listed twice", Symbol::star, ink::primary}}};

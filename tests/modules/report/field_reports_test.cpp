@@ -4,10 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "report/check_files.h"
+#include "report/revisit_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 
@@ -130,6 +133,49 @@ TEST(SteeringReport, TheTrueDistanceIsToldWhereItIsKnown) {
   const auto page = text_of(folder.run.output_dir / "report.html");
   EXPECT_THAT(page, HasSubstr("true distance"));
   EXPECT_THAT(page, Not(HasSubstr("as the receiver saw it")));
+}
+
+TEST(RevisitReport, WritesTheTreesTheMapAndThePage) {
+  Folder folder;
+  DataSet in;
+  in.set("growth", table(std::pair("tree_id", Texts{"1", "2", ""}), std::pair("tree_id_second", Texts{"7", "", "9"}),
+                         std::pair("kind", Texts{"matched", "gone", "ingrowth"}),
+                         std::pair("why", Texts{"", "<felled>", ""}), std::pair("x_m", Numbers{0, 4, 8}),
+                         std::pair("y_m", Numbers{0, 3, 6}), std::pair("dbh1_cm", Numbers{20, 30, std::nan("")}),
+                         std::pair("dbh2_cm", Numbers{21.5, std::nan(""), 8}),
+                         std::pair("growth_cm", Numbers{1.5, std::nan(""), std::nan("")}),
+                         std::pair("growth_lo_cm", Numbers{1, std::nan(""), std::nan("")}),
+                         std::pair("growth_hi_cm", Numbers{2, std::nan(""), std::nan("")}),
+                         std::pair("change", Texts{"grew", "", ""})));
+  in.set("values", table(std::pair("measure", Texts{"mean_growth"}), std::pair("value", Numbers{1.5}),
+                         std::pair("unit", Texts{"cm"}), std::pair("lo", Numbers{1.2}), std::pair("hi", Numbers{1.8})));
+  const auto result = write_revisit_report(in, {.figure_width = 100, .dpi = 60}, folder.run);
+  EXPECT_TRUE(result.report.findings.empty());
+  for (const char* file :
+       {"growth.csv", "growth_values.csv", "report.html", "figures/revisit_map.png", "figures/growth.svg"})
+    EXPECT_TRUE(fs::exists(folder.run.output_dir / file)) << file;
+  EXPECT_THAT(text_of(folder.run.output_dir / "growth.csv"),
+              HasSubstr("1,7,matched,,0.0000,0.0000,20.00,21.50,1.500,1.000,2.000,grew"));
+  EXPECT_THAT(text_of(folder.run.output_dir / "report.html"), HasSubstr("&lt;felled&gt;"));
+}
+
+TEST(CheckFiles, HoldTheVerdictAndWhereToGo) {
+  auto findings =
+      table(std::pair("code", Texts{"ground_never_seen", "heights_without_tops"}),
+            std::pair("severity", Texts{"look", "note"}), std::pair("text", Texts{"a hole", "no tops"}),
+            std::pair("x_m", Numbers{4, std::nan("")}), std::pair("y_m", Numbers{-3, std::nan("")}),
+            std::pair("distance_m", Numbers{5, std::nan("")}), std::pair("bearing_deg", Numbers{126.9, std::nan("")}));
+  findings.facts["verdict"] = "look";
+  findings.facts["not_judged"] = "passes: none";
+  SurveyData data;
+  data.check = &findings;
+  const auto json = check_json(data, nullptr);
+  EXPECT_THAT(json, HasSubstr("\"verdict\": \"look\""));
+  EXPECT_THAT(json, HasSubstr("\"x_m\": 4.0"));
+  EXPECT_THAT(json, Not(HasSubstr("null"))) << "what has no place has no coordinates";
+  const auto page = check_html("Plot 1", data, {});
+  EXPECT_THAT(page, HasSubstr("Look before you sign"));
+  EXPECT_THAT(page, HasSubstr("passes: none"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -193,14 +194,27 @@ std::size_t nearest_to_middle(const Stand& s, std::size_t rank = 0) {
   return order[rank];
 }
 
+// A place near the middle where no tree stands within 1.2 m.
+Eigen::Vector2d free_place(const Stand& s, std::uint64_t seed) {
+  Random random(seed, 3);
+  for (;;) {
+    const Eigen::Vector2d p(random.uniform(-8, 8), random.uniform(-8, 8));
+    bool free = true;
+    for (std::size_t i = 0; i < s.x.size(); ++i) free = free && std::hypot(s.x[i] - p.x(), s.y[i] - p.y()) > 1.2;
+    if (free) return p;
+  }
+}
+
 TEST(Revisit, WhatCameAndWentIsToldFromWhatWasMissed) {
   auto stand = random_stand(5);
   const auto gone = nearest_to_middle(stand), missed = nearest_to_middle(stand, 1);
   const auto first = surveyed(stand, 0, 1);
   auto second = without(surveyed(stand, 1, 2), {gone, missed});
-  second = with(second, 3.3, 4.1, 9.0);   // id 1058
-  second = with(second, -5.2, -3.7, 30);  // id 1059
-  second = with(second, 60, 0, 20);       // id 1060
+  const auto thin = free_place(stand, 1), thick = free_place(stand, 2);
+  ASSERT_GT((thin - thick).norm(), 1);
+  second = with(second, thin.x(), thin.y(), 9.0);   // id 1058
+  second = with(second, thick.x(), thick.y(), 30);  // id 1059
+  second = with(second, 60, 0, 20);                 // id 1060
   Table rejected;
   rejected.set("x_m", std::vector<double>{stand.x[missed] + 0.1});
   rejected.set("y_m", std::vector<double>{stand.y[missed]});

@@ -24,7 +24,7 @@ struct CheckOptions {
   double max_unseen_pct = 2.0;
   double walk_again_unseen_pct = 10.0;
   double max_hole_m2 = 6.0;
-  double max_walk_gap = 5.0;
+  double max_walk_gap = 4.0;
   double min_view_span_deg = 90.0;
   double max_one_sided_pct = 10.0;
   double min_density_pct = 5.0;

@@ -156,8 +156,9 @@ class Cover {
     const double limit = std::max(o_.max_walk_gap, uneven * three_quarters);
     const auto far = choose([&](const CheckCell& c) { return c.walk_m > limit; });
     if (share_pct(far) < min_share_pct) return;
+    constexpr double large_share_pct = 10;
     out_.add(
-        Severity::refused, "lane_not_walked",
+        share_pct(far) > large_share_pct ? Severity::refused : Severity::look, "lane_not_walked",
         fmt::format("{:.0f} % of the plot lie more than {:.1f} m from the walk, up to {:.1f} m, while three quarters "
                     "of it lie within {:.1f} m: a lane was left out. Walk it",
                     share_pct(far), limit, farthest, three_quarters),

@@ -181,7 +181,8 @@ Table value_table(const GrowthSums& s, const RevisitOptions& o, const std::optio
       v.add_between("mortality_per_year", yearly(k / all), "%/year", yearly(lo), yearly(hi));
     }
   }
-  for (const char* kind : {"missed_in_first", "missed_in_second", "below_in_second", "outside_first", "outside_second"})
+  for (const char* kind : {"missed_in_first", "missed_in_second", "below_in_second", "edge_of_first", "edge_of_second",
+                           "outside_first", "outside_second"})
     v.add(kind, count(kind), "");
   Table t;
   t.set("measure", v.measure);

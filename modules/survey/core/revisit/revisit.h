@@ -11,8 +11,9 @@ namespace bole::survey {
 struct Revisit {
   // A row per tree, in the axes of the first survey: tree_id, tree_id_second, kind, why, x_m, y_m, dbh1_cm, dbh2_cm,
   // growth_cm, growth_lo_cm, growth_hi_cm, growth_cm_per_year (and _lo_, _hi_), change (grew, shrank, none), ingrowth,
-  // distance_m. Kinds: matched; ingrowth, missed_in_first, outside_first, duplicate_second (in the second survey only);
-  // gone, missed_in_second, below_in_second, outside_second, duplicate_first (in the first one only).
+  // distance_m. Kinds: matched; ingrowth, missed_in_first, edge_of_first, outside_first, duplicate_second, below (in
+  // the second survey only); gone, missed_in_second, below_in_second, edge_of_second, outside_second, duplicate_first
+  // (in the first one only).
   Table growth;
   Table values;  // measure, value, unit, lo, hi: of the stand
   Report report;

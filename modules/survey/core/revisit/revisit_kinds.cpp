@@ -95,9 +95,9 @@ Kind UnmatchedTrees::in_first(std::size_t i) const {
             fmt::format("about as thin as the thinnest stem of the second survey ({:.1f} cm)", second_.min_dbh_cm)};
   if (const double share = share_near(first_, matched_first_, hull_second_, t.at); share < low_share)
     return {"missed_in_second", fmt::format("only {:.0f} % of the trees around it were found again", 100 * share)};
-  if (doubtful(first_, i)) return {"gone", "felled, fallen, or no tree: the first survey was not sure of it"};
   if (!hull_second_.contains(t.at, 0))
-    return {"gone", "at the edge of the second survey: look whether it reached here"};
+    return {"edge_of_second", "gone, or not covered: it stands beyond the outermost trees of the second survey"};
+  if (doubtful(first_, i)) return {"gone", "felled, fallen, or no tree: the first survey was not sure of it"};
   return {"gone", "its neighbours were found again"};
 }
 
@@ -118,6 +118,8 @@ Kind UnmatchedTrees::in_second(std::size_t j) const {
   if (const double share = share_near(second_, matched_second_, hull_first_, t.at); share < low_share)
     return {"missed_in_first",
             fmt::format("only {:.0f} % of the trees around it were in the first survey", 100 * share)};
+  if (!hull_first_.contains(t.at, 0))
+    return {"edge_of_first", "new, or not covered: it stands beyond the outermost trees of the first survey"};
   return {"ingrowth", "thin enough to have grown in since"};
 }
 
