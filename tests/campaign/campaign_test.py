@@ -5,11 +5,12 @@ import json
 import os
 import re
 import sqlite3
+import subprocess
 import sys
 import time
 import unittest
 
-from toy import BAD_INPUT, CANCELLED, DONE, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
+from toy import BAD_INPUT, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
 
 LOCAL = ("--engine", "local", "--workers", "2")
 
@@ -216,8 +217,6 @@ class Interrupts(Toy):
         self.campaign(4)
         fake = self.fake_program(self.SLOW)
         code = f"import sys; sys.path.insert(0, {str(ENGINE)!r}); import bole_campaign; sys.exit(bole_campaign.run(*sys.argv[1:3], workers=1, engine='local'))"
-        import subprocess
-
         client = subprocess.Popen([sys.executable, "-c", code, self.folder / "campaign.json", self.out], env=self.marked(BOLE_PROGRAM=str(fake)), stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True)
         self.addCleanup(self.end, client)

@@ -180,7 +180,7 @@ class Run:
         if self.room:
             self.room.give_back(task)
         state = result["state"]
-        if state in ("cancelled",):
+        if state == "cancelled":
             return
         if state == "busy":
             self.waiting.append(task)  # a task of a job array works on it
@@ -188,10 +188,10 @@ class Run:
         if state == "lost":
             self.losses[task["id"]] = self.losses.get(task["id"], 0) + 1
             if self.losses[task["id"]] <= MOST_LOSSES:
-                self.progress.line(f"{task['id']:<16} its worker was killed: once more")
+                self.progress.line(f"{task['id']:<16} lost ({result.get('error', '')}): once more")
                 self.waiting.insert(0, task)
                 return
-            result = attempt.record_loss(task, f"its workers were killed {self.losses[task['id']]} times ({result.get('error', '')})")
+            result = attempt.record_loss(task, f"its workers were lost {self.losses[task['id']]} times ({result.get('error', '')})")
         elif state == "crashed" and self._tries_again(task, result):
             self.progress.line(f"{task['id']:<16} {result['error']}: once more")
             self.waiting.insert(0, task)

@@ -52,6 +52,8 @@ class DaskWorkers:
         # Workers need no Bole in their Python: functions travel by value.
         for module in (local, sys.modules[__name__]):
             cloudpickle.register_pickle_by_value(module)
+        # A function without a name cannot travel as the name of one, which is what Dask tries first.
+        self.function = lambda spec, run=local.run_attempt_in_process: run(spec)
         self.ended, self.running, self.cluster = queue.Queue(), {}, None
         self.remote, self.space = scheduler is not None, None
         self.lost_since = None
@@ -104,7 +106,7 @@ class DaskWorkers:
         if self.remote:
             spec = {**spec, "threads": spec.get("threads") or self.threads, "memory_gib": min(spec["memory_gib"], self.largest_gib)}
         resources = {"GiB": spec["memory_gib"]} if self.remote else None
-        future = self.client.submit(local.run_attempt_in_process, spec, key=f"bole-{uuid.uuid4().hex}", pure=False, resources=resources)
+        future = self.client.submit(self.function, spec, key=f"bole-{uuid.uuid4().hex}", pure=False, resources=resources)
         self.running[future.key] = (future, spec)
         future.add_done_callback(self.ended.put)
 
@@ -128,7 +130,7 @@ class DaskWorkers:
         if future.status == "error":
             error = future.exception()
             killed = isinstance(error, self.distributed.scheduler.KilledWorker)
-            return {"state": "lost", "error": "its worker was killed" if killed else str(error)}
+            return {"state": "lost", "error": "its worker was killed" if killed else str(error).strip().partition("\n")[0]}
         raise self._scheduler_is_gone()
 
     def _scheduler_is_gone(self):

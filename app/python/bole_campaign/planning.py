@@ -47,13 +47,6 @@ class Plan:
         return {task["id"]: task for task in self.tasks}
 
 
-def newest_record(task):
-    """The record of the last attempt that ended by itself, well or not."""
-    folder = pathlib.Path(task["folder"])
-    records = [r for place in ("done", "failed") if (r := folders.record_in(folder / place))]
-    return max(records, key=lambda r: r["finished"], default=None)
-
-
 def recorded(task):
     """The record that is current, or the newest with the reason why it is not: (record or None, reason)."""
     reason, stale = "", None

@@ -98,7 +98,7 @@ def killed_campaign(args, document, out):
     client, kills, clients = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL), 0, 0
     while client.poll() is None:
         time.sleep(chance.uniform(0.2, 1.8) * args.kill_every)
-        found = sorted(processes_of(chance.choice(["attempt", "--end-with"]), mark))
+        found = sorted(processes_of(chance.choice(["attempt", "--no-cache"]), mark))
         if kills < 10 and found:
             try:
                 os.kill(chance.choice(found), signal.SIGKILL)
