@@ -3,6 +3,7 @@
 #include "base/atomic_file.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/las/las_writer.h"
+#include "io/core/runs/plot_file.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
 #include "report/map_styles.h"
@@ -82,9 +83,18 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("rejected.csv", d.rejected);
   if (d.control != nullptr && d.control->rows() > 0) add_table("control_points.csv", d.control);
   add_table("matches.csv", d.matches);
+  // What the survey was compared with, so that its folder is enough to compare it with others.
+  add_table("reference_trees.csv", d.reference_stems);
+  if (o.tables && d.reference_trajectory != nullptr)
+    exports.push_back({"reference_trajectory.tum",
+                       [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.reference_trajectory); }});
+  if (o.tables && d.plot != nullptr)
+    exports.push_back({"plot.csv", [&d](const auto& path, const Run&, Report&) { io::write_plot(path, d.rule); }});
   // Both are empty where the poses were given.
   if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
   if (d.odometry != nullptr && d.odometry->rows() > 0) add_table("odometry.csv", d.odometry);
+  if (d.check_cells != nullptr && d.check_cells->rows() > 0) add_table("check_cells.csv", d.check_cells);
+  if (d.check_boundary != nullptr && d.check_boundary->rows() > 0) add_table("check_boundary.csv", d.check_boundary);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(

@@ -37,6 +37,7 @@ const std::vector<Input>& survey_inputs() {
       {"canopy", &S::canopy, "Canopy height model."},
       {"trajectory", &S::trajectory, "The trajectory of the scanner."},
       {"reference_trajectory", &S::reference_trajectory, "The true trajectory, in the same axes."},
+      {"reference_stems", &S::reference_stems, "Reference trees, as they were given."},
       {"sections", &S::sections, "Fitted cross-sections."},
       {"rejected", &S::rejected, "Candidates that are no stems, with their reasons."},
       {"edits", &S::edits, "What a person changed, from stems.edit."},
@@ -45,7 +46,11 @@ const std::vector<Input>& survey_inputs() {
       {"matches", &S::matches, "Stems matched with a reference."},
       {"summary", &S::summary, "Measures of the evaluation beside published ones."},
       {"loops", &S::loops, "Loop closures, from slam.run."},
-      {"odometry", &S::odometry, "What slam.run found for each frame."}};
+      {"odometry", &S::odometry, "What slam.run found for each frame."},
+      {"check", &S::check, "Findings of the check of the map, from survey.check."},
+      {"check_cells", &S::check_cells, "Measures of every cell, from survey.check."},
+      {"check_stems", &S::check_stems, "Measures at every stem, from survey.check."},
+      {"check_boundary", &S::check_boundary, "Trees on the boundary, from survey.check."}};
   return all;
 }
 

@@ -29,6 +29,7 @@ struct SurveyData {
   const Raster* canopy = nullptr;
   const Trajectory* trajectory = nullptr;
   const Trajectory* reference_trajectory = nullptr;
+  const Table* reference_stems = nullptr;
   const Table* sections = nullptr;
   const Table* rejected = nullptr;
   const Table* edits = nullptr;
@@ -38,6 +39,10 @@ struct SurveyData {
   const Table* summary = nullptr;
   const Table* loops = nullptr;
   const Table* odometry = nullptr;
+  const Table* check = nullptr;  // findings of survey.check, and its tables
+  const Table* check_cells = nullptr;
+  const Table* check_stems = nullptr;
+  const Table* check_boundary = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added

@@ -1676,6 +1676,138 @@
             <comment>survey.georeference</comment>
             <translation>轨迹共同误差</translation>
         </message>
+        <message>
+            <source>Min ground points</source>
+            <translation>最少地面点数</translation>
+        </message>
+        <message>
+            <source>Max unseen</source>
+            <translation>未见地面上限</translation>
+        </message>
+        <message>
+            <source>Walk again unseen</source>
+            <translation>重走的未见地面</translation>
+        </message>
+        <message>
+            <source>Max hole</source>
+            <translation>最大空洞</translation>
+        </message>
+        <message>
+            <source>Max walk gap</source>
+            <translation>离行走路线的最大距离</translation>
+        </message>
+        <message>
+            <source>Min view span</source>
+            <translation>最小观测张角</translation>
+        </message>
+        <message>
+            <source>Max one sided</source>
+            <translation>单侧观测上限</translation>
+        </message>
+        <message>
+            <source>Min density</source>
+            <translation>最小密度</translation>
+        </message>
+        <message>
+            <source>Max pass spread</source>
+            <translation>各次经过的最大间距</translation>
+        </message>
+        <message>
+            <source>Walk again spread</source>
+            <translation>重走的间距</translation>
+        </message>
+        <message>
+            <source>Max wall</source>
+            <translation>最大树皮离散</translation>
+        </message>
+        <message>
+            <source>Max loop residual</source>
+            <translation>最大回环残差</translation>
+        </message>
+        <message>
+            <source>Max loop turn</source>
+            <translation>最大回环转角</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>靶标数</translation>
+        </message>
+        <message>
+            <source>Boundary rule</source>
+            <translation>边界木规则</translation>
+        </message>
+        <message>
+            <source>Position se</source>
+            <translation>位置标准误</translation>
+        </message>
+        <message>
+            <source>Max doubtful</source>
+            <translation>存疑断面积上限</translation>
+        </message>
+        <message>
+            <source>Min missed dbh</source>
+            <translation>漏测单木起测直径</translation>
+        </message>
+        <message>
+            <source>Max without ground</source>
+            <translation>无地面单木上限</translation>
+        </message>
+        <message>
+            <source>Years</source>
+            <translation>间隔年数</translation>
+        </message>
+        <message>
+            <source>Max growth</source>
+            <translation>最大年生长量</translation>
+        </message>
+        <message>
+            <source>Max loss</source>
+            <translation>最大变细量</translation>
+        </message>
+        <message>
+            <source>Shared bias</source>
+            <translation>共同偏差</translation>
+        </message>
+        <message>
+            <source>Assumed se</source>
+            <translation>假定标准误</translation>
+        </message>
+        <message>
+            <source>Folders</source>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>Names</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Systems</source>
+            <translation>系统</translation>
+        </message>
+        <message>
+            <source>Plots</source>
+            <translation>样地</translation>
+        </message>
+        <message>
+            <source>Min agreement</source>
+            <translation>最小一致率</translation>
+        </message>
+        <message>
+            <source>Published system</source>
+            <translation>论文中的系统</translation>
+        </message>
+        <message>
+            <source>Cloud figures</source>
+            <translation>点云插图</translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation>横切面数</translation>
+        </message>
+        <message>
+            <source>Enlarge</source>
+            <translation>误差放大倍数</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3403,6 +3535,174 @@
             <source>Standard deviation of an error that all positions of the track share, which residuals cannot show. auto: by their quality, 0.02 m for RTK fixed, 0.5 m for float, 1 m for differential, 3 m else.</source>
             <translation>轨迹所有点位共有、残差无法显示的误差的标准差。自动:按定位质量,RTK 固定解 0.02 m,浮点解 0.5 m,差分 1 m,其余 3 m。</translation>
         </message>
+        <message>
+            <source>Side of the cells of the maps. Larger cells overlook smaller holes.</source>
+            <translation>各图单元的边长。单元越大,越容易漏掉小空洞。</translation>
+        </message>
+        <message>
+            <source>Ground points from which the ground of a cell counts as seen.</source>
+            <translation>单元的地面算作看到所需的地面点数。</translation>
+        </message>
+        <message>
+            <source>Share of the plot whose ground may be unseen before the verdict is look.</source>
+            <translation>结论变为查看之前,样地中允许未看到地面的比例。</translation>
+        </message>
+        <message>
+            <source>Share of the plot whose ground may be unseen before the verdict is walk again.</source>
+            <translation>结论变为重走之前,样地中允许未看到地面的比例。</translation>
+        </message>
+        <message>
+            <source>Largest connected area of unseen ground that is accepted.</source>
+            <translation>可接受的未见地面的最大连通面积。</translation>
+        </message>
+        <message>
+            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+        </message>
+        <message>
+            <source>Angle that the directions of view of a cell must span, or the cell counts as seen from one side.</source>
+            <translation>单元的观测方向至少要张开的角度,否则算作只从一侧看到。</translation>
+        </message>
+        <message>
+            <source>Share of the plot that may be seen from one side only.</source>
+            <translation>样地中允许只从一侧看到的比例。</translation>
+        </message>
+        <message>
+            <source>Ground points of a cell, as a share of the median cell, below which it counts as sparse. Sparse cells are reported where they are more than max_one_sided of the plot.</source>
+            <translation>单元地面点数占中位单元的比例,低于此值算作稀疏。稀疏单元超过样地的 max_one_sided 时报告。</translation>
+        </message>
+        <message>
+            <source>Distance between the surfaces of two passes that is accepted (median over the plot).</source>
+            <translation>可接受的两次经过的表面间距(样地中位数)。</translation>
+        </message>
+        <message>
+            <source>Distance between the surfaces of two passes from which the verdict is walk again.</source>
+            <translation>两次经过的表面间距达到此值时结论为重走。</translation>
+        </message>
+        <message>
+            <source>Scatter of the points about the bark that is accepted (median over the stems). Allow more for a sensor with more noise.</source>
+            <translation>可接受的点相对树皮的离散(单木中位数)。噪声较大的传感器应放宽。</translation>
+        </message>
+        <message>
+            <source>Disagreement between a loop closure and the final trajectory that is accepted.</source>
+            <translation>可接受的回环与最终轨迹之差。</translation>
+        </message>
+        <message>
+            <source>The same as an angle.</source>
+            <translation>同上,以角度计。</translation>
+        </message>
+        <message>
+            <source>Common lean of the stems that is accepted. More means a tilted frame, or a stand that leans.</source>
+            <translation>可接受的单木共同倾斜。超过时说明坐标系倾斜或林分倾斜。</translation>
+        </message>
+        <message>
+            <source>Number of targets that stood in the plot. 0: none was needed.</source>
+            <translation>样地中设置的靶标数。0:不需要靶标。</translation>
+        </message>
+        <message>
+            <source>Distance of the two targets by tape. 0: not known.</source>
+            <translation>用卷尺量得的两靶标距离。0:未知。</translation>
+        </message>
+        <message>
+            <source>Difference from target_distance that is accepted.</source>
+            <translation>可接受的与 target_distance 之差。</translation>
+        </message>
+        <message>
+            <source>Trees at the boundary that are in. centre: centre at breast height inside; base: centre of the foot inside; whole: the whole stem inside; any_part: any part of it; half: any part on the southern and western edges, the whole stem on the others.</source>
+            <translation>哪些边界木算在内。centre:胸高处中心在内;base:树基中心在内;whole:整个树干在内;any_part:任一部分在内;half:南边和西边任一部分在内,其余两边整个树干在内。</translation>
+        </message>
+        <message>
+            <source>Standard error of a stem's place against the boundary. Trees nearer than twice this are in doubt.</source>
+            <translation>单木位置相对边界的标准误。距离小于其两倍的树存疑。</translation>
+        </message>
+        <message>
+            <source>Share of the basal area that trees in doubt at the boundary may hold.</source>
+            <translation>边界存疑的树允许占断面积的比例。</translation>
+        </message>
+        <message>
+            <source>Diameter from which an upright round structure without a stem in the table is reported.</source>
+            <translation>达到此直径的直立圆形结构若表中没有单木,则报告。</translation>
+        </message>
+        <message>
+            <source>Share of the stems that may stand where no ground was seen within 1 m.</source>
+            <translation>允许 1 m 内未看到地面的单木比例。</translation>
+        </message>
+        <message>
+            <source>Axes of the two tables. search: not known, the trees bring the maps together; same: they lie in the same axes already, and only the rest is fitted.</source>
+            <translation>两张表的坐标系。search:未知,由树木把两图合到一起;same:已在同一坐标系中,只拟合剩余的差。</translation>
+        </message>
+        <message>
+            <source>Years between the two surveys. auto: from the fact date or recorded of both tables (2024-05-31); without one growth is given for the whole time only.</source>
+            <translation>两次调查相隔的年数。auto:取自两张表的 date 或 recorded(2024-05-31);没有时只给出整个时段的生长量。</translation>
+        </message>
+        <message>
+            <source>Distance at breast height up to which two stems are the same tree. Larger values match stems that were measured badly, and neighbours.</source>
+            <translation>胸高处两株单木视为同一株的最大距离。较大的值会匹配测得不好的单木,也会匹配邻木。</translation>
+        </message>
+        <message>
+            <source>Largest growth of a diameter per year. Thicker trees that are new were missed in the first survey, they did not grow in.</source>
+            <translation>胸径每年的最大生长量。新出现而更粗的树是第一次调查漏掉的,不是进界木。</translation>
+        </message>
+        <message>
+            <source>How much thinner a tree may seem in the second survey and still be the same.</source>
+            <translation>一株树在第二次调查中可以显得细多少而仍视为同一株。</translation>
+        </message>
+        <message>
+            <source>Diameter from which trees count. A tree that reaches it between the surveys is ingrowth.</source>
+            <translation>计数的起测胸径。两次调查之间达到它的树为进界木。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the error that all diameters of one survey share. It widens the interval of the mean growth, which more trees do not narrow.</source>
+            <translation>一次调查中所有胸径共有误差的标准差。它加宽平均生长量的区间,树再多也不会使其变窄。</translation>
+        </message>
+        <message>
+            <source>Standard error of diameters without an interval (dbh_lo_cm, dbh_hi_cm).</source>
+            <translation>没有区间(dbh_lo_cm,dbh_hi_cm)的胸径的标准误。</translation>
+        </message>
+        <message>
+            <source>Draw the map and the growth and write them as PNG, SVG and PDF.</source>
+            <translation>绘制分布图和生长量图,写成 PNG,SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Output folders of bole run or bole survey, with commas between.</source>
+            <translation>bole run 或 bole survey 的输出文件夹，用逗号分隔。</translation>
+        </message>
+        <message>
+            <source>Names of the runs in tables and figures, with commas between; empty: the names of the folders.</source>
+            <translation>各次运行在表格和插图中的名称，用逗号分隔；留空：用文件夹名。</translation>
+        </message>
+        <message>
+            <source>What made each run, with commas between. Runs of one system are pooled; empty: the preset of each run.</source>
+            <translation>每次运行所用的系统，用逗号分隔。同一系统的运行合并统计；留空：用各次运行的预设。</translation>
+        </message>
+        <message>
+            <source>Plot of each run, with commas between. plot1 to plot4 list the published figures of these plots; empty: runs whose stems agree share a plot.</source>
+            <translation>每次运行的样地，用逗号分隔。plot1 至 plot4 会列出论文中这些样地的数值；留空：单木一致的运行视为同一样地。</translation>
+        </message>
+        <message>
+            <source>Share of the stems of the shorter list that must agree before two lists count as one plot in the same axes. A larger value lets less certain ones fall apart.</source>
+            <translation>较短列表中一致单木的最小比例，达到时两份列表才视为同一坐标系中的同一样地。值越大，不够确定的越会分开。</translation>
+        </message>
+        <message>
+            <source>System of the paper whose published figures are listed. auto: that of the preset which made the trajectory, improved_loam where the paper has none.</source>
+            <translation>列出论文中哪个系统的数值。auto：生成轨迹的预设所对应的系统；论文中没有时用 improved_loam。</translation>
+        </message>
+        <message>
+            <source>Read the clouds of the runs and draw paths and slices on them. This takes the most time.</source>
+            <translation>读取各次运行的点云，在其上绘制轨迹和横切面。这一步最费时。</translation>
+        </message>
+        <message>
+            <source>Resolution of the PNG files.</source>
+            <translation>PNG 文件的分辨率。</translation>
+        </message>
+        <message>
+            <source>Trees whose slices are drawn.</source>
+            <translation>绘制横切面的树木数量。</translation>
+        </message>
+        <message>
+            <source>Factor by which the map of positions enlarges the errors. auto: so that they can be seen.</source>
+            <translation>位置图中误差的放大倍数。auto：放大到可以看清。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -4187,6 +4487,39 @@
             <source>auto</source>
             <comment>track_sd</comment>
             <translation>自动</translation>
+        </message>
+        <message>
+            <source>centre</source>
+            <translation>中心</translation>
+        </message>
+        <message>
+            <source>base</source>
+            <translation>树基</translation>
+        </message>
+        <message>
+            <source>whole</source>
+            <translation>整个树干</translation>
+        </message>
+        <message>
+            <source>any_part</source>
+            <translation>任一部分</translation>
+        </message>
+        <message>
+            <source>half</source>
+            <translation>半边</translation>
+        </message>
+        <message>
+            <source>same</source>
+            <comment>axes</comment>
+            <translation>相同</translation>
+        </message>
+        <message>
+            <source>improved_loam</source>
+            <translation>改进的 LOAM</translation>
+        </message>
+        <message>
+            <source>,</source>
+            <translation>,</translation>
         </message>
 </context>
 </TS>
