@@ -15,6 +15,7 @@ namespace {
 void register_result_names() {
   pipeline::add_result_names({"ab_lines.geojson",
                               "chm.tif",
+                              "cloud.copc.laz",
                               "cloud.las",
                               "cloud.laz",
                               "cloud.ply",
@@ -74,12 +75,12 @@ void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
-  type.version = 4;
+  type.version = 5;
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
-      "odometry.csv, cloud.las, "
+      "odometry.csv, cloud.laz, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
