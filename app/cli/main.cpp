@@ -26,6 +26,7 @@ int run_program(int argc, char** argv) {
   bole::cli::add_validate(program);
   bole::cli::add_stages(program);
   bole::cli::add_info(program);
+  bole::cli::add_convert(program);
   bole::cli::add_simulate(program);
   bole::cli::add_simulate_field(program);
   bole::cli::add_simulate_seedling(program);

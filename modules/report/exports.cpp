@@ -1,8 +1,8 @@
 #include "report/exports.h"
 
 #include "base/atomic_file.h"
+#include "io/core/clouds/cloud_writer.h"
 #include "io/core/gdal/gdal_writer.h"
-#include "io/core/las/las_writer.h"
 #include "io/core/runs/plot_file.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
@@ -63,6 +63,11 @@ void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
   for (auto& layer : layers) layer = placed(std::move(layer), d);
   io::write_geopackage(path, layers);
+}
+
+std::string cloud_file(CloudFormat format) {
+  constexpr std::array endings{"laz", "las", "copc.laz"};
+  return std::string("cloud.") + endings[static_cast<std::size_t>(format)];
 }
 
 }  // namespace
@@ -141,9 +146,9 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     add_shapes("stem_curves.vtp", stem_curves_vtp);
   }
   if (o.cloud && d.points != nullptr)
-    exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) {
+    exports.push_back({cloud_file(o.cloud_format), [&d](const auto& path, const Run& run, Report& report) {
                          const auto cloud = d.place ? to_global(*d.points, *d.place, run) : *d.points;
-                         io::write_las(path, cloud, {}, run, &report);
+                         io::write_cloud(path, cloud, run, &report);
                        }});
   return exports;
 }

@@ -54,7 +54,7 @@ std::string residuals(const Table& control) {
 
 std::string place_section(const SurveyData& d, const RunRecord* record) {
   if (!d.place) return {};
-  std::string body = paragraph("The files of this run (cloud.las, plot.gpkg, dem.tif and the other grids) are in " +
+  std::string body = paragraph("The files of this run (cloud, plot.gpkg, dem.tif and the other grids) are in " +
                                crs_name(d.place->crs_wkt) +
                                "; x and y of tables stay those of the plot, beside easting and northing.");
   if (const auto* report = said(record)) body += paragraph(report->message);

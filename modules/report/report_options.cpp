@@ -28,7 +28,10 @@ const OptionTable& option_table(const ReportOptions*) {
                              "What draws the 3-D maps: osmesa in memory, egl on a graphics card, glx on an X display."},
       Option<S, bool>{"tables", &S::tables, Tier::basic,
                       "Write stems.csv and the other tables, trajectory.tum, dem.tif and plot.gpkg."},
-      Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write cloud.las."},
+      Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write the map with all its columns: cloud.laz."},
+      Option<S, CloudFormat>{"cloud_format", &S::cloud_format, Tier::advanced,
+                             "laz: cloud.laz, compressed. las: cloud.las, for programs that do not read LAZ. copc: "
+                             "cloud.copc.laz, an octree of which programs load the part they show."},
       Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures."},
       Option<S, FigureSet>{
           "figure_set", &S::figure_set, Tier::basic,
@@ -40,6 +43,7 @@ const OptionTable& option_table(const ReportOptions*) {
       Option<S, bool>{"vector_figures", &S::vector_figures, Tier::advanced,
                       "Write charts and plans as SVG and PDF too."},
       Option<S, bool>{"page", &S::page, Tier::basic, "Write report.html."},
+      OnlyIf{"cloud", {"true"}, {"cloud_format"}},
       OnlyIf{"figures", {"true"}, {"figure_set", "figure_width", "backend", "hero"}},
       OnlyIf{"figure_set", {"all"}, {"dpi", "point_budget", "vector_figures"}},
   });

@@ -14,6 +14,10 @@ namespace bole::report {
 enum class FigureSet { page, all };
 constexpr std::array<std::string_view, 2> choice_names(FigureSet) { return {"page", "all"}; }
 
+// Of the map with all its columns: cloud.laz, cloud.las or cloud.copc.laz.
+enum class CloudFormat { laz, las, copc };
+constexpr std::array<std::string_view, 3> choice_names(CloudFormat) { return {"laz", "las", "copc"}; }
+
 struct ReportOptions {
   std::string title = "Forest plot survey";
   double figure_width = 180;
@@ -22,6 +26,7 @@ struct ReportOptions {
   std::string backend = "auto";
   bool tables = true;
   bool cloud = true;
+  CloudFormat cloud_format = CloudFormat::laz;
   bool figures = true;
   FigureSet figure_set = FigureSet::page;
   bool hero = false;

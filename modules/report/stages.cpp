@@ -21,6 +21,7 @@ void register_result_names() {
                               "check_boundary.csv",
                               "check_cells.csv",
                               "chm.tif",
+                              "cloud.copc.laz",
                               "cloud.las",
                               "cloud.laz",
                               "cloud.ply",
@@ -104,7 +105,7 @@ void register_stages(pipeline::StageRegistry& registry) {
       "boundary, "
       "reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
-      "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, "
+      "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.laz, "
       "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "

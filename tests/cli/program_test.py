@@ -54,6 +54,34 @@ class Program(unittest.TestCase):
         self.assertEqual((entry["arrays"]["intensity"]["min"], entry["arrays"]["intensity"]["max"]), (10, 20))
         self.assertIn("points                 2", self.bole("info", cloud).stdout)
 
+    def test_convert_writes_what_the_ending_says(self):
+        lines = "".join(f"{i % 40},{i // 40},{0.01 * i:.2f},{i}\n" for i in range(2000))
+        cloud = self.write("cloud.csv", "x,y,z,tree_id\n" + lines)
+        before = cloud
+        for name, kind in (("a.laz", "LAZ"), ("b.copc.laz", "COPC"), ("c.las", "LAS"), ("d.LAZ", "LAZ")):
+            done = self.bole("convert", before, self.folder / name)
+            self.assertEqual(done.returncode, DONE, done.stderr)
+            (entry,) = json.loads(self.bole("info", "--json", self.folder / name).stdout)
+            self.assertEqual((entry["format"], entry["points"], entry["max_m"]), (kind, 2000, [39, 49, 19.99]))
+            self.assertEqual(entry["arrays"]["tree_id"]["max"], 1999)
+            before = self.folder / name
+        part = self.folder / "part.laz"
+        self.assertEqual(self.bole("convert", self.folder / "b.copc.laz", part, "--bounds", "0,0,9,9").returncode, DONE)
+        (entry,) = json.loads(self.bole("info", "--json", part).stdout)
+        self.assertEqual(entry["points"], 100)
+
+    def test_convert_refuses_what_it_cannot_do(self):
+        cloud = self.write("cloud.csv", "x,y,z\n1,2,3\n4,6,8\n")
+        self.assertEqual(self.bole("convert", cloud, self.folder / "a.doc").returncode, BAD_INPUT)
+        self.assertEqual(self.bole("convert", cloud, cloud).returncode, BAD_INPUT)
+        self.assertIn("x,y,z", cloud.read_text())
+        self.assertEqual(self.bole("convert", cloud, self.folder / "a.laz").returncode, DONE)
+        whole = (self.folder / "a.laz").read_bytes()
+        cut = self.write("cut.laz", whole[:-60])
+        done = self.bole("convert", cut, self.folder / "b.laz")
+        self.assertNotEqual(done.returncode, DONE)
+        self.assertFalse((self.folder / "b.laz").exists())
+
     def test_info_goes_on_after_a_file_that_cannot_be_read(self):
         good, bad = self.write("a.xyz", "1 2 3\n4 5 6\n"), self.write("b.las", "a letter")
         done = self.bole("info", "--json", good, bad, good)

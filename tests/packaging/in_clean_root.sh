@@ -32,7 +32,7 @@ for result in report.html summary.json plot.gpkg dem.tif survey.xlsx; do [ -s su
 python3 -c 'import json; s = json.load(open("survey/summary.json")); print("verdict:", s["verdict"])'
 
 step "a finished cloud"
-bole survey survey/cloud.las --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
+bole survey survey/cloud.laz --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
 [ -s cloud/report.html ]
 
 step "bole campaign"
@@ -48,7 +48,7 @@ import bole
 
 pipeline = bole.vtkBolePipeline()
 pipeline.LoadDocument("/usr/share/bole/pipelines/stem_map_from_cloud.json")
-pipeline.SetOption("scan.file", "survey/cloud.las")
+pipeline.SetOption("scan.file", "survey/cloud.laz")
 pipeline.SetOutputDirectory("python")
 assert pipeline.Run(), pipeline.GetErrorText()
 stems = pipeline.GetStage("stems").GetOutputDataObject(0)
@@ -59,7 +59,7 @@ PYTHON
 step "bole-desktop opens the cloud in a window"
 xvfb-run -a -s "-screen 0 1400x900x24" timeout 120 bole-desktop --time-startup
 code=0
-xvfb-run -a -s "-screen 0 1400x900x24" timeout 20 bole-desktop survey/cloud.las > desktop.log 2>&1 || code=$?
+xvfb-run -a -s "-screen 0 1400x900x24" timeout 20 bole-desktop survey/cloud.laz > desktop.log 2>&1 || code=$?
 [ $code -eq 124 ] || { cat desktop.log; echo "bole-desktop ended with $code and did not stay open"; exit 1; }
 
 step "man pages, completion and desktop files"
@@ -77,7 +77,7 @@ if [ "${1:-}" = qgis ]; then
   $process list 2> /dev/null | grep -A9 '^Bole'
   $process help bole:stem_map_from_cloud > qgis_help.log 2>&1
   grep -q 'ground' qgis_help.log
-  $process run bole:stem_map_from_cloud -- INPUT="$PWD/survey/cloud.las" OUTPUT_FOLDER="$PWD/qgis" > qgis_run.log 2>&1 || { tail -40 qgis_run.log; exit 1; }
+  $process run bole:stem_map_from_cloud -- INPUT="$PWD/survey/cloud.laz" OUTPUT_FOLDER="$PWD/qgis" > qgis_run.log 2>&1 || { tail -40 qgis_run.log; exit 1; }
   tail -12 qgis_run.log
   [ -s qgis/plot.gpkg ]
 fi

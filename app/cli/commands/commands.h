@@ -17,6 +17,7 @@ void add_campaign(Program& program);
 void add_validate(Program& program);
 void add_stages(Program& program);
 void add_info(Program& program);
+void add_convert(Program& program);
 void add_simulate(Program& program);
 void add_simulate_field(Program& program);
 void add_simulate_seedling(Program& program);

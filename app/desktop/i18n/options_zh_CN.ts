@@ -345,6 +345,10 @@
             <translation>写出点云</translation>
         </message>
         <message>
+            <source>Cloud format</source>
+            <translation>点云格式</translation>
+        </message>
+        <message>
             <source>Figure set</source>
             <translation>图件范围</translation>
         </message>
@@ -2152,8 +2156,12 @@
             <translation>写出 stems.csv 及其他表格、trajectory.tum、dem.tif 和 plot.gpkg。</translation>
         </message>
         <message>
-            <source>Write cloud.las.</source>
-            <translation>写出 cloud.las。</translation>
+            <source>Write the map with all its columns: cloud.laz.</source>
+            <translation>写出包含全部属性列的点云:cloud.laz。</translation>
+        </message>
+        <message>
+            <source>laz: cloud.laz, compressed. las: cloud.las, for programs that do not read LAZ. copc: cloud.copc.laz, an octree of which programs load the part they show.</source>
+            <translation>laz:cloud.laz,压缩格式。las:cloud.las,供不能读取 LAZ 的程序使用。copc:cloud.copc.laz,八叉树,程序只加载要显示的部分。</translation>
         </message>
         <message>
             <source>Draw the figures.</source>

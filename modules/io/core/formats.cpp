@@ -40,7 +40,12 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-std::string ending_of(const fs::path& path) { return lower(path.extension().string()); }
+// The last part of the name, and of COPC both.
+std::string ending_of(const fs::path& path) {
+  constexpr auto copc_ending = ".copc.laz"sv;
+  const std::string name = lower(path.filename().string());
+  return name.ends_with(copc_ending) ? std::string(copc_ending) : lower(path.extension().string());
+}
 
 bool starts_with(Bytes file, std::string_view text) {
   return std::string_view(reinterpret_cast<const char*>(file.data()), file.size()).starts_with(text);
@@ -98,6 +103,13 @@ std::shared_ptr<const FrameSource> open_folder(const fs::path& path, const Frame
   return source;
 }
 
+template <LasPacking packing>
+void write_las_cloud(const fs::path& path, const PointCloud& cloud, const Run& run, Report* report) {
+  LasWriteOptions options;
+  options.packing = packing;
+  write_las(path, cloud, options, run, report);
+}
+
 template <std::size_t layout>
 bool matches_layout(const Candidate& candidate) {
   return view_layouts()[layout].matches(candidate.path);
@@ -123,19 +135,17 @@ std::vector<Format> make_formats() {
   rows.push_back({.name = "COPC",
                   .endings = {".copc.laz"},
                   .matches = [](const Candidate& c) { return is_laz(c.bytes) && copc::looks_like_copc(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud},
+                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::copc>},
                   .fuzz_target = "copc"});
   rows.push_back({.name = "LAZ",
                   .endings = {".laz"},
                   .matches = [](const Candidate& c) { return is_laz(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud},
+                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::laz>},
                   .fuzz_target = "las"});
   rows.push_back({.name = "LAS",
                   .endings = {".las"},
                   .matches = [](const Candidate& c) { return is_las(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud,
-                                        .write = [](const fs::path& path, const PointCloud& cloud,
-                                                    const Run& run) { write_las(path, cloud, {}, run); }},
+                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::plain>},
                   .fuzz_target = "las"});
   rows.push_back({.name = "E57",
                   .endings = {".e57"},
@@ -145,7 +155,9 @@ std::vector<Format> make_formats() {
   rows.push_back({.name = "PLY",
                   .endings = {".ply"},
                   .matches = [](const Candidate& c) { return looks_like_ply(c.bytes); },
-                  .access = CloudAccess{.read = read_ply, .write = write_ply},
+                  .access = CloudAccess{.read = read_ply,
+                                        .write = [](const fs::path& path, const PointCloud& cloud, const Run& run,
+                                                    Report*) { write_ply(path, cloud, run); }},
                   .fuzz_target = "ply"});
   rows.push_back({.name = "PCD",
                   .endings = {".pcd"},
@@ -225,8 +237,8 @@ std::vector<Format> make_formats() {
                   .endings = {".csv"},
                   .matches = [](const Candidate& c) { return is_ending(c, {".csv"}) && is_text(c.bytes); },
                   .access = CloudAccess{.read = read_text_cloud,
-                                        .write = [](const fs::path& path, const PointCloud& cloud,
-                                                    const Run& run) { write_csv_cloud(path, cloud, 4, run); }},
+                                        .write = [](const fs::path& path, const PointCloud& cloud, const Run& run,
+                                                    Report*) { write_csv_cloud(path, cloud, 4, run); }},
                   .fuzz_target = "text"});
   rows.push_back({.name = "PTS",
                   .endings = {".pts"},
@@ -241,8 +253,8 @@ std::vector<Format> make_formats() {
              return is_text(c.bytes) && (is_ending(c, {".xyz", ".txt", ".asc"}) || holds_text_points(c.bytes));
            },
        .access = CloudAccess{.read = read_text_cloud,
-                             .write = [](const fs::path& path, const PointCloud& cloud,
-                                         const Run& run) { write_xyz_cloud(path, cloud, 4, run); }},
+                             .write = [](const fs::path& path, const PointCloud& cloud, const Run& run,
+                                         Report*) { write_xyz_cloud(path, cloud, 4, run); }},
        .fuzz_target = "text"});
 
   // Tables, tracks and trajectories are told apart by the stage that reads them, then by their content.

@@ -38,7 +38,8 @@ struct ScanAccess {
 };
 struct CloudAccess {
   CloudReading (*read)(Bytes file, const CloudReadOptions& options, const Run& run) = nullptr;
-  void (*write)(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) = nullptr;
+  // Warnings go to `report` where it is not null.
+  void (*write)(const std::filesystem::path& path, const PointCloud& cloud, const Run& run, Report* report) = nullptr;
 };
 struct TableAccess {
   Table (*read)(Bytes file, const std::string& name, const Run& run) = nullptr;

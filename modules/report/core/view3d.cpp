@@ -27,7 +27,7 @@ std::string view3d_section(bool has_points, bool has_trees) {
           "<div class=\"view3d\"><canvas id=\"view\" tabindex=\"0\" aria-label=\"Stems and points in 3-D\"></canvas>"
           "<p id=\"view-trouble\" class=\"note\" hidden=\"hidden\">This browser cannot draw in 3-D (WebGL is missing "
           "or "
-          "switched off). The figures below show the stand, and cloud.las opens in any viewer of point clouds.</p>"
+          "switched off). The figures below show the stand, and cloud.laz opens in any viewer of point clouds.</p>"
           "</div>\n");
 }
 

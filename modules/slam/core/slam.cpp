@@ -141,10 +141,10 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const R
 
   Facts facts = source.facts();
   set_fact(facts, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
+  // Published figures are shown beside the results of the preset that they are of (evaluation.plot).
+  if (options.trajectory.empty()) facts["preset"] = std::string(choice_name(options.preset));
   out.points.facts = facts;
   out.trajectory.facts = std::move(facts);
-  // Published figures are shown beside the results of the preset that they are of (evaluation.plot).
-  if (options.trajectory.empty()) out.trajectory.facts["preset"] = std::string(choice_name(options.preset));
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));

@@ -27,7 +27,7 @@ BARK = ["stems.bark_relief=0.001"]  # of the simulated trees
 
 def make(build, work, seed):
     bole, scan = build / "bin/bole", work / "scan"
-    if not (work / "map/cloud.las").exists():
+    if not (work / "map/cloud.laz").exists():
         subprocess.run([bole, "simulate", "--plot", "demo", "--seed", str(seed), "--out", scan], check=True, capture_output=True)
         subprocess.run([bole, "run", measured.REPOSITORY / "pipelines/forest_plot.json", "--out", work / "map", "--set", f"scan.file={scan}/walk.pcap", "--set",
                         f"slam.trajectory={scan}/trajectory.tum", "--set", "plot.width=16", "--set", "plot.length=16"], check=True, capture_output=True)
@@ -36,7 +36,7 @@ def make(build, work, seed):
 
 def strip(work):
     """The cloud as another program would have written it."""
-    full = laspy.read(work / "map/cloud.las")
+    full = laspy.read(work / "map/cloud.laz")
     names = set(full.point_format.dimension_names)
     unix = np.asarray(full["time"] if "time" in names else full.gps_time)
     header = laspy.LasHeader(point_format=6, version="1.4")
@@ -65,7 +65,7 @@ def main():
     reference = [{"x": float(r["x_m"]), "y": float(r["y_m"]), "dbh": float(r["dbh_cm"]), "quality": ""} for r in measured.rows_of(scan / "trees.csv")
                  if r["state"] == "alive" and r["in_plot"] == "1" and float(r["dbh_cm"]) >= 7.5]
     print("| cloud | found | DBH bias / RMSE, cm (n) | 95 % holds | verdict |\n|---|---|---|---|---|")
-    for name, cloud, settings in (("map with its own rays", work / "map/cloud.las", []),
+    for name, cloud, settings in (("map with its own rays", work / "map/cloud.laz", []),
                                   ("without rays (LAZ)", work / "plain.laz", []),
                                   ("and path.tum, Unix time, as exported", work / "plain.laz", [f"trajectory.file={work}/map/trajectory.tum"]),
                                   ("and path.txt (GeoSLAM), GPS week, 10 Hz", work / "plain.laz", [f"trajectory.file={work}/path.txt"])):

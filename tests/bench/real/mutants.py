@@ -175,7 +175,7 @@ def main():
         cloud = options.cloud
         if cloud is None:
             command = [options.bole, "run", measured.REPOSITORY / "pipelines/forest_plot.json", "--no-cache", "--out", folder / "map", "--set", f"scan.file={options.scan}/walk.pcap",
-                       "--set", f"slam.trajectory={options.scan}/trajectory.tum", "--set", "report.figures=false", "--set", "report.page=false"]
+                       "--set", f"slam.trajectory={options.scan}/trajectory.tum", "--set", "report.figures=false", "--set", "report.page=false", "--set", "report.cloud_format=las"]
             subprocess.run([str(c) for c in command], check=True, capture_output=True)
             cloud = folder / "map/cloud.las"
         half = json.loads((options.scan / "recipe.json").read_text())["plot"]["size_m"] / 2

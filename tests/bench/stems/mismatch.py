@@ -110,7 +110,7 @@ def measured(options, work, row, seed):
         run([options.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--no-cache", *[p for s in settings for p in ("--set", s)], "--out",
              out], work / name / "run.log")
         if not options.keep:
-            for file in [*scan.glob("*.pcap"), *out.glob("*.las")]:
+            for file in [*scan.glob("*.pcap"), *out.glob("*.la[sz]")]:
                 file.unlink()
     return out, scan
 

@@ -50,7 +50,7 @@ def surveyed(options, sensor, seed):
         if not options.keep:
             shutil.rmtree(scan / "frames", ignore_errors=True)
             (scan / "walk.pcap").unlink(missing_ok=True)
-            (out / "cloud.las").unlink(missing_ok=True)
+            (out / "cloud.laz").unlink(missing_ok=True)
     return out, scan
 
 

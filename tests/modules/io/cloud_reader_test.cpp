@@ -342,7 +342,7 @@ Eigen::Vector3d sensor_position(const PointCloud& cloud, std::size_t i) {
 TEST(WriteCloud, ComesBackEqual) {
   const TempDir dir;
   const auto cloud = sample_cloud();
-  for (const char* name : {"a.ply", "a.csv", "a.xyz", "a.las"}) {
+  for (const char* name : {"a.ply", "a.csv", "a.xyz", "a.las", "a.laz", "a.copc.laz"}) {
     SCOPED_TRACE(name);
     write_cloud(dir / name, cloud);
     const auto back = read_cloud(dir / name).cloud;

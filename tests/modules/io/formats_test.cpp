@@ -179,7 +179,7 @@ TEST(Formats, ListsAreMadeOfTheRows) {
 TEST(Formats, FilesAreWrittenByTheirEnding) {
   EXPECT_EQ(written_format(FileContent::cloud, "a.LAS").name, "LAS");
   EXPECT_EQ(written_format(FileContent::trajectory, "a.tum").name, "TUM");
-  EXPECT_THAT(error_of([] { written_format(FileContent::cloud, "a.laz"); }), HasSubstr(".las, .ply, .csv"));
+  EXPECT_THAT(error_of([] { written_format(FileContent::cloud, "a.e57"); }), HasSubstr(".copc.laz, .laz, .las, .ply"));
 }
 
 }  // namespace

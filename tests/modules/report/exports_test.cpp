@@ -72,7 +72,7 @@ TEST(Exports, TreeIdsAreTheSameInEveryFile) {
   ASSERT_EQ(ids.size(), s.stems.rows());
   Ids of_sections, of_points;
   for (const auto id : io::read_table(dir / "sections.csv").integers("tree_id")) of_sections.insert(id);
-  const auto cloud = io::read_cloud(dir / "cloud.las").cloud;
+  const auto cloud = io::read_cloud(dir / "cloud.laz").cloud;
   for (const auto id : cloud.values<std::int32_t>(arrays::tree_id))
     if (id > 0) of_points.insert(id);
   EXPECT_EQ(of_sections, ids);

@@ -125,7 +125,7 @@ TEST_F(MakeReport, WritesEverything) {
                            "tree_values.csv",
                            "matches.csv",
                            "trajectory.tum",
-                           "cloud.las",
+                           "cloud.laz",
                            "dem.tif",
                            "plot.gpkg",
                            "report.html",

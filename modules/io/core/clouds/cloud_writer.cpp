@@ -143,8 +143,8 @@ void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud,
   write_text(path, cloud, ' ', decimals, run);
 }
 
-void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run) {
-  std::get<CloudAccess>(written_format(FileContent::cloud, path).access).write(path, cloud, run);
+void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run, Report* report) {
+  std::get<CloudAccess>(written_format(FileContent::cloud, path).access).write(path, cloud, run, report);
 }
 
 }  // namespace bole::io

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "base/report.h"
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 
@@ -18,7 +19,9 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud, const
 void write_csv_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 void write_xyz_cloud(const std::filesystem::path& path, const PointCloud& cloud, int decimals = 4, const Run& run = {});
 
-// Throws Error{bad_input} that lists the endings where no format of formats.h is written with this one.
-void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {});
+// `.las`, `.laz`, `.copc.laz`, `.ply`, `.csv`, `.xyz`, ...: as the table of formats.h says. Throws Error{bad_input}
+// that lists the endings where no format is written with this one. Warnings of the writer go to `report`.
+void write_cloud(const std::filesystem::path& path, const PointCloud& cloud, const Run& run = {},
+                 Report* report = nullptr);
 
 }  // namespace bole::io

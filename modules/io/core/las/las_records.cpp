@@ -52,6 +52,16 @@ double whole_offset(double origin, double scale) {
   return origin;
 }
 
+// The value clamped to the range of its field.
+double held(std::string_view name, double value, double low, double high, RecordLosses& losses) {
+  const double inside = std::isnan(value) ? 0 : std::clamp(value, low, high);
+  if (inside == value) return value;
+  auto it = losses.held.find(name);
+  if (it == losses.held.end()) it = losses.held.emplace(std::string(name), 0).first;
+  ++it->second;
+  return inside;
+}
+
 }  // namespace
 
 Grid choose_grid(const PointCloud& cloud, double scale_m) {
@@ -71,6 +81,7 @@ RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool leg
   format_ = legacy ? (colour ? 3 : 1) : infrared ? 8 : colour ? 7 : 6;
   layout_ = las::point_layout(format_);
   record_length_ = static_cast<std::size_t>(layout_.size);
+  place_origin();
   if (!extra_bytes) return;
   for (const auto& [name, column] : cloud.columns()) {
     if (has_field(name, layout_) && (gps_time || name != arrays::time.name)) continue;
@@ -82,7 +93,7 @@ RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool leg
     dimension.offset = record_length_;
     if (name.size() > 32 || record_length_ + extra_type_size(dimension.type) > 65535 ||
         (dimensions_.size() + 1) * extra_descriptor_size > 65535) {
-      ++held_["array " + name];
+      left_out_.push_back(name);
       continue;
     }
     record_length_ += extra_type_size(dimension.type);
@@ -90,18 +101,14 @@ RecordEncoder::RecordEncoder(const PointCloud& cloud, const Grid& grid, bool leg
   }
 }
 
-double RecordEncoder::held(std::string_view name, double value, double low, double high) {
-  const double inside = std::isnan(value) ? 0 : std::clamp(value, low, high);
-  if (inside == value) return value;
-  auto it = held_.find(name);
-  if (it == held_.end()) it = held_.emplace(std::string(name), 0).first;
-  ++it->second;
-  return inside;
+void RecordLosses::add(const RecordLosses& other) {
+  for (const auto& [name, count] : other.held) held[name] += count;
+  for (const auto& [name, count] : other.rounded) rounded[name] += count;
 }
 
 template <class T>
-void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count,
-                                 std::uint8_t* records, double per_unit, double low, double high) {
+void RecordEncoder::encode_field(const char* name, std::size_t place, const PointList& points, std::uint8_t* records,
+                                 RecordLosses& losses, double per_unit, double low, double high) const {
   const auto it = cloud_.columns().find(name);
   if (it == cloud_.columns().end()) return;
   if (low >= high) {
@@ -113,11 +120,11 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
       [&](const auto& values) {
         using From = typename std::decay_t<decltype(values)>::value_type;
         std::uint8_t* at = records + place;
-        for (std::size_t i = 0; i < count; ++i, at += record_length_) {
+        for (std::size_t i = 0; i < points.count; ++i, at += record_length_) {
           if constexpr (std::is_same_v<From, T>)
-            store(at, values[first + i]);
+            store(at, values[points[i]]);
           else {
-            const double value = held(name, static_cast<double>(values[first + i]) * per_unit, low, high),
+            const double value = held(name, static_cast<double>(values[points[i]]) * per_unit, low, high, losses),
                          whole = std::round(value);
             if (whole != value) ++fractions;
             store(at, static_cast<T>(whole));
@@ -126,94 +133,97 @@ void RecordEncoder::encode_field(const char* name, std::size_t place, std::size_
       },
       *it->second);
   // Scan angles are steps of their own unit; elsewhere a fraction is lost.
-  if (fractions > 0 && std::string_view(name) != arrays::scan_angle.name) rounded_[name] += fractions;
+  if (fractions > 0 && std::string_view(name) != arrays::scan_angle.name) losses.rounded[name] += fractions;
 }
 
-void RecordEncoder::encode(std::size_t first, std::size_t count, std::uint8_t* records) {
+void RecordEncoder::encode(const PointList& points, std::uint8_t* records, RecordLosses& losses) const {
   namespace fl = field::legacy;
   namespace fe = field::extended;
-  encode_positions(first, count, records);
-  encode_field<std::uint16_t>("intensity", field::intensity, first, count, records);
-  encode_returns(first, count, records);
-  if (legacy_) {
-    encode_field<std::int8_t>("scan_angle", fl::scan_angle, first, count, records, 1, -90, 90);
-    encode_field<std::uint8_t>("user_data", fl::user_data, first, count, records);
-    encode_field<std::uint16_t>("point_source_id", fl::point_source_id, first, count, records);
-  } else {
-    encode_field<std::uint8_t>("classification", fe::classification, first, count, records);
-    encode_field<std::int16_t>("scan_angle", fe::scan_angle, first, count, records, 1 / scan_angle_step_deg, -32768,
-                               32767);
-    encode_field<std::uint8_t>("user_data", fe::user_data, first, count, records);
-    encode_field<std::uint16_t>("point_source_id", fe::point_source_id, first, count, records);
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const auto at = steps(points[i]);
+    std::memcpy(records + i * record_length_, at.data(), sizeof at);
   }
-  encode_flags(first, count, records);
+  encode_field<std::uint16_t>("intensity", field::intensity, points, records, losses);
+  encode_returns(points, records, losses);
+  if (legacy_) {
+    encode_field<std::int8_t>("scan_angle", fl::scan_angle, points, records, losses, 1, -90, 90);
+    encode_field<std::uint8_t>("user_data", fl::user_data, points, records, losses);
+    encode_field<std::uint16_t>("point_source_id", fl::point_source_id, points, records, losses);
+  } else {
+    encode_field<std::uint8_t>("classification", fe::classification, points, records, losses);
+    encode_field<std::int16_t>("scan_angle", fe::scan_angle, points, records, losses, 1 / scan_angle_step_deg, -32768,
+                               32767);
+    encode_field<std::uint8_t>("user_data", fe::user_data, points, records, losses);
+    encode_field<std::uint16_t>("point_source_id", fe::point_source_id, points, records, losses);
+  }
+  encode_flags(points, records, losses);
   if (const auto* info = &arrays::time; gps_time_ && cloud_.has(*info)) {
     const Column& column = cloud_.column(info->name);
-    for (std::size_t i = 0; i < count; ++i)
-      store(records + i * record_length_ + static_cast<std::size_t>(layout_.time), column_value(column, first + i));
+    for (std::size_t i = 0; i < points.count; ++i)
+      store(records + i * record_length_ + static_cast<std::size_t>(layout_.time), column_value(column, points[i]));
   }
   if (layout_.colour >= 0) {
     const auto place = static_cast<std::size_t>(layout_.colour);
-    encode_field<std::uint16_t>("red", place, first, count, records);
-    encode_field<std::uint16_t>("green", place + 2, first, count, records);
-    encode_field<std::uint16_t>("blue", place + 4, first, count, records);
+    encode_field<std::uint16_t>("red", place, points, records, losses);
+    encode_field<std::uint16_t>("green", place + 2, points, records, losses);
+    encode_field<std::uint16_t>("blue", place + 4, points, records, losses);
   }
   if (layout_.near_infrared >= 0)
-    encode_field<std::uint16_t>("near_infrared", static_cast<std::size_t>(layout_.near_infrared), first, count,
-                                records);
-  encode_extra(first, count, records);
+    encode_field<std::uint16_t>("near_infrared", static_cast<std::size_t>(layout_.near_infrared), points, records,
+                                losses);
+  encode_extra(points, records);
 }
 
-void RecordEncoder::encode_positions(std::size_t first, std::size_t count, std::uint8_t* records) const {
-  // The origin's own place on the grid is a whole number of steps for a cloud that came from a file; each offset is
-  // rounded by itself then, so that the large origin cannot push it to a neighbouring step.
-  std::array<double, 3> origin_steps{};
-  std::array<bool, 3> on_grid{};
+// The origin's own place on the grid is a whole number of steps for a cloud that came from a file; each offset is
+// rounded by itself then, so that the large origin cannot push it to a neighbouring step.
+void RecordEncoder::place_origin() {
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    origin_steps[k] = (cloud_.origin[axis] - grid_.offset[axis]) / grid_.scale[axis];
-    on_grid[k] = cloud_.scale[axis] > 0 && std::abs(origin_steps[k] - std::round(origin_steps[k])) < 1e-5;
-    if (on_grid[k]) origin_steps[k] = std::round(origin_steps[k]);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      const double steps = static_cast<double>(cloud_.positions()[first + i][axis]) / grid_.scale[axis];
-      const double whole = on_grid[k] ? std::round(steps) + origin_steps[k] : std::round(steps + origin_steps[k]);
-      if (!(std::abs(whole) <= 2147483647.0))
-        throw bad_input(fmt::format("point {} has the coordinate {} on axis {}", first + i,
-                                    cloud_.position(first + i)[axis], "xyz"[k]),
-                        fmt::format("finite coordinates within {:.0f} m of {}", 2147483647.0 * grid_.scale[axis],
-                                    grid_.offset[axis]),
-                        "Remove the point, or write with a coarser scale");
-      store(records + i * record_length_ + 4 * k, static_cast<std::int32_t>(whole));
-    }
+    origin_steps_[k] = (cloud_.origin[axis] - grid_.offset[axis]) / grid_.scale[axis];
+    on_grid_[k] = cloud_.scale[axis] > 0 && std::abs(origin_steps_[k] - std::round(origin_steps_[k])) < 1e-5;
+    if (on_grid_[k]) origin_steps_[k] = std::round(origin_steps_[k]);
   }
 }
 
-void RecordEncoder::encode_returns(std::size_t first, std::size_t count, std::uint8_t* records) {
+std::array<std::int32_t, 3> RecordEncoder::steps(std::size_t point) const {
+  std::array<std::int32_t, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const double steps = static_cast<double>(cloud_.positions()[point][axis]) / grid_.scale[axis];
+    const double whole = on_grid_[k] ? std::round(steps) + origin_steps_[k] : std::round(steps + origin_steps_[k]);
+    if (!(std::abs(whole) <= 2147483647.0))
+      throw bad_input(
+          fmt::format("point {} has the coordinate {} on axis {}", point, cloud_.position(point)[axis], "xyz"[k]),
+          fmt::format("finite coordinates within {:.0f} m of {}", 2147483647.0 * grid_.scale[axis], grid_.offset[axis]),
+          "Remove the point, or write with a coarser scale");
+    out[k] = static_cast<std::int32_t>(whole);
+  }
+  return out;
+}
+
+void RecordEncoder::encode_returns(const PointList& points, std::uint8_t* records, RecordLosses& losses) const {
   const unsigned most = legacy_ ? 7 : 15, shift = legacy_ ? 3 : 4;
   const auto column = [&](const ArrayInfo& info) { return cloud_.has(info) ? &cloud_.column(info.name) : nullptr; };
   const Column* number = column(arrays::return_number);
   const Column* of = column(arrays::number_of_returns);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double r = number != nullptr ? column_value(*number, first + i) : 1,
-                 n = of != nullptr ? column_value(*of, first + i) : 1;
-    const auto r_bits = static_cast<unsigned>(held("return_number", r, 0, most)),
-               n_bits = static_cast<unsigned>(held("number_of_returns", n, 0, most));
+  for (std::size_t i = 0; i < points.count; ++i) {
+    const double r = number != nullptr ? column_value(*number, points[i]) : 1,
+                 n = of != nullptr ? column_value(*of, points[i]) : 1;
+    const auto r_bits = static_cast<unsigned>(held("return_number", r, 0, most, losses)),
+               n_bits = static_cast<unsigned>(held("number_of_returns", n, 0, most, losses));
     records[i * record_length_ + field::returns] = static_cast<std::uint8_t>(r_bits | n_bits << shift);
   }
 }
 
-void RecordEncoder::encode_flags(std::size_t first, std::size_t count, std::uint8_t* records) {
+void RecordEncoder::encode_flags(const PointList& points, std::uint8_t* records, RecordLosses& losses) const {
   namespace fl = field::legacy;
   if (legacy_ && cloud_.has(arrays::classification)) {
     const Column& classes = cloud_.column(arrays::classification.name);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < points.count; ++i) {
       // Five bits; what they cannot hold becomes class 1, unassigned.
-      double value = column_value(classes, first + i);
+      double value = column_value(classes, points[i]);
       if (!(value >= 0 && value <= 31)) {
-        ++held_["classification"];
+        ++losses.held["classification"];
         value = 1;
       }
       records[i * record_length_ + fl::classification] = static_cast<std::uint8_t>(value);
@@ -224,40 +234,39 @@ void RecordEncoder::encode_flags(std::size_t first, std::size_t count, std::uint
     if (it == cloud_.columns().end() || !has_field(flag.name, layout_)) continue;
     const std::size_t place = !legacy_ ? field::extended::flags : flag.shift < 3 ? fl::classification : field::returns;
     const unsigned shift = legacy_ && flag.shift < 3 ? flag.shift + 5 : flag.shift;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto value = static_cast<unsigned>(held(flag.name, column_value(*it->second, first + i), 0, flag.mask));
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const auto value =
+          static_cast<unsigned>(held(flag.name, column_value(*it->second, points[i]), 0, flag.mask, losses));
       records[i * record_length_ + place] |= static_cast<std::uint8_t>(value << shift);
     }
   }
 }
 
-void RecordEncoder::encode_extra(std::size_t first, std::size_t count, std::uint8_t* records) const {
+void RecordEncoder::encode_extra(const PointList& points, std::uint8_t* records) const {
   for (const auto& dimension : dimensions_) {
     const int axis = sensor_axis(dimension.name);
     std::visit(
         [&](const auto& values) {
           std::uint8_t* at = records + dimension.offset;
-          for (std::size_t i = 0; i < count; ++i, at += record_length_) {
+          for (std::size_t i = 0; i < points.count; ++i, at += record_length_) {
             if (axis >= 0)
               // Rounded, so that reading it into another origin and writing it again gives the same number.
-              store(at, std::round((cloud_.origin[axis] + static_cast<double>(values[first + i])) * 1e4) / 1e4);
+              store(at, std::round((cloud_.origin[axis] + static_cast<double>(values[points[i]])) * 1e4) / 1e4);
             else
-              store(at, values[first + i]);
+              store(at, values[points[i]]);
           }
         },
         cloud_.column(dimension.name));
   }
 }
 
-std::vector<std::string> RecordEncoder::warnings() const {
+std::vector<std::string> RecordEncoder::warnings(const RecordLosses& losses) const {
   std::vector<std::string> out;
-  for (const auto& [name, count] : held_) {
-    if (name.starts_with("array "))
-      out.push_back(fmt::format("{} has a name or size that LAS extra bytes cannot hold; it is left out", name));
-    else
-      out.push_back(fmt::format("{} values of {} do not fit the LAS field and are held at its ends", count, name));
-  }
-  for (const auto& [name, count] : rounded_)
+  for (const auto& name : left_out_)
+    out.push_back(fmt::format("array {} has a name or size that LAS extra bytes cannot hold; it is left out", name));
+  for (const auto& [name, count] : losses.held)
+    out.push_back(fmt::format("{} values of {} do not fit the LAS field and are held at its ends", count, name));
+  for (const auto& [name, count] : losses.rounded)
     out.push_back(
         fmt::format("{} values of {} are rounded to whole numbers, as the LAS field holds them", count, name));
   return out;

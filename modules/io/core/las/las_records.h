@@ -1,6 +1,7 @@
 // Point records from the columns of a cloud: the reverse of las_columns.h.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,6 +21,20 @@ struct Grid {
 // allows one.
 Grid choose_grid(const PointCloud& cloud, double scale_m);
 
+// Points of a cloud that follow one another, or that a list puts in another order.
+struct PointList {
+  std::size_t first = 0, count = 0;
+  const std::uint32_t* order = nullptr;
+  std::size_t operator[](std::size_t i) const { return order == nullptr ? first + i : order[first + i]; }
+};
+
+// What the fields of a record could not hold.
+struct RecordLosses {
+  std::map<std::string, std::size_t, std::less<>> held;     // clamped values, by column
+  std::map<std::string, std::size_t, std::less<>> rounded;  // values that lost a fraction, by column
+  void add(const RecordLosses& other);
+};
+
 class RecordEncoder {
  public:
   // `legacy`: formats 1 and 3, else 6 to 8. `gps_time`: the times of the cloud are GPS time; those of another clock go
@@ -31,26 +46,33 @@ class RecordEncoder {
   const Grid& grid() const { return grid_; }
   const std::vector<ExtraDimension>& dimensions() const { return dimensions_; }
 
-  // Records of the points [first, first + count) into zeroed memory. Throws Error{bad_input} for coordinates that are
-  // not finite or off the grid's reach.
-  void encode(std::size_t first, std::size_t count, std::uint8_t* records);
+  // Records of the points into zeroed memory; several threads may do so at once. Throws Error{bad_input} for
+  // coordinates that are not finite or off the grid's reach.
+  void encode(const PointList& points, std::uint8_t* records, RecordLosses& losses) const;
+
+  // The place of a point on the grid. Throws as encode().
+  std::array<std::int32_t, 3> steps(std::size_t point) const;
 
   unsigned return_number(const std::uint8_t* record) const {
     return record[field::returns] & (layout_.extended ? 15U : 7U);
   }
 
-  // Values that did not fit their field, one line per column.
-  std::vector<std::string> warnings() const;
+  bool holds_time() const { return gps_time_ && layout_.time >= 0; }
+  double time(const std::uint8_t* record) const {
+    return las::load<double>(record + static_cast<std::size_t>(layout_.time));
+  }
+
+  // Columns without a place in the file and values that did not fit their field, one line per column.
+  std::vector<std::string> warnings(const RecordLosses& losses) const;
 
  private:
-  void encode_positions(std::size_t first, std::size_t count, std::uint8_t* records) const;
-  void encode_returns(std::size_t first, std::size_t count, std::uint8_t* records);
-  void encode_flags(std::size_t first, std::size_t count, std::uint8_t* records);
-  void encode_extra(std::size_t first, std::size_t count, std::uint8_t* records) const;
-  double held(std::string_view name, double value, double low, double high);
+  void encode_returns(const PointList& points, std::uint8_t* records, RecordLosses& losses) const;
+  void encode_flags(const PointList& points, std::uint8_t* records, RecordLosses& losses) const;
+  void encode_extra(const PointList& points, std::uint8_t* records) const;
   template <class T>
-  void encode_field(const char* name, std::size_t place, std::size_t first, std::size_t count, std::uint8_t* records,
-                    double per_unit = 1, double low = 0, double high = 0);
+  void encode_field(const char* name, std::size_t place, const PointList& points, std::uint8_t* records,
+                    RecordLosses& losses, double per_unit = 1, double low = 0, double high = 0) const;
+  void place_origin();
 
   const PointCloud& cloud_;
   Grid grid_;
@@ -60,8 +82,9 @@ class RecordEncoder {
   PointLayout layout_;
   std::size_t record_length_ = 0;
   std::vector<ExtraDimension> dimensions_;
-  std::map<std::string, std::size_t, std::less<>> held_;     // clamped values, by column
-  std::map<std::string, std::size_t, std::less<>> rounded_;  // values that lost a fraction, by column
+  std::vector<std::string> left_out_;  // columns
+  std::array<double, 3> origin_steps_{};
+  std::array<bool, 3> on_grid_{};
 };
 
 }  // namespace bole::io::las

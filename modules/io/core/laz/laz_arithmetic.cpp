@@ -4,8 +4,8 @@
 
 namespace bole::io::laz {
 
-void SymbolModel::prepare() {
-  if (symbols_ > 16) {
+void SymbolModel::prepare(Use use) {
+  if (symbols_ > 16 && use == Use::decoding) {
     unsigned table_bits = 3;
     while (symbols_ > 1U << (table_bits + 2)) ++table_bits;
     table_size_ = 1U << table_bits;
@@ -75,7 +75,7 @@ std::uint32_t ArithmeticDecoder::raw_bits(unsigned count) {
   length_ >>= count;
   const std::uint32_t found = value_ / length_;
   value_ -= found * length_;
-  if (length_ < min_length) renormalise();
+  if (length_ < min_interval) renormalise();
   return found & ((1U << count) - 1);
 }
 

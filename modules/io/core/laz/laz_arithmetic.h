@@ -1,7 +1,7 @@
-// The arithmetic decoder that LAZ is built on: adaptive models of symbols and bits, 32-bit interval, byte-wise
-// renormalisation.
-// Source: A. Said, "Introduction to Arithmetic Coding - Theory and Practice", HP Labs HPL-2004-76, 2004;
-// M. Isenburg, "LASzip: lossless compression of LiDAR data", PE&RS 79(2), 2013.
+// The arithmetic coder that LAZ is built on: adaptive models of symbols and bits, and the decoder with its 32-bit
+// interval and byte-wise renormalisation. The encoder is in laz_arithmetic_encoder.h. Source: A. Said, "Introduction to
+// Arithmetic Coding - Theory and Practice", HP Labs HPL-2004-76, 2004; M. Isenburg, "LASzip: lossless compression of
+// LiDAR data", PE&RS 79(2), 2013.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,10 @@ class SymbolModel {
 
  private:
   friend class ArithmeticDecoder;
+  friend class ArithmeticEncoder;
   static constexpr unsigned length_shift = 15, max_count = 1U << length_shift;
-  void prepare();
+  enum class Use { decoding, encoding };  // an encoder needs no table
+  void prepare(Use use);
   void update();
 
   std::uint16_t* cumulative() { return data_.data(); }
@@ -36,11 +38,15 @@ class SymbolModel {
 class BitModel {
  private:
   friend class ArithmeticDecoder;
+  friend class ArithmeticEncoder;
   static constexpr unsigned length_shift = 13, max_count = 1U << length_shift;
   void update();
   unsigned zero_count_ = 1, total_count_ = 2, zero_probability_ = 1U << (length_shift - 1), update_cycle_ = 4,
            until_update_ = 4;
 };
+
+// Whatever `length_` falls below is renormalised, by encoder and decoder alike.
+inline constexpr std::uint32_t min_interval = 1U << 24;
 
 class ArithmeticDecoder {
  public:
@@ -61,13 +67,11 @@ class ArithmeticDecoder {
   std::size_t position() const { return static_cast<std::size_t>(next_ - begin_); }  // bytes taken so far
 
  private:
-  static constexpr std::uint32_t min_length = 1U << 24;
-
   void renormalise() {
     do {
       value_ = value_ << 8 | next_byte();
       length_ <<= 8;
-    } while (length_ < min_length);
+    } while (length_ < min_interval);
   }
   std::uint32_t next_byte() {
     if (next_ != end_) [[likely]]
@@ -87,7 +91,7 @@ class ArithmeticDecoder {
 
 inline unsigned ArithmeticDecoder::symbol(SymbolModel& model) {
   if (model.data_.empty()) [[unlikely]]
-    model.prepare();
+    model.prepare(SymbolModel::Use::decoding);
   const std::uint16_t* cumulative = model.cumulative();
   std::uint32_t upper = length_;
   length_ >>= SymbolModel::length_shift;
@@ -110,7 +114,7 @@ inline unsigned ArithmeticDecoder::symbol(SymbolModel& model) {
   if (found + 1 != model.symbols_) upper = cumulative[found + 1] * length_;
   value_ -= lower;
   length_ = upper - lower;
-  if (length_ < min_length) renormalise();
+  if (length_ < min_interval) renormalise();
   ++model.counts()[found];
   if (--model.until_update_ == 0) model.update();
   return found;
@@ -126,7 +130,7 @@ inline unsigned ArithmeticDecoder::bit(BitModel& model) {
     length_ = split;
     ++model.zero_count_;
   }
-  if (length_ < min_length) renormalise();
+  if (length_ < min_interval) renormalise();
   if (--model.until_update_ == 0) model.update();
   return one ? 1 : 0;
 }

@@ -37,7 +37,7 @@ class BytesV1 final : public PointwiseItem {
 
  private:
   std::vector<std::uint8_t> last_;
-  IntegerDecoder values_;
+  IntegerCoder values_;
 };
 
 Error unknown(const Item& item) {

@@ -55,7 +55,7 @@ std::optional<std::vector<Chunk>> read_chunk_table(Bytes file, std::uint64_t dat
 
   ArithmeticDecoder in;
   in.start(file.subspan(at + 8));
-  IntegerDecoder numbers(32, 2);
+  IntegerCoder numbers(32, 2);
   std::vector<Chunk> chunks;
   chunks.reserve(count);
   std::uint64_t begin = first, left = points;

@@ -16,7 +16,7 @@ int high(std::uint16_t v) { return v >> 8; }
 }  // namespace
 
 // Bits of `changed`: low and high byte of red, green, blue; bit 6: not grey.
-Rgb ColourDecoder::next(ArithmeticDecoder& in, const Rgb& last) {
+Rgb ColourCoder::next(ArithmeticDecoder& in, const Rgb& last) {
   const unsigned changed = in.symbol(changed_);
   // The byte of index `which`: its former value, or the prediction (former value plus `drift`, held to a byte)
   // corrected.
@@ -41,6 +41,31 @@ Rgb ColourDecoder::next(ArithmeticDecoder& in, const Rgb& last) {
   return {red, join(green_low, green_high), join(blue_low, blue_high)};
 }
 
+void ColourCoder::write(ArithmeticEncoder& out, const Rgb& last, const Rgb& colour) {
+  const bool grey = colour[0] == colour[1] && colour[0] == colour[2];
+  unsigned changed = grey ? 0 : 64;
+  for (unsigned i = 0; i < 3; ++i) {
+    if (low(colour[i]) != low(last[i])) changed |= 1U << (2 * i);
+    if (high(colour[i]) != high(last[i])) changed |= 2U << (2 * i);
+  }
+  out.symbol(changed_, changed);
+  const auto byte = [&](unsigned which, int value, int former, int drift) {
+    if ((changed >> which & 1U) == 0) return;
+    const int prediction = std::clamp(former + drift, 0, 255);
+    out.symbol(corrections_[which], static_cast<unsigned>(value - prediction) & 0xffU);
+  };
+  byte(0, low(colour[0]), low(last[0]), 0);
+  byte(1, high(colour[0]), high(last[0]), 0);
+  if (grey) return;
+  const auto green_and_blue = [&](unsigned which, auto part) {
+    const int drift = part(colour[0]) - part(last[0]);
+    byte(which, part(colour[1]), part(last[1]), drift);
+    byte(which + 2, part(colour[2]), part(last[2]), (drift + part(colour[1]) - part(last[1])) / 2);
+  };
+  green_and_blue(2, low);
+  green_and_blue(3, high);
+}
+
 namespace {
 
 class Rgb12V2 final : public PointwiseItem {
@@ -53,7 +78,7 @@ class Rgb12V2 final : public PointwiseItem {
 
  private:
   Rgb last_{};
-  ColourDecoder colours_;
+  ColourCoder colours_;
 };
 
 class Rgb12V1 final : public PointwiseItem {
@@ -69,7 +94,7 @@ class Rgb12V1 final : public PointwiseItem {
  private:
   std::array<std::uint8_t, 6> last_{};
   SymbolModel changed_{64};
-  IntegerDecoder bytes_{8, 6};
+  IntegerCoder bytes_{8, 6};
 };
 
 }  // namespace

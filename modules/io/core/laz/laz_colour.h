@@ -5,14 +5,16 @@
 #include <cstdint>
 
 #include "io/core/laz/laz_arithmetic.h"
+#include "io/core/laz/laz_arithmetic_encoder.h"
 
 namespace bole::io::laz {
 
 using Rgb = std::array<std::uint16_t, 3>;
 
-class ColourDecoder {
+class ColourCoder {
  public:
   Rgb next(ArithmeticDecoder& in, const Rgb& last);
+  void write(ArithmeticEncoder& out, const Rgb& last, const Rgb& colour);
 
  private:
   SymbolModel changed_{128};

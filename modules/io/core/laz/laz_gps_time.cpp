@@ -1,5 +1,7 @@
 #include "io/core/laz/laz_gps_time.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "io/core/laz/laz_items.h"
@@ -11,9 +13,26 @@ namespace {
 constexpr int max_multiple = 500, min_multiple = -10;
 constexpr unsigned multiples_end = max_multiple - min_multiple + 1;  // symbols below it are multiples
 
+// Context of the rest that a multiple of the unit leaves. 1 times the unit has the context 1.
+constexpr unsigned context_of(int multiple) {
+  return multiple == 0              ? 7
+         : multiple == max_multiple ? 4
+         : multiple == min_multiple ? 6
+         : multiple < 0             ? 5
+         : multiple < 10            ? 2
+                                    : 3;
+}
+constexpr bool is_extreme(int multiple) {
+  return multiple == 0 || multiple == max_multiple || multiple == min_multiple;
+}
+
+std::int64_t wrapping_difference(std::int64_t a, std::int64_t b) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+
 }  // namespace
 
-std::int64_t GpsTimeDecoder::next(ArithmeticDecoder& in) {
+std::int64_t GpsTimeCoder::next(ArithmeticDecoder& in) {
   // A switch to another sequence is followed by that sequence's own code. Behind the end of the data symbols are 0,
   // which is no switch, so this ends for any input.
   while ((differences_[last_] == 0 ? after_no_difference(in) : after_difference(in)) == Step::again) {
@@ -21,7 +40,7 @@ std::int64_t GpsTimeDecoder::next(ArithmeticDecoder& in) {
   return times_[last_];
 }
 
-void GpsTimeDecoder::new_sequence(ArithmeticDecoder& in) {
+void GpsTimeCoder::new_sequence(ArithmeticDecoder& in) {
   const auto high = difference_.decode(in, static_cast<std::int32_t>(times_[last_] >> 32), 8);
   newest_ = (newest_ + 1) & 3;
   times_[newest_] =
@@ -32,13 +51,13 @@ void GpsTimeDecoder::new_sequence(ArithmeticDecoder& in) {
 }
 
 // A difference that fits no multiple becomes the new unit after four in a row.
-void GpsTimeDecoder::note_extreme(std::int32_t difference) {
+void GpsTimeCoder::note_extreme(std::int32_t difference) {
   if (++extremes_[last_] <= 3) return;
   differences_[last_] = difference;
   extremes_[last_] = 0;
 }
 
-GpsTimeDecoder::Step GpsTimeDecoder::after_no_difference(ArithmeticDecoder& in) {
+GpsTimeCoder::Step GpsTimeCoder::after_no_difference(ArithmeticDecoder& in) {
   const unsigned code = in.symbol(no_difference_);
   if (code < extra_) return Step::done;  // unchanged
   switch (code - extra_) {
@@ -56,7 +75,7 @@ GpsTimeDecoder::Step GpsTimeDecoder::after_no_difference(ArithmeticDecoder& in) 
   }
 }
 
-GpsTimeDecoder::Step GpsTimeDecoder::after_difference(ArithmeticDecoder& in) {
+GpsTimeCoder::Step GpsTimeCoder::after_difference(ArithmeticDecoder& in) {
   const unsigned code = in.symbol(multiple_);
   const std::int32_t unit = differences_[last_];
   if (code >= multiples_end) {
@@ -75,27 +94,80 @@ GpsTimeDecoder::Step GpsTimeDecoder::after_difference(ArithmeticDecoder& in) {
     return Step::done;
   }
   const int multiple = code <= max_multiple ? static_cast<int>(code) : max_multiple - static_cast<int>(code);
-  const unsigned context = code == 0                  ? 7
-                           : multiple == max_multiple ? 4
-                           : multiple == min_multiple ? 6
-                           : multiple < 0             ? 5
-                           : multiple < 10            ? 2
-                                                      : 3;
-  const std::int32_t difference = difference_.decode(in, wrapping_multiply(multiple, unit), context);
-  if (context == 7 || context == 4 || context == 6) note_extreme(difference);
+  const std::int32_t difference = difference_.decode(in, wrapping_multiply(multiple, unit), context_of(multiple));
+  if (is_extreme(multiple)) note_extreme(difference);
   add(difference);
   return Step::done;
+}
+
+bool GpsTimeCoder::within_reach(std::size_t sequence, std::int64_t time) const {
+  const std::int64_t difference = wrapping_difference(time, times_[sequence]);
+  return difference == static_cast<std::int32_t>(difference);
+}
+
+// How many sequences further one is that the time fits, 0 where there is none.
+unsigned GpsTimeCoder::other_sequence(std::int64_t time) const {
+  for (unsigned turn = 1; turn < times_.size(); ++turn)
+    if (within_reach((last_ + turn) & 3, time)) return turn;
+  return 0;
+}
+
+void GpsTimeCoder::begin_sequence(ArithmeticEncoder& out, std::int64_t time) {
+  difference_.encode(out, static_cast<std::int32_t>(times_[last_] >> 32), static_cast<std::int32_t>(time >> 32), 8);
+  out.bits(32, static_cast<std::uint32_t>(time));
+  newest_ = (newest_ + 1) & 3;
+  last_ = newest_;
+  times_[last_] = time;
+  differences_[last_] = 0;
+  extremes_[last_] = 0;
+}
+
+void GpsTimeCoder::write_multiple(ArithmeticEncoder& out, std::int32_t difference) {
+  const std::int32_t unit = differences_[last_];
+  const double ratio = static_cast<double>(difference) / static_cast<double>(unit);
+  const int multiple = static_cast<int>(std::lround(std::clamp<double>(ratio, min_multiple, max_multiple)));
+  out.symbol(multiple_, static_cast<unsigned>(multiple >= 0 ? multiple : max_multiple - multiple));
+  if (multiple == 1) {
+    difference_.encode(out, unit, difference, 1);
+    extremes_[last_] = 0;
+    return;
+  }
+  difference_.encode(out, wrapping_multiply(multiple, unit), difference, context_of(multiple));
+  if (is_extreme(multiple)) note_extreme(difference);
+}
+
+void GpsTimeCoder::write(ArithmeticEncoder& out, std::int64_t time) {
+  while (true) {
+    const bool no_unit = differences_[last_] == 0;
+    SymbolModel& model = no_unit ? no_difference_ : multiple_;
+    if (extra_ != 0 && time == times_[last_]) return out.symbol(model, no_unit ? 0 : multiples_end);
+    if (within_reach(last_, time)) break;
+    const unsigned turn = other_sequence(time);
+    out.symbol(model, extra_ + (no_unit ? 1 : multiples_end) + turn);
+    if (turn == 0) return begin_sequence(out, time);
+    last_ = (last_ + turn) & 3;
+  }
+  const auto difference = static_cast<std::int32_t>(wrapping_difference(time, times_[last_]));
+  if (differences_[last_] == 0) {
+    out.symbol(no_difference_, extra_);
+    difference_.encode(out, 0, difference, 0);
+    differences_[last_] = difference;
+    extremes_[last_] = 0;
+  } else {
+    write_multiple(out, difference);
+  }
+  times_[last_] = time;
 }
 
 namespace {
 
 class GpsTime11V2 final : public PointwiseItem {
  public:
-  void first(const std::uint8_t* item) override { times_ = GpsTimeDecoder(true, las::load<std::int64_t>(item)); }
+  void first(const std::uint8_t* item) override { times_ = GpsTimeCoder(true, las::load<std::int64_t>(item)); }
   void next(ArithmeticDecoder& in, std::uint8_t* item) override { las::store(item, times_.next(in)); }
 
  private:
-  GpsTimeDecoder times_{true};
+  GpsTimeCoder times_{true};
 };
 
 class GpsTime11V1 final : public PointwiseItem {
@@ -137,7 +209,7 @@ class GpsTime11V1 final : public PointwiseItem {
   }
 
   SymbolModel no_difference_{3}, multiple_{multiples};
-  IntegerDecoder difference_{32, 6};
+  IntegerCoder difference_{32, 6};
   std::uint64_t time_ = 0;
   std::int32_t unit_ = 0;
   int extremes_ = 0;

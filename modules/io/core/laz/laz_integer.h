@@ -4,24 +4,27 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
 #include "io/core/laz/laz_arithmetic.h"
+#include "io/core/laz/laz_arithmetic_encoder.h"
 
 namespace bole::io::laz {
 
-class IntegerDecoder {
+class IntegerCoder {
  public:
   // Values of `bits` bits (8, 16 or 32), magnitudes modelled apart for each of `contexts`.
-  explicit IntegerDecoder(unsigned bits, unsigned contexts = 1)
+  explicit IntegerCoder(unsigned bits, unsigned contexts = 1)
       : bits_(bits), magnitudes_(contexts, SymbolModel(bits + 1)) {
     for (unsigned k = 1; k < correctors_.size(); ++k) correctors_[k] = SymbolModel(1U << std::min(k, modelled_bits));
   }
 
   std::int32_t decode(ArithmeticDecoder& in, std::int32_t prediction, unsigned context = 0);
+  void encode(ArithmeticEncoder& out, std::int32_t prediction, std::int32_t value, unsigned context = 0);
 
-  // Magnitude (0 to bits) of the last difference: other fields take it as their context.
+  // Magnitude (0 to bits) of the last difference, decoded or encoded: other fields take it as their context.
   unsigned magnitude() const { return magnitude_; }
 
  private:
@@ -35,7 +38,7 @@ class IntegerDecoder {
   std::array<SymbolModel, 33> correctors_;
 };
 
-inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& in, unsigned context) {
+inline std::uint32_t IntegerCoder::difference(ArithmeticDecoder& in, unsigned context) {
   const unsigned k = magnitude_ = in.symbol(magnitudes_[context]);
   if (k == 0) return in.bit(zero_or_one_);
   if (k >= 32) return 1U << 31;
@@ -45,10 +48,30 @@ inline std::uint32_t IntegerDecoder::difference(ArithmeticDecoder& in, unsigned 
   return c >= 1U << (k - 1) ? c + 1 : c - ((1U << k) - 1);
 }
 
-inline std::int32_t IntegerDecoder::decode(ArithmeticDecoder& in, std::int32_t prediction, unsigned context) {
+inline std::int32_t IntegerCoder::decode(ArithmeticDecoder& in, std::int32_t prediction, unsigned context) {
   // All arithmetic is modulo 2^32, as the encoder's is.
   const std::uint32_t value = static_cast<std::uint32_t>(prediction) + difference(in, context);
   return static_cast<std::int32_t>(bits_ == 32 ? value : value & ((1U << bits_) - 1));
+}
+
+inline void IntegerCoder::encode(ArithmeticEncoder& out, std::int32_t prediction, std::int32_t value,
+                                 unsigned context) {
+  // Shifted up, the bits of the difference that count have their sign at the top.
+  const unsigned unused = 32 - bits_;
+  const std::uint32_t wrapped = static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(prediction);
+  const std::int32_t c = static_cast<std::int32_t>(wrapped << unused) >> unused;
+  const unsigned k = magnitude_ = static_cast<unsigned>(
+      std::bit_width(c > 0 ? static_cast<std::uint32_t>(c) - 1 : 0U - static_cast<std::uint32_t>(c)));
+  out.symbol(magnitudes_[context], k);
+  if (k == 0) return out.bit(zero_or_one_, static_cast<unsigned>(c));
+  if (k >= 32) return;
+  // The reverse of difference().
+  const std::uint32_t u = static_cast<std::uint32_t>(c);
+  const std::uint32_t place = c > 0 ? u - 1 : u + ((1U << k) - 1);
+  if (k <= modelled_bits) return out.symbol(correctors_[k], place);
+  const unsigned raw = k - modelled_bits;
+  out.symbol(correctors_[k], place >> raw);
+  out.bits(raw, place & ((1U << raw) - 1));
 }
 
 // The running median of the last few values: of five sorted values, in turn the largest or the smallest gives way to
@@ -79,6 +102,9 @@ class RunningMedian {
 // Modulo 2^32 where int would overflow on hostile data.
 inline std::int32_t wrapping_add(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) + static_cast<std::uint32_t>(b));
+}
+inline std::int32_t wrapping_subtract(std::int32_t a, std::int32_t b) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 inline std::int32_t wrapping_multiply(std::int32_t a, std::int32_t b) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) * static_cast<std::uint32_t>(b));

@@ -1,9 +1,9 @@
 // What follows the point in formats 6 to 10: colours, near infrared, waveform packets and extra bytes, in layers.
 #include <array>
 #include <cstring>
-#include <optional>
 #include <vector>
 
+#include "io/core/laz/laz_channel_models.h"
 #include "io/core/laz/laz_colour.h"
 #include "io/core/laz/laz_items.h"
 #include "io/core/laz/laz_wave_packet.h"
@@ -11,62 +11,6 @@
 namespace bole::io::laz {
 
 namespace {
-
-// The last value and the models of each scanner channel. Version 3 has a quirk that its writers share: after a change
-// back to a channel, the first value is predicted from the last value of the channel that was left, and stored there,
-// while the models are those of the new channel. Version 4 does not have it.
-template <class Value, class Models>
-class PerChannel {
- public:
-  PerChannel(int version, Models fresh) : quirk_(version < 4), fresh_(std::move(fresh)) {}
-
-  void first(const Value& value, unsigned channel) {
-    for (auto& m : models_) m.reset();
-    current_ = channel;
-    enter(channel, value);
-  }
-
-  struct Place {
-    Value& last;
-    Models& models;
-  };
-  Place at(unsigned channel) {
-    unsigned from = channel;
-    if (channel != current_) {
-      if (!models_[channel])
-        enter(channel, values_[current_]);
-      else if (quirk_)
-        from = current_;
-      current_ = channel;
-    }
-    return {values_[from], *models_[channel]};
-  }
-
- private:
-  void enter(unsigned channel, const Value& value) {
-    values_[channel] = value;
-    models_[channel] = fresh_;
-  }
-
-  bool quirk_;
-  Models fresh_;
-  unsigned current_ = 0;
-  std::array<Value, channels> values_{};
-  std::array<std::optional<Models>, channels> models_;
-};
-
-struct NearInfraredModels {
-  SymbolModel changed{4};
-  std::array<SymbolModel, 2> corrections{SymbolModel(256), SymbolModel(256)};
-
-  std::uint16_t next(ArithmeticDecoder& in, std::uint16_t last) {
-    const unsigned which = in.symbol(changed);
-    unsigned low = last & 0xffU, high = last >> 8U;
-    if ((which & 1) != 0) low = (low + in.symbol(corrections[0])) & 0xffU;
-    if ((which & 2) != 0) high = (high + in.symbol(corrections[1])) & 0xffU;
-    return static_cast<std::uint16_t>(low | high << 8U);
-  }
-};
 
 class Rgb14 final : public LayeredItem {
  public:
@@ -98,7 +42,7 @@ class Rgb14 final : public LayeredItem {
  private:
   bool with_near_infrared_;
   std::array<Layer, 2> layers_;
-  PerChannel<Rgb, ColourDecoder> colours_;
+  PerChannel<Rgb, ColourCoder> colours_;
   PerChannel<std::uint16_t, NearInfraredModels> infrared_;
 };
 

@@ -18,7 +18,7 @@ class WavePacketDecoder {
  private:
   SymbolModel index_{256};
   std::array<SymbolModel, 4> offset_kind_{SymbolModel(4), SymbolModel(4), SymbolModel(4), SymbolModel(4)};
-  IntegerDecoder offset_{32}, size_{32}, return_point_{32}, direction_{32, 3};
+  IntegerCoder offset_{32}, size_{32}, return_point_{32}, direction_{32, 3};
   unsigned last_kind_ = 0;
   std::int32_t last_offset_difference_ = 0;
 };
