@@ -3584,8 +3584,8 @@
             <translation>可接受的未见地面的最大连通面积。</translation>
         </message>
         <message>
-            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
-            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+            <source>Distance from the walk that is accepted at the rim of the plot; three quarters of it between stretches of the walk. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>样地边缘可接受的离行走路线的距离;行走路线之间为其四分之三。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
         </message>
         <message>
             <source>Angle that the directions of view of a cell must span, or the cell counts as seen from one side.</source>

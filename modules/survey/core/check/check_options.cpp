@@ -41,8 +41,9 @@ const OptionTable& option_table(const CheckOptions*) {
              Unit::metre,
              {1, 100},
              Tier::basic,
-             "Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of "
-             "the plot was walked more closely."},
+             "Distance from the walk that is accepted at the rim of the plot; three quarters of it between stretches "
+             "of the walk. "
+             "Farther places count as not walked when the rest of the plot was walked more closely."},
       Number{"min_view_span",
              &S::min_view_span_deg,
              Unit::degree,

@@ -7,6 +7,7 @@
 #include "base/groups.h"
 #include "base/statistics.h"
 #include "survey/core/check/judge_map.h"
+#include "survey/core/revisit/stand_hull.h"
 
 namespace bole::survey {
 namespace {
@@ -143,6 +144,15 @@ class Cover {
                largest_patch(grid_, one_sided).at);
   }
 
+  // The area within the walk. A gap between two lanes lies in it; the rim of the plot does not, and is walked less
+  // closely in every plot.
+  StandHull walked_area() const {
+    std::vector<Eigen::Vector2d> places;
+    for (const auto& pose : map_.in.trajectory->poses)
+      places.emplace_back(pose.T_target_sensor.translation().head<2>());
+    return StandHull(std::move(places));
+  }
+
   // A walk in lanes has half their distance as its greatest distance to any place. Where most of the plot was walked
   // more closely than one part of it, a lane is missing there.
   void judge_walk() {
@@ -152,17 +162,20 @@ class Cover {
     std::ranges::sort(distances);
     const double three_quarters = distances[distances.size() * 3 / 4], farthest = distances.back();
     map_.report.metrics["farthest_from_walk"] = {farthest, Unit::metre};
-    constexpr double uneven = 1.4, min_share_pct = 3;
-    const double limit = std::max(o_.max_walk_gap, uneven * three_quarters);
-    const auto far = choose([&](const CheckCell& c) { return c.walk_m > limit; });
+    constexpr double uneven = 1.4, within = 0.75, min_share_pct = 2, large_share_pct = 10;
+    const double limit = std::max(o_.max_walk_gap, uneven * three_quarters),
+                 limit_within = std::max(within * o_.max_walk_gap, uneven * three_quarters);
+    const auto area = walked_area();
+    Chosen far(grid_.cells.size(), 0);
+    for (std::size_t i = 0; i < far.size(); ++i)
+      far[i] =
+          grid_.cells[i].inside && grid_.cells[i].walk_m > (area.contains(grid_.middle(i), 0) ? limit_within : limit);
     if (share_pct(far) < min_share_pct) return;
-    constexpr double large_share_pct = 10;
-    out_.add(
-        share_pct(far) > large_share_pct ? Severity::refused : Severity::look, "lane_not_walked",
-        fmt::format("{:.0f} % of the plot lie more than {:.1f} m from the walk, up to {:.1f} m, while three quarters "
-                    "of it lie within {:.1f} m: a lane was left out. Walk it",
-                    share_pct(far), limit, farthest, three_quarters),
-        largest_patch(grid_, far).at);
+    out_.add(share_pct(far) > large_share_pct ? Severity::refused : Severity::look, "lane_not_walked",
+             fmt::format("{:.0f} % of the plot lie farther from the walk than {:.1f} m ({:.1f} m at the rim), up to "
+                         "{:.1f} m, while three quarters of it lie within {:.1f} m: a lane was left out. Walk it",
+                         share_pct(far), limit_within, limit, farthest, three_quarters),
+             largest_patch(grid_, far).at);
   }
 
   const CheckedMap& map_;
