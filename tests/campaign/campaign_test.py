@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import unittest
+import unittest.mock
 
 from toy import BAD_INPUT, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
 
@@ -208,6 +209,26 @@ class Documents(Toy):
         told = self.run_all(*LOCAL)
         self.assertIn("2 of 2 inputs that are done wrote no stems.csv", told)
         self.assertEqual({r["input_id"] for r in self.status().values()}, {"c1", "c2"})
+
+
+class PathLists(Toy):
+    def test_every_path_of_a_list_is_resolved_and_belongs_to_the_key(self):
+        sys.path.insert(0, str(ENGINE))
+        from bole_campaign import document, keys, program
+
+        declared = {"io.several": {"folders": {"type": "path", "choices": [","]}}}
+        self.write("several.json", json.dumps({"stages": [{"id": "runs", "type": "io.several"}]}))
+        for name in ("a/x", "b/x"):
+            self.write(name, name)
+        self.document({"pipeline": "several.json", "inputs": [{"id": "p", "set": {"runs.folders": "a, b"}}]})
+        with unittest.mock.patch.object(program, "stage_options", lambda _: declared):
+            (entry,) = document.Campaign(self.folder / "campaign.json", "bole").inputs
+        self.assertEqual(entry["set"]["runs.folders"], f"{self.folder}/a,{self.folder}/b")
+        spec = {**entry, "document": str(self.folder / "several.json"), "version": "1"}
+        before, known = keys.parts_of(spec, {})
+        self.assertEqual(keys.parts_of(spec, known)[0], before)
+        self.write("b/x", "something else")
+        self.assertEqual(keys.difference(before, keys.parts_of(spec, known)[0]), "the content of runs.folders changed")
 
 
 class Interrupts(Toy):

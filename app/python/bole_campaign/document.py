@@ -137,9 +137,10 @@ class Campaign:
         files = {}
         for name, value in settings.items():
             if self.pipeline.is_path(name, value):
-                path = self.resolved(value)
-                if self.pipeline.options[name]["type"] == "path" or os.path.exists(path):
-                    settings[name] = files[name] = os.path.normpath(path)
+                paths = [os.path.normpath(self.resolved(path)) for path in self.pipeline.paths_in(name, value)]
+                if self.pipeline.options[name]["type"] == "path" or os.path.exists(paths[0]):
+                    files[name] = paths
+                    settings[name] = ",".join(paths)
         documents = {n: p for n, p in self.pipeline.files_in_document().items() if n not in settings}
         memory = entry.get("memory_gib", self.memory_gib)
         return {

@@ -72,9 +72,9 @@ def content_of(path, known, seen):
 def parts_of(spec, known):
     """What the key is made of, and the files that were looked at."""
     seen = {}
-    contents = {name: content_of(path, known, seen) for name, path in sorted(spec["files"].items())}
+    contents = {name: [content_of(path, known, seen) for path in paths] for name, paths in sorted(spec["files"].items())}
     # The place of a file does not change a result; its ending decides how it is read.
-    settings = {name: os.path.basename(value) if name in spec["files"] else value for name, value in spec["set"].items()}
+    settings = {name: list(map(os.path.basename, spec["files"][name])) if name in spec["files"] else value for name, value in spec["set"].items()}
     with open(spec["document"], encoding="utf-8") as file:
         document = json.load(file)
     parts = {

@@ -21,7 +21,7 @@ def declared_gib(entry):
     if entry["memory_gib"] is not None:
         return entry["memory_gib"]
     needed = BASE_GIB
-    for path in set(entry["files"].values()):
+    for path in {path for paths in entry["files"].values() for path in paths}:
         size = keys.size_of(path) / GIB
         factor = FACTORS.get(pathlib.Path(path).suffix.lower())
         needed += factor * size if factor else FACTOR_OF_RECORDINGS * min(size, FULL_GIB) + FACTOR_BEYOND * max(0.0, size - FULL_GIB)

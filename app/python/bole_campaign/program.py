@@ -85,6 +85,13 @@ class Pipeline:
         """Whether this value names a file or folder that is read."""
         return value != "" and (self.options[name]["type"] == "path" or (self.options[name]["type"] == "text" and value.endswith(FILE_ENDINGS)))
 
+    def paths_in(self, name, value):
+        """The paths of a value with is_path(): several where the option takes a list (base/core/path_list.h)."""
+        separator = self.options[name].get("choices") if self.options[name]["type"] == "path" else None
+        if not separator:
+            return [value]
+        return [path.strip() for path in value.split(separator[0]) if path.strip()]
+
     def reader(self):
         """The option that takes an input: of the first stage without inputs."""
         for stage_id, stage in self.stages.items():
@@ -95,11 +102,11 @@ class Pipeline:
         raise bad_input(f"no stage of '{self.path}' reads a file", "the option that takes the input", 'Name it with "option": "STAGE.OPTION"')
 
     def files_in_document(self):
-        """{option: path} of the files that the document itself names."""
+        """{option: [path, ...]} of the files that the document itself names."""
         found = {}
         for stage_id, stage in self.stages.items():
             for name, value in (stage.get("options") or {}).items():
                 option = f"{stage_id}.{name}"
                 if isinstance(value, str) and option in self.options and self.is_path(option, value):
-                    found[option] = str((self.path.parent / os.path.expanduser(value)).resolve())
-        return {option: path for option, path in found.items() if os.path.exists(path)}
+                    found[option] = [str((self.path.parent / os.path.expanduser(path)).resolve()) for path in self.paths_in(option, value)]
+        return {option: paths for option, paths in found.items() if all(map(os.path.exists, paths))}
