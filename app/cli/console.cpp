@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "base/drafts.h"
+#include "base/error.h"
 #include "base/exit_codes.h"
 
 namespace bole::cli {
@@ -48,6 +50,12 @@ void ProgressLine::update(std::string_view step, double fraction, std::string_vi
   fmt::print(stderr, "\r\033[K{:<10} [{}{}] {:3.0f} % {}{}", step, std::string(static_cast<std::size_t>(filled), '='),
              std::string(static_cast<std::size_t>(24 - filled), ' '), 100 * fraction, what, left);
   std::fflush(stderr);
+}
+
+void end_with_parent(long pid) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != pid)
+    throw failure(fmt::format("the process {} that started this run has ended", pid), "a parent that waits for it");
 }
 
 namespace {

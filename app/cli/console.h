@@ -29,6 +29,10 @@ class ProgressLine {
   std::chrono::steady_clock::time_point step_start_, last_draw_;
 };
 
+// The kernel kills this process when the thread that started it ends, whatever ends that. Throws Error{failed} when the
+// parent is another than `pid` by now: it ended before this was called.
+void end_with_parent(long pid);
+
 // While it lives, the first Ctrl-C asks to finish with the best so far, the second cancels; SIGTERM always cancels.
 // Work that has no best so far is cancelled at once. Work that does not end within patience_s of a cancel (a blocked
 // file system, a library that cannot be interrupted) is left: temporary files are removed and the program ends with the

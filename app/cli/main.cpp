@@ -22,6 +22,7 @@ int run_program(int argc, char** argv) {
   program.app.footer("Exit codes:\n" + bole::cli::exit_codes_text());
   bole::cli::add_survey(program);
   bole::cli::add_run(program);
+  bole::cli::add_campaign(program);
   bole::cli::add_validate(program);
   bole::cli::add_stages(program);
   bole::cli::add_info(program);

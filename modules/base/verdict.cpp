@@ -48,10 +48,29 @@ std::string_view verdict_name(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+namespace {
+
+// The check of the map looks at the whole survey once more: what another stage has found under the same code is listed
+// once, by the more severe of the two.
+constexpr const char* check_type = "survey.check";
+
+void add_of_check(StageFinding found, std::vector<StageFinding>& all) {
+  const auto same = std::ranges::find(all, found.finding.code, [](const StageFinding& f) { return f.finding.code; });
+  if (same == all.end())
+    all.push_back(std::move(found));
+  else if (same->finding.severity < found.finding.severity)
+    *same = std::move(found);
+}
+
+}  // namespace
+
 Judgement judge(const std::vector<StageRecord>& stages) {
   Judgement out;
+  std::vector<StageFinding> of_check;
   for (const auto& stage : stages)
-    for (auto& finding : findings_of(stage)) out.findings.push_back({stage.id, std::move(finding)});
+    for (auto& finding : findings_of(stage))
+      (stage.type == check_type ? of_check : out.findings).push_back({stage.id, std::move(finding)});
+  for (auto& found : of_check) add_of_check(std::move(found), out.findings);
   std::ranges::stable_sort(out.findings, std::ranges::greater{},
                            [](const StageFinding& f) { return f.finding.severity; });
   if (!out.findings.empty()) out.verdict = verdict_for(out.findings.front().finding.severity);

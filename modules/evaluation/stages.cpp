@@ -1,8 +1,10 @@
 #include <optional>
 
 #include "cloud/known_facts.h"
+#include "evaluation/core/compare_runs.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
+#include "evaluation/core/published.h"
 #include "pipeline/stage.h"
 
 namespace bole::evaluation {
@@ -59,10 +61,28 @@ std::optional<StemEvaluation> compare_stems(const Table& stems, const Table& ref
   }
 }
 
+// With the system of the paper whose figures stand beside the results: that of the preset which was run.
+EvaluationOptions with_published_system(EvaluationOptions options, const DataSet& in, Report& report) {
+  if (options.published_plot == PublishedPlot::none || options.published_system) return options;
+  std::string preset;
+  if (in.has("trajectory")) {
+    const auto& facts = in.trajectory("trajectory").facts;
+    if (const auto it = facts.find("preset"); it != facts.end()) preset = it->second;
+  }
+  options.published_system = paper_system(preset);
+  if (options.published_system) return options;
+  options.published_system = PaperSystem::improved_loam;
+  report.find(Severity::note, "published_of_another_system",
+              (preset.empty() ? std::string("the preset that made the trajectory is not known")
+                              : "the paper has no figures of the preset " + preset) +
+                  ": those of its improved LOAM are listed. Set evaluate.published_system for others");
+  return options;
+}
+
 pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
-  const auto& options = set.as<EvaluationOptions>();
   const CountingRule rule = in.has("plot") ? counting_rule(in.table("plot")) : CountingRule{};
   pipeline::StageResult result;
+  const auto options = with_published_system(set.as<EvaluationOptions>(), in, result.report);
   // The columns that options name are those of the tables that are connected, not of this empty one.
   const Table none = in.table("stems").subset({});
   Table matches = evaluate_stems(none, none, {}, rule).matches;
@@ -94,20 +114,74 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
     const auto trajectory =
         evaluate_trajectory(in.trajectory("trajectory"), in.trajectory("reference_trajectory"), options);
     message += (message.empty() ? "" : "; ") + std::to_string(trajectory.poses) + " poses compared";
-    summary = stacked(summary, trajectory.summary);
+    auto both = stacked(summary, trajectory.summary);
+    both.facts = summary.facts;
+    summary = std::move(both);
     if (const auto poses = fact_text(in.trajectory("trajectory").facts, facts::poses))
       result.report.facts[std::string(facts::poses.key)] = *poses;
   }
   copy_metrics(summary, result.report);
+  if (const auto it = summary.facts.find("published"); it != summary.facts.end())
+    result.report.facts["published"] = it->second;
   result.report.message = message.empty() ? "nothing to compare with: no reference is connected" : message;
   result.outputs.set("matches", std::move(matches));
   result.outputs.set("summary", std::move(summary));
   return result;
 }
 
+pipeline::StageResult compare(const DataSet& in, const OptionSet& set, const Run& run) {
+  const auto table = [&](const char* port) { return in.has(port) ? &in.table(port) : nullptr; };
+  auto runs = runs_of({table("runs"), table("stems"), table("poses"), table("boundaries"), table("run_references"),
+                       table("run_reference_poses")});
+  std::optional<Table> reference;
+  if (in.has("reference_stems")) reference = in.table("reference_stems");
+  const auto* path = in.has("reference_trajectory") ? &in.trajectory("reference_trajectory") : nullptr;
+  auto found = compare_runs(std::move(runs), reference, path, set.as<CompareOptions>(), run);
+  pipeline::StageResult result;
+  result.report = std::move(found.report);
+  result.outputs.set("runs", std::move(found.runs));
+  result.outputs.set("groups", std::move(found.groups));
+  result.outputs.set("pairs", std::move(found.pairs));
+  result.outputs.set("trees", std::move(found.trees));
+  return result;
+}
+
+pipeline::StageType compare_stage() {
+  pipeline::StageType t;
+  t.name = "evaluation.compare";
+  t.vtk_class = "vtkBoleCompareRuns";
+  t.title = "Compare runs";
+  t.help =
+      "Compares two or more runs with a reference and with each other. Stems are matched as by evaluation.plot. Gives "
+      "for each run, and for the runs of one system together, found, missed and extra trees, mean and covariance of "
+      "the "
+      "position error, RMSE in x and y, BIAS, relBIAS, RMSE and relRMSE of the diameters, and ATE and RPE of the "
+      "trajectory; for each two runs of a plot their differences. Runs whose stems agree share a plot. Lists that do "
+      "not agree (other axes, other units, another plot) are reported and never pooled. Without a reference the runs "
+      "are compared with each other only.";
+  t.source = "The paper on forest plots by improved LOAM, equations 25 to 27, tables 2 and 3 (SPEC A11)";
+  t.inputs = {
+      {"runs", DataKind::table, "A row per run, from io.read_runs.", false, {}},
+      {"stems", DataKind::table, "The stems of all runs.", false, {}},
+      {"poses", DataKind::table, "The trajectories of all runs.", true, {}},
+      {"boundaries", DataKind::table, "Vertices of the plot boundaries.", true, {}},
+      {"run_references", DataKind::table, "The reference trees that the runs carry.", true, {}},
+      {"run_reference_poses", DataKind::table, "The reference trajectories that the runs carry.", true, {}},
+      {"reference_stems", DataKind::table, "Reference trees for all runs, in place of their own.", true, {}},
+      {"reference_trajectory", DataKind::trajectory, "Reference path for all runs, in place of their own.", true, {}}};
+  t.outputs = {{"runs", DataKind::table, "Each run with its plot and system.", false, {}},
+               {"groups", DataKind::table, "Measures of each run and pooled.", false, {}, true},
+               {"pairs", DataKind::table, "Differences of each two runs of a plot.", false, {}, true},
+               {"trees", DataKind::table, "Matched, missed and extra trees of each run.", false, {}}};
+  t.options = &option_table(static_cast<const CompareOptions*>(nullptr));
+  t.run = compare;
+  return t;
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
+  registry.add(compare_stage());
   pipeline::StageType t;
   t.name = "evaluation.plot";
   t.vtk_class = "vtkBoleEvaluatePlot";
@@ -117,7 +191,8 @@ void register_stages(pipeline::StageRegistry& registry) {
       "and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of "
       "the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is "
       "connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a "
-      "reference the tables are empty. Columns of a field list with other headings are guessed and the guess is reported.";
+      "reference the tables are empty. Columns of a field list with other headings are guessed and the guess is "
+      "reported.";
   t.source = "Kuhn (1955); Umeyama (1991); measures of the paper on forest plots by improved LOAM (SPEC A11)";
   t.inputs = {{"stems", DataKind::table, "The stems to be judged.", false, {}},
               {"plot", DataKind::table, "Which trees count, from survey.plot; all of them when absent.", true, {}},
@@ -126,7 +201,7 @@ void register_stages(pipeline::StageRegistry& registry) {
               {"reference_trajectory", DataKind::trajectory, "Reference path, on the same clock.", true, {}}};
   t.outputs = {{"matches", DataKind::table, "Matched, missed and false stems.", false, {}},
                {"summary", DataKind::table, "Measures, with published figures beside them.", false, {}, true}};
-  t.version = 2;
+  t.version = 3;
   t.options = &option_table(static_cast<const EvaluationOptions*>(nullptr));
   t.main_numbers = {"ate_rmse",    "ate_max",  "drift",    "completeness",
                     "correctness", "dbh_bias", "dbh_rmse", "height_bias"};

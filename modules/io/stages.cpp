@@ -4,6 +4,7 @@
 #include "io/core/clouds/see_cloud.h"
 #include "io/core/formats.h"
 #include "io/core/gdal/project_trajectory.h"
+#include "io/core/runs/run_folders.h"
 #include "io/core/scans/frame_source.h"
 #include "io/core/tables/named_trajectory.h"
 #include "io/core/tables/table_file.h"
@@ -273,6 +274,36 @@ pipeline::StageType read_views_stage() {
   return type;
 }
 
+pipeline::StageType read_runs_stage() {
+  auto type = new_type("io.read_runs", "vtkBoleReadRuns", "Read runs");
+  type.help =
+      "Reads the output folders of bole run or bole survey, to compare them: stem tables, trajectories, boundaries, "
+      "the reference that each was compared with, and how each was made (preset, options, scan). A folder needs "
+      "stems.csv; what else is missing or damaged is reported.";
+  type.source = "Bole";
+  type.outputs = {
+      {"runs", DataKind::table, "A row per run: name, system, plot, how it was made.", false, {}, true},
+      {"stems", DataKind::table, "The stems of all runs, with a column run.", false, {}},
+      {"poses", DataKind::table, "The trajectories of all runs: run, time_s, position, quaternion.", false, {}},
+      {"boundaries", DataKind::table, "Vertices of the plot boundaries: run, x_m, y_m.", false, {}},
+      {"reference_stems", DataKind::table, "Reference trees of the runs that have some.", false, {}},
+      {"reference_poses", DataKind::table, "Reference trajectories of the runs that have one.", false, {}}};
+  type.options = &option_table(static_cast<const RunFolderOptions*>(nullptr));
+  type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
+    auto folders = read_run_folders(options.as<RunFolderOptions>(), run);
+    pipeline::StageResult result;
+    result.outputs.set("runs", std::move(folders.runs));
+    result.outputs.set("stems", std::move(folders.stems));
+    result.outputs.set("poses", std::move(folders.poses));
+    result.outputs.set("boundaries", std::move(folders.boundaries));
+    result.outputs.set("reference_stems", std::move(folders.reference_stems));
+    result.outputs.set("reference_poses", std::move(folders.reference_poses));
+    result.report = std::move(folders.report);
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
@@ -282,6 +313,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(read_track_stage());
   registry.add(read_trajectory_stage());
   registry.add(read_views_stage());
+  registry.add(read_runs_stage());
 }
 
 }  // namespace bole::io

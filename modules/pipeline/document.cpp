@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/option_text.h"
+#include "base/core/path_list.h"
 #include "base/user_path.h"
 
 namespace bole::pipeline {
@@ -43,6 +44,14 @@ std::string resolved(const std::string& written, const std::filesystem::path& ba
   return (base_dir / path).lexically_normal().string();
 }
 
+// Of one path, or of each in a list.
+std::string resolved(const OptionSpec& spec, const std::string& written, const std::filesystem::path& base_dir) {
+  std::string all;
+  for (const auto& path : input_paths(spec, written))
+    all += (all.empty() ? "" : path_separator) + resolved(path, base_dir);
+  return all;
+}
+
 StageNode parse_stage(const ordered_json& object, std::size_t number, const StageRegistry& registry,
                       const std::filesystem::path& base_dir) {
   std::string where = "stage " + std::to_string(number);
@@ -74,7 +83,7 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
       for (const auto& [name, value] : object.at("options").items()) {
         const auto& spec = type.options->at(name);
         OptionValue v = option_value(spec, value);
-        if (is_input_path(spec, v)) v = resolved(std::get<std::string>(spec.checked(v)), base_dir);
+        if (is_input_path(spec, v)) v = resolved(spec, std::get<std::string>(spec.checked(v)), base_dir);
         node.options.set(name, v);
         node.given.insert(name);
       }
@@ -157,7 +166,8 @@ void PipelineDocument::set(std::string_view stage_and_option, std::string_view t
   try {
     const auto& spec = node.type->options->at(option);
     OptionValue value = spec.parsed(text);
-    if (is_input_path(spec, value)) value = resolved(std::get<std::string>(value), std::filesystem::current_path());
+    if (is_input_path(spec, value))
+      value = resolved(spec, std::get<std::string>(value), std::filesystem::current_path());
     node.options.set(option, value);
     node.given.insert(option);
   } catch (const Error& e) {

@@ -3,6 +3,7 @@
 #include "pipeline/document.h"
 
 #include "base/option_text.h"
+#include "base/core/path_list.h"
 
 namespace bole::pipeline {
 namespace {
@@ -96,9 +97,10 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
   }
   for (const auto& spec : node.type->options->specs) {
     const auto value = node.options.get(spec.name);
-    if (is_input_path(spec, value) && !std::filesystem::exists(option_text(value)))
-      problems.push_back(
-          {node.id, "option " + spec.name + ": there is no file or folder '" + option_text(value) + "'"});
+    if (is_input_path(spec, value))
+      for (const auto& path : input_paths(spec, option_text(value)))
+        if (!std::filesystem::exists(path))
+          problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
     // The file of a reader is what it is for; other paths may stay empty.
     if (spec.text_kind == TextKind::input_path && option_text(value).empty() && node.type->inputs.empty() &&
         spec.tier == Tier::basic)

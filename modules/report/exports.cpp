@@ -3,6 +3,7 @@
 #include "base/atomic_file.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/las/las_writer.h"
+#include "io/core/runs/plot_file.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
 #include "report/map_styles.h"
@@ -37,6 +38,14 @@ io::VectorLayer walk_layer(const Trajectory& trajectory, const std::string& crs_
   return layer;
 }
 
+// Shapes in the coordinate system; attributes stay those of the tables.
+io::VectorLayer placed(io::VectorLayer layer, const SurveyData& d) {
+  if (!d.place) return layer;
+  for (auto& shape : layer.shapes)
+    for (auto& vertex : shape) vertex = d.place->to_global(vertex);
+  return layer;
+}
+
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   const std::string crs = d.crs_wkt();
   std::vector<io::VectorLayer> layers{io::point_layer("stems", *d.stems, crs)};
@@ -49,8 +58,10 @@ void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   add_points("targets", d.targets, target_style());
   add_points("rejected", d.rejected, candidate_style());
   add_points("sections", d.sections, section_style());
+  add_points("control_points", d.control, target_style());
   if (!d.rule.area.outline().empty()) layers.push_back(boundary_layer(d.rule.area, crs));
   if (d.trajectory != nullptr && d.trajectory->length_m() > 0.2) layers.push_back(walk_layer(*d.trajectory, crs));
+  for (auto& layer : layers) layer = placed(std::move(layer), d);
   io::write_geopackage(path, layers);
 }
 
@@ -70,7 +81,15 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_table("tree_values.csv", d.tree_values);
   add_table("sections.csv", d.sections);
   add_table("rejected.csv", d.rejected);
+  if (d.control != nullptr && d.control->rows() > 0) add_table("control_points.csv", d.control);
   add_table("matches.csv", d.matches);
+  // What the survey was compared with, so that its folder is enough to compare it with others.
+  add_table("reference_trees.csv", d.reference_stems);
+  if (o.tables && d.reference_trajectory != nullptr)
+    exports.push_back({"reference_trajectory.tum",
+                       [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.reference_trajectory); }});
+  if (o.tables && d.plot != nullptr)
+    exports.push_back({"plot.csv", [&d](const auto& path, const Run&, Report&) { io::write_plot(path, d.rule); }});
   // Both are empty where the poses were given.
   if (d.loops != nullptr && d.odometry != nullptr && d.odometry->rows() > 0) add_table("loops.csv", d.loops);
   const auto add_filled = [&](const char* file, const Table* table) {
@@ -80,13 +99,17 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   add_filled("loop_candidates.csv", d.loop_candidates);
   add_filled("pose_graph.csv", d.pose_graph);
   add_filled("loop_edits.csv", d.loop_edits);
+  add_filled("check_cells.csv", d.check_cells);
+  add_filled("check_boundary.csv", d.check_boundary);
   if (d.edits != nullptr && d.edits->rows() > 0) add_table("edits.csv", d.edits);
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.trajectory); }});
   const auto add_raster = [&](const char* file, const Raster* raster) {
     if (o.tables && raster != nullptr)
-      exports.push_back({file, [raster](const auto& path, const Run&, Report&) { io::write_geotiff(path, *raster); }});
+      exports.push_back({file, [raster, &d](const auto& path, const Run& run, Report&) {
+                           io::write_geotiff(path, d.place ? to_global(*raster, *d.place, d.dem, run) : *raster);
+                         }});
   };
   add_raster("dem.tif", d.dem);
   add_raster("slope.tif", d.slope);
@@ -105,7 +128,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   if (o.tables && d.stems->rows() > 0) {
     if (!d.crs_wkt().empty())
       exports.push_back({"stems.geojson", [&d](const auto& path, const Run&, Report&) {
-                           io::write_geojson(path, io::point_layer("stems", *d.stems, d.crs_wkt()));
+                           io::write_geojson(path, placed(io::point_layer("stems", *d.stems, d.crs_wkt()), d));
                          }});
     const auto add_shapes = [&](const char* file, std::string (*text)(const std::vector<render::StemShape>&)) {
       exports.push_back({file, [&d, text](const auto& path, const Run&, Report&) {
@@ -119,7 +142,8 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   }
   if (o.cloud && d.points != nullptr)
     exports.push_back({"cloud.las", [&d](const auto& path, const Run& run, Report& report) {
-                         io::write_las(path, *d.points, {}, run, &report);
+                         const auto cloud = d.place ? to_global(*d.points, *d.place, run) : *d.points;
+                         io::write_las(path, cloud, {}, run, &report);
                        }});
   return exports;
 }

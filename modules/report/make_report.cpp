@@ -3,7 +3,9 @@
 #include "base/atomic_file.h"
 #include "base/verdict.h"
 #include "base/version.h"
+#include "render/maps/check_maps.h"
 #include "render/offscreen/offscreen.h"
+#include "report/check_files.h"
 #include "report/core/page_warnings.h"
 #include "report/core/report_page.h"
 #include "report/core/survey_facts.h"
@@ -24,7 +26,11 @@ class PlotReport {
   pipeline::StageResult write() {
     write_exports(run_.part(0, 0.3));
     if (o_.figures) write_figures(run_.part(0.3, 0.95));
+    if (data_.check != nullptr)
+      writer_.write("check.json",
+                    [&](const auto& path) { write_text_file(path, check_json(data_, run_.record.get())); });
     if (o_.page) {
+      if (data_.check != nullptr) writer_.write("check.html", [&](const auto& path) { write_check(path); });
       if (data_.kept_stems().rows() > 0) writer_.write("tally.html", [&](const auto& path) { write_tally(path); });
       writer_.write("report.html", [&](const auto& path) { write_page(path); });
     }
@@ -100,6 +106,13 @@ class PlotReport {
 
   void write_tally(const std::filesystem::path& path) {
     write_text_file(path, tally_html(o_.title, survey_facts(data_, run_.record.get(), writer_.report()), data_));
+  }
+
+  void write_check(const std::filesystem::path& path) {
+    std::vector<ReportPicture> maps;
+    for (const auto& picture : writer_.pictures())
+      if (picture.title == render::check_maps_title) maps.push_back(picture);
+    write_text_file(path, check_html(o_.title, data_, maps));
   }
 
   // A page needs fewer pixels and points than paper.

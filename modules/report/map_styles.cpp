@@ -96,10 +96,11 @@ std::string stem_style(const Table& stems) {
       symbols += stem_symbol(std::to_string(k), q.colour);
       ++k;
     }
-    renderer = R"(<renderer-v2 type="categorizedSymbol" attr="quality" symbollevels="0" enableorderby="0" forceraster="0">
+    renderer =
+        R"(<renderer-v2 type="categorizedSymbol" attr="quality" symbollevels="0" enableorderby="0" forceraster="0">
 <categories>
 )" + categories +
-               "</categories>\n<symbols>\n" + symbols + "</symbols>\n</renderer-v2>\n";
+        "</categories>\n<symbols>\n" + symbols + "</symbols>\n</renderer-v2>\n";
   } else {
     renderer = single(stem_symbol("0", qualities[0].colour));
   }
@@ -135,11 +136,9 @@ std::string boundary_style() {
 }
 
 std::string trajectory_style() {
-  return document(single(symbol("0", "line", "SimpleLine",
-                                {{"line_style", "dash"},
-                                 {"line_color", "120,120,120,255"},
-                                 {"line_width", "0.3"},
-                                 {"line_width_unit", "MM"}})));
+  return document(single(symbol(
+      "0", "line", "SimpleLine",
+      {{"line_style", "dash"}, {"line_color", "120,120,120,255"}, {"line_width", "0.3"}, {"line_width_unit", "MM"}})));
 }
 
 }  // namespace bole::report

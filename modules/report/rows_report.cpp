@@ -8,7 +8,7 @@
 #include "base/atomic_file.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
-#include "render/charts/row_map.h"
+#include "render/maps/row_map.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/report_writer.h"

@@ -1,8 +1,10 @@
-// Registers report.plot, report.rows and report.steering. They live in bole_report and not with the stages of the core
-// modules, because they draw.
+// Registers report.plot, report.compare, report.rows and report.steering. They live in bole_report and not with the
+// stages of the core modules, because they draw.
 #include "pipeline/result_names.h"
+#include "report/compare/compare_report.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
+#include "report/revisit_report.h"
 #include "report/rows_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
@@ -14,15 +16,26 @@ namespace {
 // What the reports may write, at the top of the output folder.
 void register_result_names() {
   pipeline::add_result_names({"ab_lines.geojson",
+                              "check.html",
+                              "check.json",
+                              "check_boundary.csv",
+                              "check_cells.csv",
                               "chm.tif",
                               "cloud.las",
                               "cloud.laz",
                               "cloud.ply",
+                              "compared_trees.csv",
+                              "comparison.json",
                               "contours.csv",
+                              "control_points.csv",
                               "dem.tif",
+                              "detection.csv",
                               "diameter_classes.csv",
+                              "diameters.csv",
                               "edits.csv",
                               "field.json",
+                              "growth.csv",
+                              "growth_values.csv",
                               "figures",
                               "height_curve.csv",
                               "held_out.csv",
@@ -34,16 +47,22 @@ void register_result_names() {
                               "matches.csv",
                               "mesh.ply",
                               "odometry.csv",
+                              "pairs.csv",
                               "plant.xlsx",
                               "plants.csv",
+                              "plot.csv",
                               "plot.gpkg",
                               "plot_values.csv",
                               "pose_graph.csv",
+                              "positions.csv",
+                              "reference_trajectory.tum",
+                              "reference_trees.csv",
                               "rejected.csv",
                               "report.html",
                               "rows.csv",
                               "rows.geojson",
                               "rows.gpkg",
+                              "runs.csv",
                               "scene.ply",
                               "sections.csv",
                               "slope.tif",
@@ -65,6 +84,7 @@ void register_result_names() {
                               "tally.html",
                               "tracking.csv",
                               "traits.csv",
+                              "trajectories.csv",
                               "trajectory.tum",
                               "tree_values.csv"});
 }
@@ -77,13 +97,15 @@ void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
-  type.version = 4;
+  type.version = 5;
   type.title = "Write the report";
   type.help =
-      "Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, "
+      "Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the "
+      "boundary, "
+      "reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
       "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, "
-      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the "
+      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
       "stem "
@@ -98,8 +120,10 @@ void register_stages(pipeline::StageRegistry& registry) {
   };
   registry.add(std::move(type));
   registry.add(rows_report_stage());
+  registry.add(revisit_report_stage());
   registry.add(steering_report_stage());
   registry.add(plant_report_stage());
+  registry.add(compare_report_stage());
 }
 
 }  // namespace bole::report

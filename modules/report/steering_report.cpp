@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "base/atomic_file.h"
+#include "cloud/table_columns.h"
 #include "io/core/tables/table_file.h"
 #include "render/charts/steering_charts.h"
+#include "render/draw/axes.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/report_writer.h"
@@ -85,6 +87,24 @@ const Columns& spread_columns() {
   return columns;
 }
 
+// In centimetres as words, the published figure of each in brackets.
+Table with_published(const Table& summary) {
+  const Table cm = in_centimetres(summary);
+  Table out;
+  out.set("speed_km_h", *cm.find("speed_km_h"));
+  for (const auto& [column, heading] : spread_columns()) {
+    if (!has_numbers(cm, column)) continue;
+    const auto values = cm.numbers(column), published = numbers_or_nan(cm, "published_" + column);
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      cells.push_back(render::fixed(values[i], 2));
+      if (std::isfinite(published[i])) cells.back() += " (" + render::fixed(published[i], 2) + ")";
+    }
+    out.set(column, std::move(cells));
+  }
+  return out;
+}
+
 class SteeringReport {
  public:
   SteeringReport(const DataSet& inputs, const SteeringReportOptions& options, const Run& run)
@@ -135,20 +155,18 @@ class SteeringReport {
               "left; the true way is not known, and what the receiver erred is not in these figures. Adjacent: "
               "distance "
               "of neighbouring passes minus the row width, as the receiver saw it. SD: about the mean.";
-    add_table("Errors by speed", words, summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
-    if (has_numbers(summary, "published_line_sd_m"))
-      add_table("Published",
-                std::string("In centimetres, by a tractor in the field, which a simulated one is held beside and not "
-                            "fitted to.") +
-                    (true_way_known ? "" : " They were measured against a reference, ours above were not."),
-                summary, {{"speed_km_h", "km/h"}},
-                {{"published_line_mean_cm", "line mean"},
-                 {"published_line_sd_cm", "SD"},
-                 {"published_line_max_cm", "max"},
-                 {"published_adjacent_mean_cm", "adjacent mean"},
-                 {"published_adjacent_sd_cm", "SD"},
-                 {"published_adjacent_max_cm", "max"}},
-                2);
+    if (!has_numbers(summary, "published_line_sd_m"))
+      return add_table("Errors by speed", words, summary, {{"speed_km_h", "km/h"}}, spread_columns(), 2);
+    tables_.push_back(std::make_unique<Table>(with_published(summary)));
+    Columns columns{{"speed_km_h", "km/h"}};
+    for (const auto& column : spread_columns())
+      if (tables_.back()->has(column.first)) columns.push_back(column);
+    page_.tables.push_back({"Errors by speed",
+                            words +
+                                " In brackets: table 2 of the paper, by a tractor in the field, which a simulated one "
+                                "is held beside and not fitted to." +
+                                (true_way_known ? "" : " It was measured against a reference, ours was not."),
+                            tables_.back().get(), std::move(columns), 2});
   }
 
   void write_page() {

@@ -37,17 +37,23 @@ const std::vector<Input>& survey_inputs() {
       {"canopy", &S::canopy, "Canopy height model."},
       {"trajectory", &S::trajectory, "The trajectory of the scanner."},
       {"reference_trajectory", &S::reference_trajectory, "The true trajectory, in the same axes."},
+      {"reference_stems", &S::reference_stems, "Reference trees, as they were given."},
       {"sections", &S::sections, "Fitted cross-sections."},
       {"rejected", &S::rejected, "Candidates that are no stems, with their reasons."},
       {"edits", &S::edits, "What a person changed, from stems.edit."},
       {"targets", &S::targets, "Reflective targets of the plot frame."},
+      {"control", &S::control, "Control points with residuals, from survey.georeference."},
       {"matches", &S::matches, "Stems matched with a reference."},
       {"summary", &S::summary, "Measures of the evaluation beside published ones."},
       {"loops", &S::loops, "Loop closures, from slam.run or slam.edit_loops."},
       {"odometry", &S::odometry, "What slam.run found for each frame."},
       {"loop_candidates", &S::loop_candidates, "All loop closures that were tried, from the same stage."},
       {"pose_graph", &S::pose_graph, "Edges of the pose graph, from the same stage."},
-      {"loop_edits", &S::loop_edits, "What a person decided about loop closures, from slam.edit_loops."}};
+      {"loop_edits", &S::loop_edits, "What a person decided about loop closures, from slam.edit_loops."},
+      {"check", &S::check, "Findings of the check of the map, from survey.check."},
+      {"check_cells", &S::check_cells, "Measures of every cell, from survey.check."},
+      {"check_stems", &S::check_stems, "Measures at every stem, from survey.check."},
+      {"check_boundary", &S::check_boundary, "Trees on the boundary, from survey.check."}};
   return all;
 }
 
@@ -112,6 +118,7 @@ double SurveyData::class_width_cm() const {
 }
 
 std::string SurveyData::crs_wkt() const {
+  if (place) return place->crs_wkt;
   if (axes != Axes::global) return {};
   if (points != nullptr && !points->crs_wkt.empty()) return points->crs_wkt;
   return fact_text(stems->facts, facts::crs).value_or("");
@@ -130,6 +137,7 @@ SurveyData survey_data(const DataSet& inputs) {
     if (!input.optional || inputs.has(input.port))
       std::visit([&](auto member) { take(inputs, input.port, member, data); }, input.member);
   data.axes = axes_of(data);
+  data.place = global_frame_of(data.stems->facts);
   if (data.plot != nullptr) data.rule = counting_rule(*data.plot);
   data.own_stems = with_counted(*data.stems, data.rule);
   if (data.own_stems) data.stems = data.own_stems.get();

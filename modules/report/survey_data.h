@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cloud/core/global_frame.h"
 #include "cloud/data.h"
 #include "cloud/plot_area.h"
 #include "pipeline/stage.h"
@@ -27,10 +29,12 @@ struct SurveyData {
   const Raster* canopy = nullptr;
   const Trajectory* trajectory = nullptr;
   const Trajectory* reference_trajectory = nullptr;
+  const Table* reference_stems = nullptr;
   const Table* sections = nullptr;
   const Table* rejected = nullptr;
   const Table* edits = nullptr;
   const Table* targets = nullptr;
+  const Table* control = nullptr;
   const Table* matches = nullptr;
   const Table* summary = nullptr;
   const Table* loops = nullptr;
@@ -38,10 +42,15 @@ struct SurveyData {
   const Table* loop_candidates = nullptr;
   const Table* pose_graph = nullptr;
   const Table* loop_edits = nullptr;
+  const Table* check = nullptr;  // findings of survey.check, and its tables
+  const Table* check_cells = nullptr;
+  const Table* check_stems = nullptr;
+  const Table* check_boundary = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
   std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
   Axes axes = Axes::unknown;               // of the stems
+  std::optional<GlobalFrame> place;        // of local axes, where the stems were georeferenced
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }
 
   // The trajectory was an input of the run, not computed by it.
@@ -52,7 +61,8 @@ struct SurveyData {
   Table stems_in_plot() const;
   // Of diameter classes: that of the plot values, 4 cm where they are not connected.
   double class_width_cm() const;
-  std::string crs_wkt() const;  // of the stems; empty where their axes are not global
+  // Of exported coordinates: of the place, or of the stems; empty where their place on the earth is not known.
+  std::string crs_wkt() const;
 };
 
 // The input ports of report.plot.

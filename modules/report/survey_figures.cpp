@@ -6,11 +6,12 @@
 #include "cloud/stem_rows.h"
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
-#include "render/charts/raster_map.h"
 #include "render/charts/slice_sheet.h"
 #include "render/charts/stand_charts.h"
-#include "render/charts/stem_map.h"
 #include "render/charts/trajectory_charts.h"
+#include "render/maps/check_maps.h"
+#include "render/maps/raster_map.h"
+#include "render/maps/stem_map.h"
 #include "render/scene/map_figure.h"
 
 namespace bole::report {
@@ -173,6 +174,14 @@ std::vector<FigurePlan> survey_figures(const SurveyData& d, const ReportOptions&
     add_stand_charts(d, half, add);
   }
   add_rasters(d, half, add);
+  if (d.check != nullptr && d.check_cells != nullptr && d.check_cells->rows() > 0)
+    add(
+        "check of the map", true,
+        [&d, wide] {
+          return render::check_maps({d.check_cells, d.check_stems, d.check, d.trajectory, d.rule.area, d.north_known()},
+                                    wide);
+        },
+        true, FigureKind::sheet);
   if (has_matches(d)) {
     add("estimated against reference diameter", false, [&d, half] { return render::dbh_scatter(*d.matches, half); });
     add("diameter errors", false,

@@ -173,6 +173,7 @@ void write_workbook(const std::filesystem::path& path, const SurveyData& data, c
     run.check_cancel();
     add_table(book, "Sections", data.sections);
     add_table(book, "Rejected", data.rejected);
+    if (data.control != nullptr && data.control->rows() > 0) add_table(book, "Control points", data.control);
     if (data.edits != nullptr && data.edits->rows() > 0) add_table(book, "Edits", data.edits);
     if (run.record != nullptr && !run.record->stages.empty()) add_options(book, *run.record);
     book.close();

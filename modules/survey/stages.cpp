@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/no_number.h"
+#include "cloud/known_facts.h"
+#include "cloud/table_columns.h"
 #include "pipeline/stage.h"
 #include "survey/core/join_trajectory.h"
 #include "survey/core/move_cloud.h"
 #include "survey/core/plot_cover.h"
 #include "survey/core/plot_frame.h"
 #include "survey/core/plot_options.h"
+#include "survey/survey_stages.h"
 
 namespace bole::survey {
 namespace {
@@ -27,15 +31,6 @@ pipeline::StageResult run_frame(const DataSet& inputs, const OptionSet& options,
   result.outputs.set("targets", std::move(frame.targets));
   result.report = std::move(frame.report);
   return result;
-}
-
-// Of the first input that says so.
-Axes axes_of(const DataSet& inputs) {
-  if (inputs.has("points")) return inputs.cloud("points").axes;
-  if (!inputs.has("stems")) return Axes::unknown;
-  const auto& facts = inputs.table("stems").facts;
-  const auto it = facts.find("axes");
-  return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
 }
 
 std::optional<Eigen::Vector2d> centre_target(const Table& targets) {
@@ -184,10 +179,21 @@ void register_plot(pipeline::StageRegistry& registry) {
 
 }  // namespace
 
+Axes axes_of(const DataSet& inputs) {
+  if (inputs.has("points")) return inputs.cloud("points").axes;
+  if (!inputs.has("stems")) return Axes::unknown;
+  const auto& facts = inputs.table("stems").facts;
+  const auto it = facts.find("axes");
+  return it == facts.end() ? Axes::unknown : axes_from_name(it->second);
+}
+
 void register_stages(pipeline::StageRegistry& registry) {
   register_frame(registry);
   register_plot(registry);
   register_join(registry);
+  register_georeference(registry);
+  register_check(registry);
+  register_revisit(registry);
 }
 
 }  // namespace bole::survey

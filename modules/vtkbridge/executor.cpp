@@ -14,6 +14,7 @@
 #include "base/atomic_file.h"
 #include "base/exit_codes.h"
 #include "base/option_text.h"
+#include "base/core/path_list.h"
 #include "pipeline/result_folder.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/core_conversion.h"
@@ -93,7 +94,7 @@ std::string stamps_of_input(const OptionSet& options) {
   std::string stamps;
   for (const auto& spec : options.table().specs)
     if (const auto value = options.get(spec.name); is_input_path(spec, value))
-      stamps += change_stamp(option_text(value));
+      for (const auto& path : input_paths(spec, option_text(value))) stamps += change_stamp(path);
   return stamps;
 }
 
@@ -244,12 +245,14 @@ StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, con
     return outcome;
   }
   std::vector<std::string> left_out;
+  bool any_usable = false;
   for (const auto& port : node.type->inputs) {
     const auto joint = node.inputs.find(port.name);
     const pipeline::SourcePort source =
         joint == node.inputs.end() ? pipeline::SourcePort{} : pipeline::parse_source(joint->second);
     const auto* producer = find_outcome(so_far, source.id);
     const bool usable = producer && is_done(*producer);
+    any_usable = any_usable || usable;
     if (producer && !usable && !port.optional) {
       outcome.error = "stage '" + source.id + "' gave no " + source.port;
       return outcome;
@@ -257,6 +260,10 @@ StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, con
     if (producer && !usable && !producer->error.empty())
       left_out.push_back("input '" + port.name + "' is left out: stage '" + source.id + "' failed");
     vtk_stage->ConnectInput(port.name.c_str(), usable ? stage(source.id) : nullptr, source.port.c_str());
+  }
+  if (!any_usable && !left_out.empty()) {
+    outcome.error = "all of its inputs failed";
+    return outcome;
   }
   vtk_stage->SetControl(control_for(node, settings, so_far));
   auto& stamps = graph_->stamps_of_input[node.id];

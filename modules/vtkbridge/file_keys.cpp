@@ -105,8 +105,12 @@ std::vector<fs::path> files_of(const fs::path& path) {
     return files;
   }
   if (!fs::is_directory(path)) return files;
-  for (const auto& entry : fs::recursive_directory_iterator(path))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  // What a survey keeps to be run again faster is no result of it, and larger than all of them.
+  const bool is_survey = fs::is_regular_file(path / "summary.json");
+  for (auto entry = fs::recursive_directory_iterator(path); entry != fs::recursive_directory_iterator(); ++entry) {
+    if (is_survey && entry.depth() == 0 && entry->path().filename() == "cache") entry.disable_recursion_pending();
+    if (entry->is_regular_file()) files.push_back(entry->path());
+  }
   for (const char* beside : {"times.txt", "timestamps.txt"})
     if (const auto file = path.parent_path() / beside; fs::is_regular_file(file)) files.push_back(file);
   std::ranges::sort(files);

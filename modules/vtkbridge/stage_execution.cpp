@@ -4,6 +4,7 @@
 
 #include "base/content_hash.h"
 #include "base/option_text.h"
+#include "base/core/path_list.h"
 #include "base/verdict.h"
 #include "base/version.h"
 #include "cloud/large_cloud.h"
@@ -112,9 +113,15 @@ std::string stage_key(const pipeline::StageType& type, const OptionSet& options,
     const OptionValue value = options.get(spec.name);
     const bool is_path = is_input_path(spec, value);
     hash.add_text(spec.name);
-    hash.add_text(is_path ? cache.file_key(option_text(value), run) : option_text(value));
-    // The name counts as well: readers tell formats by it.
-    if (is_path) hash.add_text(std::filesystem::path(option_text(value)).filename().string());
+    if (!is_path) {
+      hash.add_text(option_text(value));
+      continue;
+    }
+    for (const auto& path : input_paths(spec, option_text(value))) {
+      hash.add_text(cache.file_key(path, run));
+      // The name counts as well: readers tell formats by it. Of a list the folders do too, since results name them.
+      hash.add_text(is_path_list(spec) ? path : std::filesystem::path(path).filename().string());
+    }
   }
   for (const auto& [port, lazy] : inputs) {
     hash.add_text(port);

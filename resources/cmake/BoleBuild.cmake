@@ -15,6 +15,7 @@ set(BOLE_INSTALL_LIBRARY_DIR "lib/${CMAKE_LIBRARY_ARCHITECTURE}/bole")
 set(BOLE_INSTALL_PYTHON_DIR lib/python3/dist-packages)
 file(RELATIVE_PATH BOLE_LIBRARIES_FROM_BIN "/prefix/${CMAKE_INSTALL_BINDIR}" "/prefix/${BOLE_INSTALL_LIBRARY_DIR}")
 file(RELATIVE_PATH BOLE_LIBRARIES_FROM_PYTHON "/prefix/${BOLE_INSTALL_PYTHON_DIR}/bole" "/prefix/${BOLE_INSTALL_LIBRARY_DIR}")
+file(RELATIVE_PATH BOLE_ENGINE_FROM_PYTHON "/prefix/${BOLE_INSTALL_PYTHON_DIR}/bole" "/prefix/${CMAKE_INSTALL_DATADIR}/bole/python")
 file(RELATIVE_PATH BOLE_RESOURCES_FROM_LIBRARIES "/prefix/${BOLE_INSTALL_LIBRARY_DIR}" "/prefix/${CMAKE_INSTALL_DATADIR}/bole/resources")
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
 if(BOLE_ARCH MATCHES "^x86-64-v")
@@ -72,16 +73,17 @@ include(BolePrecompiled)
 include(BoleUnity)
 
 # bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [OPTIONS option...] [STAGES])
-#   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp apart). Headers are included
+#   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp and *_stages.cpp apart). Headers are included
 #   as "NAME/..." or "NAME/core/...". PUBLIC are libraries seen in headers, PRIVATE those of .cpp files only.
 #   OPTIONS are compile options of this module alone.
-#   STAGES: modules/NAME/stages.cpp defines `void bole::NAME::register_stages(pipeline::StageRegistry&)`; it goes into bole_stages.
+#   STAGES: modules/NAME/stages.cpp defines `void bole::NAME::register_stages(pipeline::StageRegistry&)`; it goes into bole_stages,
+#   and modules/NAME/*_stages.cpp with it.
 function(bole_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE;OPTIONS")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/*.cpp)
   list(APPEND sources ${core_sources})
-  list(FILTER sources EXCLUDE REGEX "/stages\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "[/_]stages\\.cpp$")
   add_library(bole_${name} SHARED ${sources})
   add_library(bole::${name} ALIAS bole_${name})
   target_include_directories(bole_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/modules>)
@@ -111,7 +113,8 @@ function(bole_stages_library)
   foreach(name IN LISTS names)
     string(APPEND declarations "namespace bole::${name} {\nvoid register_stages(pipeline::StageRegistry&);\n}\n")
     string(APPEND calls "  if (registry.first_time(\"${name}\")) ${name}::register_stages(registry);\n")
-    list(APPEND sources ${CMAKE_SOURCE_DIR}/modules/${name}/stages.cpp)
+    file(GLOB stage_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/modules/${name}/*stages.cpp)
+    list(APPEND sources ${stage_sources})
     list(APPEND modules bole::${name})
   endforeach()
   configure_file(${CMAKE_SOURCE_DIR}/resources/cmake/register_all_stages.cpp.in ${CMAKE_BINARY_DIR}/generated/register_all_stages.cpp @ONLY)

@@ -128,8 +128,8 @@ endif()
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME bole)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS fonts-liberation2)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "bole-desktop, python3-bole, qgis")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-liberation2, python3")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "bole-desktop, python3-bole, python3-distributed, qgis")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "LiDAR scans of a forest plot to a survey that can be signed
 Bole turns raw LiDAR scans or finished point clouds of a forest plot into a

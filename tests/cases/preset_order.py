@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""One small simulated plot by `loam`, `forest` and `best`: each must be clearly better than the one before it.
+"""One small simulated plot by `loam`, `forest` and `best`: each must be clearly better than the one before it. Their comparison by the
+pipeline compare_runs must have the figures that each run gave itself.
 
 All three see the same frames. docs/dev/slam.md has the figures of whole plots. Whoever changes a preset looks at more seeds:
 
@@ -55,7 +56,33 @@ def measured(bole, scan, out, settings):
     walls = [float(r["wall_cm"]) for r in rows(out / "stems.csv") if r["tree_id"] in matched and r["wall_cm"]]
     return {"frames": stages["slam"]["counts"]["frames"], "ate_cm": 100 * evaluated["ate_rmse"],
             "wall_mm": 10 * statistics.median(walls), "dbh_rmse_cm": evaluated["dbh_rmse"], "trees": len(matched),
-            "seconds": stages["slam"]["seconds"]}
+            "seconds": stages["slam"]["seconds"], "evaluated": evaluated}
+
+
+# Columns of the comparison, the measure of evaluation.plot, and what the decimals of stems.csv leave open.
+COMPARED = [("rmse_x_m", "position_rmse_x", 1e-4), ("rmse_y_m", "position_rmse_y", 1e-4), ("mu_x_m", "position_mean_x", 1e-4),
+            ("sigma_max_m", "position_sigma_max", 1e-4), ("dbh_bias_cm", "dbh_bias", 0.01), ("dbh_rmse_cm", "dbh_rmse", 0.01),
+            ("dbh_rel_bias_pct", "dbh_relative_bias", 0.05), ("completeness_pct", "completeness", 1e-9),
+            ("correctness_pct", "correctness", 1e-9), ("ate_rmse_m", "ate_rmse", 1e-5)]
+
+
+def differences(bole, work, outs, figures):
+    """Where the comparison of the runs says something else than each run did."""
+    run([bole, "run", REPOSITORY / "pipelines/compare_runs.json", "--out", work / "comparison", "--no-cache",
+         "--set", "runs.folders=" + ",".join(str(o) for o in outs.values()), "--set", "report.figures=false"])
+    comparison = json.loads((work / "comparison" / "comparison.json").read_text())
+    shutil.rmtree(work / "comparison", ignore_errors=True)
+    if len({r["plot"] for r in comparison["runs"]}) != 1 or len(comparison["pairs"]) != 3:
+        return ["the three runs are of one plot, and the comparison does not say so"]
+    complaints = []
+    for name, group in zip(outs, comparison["groups"]):
+        if group["system"] != name:
+            complaints.append(f"the system of {name} is {group['system']} in the comparison")
+        for column, measure, tolerance in COMPARED:
+            own = figures[name]["evaluated"][measure]
+            if group[column] is None or not abs(group[column] - own) <= tolerance:
+                complaints.append(f"{name}: {column} is {group[column]} in the comparison and {own} in the run")
+    return complaints
 
 
 def disorder(figures):
@@ -86,12 +113,14 @@ def main():
         scan = args.work / f"scan-{seed}"
         run([args.bole, "simulate", "--plot", args.plot, "--seed", seed, "--max-time", args.seconds, "--out", scan])
         figures = {}
+        outs = {name: args.work / f"out_{name}" for name in PRESETS}
         for name in PRESETS:
-            figures[name] = measured(args.bole, scan, args.work / "out", {"slam.preset": name})
-            print(f"seed {seed}, {name}:", ", ".join(f"{k} {v:.4g}" for k, v in figures[name].items()), flush=True)
-        complaints += [f"seed {seed}: {c}" for c in disorder(figures)]
-        shutil.rmtree(scan, ignore_errors=True)
-    shutil.rmtree(args.work / "out", ignore_errors=True)
+            figures[name] = measured(args.bole, scan, outs[name], {"slam.preset": name})
+            print(f"seed {seed}, {name}:", ", ".join(f"{k} {v:.4g}" for k, v in figures[name].items() if k != "evaluated"),
+                  flush=True)
+        complaints += [f"seed {seed}: {c}" for c in disorder(figures) + differences(args.bole, args.work, outs, figures)]
+        for folder in [scan, *outs.values()]:
+            shutil.rmtree(folder, ignore_errors=True)
     print("\n".join(complaints))
     return 1 if complaints else 0
 

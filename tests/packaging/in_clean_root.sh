@@ -35,6 +35,13 @@ step "a finished cloud"
 bole survey survey/cloud.las --out cloud > cloud.log 2>&1 || { tail -20 cloud.log; exit 1; }
 [ -s cloud/report.html ]
 
+step "bole campaign"
+echo '{"pipeline": "stem_map_from_cloud", "inputs": [{"id": "a", "set": {"scan.file": "survey/cloud.las"}}, {"id": "b", "set": {"scan.file": "absent.las"}}]}' > campaign.json
+code=0
+bole campaign run campaign.json --out campaign > campaign.log 2>&1 || code=$?
+[ $code -eq 2 ] || { cat campaign.log; exit 1; }
+[ "$(wc -l < campaign/stems.csv)" -gt 3 ] && [ -s campaign/campaign.gpkg ] && [ -s campaign/campaign.html ]
+
 step "python3 -c 'import bole'"
 python3 - <<'PYTHON'
 import bole

@@ -50,7 +50,7 @@ def violations_of(path, text_includes):
     module, inner = parts[0], parts[1]
     wraps_vtk = inner == "vtk" or module in {"vtkbridge", "render", "report"}
     allowed = {module} | BELOW.get(module, set())
-    if inner == "stages.cpp":
+    if inner.endswith(("stages.cpp", "_stages.h")):
         allowed |= {"pipeline"}
     if inner == "vtk":
         allowed |= {"pipeline", "vtkbridge"}

@@ -13,6 +13,7 @@ struct Program {
 
 void add_survey(Program& program);
 void add_run(Program& program);
+void add_campaign(Program& program);
 void add_validate(Program& program);
 void add_stages(Program& program);
 void add_info(Program& program);

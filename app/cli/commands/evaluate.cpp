@@ -46,6 +46,8 @@ void print_summary(const Table& summary, bool json) {
     fmt::print("{:<36} {:>12.4f} {:<6}{}\n", summary.text("measure", i), values[i], summary.text("unit", i),
                published.empty() ? "" : " published " + published);
   }
+  if (const auto it = summary.facts.find("published"); it != summary.facts.end())
+    fmt::print("published figures: {}\n", it->second);
 }
 
 std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& name, const std::string& help,

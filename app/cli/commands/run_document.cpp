@@ -1,10 +1,12 @@
 #include "run_document.h"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 #include "base/user_path.h"
 #include "base/verdict.h"
@@ -124,9 +126,20 @@ void add_run_flags(CLI::App& command, RunArguments& args) {
   command.add_option("--cache", args.cache, "Folder of stored stage results (default: cache in the results' folder)")
       ->type_name("DIR");
   command.add_flag("--no-cache", args.no_cache, "Run every stage, store nothing");
+  command.add_option("--threads", args.threads, "Threads that work at the same time. Default: one per processor")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber.description(""));
+  command
+      .add_option("--end-with", args.end_with,
+                  "Process that started this one: the run is killed when that ends in any way (campaigns use it)")
+      ->type_name("PID");
 }
 
 void run_document(Program& program, pipeline::PipelineDocument document, const RunArguments& args) {
+  if (args.end_with > 0) end_with_parent(args.end_with);
+  std::optional<tbb::global_control> threads;
+  if (args.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(args.threads));
   pipeline::apply_sets(document, args.sets);
   Interrupts interrupts(Interrupts::First::finishes);
   ProgressLine line;

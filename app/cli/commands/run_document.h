@@ -13,6 +13,8 @@ namespace bole::cli {
 struct RunArguments {
   std::string out, cache;
   std::vector<std::string> sets;
+  int threads = 0;    // 0: as many as there are processors
+  long end_with = 0;  // the process that started this one; 0: any
   bool no_cache = false, force = false, accept_partial = false;
 };
 

@@ -1263,6 +1263,10 @@
             <translation>浏览…</translation>
         </message>
         <message>
+            <source>Add folder</source>
+            <translation>添加文件夹</translation>
+        </message>
+        <message>
             <source>Open file</source>
             <translation>打开文件</translation>
         </message>

@@ -1561,6 +1561,243 @@
             <source>Match frames</source>
             <translation>匹配帧数</translation>
         </message>
+        <message>
+            <source>Control sd</source>
+            <comment>survey.georeference</comment>
+            <translation>控制点平面标准差</translation>
+        </message>
+        <message>
+            <source>Height sd</source>
+            <comment>survey.georeference</comment>
+            <translation>控制点高程标准差</translation>
+        </message>
+        <message>
+            <source>Map sd</source>
+            <comment>survey.georeference</comment>
+            <translation>地图点位标准差</translation>
+        </message>
+        <message>
+            <source>Max residual</source>
+            <comment>survey.georeference</comment>
+            <translation>最大残差</translation>
+        </message>
+        <message>
+            <source>Leave out blunders</source>
+            <comment>survey.georeference</comment>
+            <translation>剔除粗差点</translation>
+        </message>
+        <message>
+            <source>Height of</source>
+            <comment>survey.georeference</comment>
+            <translation>高程所指</translation>
+        </message>
+        <message>
+            <source>Level sd</source>
+            <comment>survey.georeference</comment>
+            <translation>原有水平的标准差</translation>
+        </message>
+        <message>
+            <source>Easting</source>
+            <comment>survey.georeference</comment>
+            <translation>中心东坐标</translation>
+        </message>
+        <message>
+            <source>Northing</source>
+            <comment>survey.georeference</comment>
+            <translation>中心北坐标</translation>
+        </message>
+        <message>
+            <source>Latitude</source>
+            <comment>survey.georeference</comment>
+            <translation>中心纬度</translation>
+        </message>
+        <message>
+            <source>Longitude</source>
+            <comment>survey.georeference</comment>
+            <translation>中心经度</translation>
+        </message>
+        <message>
+            <source>Bearing kind</source>
+            <comment>survey.georeference</comment>
+            <translation>方位角基准</translation>
+        </message>
+        <message>
+            <source>Declination</source>
+            <comment>survey.georeference</comment>
+            <translation>磁偏角</translation>
+        </message>
+        <message>
+            <source>Bearing sd</source>
+            <comment>survey.georeference</comment>
+            <translation>方位角标准差</translation>
+        </message>
+        <message>
+            <source>Clock offset</source>
+            <comment>survey.georeference</comment>
+            <translation>时钟差</translation>
+        </message>
+        <message>
+            <source>Clock window</source>
+            <comment>survey.georeference</comment>
+            <translation>时钟搜索范围</translation>
+        </message>
+        <message>
+            <source>Lever x</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 x</translation>
+        </message>
+        <message>
+            <source>Lever y</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 y</translation>
+        </message>
+        <message>
+            <source>Lever z</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移 z</translation>
+        </message>
+        <message>
+            <source>Lever sd</source>
+            <comment>survey.georeference</comment>
+            <translation>天线偏移标准差</translation>
+        </message>
+        <message>
+            <source>Track sd</source>
+            <comment>survey.georeference</comment>
+            <translation>轨迹共同误差</translation>
+        </message>
+        <message>
+            <source>Min ground points</source>
+            <translation>最少地面点数</translation>
+        </message>
+        <message>
+            <source>Max unseen</source>
+            <translation>未见地面上限</translation>
+        </message>
+        <message>
+            <source>Walk again unseen</source>
+            <translation>重走的未见地面</translation>
+        </message>
+        <message>
+            <source>Max hole</source>
+            <translation>最大空洞</translation>
+        </message>
+        <message>
+            <source>Max walk gap</source>
+            <translation>离行走路线的最大距离</translation>
+        </message>
+        <message>
+            <source>Min view span</source>
+            <translation>最小观测张角</translation>
+        </message>
+        <message>
+            <source>Max one sided</source>
+            <translation>单侧观测上限</translation>
+        </message>
+        <message>
+            <source>Min density</source>
+            <translation>最小密度</translation>
+        </message>
+        <message>
+            <source>Max pass spread</source>
+            <translation>各次经过的最大间距</translation>
+        </message>
+        <message>
+            <source>Walk again spread</source>
+            <translation>重走的间距</translation>
+        </message>
+        <message>
+            <source>Max wall</source>
+            <translation>最大树皮离散</translation>
+        </message>
+        <message>
+            <source>Max loop residual</source>
+            <translation>最大回环残差</translation>
+        </message>
+        <message>
+            <source>Max loop turn</source>
+            <translation>最大回环转角</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>靶标数</translation>
+        </message>
+        <message>
+            <source>Boundary rule</source>
+            <translation>边界木规则</translation>
+        </message>
+        <message>
+            <source>Position se</source>
+            <translation>位置标准误</translation>
+        </message>
+        <message>
+            <source>Max doubtful</source>
+            <translation>存疑断面积上限</translation>
+        </message>
+        <message>
+            <source>Min missed dbh</source>
+            <translation>漏测单木起测直径</translation>
+        </message>
+        <message>
+            <source>Max without ground</source>
+            <translation>无地面单木上限</translation>
+        </message>
+        <message>
+            <source>Years</source>
+            <translation>间隔年数</translation>
+        </message>
+        <message>
+            <source>Max growth</source>
+            <translation>最大年生长量</translation>
+        </message>
+        <message>
+            <source>Max loss</source>
+            <translation>最大变细量</translation>
+        </message>
+        <message>
+            <source>Shared bias</source>
+            <translation>共同偏差</translation>
+        </message>
+        <message>
+            <source>Assumed se</source>
+            <translation>假定标准误</translation>
+        </message>
+        <message>
+            <source>Folders</source>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>Names</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>Systems</source>
+            <translation>系统</translation>
+        </message>
+        <message>
+            <source>Plots</source>
+            <translation>样地</translation>
+        </message>
+        <message>
+            <source>Min agreement</source>
+            <translation>最小一致率</translation>
+        </message>
+        <message>
+            <source>Published system</source>
+            <translation>论文中的系统</translation>
+        </message>
+        <message>
+            <source>Cloud figures</source>
+            <translation>点云插图</translation>
+        </message>
+        <message>
+            <source>Slices</source>
+            <translation>横切面数</translation>
+        </message>
+        <message>
+            <source>Enlarge</source>
+            <translation>误差放大倍数</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3200,6 +3437,298 @@
             <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
             <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
         </message>
+        <message>
+            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory adjustment, with the inertial unit where the recording has one), or inertial (the same, and only with an inertial unit).</source>
+            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)或惯性(inertial,与最佳相同,但必须有惯性单元)。</translation>
+        </message>
+        <message>
+            <source>Motion before registration: constant velocity, or the frame matched against the last frame.</source>
+            <translation>配准前的运动:匀速(velocity),或由本帧与上一帧匹配得到(last_frame)。</translation>
+        </message>
+        <message>
+            <source>Weight of a match: from the thickness of the surface and the range noise, or from the covariances of the points by sensor and poses (SPEC A7).</source>
+            <translation>匹配的权:由表面厚度和测距噪声确定(thickness),或由传感器和位姿给出的点的协方差确定(priors,SPEC A7)。</translation>
+        </message>
+        <message>
+            <source>All six unknowns from all features, or height, roll and pitch from planes and the rest from edges (LeGO-LOAM; not with elastic frames).</source>
+            <translation>由全部特征求解全部六个未知数(joint),或由平面求高度、横滚和俯仰,其余由边缘求得(two_step,LeGO-LOAM;不可用于弹性帧)。</translation>
+        </message>
+        <message>
+            <source>Control points as CSV: name, easting_m, northing_m, height_m (or latitude_deg, longitude_deg). A point belongs to the target of its name (centre, north), or to x_m, y_m in the same row.</source>
+            <translation>控制点 CSV 文件:name, easting_m, northing_m, height_m(或 latitude_deg, longitude_deg)。点对应同名标靶(centre, north),或对应同一行的 x_m, y_m。</translation>
+        </message>
+        <message>
+            <source>Projected coordinate system of the control points and of all exports: an EPSG code (EPSG:25832) or WKT. Empty with latitude and longitude: the UTM zone.</source>
+            <translation>控制点和所有导出文件的投影坐标系:EPSG 代码(EPSG:25832)或 WKT。给出经纬度而此项为空时:所在的 UTM 带。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the easting and northing of a control point; a column sd_m of the file goes before it. auto: from the residuals, or 0.02 m where there are too few.</source>
+            <translation>控制点东、北坐标的标准差;文件中的 sd_m 列优先。自动:由残差求得,点数不足时取 0.02 m。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the height of a control point; a column height_sd_m goes before it. auto: from the residuals, or 0.03 m where there are too few.</source>
+            <translation>控制点高程的标准差;文件中的 height_sd_m 列优先。自动:由残差求得,点数不足时取 0.03 m。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of a place in the map (drift of the SLAM): of targets and of stems.</source>
+            <translation>地图中点位的标准差(SLAM 漂移),用于标靶和单木。</translation>
+        </message>
+        <message>
+            <source>A greater residual of a control point that is used is an error: the points do not fit the plot.</source>
+            <translation>所用控制点的残差超过此值即报错:控制点与样地不符。</translation>
+        </message>
+        <message>
+            <source>Leave out a control point that all others contradict. It is reported in either case.</source>
+            <translation>剔除与其余各点都矛盾的控制点。无论是否剔除都会报告。</translation>
+        </message>
+        <message>
+            <source>one: a metre in the plot is a metre on the plane; grid: times the scale of the projection and the reduction of the height. auto: one, unless the residuals contradict it and agree with grid.</source>
+            <translation>1:样地中的一米即平面上的一米;格网:再乘以投影比例和高程归化。自动:取 1,除非残差与之矛盾而与格网相符。</translation>
+        </message>
+        <message>
+            <source>What the height of a control point with the name of a target was measured on: the target itself, or the ground below it.</source>
+            <translation>以标靶命名的控制点,其高程测自何处:标靶本身,或其下方的地面。</translation>
+        </message>
+        <message>
+            <source>Level the plot by the control heights, where there are three or more that are not on a line.</source>
+            <translation>有三个以上不共线的控制高程时,按其整平样地。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the level that the plot already has; 0.1 deg from stems. A larger value lets the control heights count more.</source>
+            <translation>样地原有水平的标准差;由树干求得时为 0.1 度。数值越大,控制高程的作用越大。</translation>
+        </message>
+        <message>
+            <source>Easting of the centre (the centre target, or the origin of the axes), in place of a file.</source>
+            <translation>中心(中心标靶或坐标原点)的东坐标,代替文件。</translation>
+        </message>
+        <message>
+            <source>Northing of the centre.</source>
+            <translation>中心的北坐标。</translation>
+        </message>
+        <message>
+            <source>Latitude of the centre, in place of easting and northing.</source>
+            <translation>中心的纬度,代替东、北坐标。</translation>
+        </message>
+        <message>
+            <source>Longitude of the centre, east positive.</source>
+            <translation>中心的经度,东经为正。</translation>
+        </message>
+        <message>
+            <source>Height of the centre.</source>
+            <translation>中心的高程。</translation>
+        </message>
+        <message>
+            <source>Bearing from the centre target to the north target, clockwise; without a north target that of the y axis of the map. Needed with one control point.</source>
+            <translation>由中心标靶到北标靶的方位角,顺时针;没有北标靶时为地图 y 轴的方位角。只有一个控制点时必须给出。</translation>
+        </message>
+        <message>
+            <source>North of the bearing: that of the compass, of the grid of the coordinate system, or true north. The convergence of the meridians is computed.</source>
+            <translation>方位角所依据的北方向:磁北、坐标系格网北或真北。子午线收敛角自动计算。</translation>
+        </message>
+        <message>
+            <source>Magnetic declination: bearing of magnetic north from true north, east positive.</source>
+            <translation>磁偏角:磁北相对真北的方位角,东偏为正。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the bearing.</source>
+            <translation>方位角的标准差。</translation>
+        </message>
+        <message>
+            <source>Time of the walk minus time of a GNSS track, about; it is adjusted. auto: by the usual clocks (UTC, GPS time, time of day) and the shape of the walk.</source>
+            <translation>行走时间减去 GNSS 轨迹时间的概值,随后平差求定。自动:依据常用时钟(UTC、GPS 时、当日时间)和行走路线的形状。</translation>
+        </message>
+        <message>
+            <source>How far from there the offset is searched.</source>
+            <translation>在该值前后搜索时钟差的范围。</translation>
+        </message>
+        <message>
+            <source>Antenna from the sensor along the sensor&apos;s x axis, about; it is adjusted.</source>
+            <translation>天线相对传感器沿其 x 轴偏移的概值,随后平差求定。</translation>
+        </message>
+        <message>
+            <source>The same along its y axis.</source>
+            <translation>沿其 y 轴,同上。</translation>
+        </message>
+        <message>
+            <source>The same along its z axis.</source>
+            <translation>沿其 z 轴,同上。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of lever_x, lever_y and lever_z; small where they were measured.</source>
+            <translation>lever_x, lever_y 和 lever_z 的标准差;实测过时取小值。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of an error that all positions of the track share, which residuals cannot show. auto: by their quality, 0.02 m for RTK fixed, 0.5 m for float, 1 m for differential, 3 m else.</source>
+            <translation>轨迹所有点位共有、残差无法显示的误差的标准差。自动:按定位质量,RTK 固定解 0.02 m,浮点解 0.5 m,差分 1 m,其余 3 m。</translation>
+        </message>
+        <message>
+            <source>Side of the cells of the maps. Larger cells overlook smaller holes.</source>
+            <translation>各图单元的边长。单元越大,越容易漏掉小空洞。</translation>
+        </message>
+        <message>
+            <source>Ground points from which the ground of a cell counts as seen.</source>
+            <translation>单元的地面算作看到所需的地面点数。</translation>
+        </message>
+        <message>
+            <source>Share of the plot whose ground may be unseen before the verdict is look.</source>
+            <translation>结论变为查看之前,样地中允许未看到地面的比例。</translation>
+        </message>
+        <message>
+            <source>Share of the plot whose ground may be unseen before the verdict is walk again.</source>
+            <translation>结论变为重走之前,样地中允许未看到地面的比例。</translation>
+        </message>
+        <message>
+            <source>Largest connected area of unseen ground that is accepted.</source>
+            <translation>可接受的未见地面的最大连通面积。</translation>
+        </message>
+        <message>
+            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+        </message>
+        <message>
+            <source>Angle that the directions of view of a cell must span, or the cell counts as seen from one side.</source>
+            <translation>单元的观测方向至少要张开的角度,否则算作只从一侧看到。</translation>
+        </message>
+        <message>
+            <source>Share of the plot that may be seen from one side only.</source>
+            <translation>样地中允许只从一侧看到的比例。</translation>
+        </message>
+        <message>
+            <source>Ground points of a cell, as a share of the median cell, below which it counts as sparse. Sparse cells are reported where they are more than max_one_sided of the plot.</source>
+            <translation>单元地面点数占中位单元的比例,低于此值算作稀疏。稀疏单元超过样地的 max_one_sided 时报告。</translation>
+        </message>
+        <message>
+            <source>Distance between the surfaces of two passes that is accepted (median over the plot).</source>
+            <translation>可接受的两次经过的表面间距(样地中位数)。</translation>
+        </message>
+        <message>
+            <source>Distance between the surfaces of two passes from which the verdict is walk again.</source>
+            <translation>两次经过的表面间距达到此值时结论为重走。</translation>
+        </message>
+        <message>
+            <source>Scatter of the points about the bark that is accepted (median over the stems). Allow more for a sensor with more noise.</source>
+            <translation>可接受的点相对树皮的离散(单木中位数)。噪声较大的传感器应放宽。</translation>
+        </message>
+        <message>
+            <source>Disagreement between a loop closure and the final trajectory that is accepted.</source>
+            <translation>可接受的回环与最终轨迹之差。</translation>
+        </message>
+        <message>
+            <source>The same as an angle.</source>
+            <translation>同上,以角度计。</translation>
+        </message>
+        <message>
+            <source>Common lean of the stems that is accepted. More means a tilted frame, or a stand that leans.</source>
+            <translation>可接受的单木共同倾斜。超过时说明坐标系倾斜或林分倾斜。</translation>
+        </message>
+        <message>
+            <source>Number of targets that stood in the plot. 0: none was needed.</source>
+            <translation>样地中设置的靶标数。0:不需要靶标。</translation>
+        </message>
+        <message>
+            <source>Distance of the two targets by tape. 0: not known.</source>
+            <translation>用卷尺量得的两靶标距离。0:未知。</translation>
+        </message>
+        <message>
+            <source>Difference from target_distance that is accepted.</source>
+            <translation>可接受的与 target_distance 之差。</translation>
+        </message>
+        <message>
+            <source>Trees at the boundary that are in. centre: centre at breast height inside; base: centre of the foot inside; whole: the whole stem inside; any_part: any part of it; half: any part on the southern and western edges, the whole stem on the others.</source>
+            <translation>哪些边界木算在内。centre:胸高处中心在内;base:树基中心在内;whole:整个树干在内;any_part:任一部分在内;half:南边和西边任一部分在内,其余两边整个树干在内。</translation>
+        </message>
+        <message>
+            <source>Standard error of a stem's place against the boundary. Trees nearer than twice this are in doubt.</source>
+            <translation>单木位置相对边界的标准误。距离小于其两倍的树存疑。</translation>
+        </message>
+        <message>
+            <source>Share of the basal area that trees in doubt at the boundary may hold.</source>
+            <translation>边界存疑的树允许占断面积的比例。</translation>
+        </message>
+        <message>
+            <source>Diameter from which an upright round structure without a stem in the table is reported.</source>
+            <translation>达到此直径的直立圆形结构若表中没有单木,则报告。</translation>
+        </message>
+        <message>
+            <source>Share of the stems that may stand where no ground was seen within 1 m.</source>
+            <translation>允许 1 m 内未看到地面的单木比例。</translation>
+        </message>
+        <message>
+            <source>Axes of the two tables. search: not known, the trees bring the maps together; same: they lie in the same axes already, and only the rest is fitted.</source>
+            <translation>两张表的坐标系。search:未知,由树木把两图合到一起;same:已在同一坐标系中,只拟合剩余的差。</translation>
+        </message>
+        <message>
+            <source>Years between the two surveys. auto: from the fact date or recorded of both tables (2024-05-31); without one growth is given for the whole time only.</source>
+            <translation>两次调查相隔的年数。auto:取自两张表的 date 或 recorded(2024-05-31);没有时只给出整个时段的生长量。</translation>
+        </message>
+        <message>
+            <source>Distance at breast height up to which two stems are the same tree. Larger values match stems that were measured badly, and neighbours.</source>
+            <translation>胸高处两株单木视为同一株的最大距离。较大的值会匹配测得不好的单木,也会匹配邻木。</translation>
+        </message>
+        <message>
+            <source>Largest growth of a diameter per year. Thicker trees that are new were missed in the first survey, they did not grow in.</source>
+            <translation>胸径每年的最大生长量。新出现而更粗的树是第一次调查漏掉的,不是进界木。</translation>
+        </message>
+        <message>
+            <source>How much thinner a tree may seem in the second survey and still be the same.</source>
+            <translation>一株树在第二次调查中可以显得细多少而仍视为同一株。</translation>
+        </message>
+        <message>
+            <source>Diameter from which trees count. A tree that reaches it between the surveys is ingrowth.</source>
+            <translation>计数的起测胸径。两次调查之间达到它的树为进界木。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the error that all diameters of one survey share. It widens the interval of the mean growth, which more trees do not narrow.</source>
+            <translation>一次调查中所有胸径共有误差的标准差。它加宽平均生长量的区间,树再多也不会使其变窄。</translation>
+        </message>
+        <message>
+            <source>Standard error of diameters without an interval (dbh_lo_cm, dbh_hi_cm).</source>
+            <translation>没有区间(dbh_lo_cm,dbh_hi_cm)的胸径的标准误。</translation>
+        </message>
+        <message>
+            <source>Draw the map and the growth and write them as PNG, SVG and PDF.</source>
+            <translation>绘制分布图和生长量图,写成 PNG,SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Output folders of bole run or bole survey, with commas between.</source>
+            <translation>bole run 或 bole survey 的输出文件夹，用逗号分隔。</translation>
+        </message>
+        <message>
+            <source>Names of the runs in tables and figures, with commas between; empty: the names of the folders.</source>
+            <translation>各次运行在表格和插图中的名称，用逗号分隔；留空：用文件夹名。</translation>
+        </message>
+        <message>
+            <source>What made each run, with commas between. Runs of one system are pooled; empty: the preset of each run.</source>
+            <translation>每次运行所用的系统，用逗号分隔。同一系统的运行合并统计；留空：用各次运行的预设。</translation>
+        </message>
+        <message>
+            <source>Plot of each run, with commas between. plot1 to plot4 list the published figures of these plots; empty: runs whose stems agree share a plot.</source>
+            <translation>每次运行的样地，用逗号分隔。plot1 至 plot4 会列出论文中这些样地的数值；留空：单木一致的运行视为同一样地。</translation>
+        </message>
+        <message>
+            <source>Share of the stems of the shorter list that must agree before two lists count as one plot in the same axes. A larger value lets less certain ones fall apart.</source>
+            <translation>较短列表中一致单木的最小比例，达到时两份列表才视为同一坐标系中的同一样地。值越大，不够确定的越会分开。</translation>
+        </message>
+        <message>
+            <source>System of the paper whose published figures are listed. auto: that of the preset which made the trajectory, improved_loam where the paper has none.</source>
+            <translation>列出论文中哪个系统的数值。auto：生成轨迹的预设所对应的系统；论文中没有时用 improved_loam。</translation>
+        </message>
+        <message>
+            <source>Read the clouds of the runs and draw paths and slices on them. This takes the most time.</source>
+            <translation>读取各次运行的点云，在其上绘制轨迹和横切面。这一步最费时。</translation>
+        </message>
+        <message>
+            <source>Resolution of the PNG files.</source>
+            <translation>PNG 文件的分辨率。</translation>
+        </message>
+        <message>
+            <source>Trees whose slices are drawn.</source>
+            <translation>绘制横切面的树木数量。</translation>
+        </message>
+        <message>
+            <source>Factor by which the map of positions enlarges the errors. auto: so that they can be seen.</source>
+            <translation>位置图中误差的放大倍数。auto：放大到可以看清。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -3933,6 +4462,59 @@
         <message>
             <source>two_step_guess</source>
             <translation>仅初始估计分两步</translation>
+        </message>
+        <message>
+            <source>one</source>
+            <comment>scale</comment>
+            <translation>1</translation>
+        </message>
+        <message>
+            <source>target</source>
+            <comment>height_of</comment>
+            <translation>标靶</translation>
+        </message>
+        <message>
+            <source>magnetic</source>
+            <comment>bearing_kind</comment>
+            <translation>磁北</translation>
+        </message>
+        <message>
+            <source>true</source>
+            <comment>bearing_kind</comment>
+            <translation>真北</translation>
+        </message>
+        <message>
+            <source>centre</source>
+            <translation>中心</translation>
+        </message>
+        <message>
+            <source>base</source>
+            <translation>树基</translation>
+        </message>
+        <message>
+            <source>whole</source>
+            <translation>整个树干</translation>
+        </message>
+        <message>
+            <source>any_part</source>
+            <translation>任一部分</translation>
+        </message>
+        <message>
+            <source>half</source>
+            <translation>半边</translation>
+        </message>
+        <message>
+            <source>same</source>
+            <comment>axes</comment>
+            <translation>相同</translation>
+        </message>
+        <message>
+            <source>improved_loam</source>
+            <translation>改进的 LOAM</translation>
+        </message>
+        <message>
+            <source>,</source>
+            <translation>,</translation>
         </message>
 </context>
 </TS>

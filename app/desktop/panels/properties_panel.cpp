@@ -16,6 +16,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/core/path_list.h"
 #include "document/stage_words.h"
 
 namespace bole::desktop {
@@ -311,9 +312,14 @@ QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec&
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   auto* browse = new QPushButton(tr("Browse…"));
-  connect(browse, &QPushButton::clicked, this, [this, line, name = spec.name] {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Open file"), line->text());
-    if (!path.isEmpty()) commit(name, path.toStdString());
+  connect(browse, &QPushButton::clicked, this, [this, line, spec = &spec] {
+    // A list of folders grows by one with every choice.
+    const bool list = is_path_list(*spec);
+    const QString path = list ? QFileDialog::getExistingDirectory(this, tr("Add folder"))
+                              : QFileDialog::getOpenFileName(this, tr("Open file"), line->text());
+    if (path.isEmpty()) return;
+    const bool more = list && !line->text().trimmed().isEmpty();
+    commit(spec->name, (more ? line->text() + path_separator + path : path).toStdString());
   });
   layout->addWidget(line);
   layout->addWidget(browse);

@@ -11,6 +11,7 @@
 #include "base/no_number.h"
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
+#include "evaluation/core/error_measures.h"
 #include "evaluation/core/field_columns.h"
 #include "evaluation/core/field_table.h"
 #include "evaluation/core/listed_trees.h"
@@ -22,7 +23,7 @@ void SummaryRows::add(const std::string& measure, double value, const std::strin
   measure_.push_back(measure);
   value_.push_back(value);
   unit_.push_back(unit);
-  published_.push_back(published_figure(plot_, measure));
+  published_.push_back(published_figure(plot_, system_, measure));
 }
 
 Table SummaryRows::table() const {
@@ -31,6 +32,7 @@ Table SummaryRows::table() const {
   t.set("value", value_);
   t.set("unit", unit_);
   t.set("published", published_);
+  if (const auto heading = published_heading(plot_, system_); !heading.empty()) t.facts["published"] = heading;
   return t;
 }
 
@@ -147,54 +149,33 @@ Table match_table(const std::vector<Row>& rows) {
   return t;
 }
 
-double share_percent(double part, double whole) { return whole > 0 ? 100 * part / whole : no_number; }
-
 void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
-  const auto n = static_cast<double>(matched.size());
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), square = mean;
-  for (const auto& r : matched) {
-    mean += r.estimate->at - r.reference->at;
-    square += (r.estimate->at - r.reference->at).cwiseAbs2();
-  }
-  mean /= n;
-  square /= n;
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-  for (const auto& r : matched) {
-    const Eigen::Vector2d e = r.estimate->at - r.reference->at - mean;
-    covariance += e * e.transpose() / n;
-  }
-  const double largest =
-      n > 0 ? Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(covariance).eigenvalues()[1] : no_number;
-  out.add("position_mean_x", mean.x(), "m");
-  out.add("position_mean_y", mean.y(), "m");
-  out.add("position_sigma_x", std::sqrt(covariance(0, 0)), "m");
-  out.add("position_sigma_y", std::sqrt(covariance(1, 1)), "m");
-  out.add("position_cov_xy", covariance(0, 1), "m2");
-  out.add("position_sigma_max", std::sqrt(largest), "m");
-  out.add("position_rmse_x", std::sqrt(square.x()), "m");
-  out.add("position_rmse_y", std::sqrt(square.y()), "m");
+  std::vector<Eigen::Vector2d> errors;
+  for (const auto& r : matched) errors.emplace_back(r.estimate->at - r.reference->at);
+  const auto m = position_measures(errors);
+  out.add("position_mean_x", m.mean.x(), "m");
+  out.add("position_mean_y", m.mean.y(), "m");
+  out.add("position_sigma_x", m.sigma.x(), "m");
+  out.add("position_sigma_y", m.sigma.y(), "m");
+  out.add("position_cov_xy", m.covariance(0, 1), "m2");
+  out.add("position_sigma_max", m.max_sigma, "m");
+  out.add("position_rmse_x", m.rmse.x(), "m");
+  out.add("position_rmse_y", m.rmse.y(), "m");
 }
 
-struct DbhErrors {
-  double n = 0, sum = 0, squares = 0, relative = 0, relative_squares = 0, covered = 0, with_interval = 0;
-  void add(const Tree& e, const Tree& r) {
-    const double error = e.dbh - r.dbh;
-    if (!std::isfinite(error)) return;
-    n += 1;
-    sum += error;
-    squares += error * error;
-    relative += error / r.dbh;
-    relative_squares += error * error / (r.dbh * r.dbh);
-    if (std::isfinite(e.low) && std::isfinite(e.high)) with_interval += 1, covered += r.dbh >= e.low && r.dbh <= e.high;
-  }
-};
+DiameterPair diameters_of(const Row& r) {
+  return {r.estimate->dbh, r.reference->dbh, r.estimate->low, r.estimate->high};
+}
 
-void add_dbh_measures(const DbhErrors& d, SummaryRows& out) {
-  out.add("dbh_bias", d.sum / d.n, "cm");
-  out.add("dbh_relative_bias", 100 * d.relative / d.n, "%");
-  out.add("dbh_rmse", std::sqrt(d.squares / d.n), "cm");
-  out.add("dbh_relative_rmse", 100 * std::sqrt(d.relative_squares / d.n), "%");
-  if (d.with_interval > 0) out.add("dbh_interval_coverage", share_percent(d.covered, d.with_interval), "%");
+void add_dbh_measures(const std::vector<Row>& matched, SummaryRows& out) {
+  std::vector<DiameterPair> pairs;
+  for (const auto& r : matched) pairs.push_back(diameters_of(r));
+  const auto m = diameter_measures(pairs);
+  out.add("dbh_bias", m.bias_cm, "cm");
+  out.add("dbh_relative_bias", m.relative_bias_pct, "%");
+  out.add("dbh_rmse", m.rmse_cm, "cm");
+  out.add("dbh_relative_rmse", m.relative_rmse_pct, "%");
+  if (m.with_interval > 0) out.add("dbh_interval_coverage", m.coverage_pct, "%");
 }
 
 void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
@@ -213,7 +194,7 @@ void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
 // diameter are in no class, and without a boundary there is no centre that rings could go round.
 struct Part {
   double matched = 0, all = 0, found = 0;
-  DbhErrors dbh;
+  std::vector<DiameterPair> dbh;
 };
 
 void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const PlotArea& area, SummaryRows& out) {
@@ -229,15 +210,16 @@ void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const P
       part->all += r.reference != nullptr;
       part->found += r.estimate != nullptr;
       part->matched += r.kind == "matched";
-      if (r.kind == "matched") part->dbh.add(*r.estimate, *r.reference);
+      if (r.kind == "matched") part->dbh.push_back(diameters_of(r));
     }
   }
   const auto tell = [&](const std::string& name, const Part& p) {
+    const auto dbh = diameter_measures(p.dbh);
     out.add(name + "_trees", p.all, "");
     out.add(name + "_completeness", share_percent(p.matched, p.all), "%");
     out.add(name + "_correctness", share_percent(p.matched, p.found), "%");
-    out.add(name + "_bias", p.dbh.sum / p.dbh.n, "cm");
-    out.add(name + "_rmse", std::sqrt(p.dbh.squares / p.dbh.n), "cm");
+    out.add(name + "_bias", dbh.bias_cm, "cm");
+    out.add(name + "_rmse", dbh.rmse_cm, "cm");
   };
   for (const auto& [k, p] : classes) tell(fmt::format("dbh_{:g}_to_{:g}_cm", k * width_cm, (k + 1) * width_cm), p);
   for (const auto& [k, p] : rings)
@@ -268,7 +250,8 @@ bool lacks_columns(const Table& t) {
   return !places || !t.has("dbh_cm");
 }
 
-// The reference in our columns; what was guessed for that goes to `guessed`.
+}  // namespace
+
 Table reference_in_our_columns(const Table& table, const EvaluationOptions& options, std::string& guessed) {
   std::string columns = options.reference_columns;
   if (columns.empty() && lacks_columns(table)) {
@@ -286,15 +269,13 @@ Table reference_in_our_columns(const Table& table, const EvaluationOptions& opti
   return field_table(table, columns, options.reference_rows);
 }
 
-}  // namespace
-
 StemEvaluation evaluate_stems(const Table& estimate_table, const Table& reference_table,
                               const EvaluationOptions& options, const CountingRule& rule) {
   StemEvaluation out;
   auto estimate =
       trees_of(without_rejected(field_table(estimate_table, options.columns, options.rows)), "stems", out.warnings);
-  const auto reference = trees_of(reference_in_our_columns(reference_table, options, out.guessed_columns),
-                                  "reference", out.warnings);
+  const auto reference =
+      trees_of(reference_in_our_columns(reference_table, options, out.guessed_columns), "reference", out.warnings);
   const Eigen::Isometry2d motion = align(estimate, reference, options);
   const auto rows = sort_out(estimate, reference, options, rule);
   std::vector<Row> matched;
@@ -304,7 +285,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind));
   out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
   out.matches = match_table(rows);
-  SummaryRows summary(options.published_plot);
+  SummaryRows summary(options.published_plot, options.published_system.value_or(PaperSystem::improved_loam));
   const auto n = static_cast<double>(out.matched);
   summary.add("reference_trees", n + static_cast<double>(out.missed), "");
   summary.add("matched", n, "");
@@ -319,9 +300,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   }
   if (!matched.empty()) {
     add_position_measures(matched, summary);
-    DbhErrors dbh;
-    for (const auto& r : matched) dbh.add(*r.estimate, *r.reference);
-    add_dbh_measures(dbh, summary);
+    add_dbh_measures(matched, summary);
     add_height_measures(matched, summary);
   }
   add_parts(rows, options, rule.area, summary);

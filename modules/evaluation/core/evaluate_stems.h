@@ -12,8 +12,8 @@ namespace bole::evaluation {
 
 struct StemEvaluation {
   Table matches;  // kind (matched, missed, false), tree_id, ref_id, x_m, y_m, ref_x_m, ref_y_m, dx_m, dy_m, dbh_cm,
-                  // ref_dbh_cm, dbh_error_cm; tree_name and ref_name (text) where ids are no whole numbers; species (of the reference, else of the
-                  // stem) where one of both has it
+                  // ref_dbh_cm, dbh_error_cm; tree_name and ref_name (text) where ids are no whole numbers; species (of
+                  // the reference, else of the stem) where one of both has it
   Table summary;  // measure, value, unit, published
   std::size_t matched = 0, missed = 0, extra = 0;
   std::vector<std::string> warnings;
@@ -28,22 +28,28 @@ struct StemEvaluation {
 // Ids that are no whole numbers ("A12", blank) are numbered above the others. Throws Error{bad_input} when a column is
 // absent or no row has a position.
 //
-// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), max_sigma = square
+// Position errors e = estimate - reference (m): mean vector mu, covariance Sigma (divided by n), sigma_max = square
 // root of the largest eigenvalue of Sigma, RMSE per axis. Where stems were moved onto the reference, the motion is told
 // (align_turn, align_shift_x, align_shift_y): reference = turn (counter-clockwise) of the stem, then shift. DBH errors:
-// BIAS and RMSE in cm; relBIAS and relRMSE are the mean and the root mean square of error / reference in %.
+// as diameter_measures() defines them.
 StemEvaluation evaluate_stems(const Table& estimate, const Table& reference, const EvaluationOptions& options,
                               const CountingRule& rule);
+
+// A field list in our columns: by reference_columns and reference_rows, else where it lacks one guessed by its
+// headings. What was guessed for that goes to `guessed`. Throws Error{bad_input} where nothing can be guessed.
+Table reference_in_our_columns(const Table& table, const EvaluationOptions& options, std::string& guessed);
 
 // The columns of `summary`, for whoever adds measures.
 class SummaryRows {
  public:
-  explicit SummaryRows(PublishedPlot published_plot) : plot_(published_plot) {}
+  explicit SummaryRows(PublishedPlot published_plot, PaperSystem published_system = PaperSystem::improved_loam)
+      : plot_(published_plot), system_(published_system) {}
   void add(const std::string& measure, double value, const std::string& unit);
-  Table table() const;
+  Table table() const;  // fact `published`: whose figures the column has
 
  private:
   PublishedPlot plot_;
+  PaperSystem system_;
   std::vector<std::string> measure_, unit_, published_;
   std::vector<double> value_;
 };

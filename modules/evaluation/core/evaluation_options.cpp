@@ -47,13 +47,14 @@ const OptionTable& option_table(const EvaluationOptions*) {
                              {},
                              Tier::advanced,
                              "Stems that are evaluated, as COLUMN=VALUE: plot=3; empty for all."},
-      Option<S, std::string>{"reference_columns",
-                             &S::reference_columns,
-                             TextKind::plain,
-                             {},
-                             Tier::advanced,
-                             "Columns of the reference by other names or units, as in columns. Empty: as they are named, else guessed by "
-                             "their headings."},
+      Option<S, std::string>{
+          "reference_columns",
+          &S::reference_columns,
+          TextKind::plain,
+          {},
+          Tier::advanced,
+          "Columns of the reference by other names or units, as in columns. Empty: as they are named, else guessed by "
+          "their headings."},
       Option<S, std::string>{"reference_rows",
                              &S::reference_rows,
                              TextKind::plain,
@@ -115,6 +116,11 @@ const OptionTable& option_table(const EvaluationOptions*) {
       Option<S, PublishedPlot>{
           "published_plot", &S::published_plot, Tier::advanced,
           "Plot of the improved-LOAM paper whose published figures are listed beside the results."},
+      Option<S, std::optional<PaperSystem>>{
+          "published_system", &S::published_system, "auto", Tier::advanced,
+          "System of the paper whose published figures are listed. auto: that of the preset which made the trajectory, "
+          "improved_loam where the paper has none."},
+      Unless{"published_plot", {"none"}, {"published_system"}},
   });
   return table;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ constexpr std::array<std::string_view, 6> choice_names(PublishedPlot) {
   return {"none", "1", "2", "3", "4", "overall"};
 }
 
+// The two systems that the paper compares.
+enum class PaperSystem { improved_loam, loam };
+constexpr std::array<std::string_view, 2> choice_names(PaperSystem) { return {"improved_loam", "loam"}; }
+
 struct EvaluationOptions {
   double match_distance_m = 0.5;
   double dbh_gate_cm = 15;
@@ -36,6 +41,7 @@ struct EvaluationOptions {
   double loop_shift_m = 0.1, loop_turn_deg = 1;
   double rpe_distance_m = 10;
   PublishedPlot published_plot = PublishedPlot::none;
+  std::optional<PaperSystem> published_system;  // open: that of the preset which made the trajectory
 };
 
 const OptionTable& option_table(const EvaluationOptions*);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "base/option.h"
 #include "render/charts/columns.h"
@@ -45,30 +46,57 @@ void draw_statistics(Canvas& canvas, const Eigen::Vector2d& at, const std::vecto
   }
 }
 
-void draw_scatter(Canvas& canvas, const Pairs& pairs) {
+struct Series {
+  std::string name;
+  Color color;
+  Pairs pairs;
+};
+
+std::vector<Series> series_of(const std::vector<MatchGroup>& groups) {
+  std::vector<Series> out;
+  for (const auto& g : groups) out.push_back({g.name, g.color, matched_pairs(*g.matches)});
+  return out;
+}
+
+std::vector<std::string> statistics_of(const Pairs& pairs) {
+  const auto s = error_statistics(pairs.estimate, pairs.reference);
+  return {
+      "n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.relative_bias_pct, 1) + " %)",
+      "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.relative_rmse_pct, 1) + " %)", "R² = " + fixed(s.r_squared, 3)};
+}
+
+void draw_scatter(Canvas& canvas, const std::vector<Series>& all, const std::string& reference_label) {
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const auto* values : {&pairs.estimate, &pairs.reference})
-    for (const double v : *values) range = {std::min(range.lo, v), std::max(range.hi, v)};
+  for (const auto& series : all)
+    for (const auto* values : {&series.pairs.estimate, &series.pairs.reference})
+      for (const double v : *values) range = {std::min(range.lo, v), std::max(range.hi, v)};
   range = nice_interval(range.grown(0.03), 6);
   const double side = canvas.width_mm() - axis_space_left_mm - 3;
   const Frame frame{{axis_space_left_mm, 3, axis_space_left_mm + side, 3 + side}, range, range};
-  AxesStyle axes{"Reference DBH (cm)", "Estimated DBH (cm)"};
+  AxesStyle axes{reference_label, "Estimated DBH (cm)"};
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(range.lo, range.lo), frame.map(range.hi, range.hi), Stroke{ink::muted, 0.25, {1.4, 1.0}});
   TextStyle beside{7, ink::muted};
   beside.angle_rad = std::numbers::pi / 4;
   canvas.text(frame.map(range.lo, range.lo) + Eigen::Vector2d(4.2, -3), "1:1",
               beside.aligned(HAlign::left, VAlign::baseline));
-  for (std::size_t i = 0; i < pairs.estimate.size(); ++i)
-    canvas.circle(frame.map(pairs.reference[i], pairs.estimate[i]), 0.75, ink::primary.with_alpha(0.65),
-                  Stroke{ink::paper, 0.1});
+  for (const auto& series : all)
+    for (std::size_t i = 0; i < series.pairs.estimate.size(); ++i)
+      canvas.circle(frame.map(series.pairs.reference[i], series.pairs.estimate[i]), 0.75, series.color.with_alpha(0.65),
+                    Stroke{ink::paper, 0.1});
   draw_axes(canvas, frame, axes);
-  const auto s = error_statistics(pairs.estimate, pairs.reference);
-  draw_statistics(
-      canvas, {frame.box.x0 + 2.5, frame.box.y0 + 2.2},
-      {"n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.relative_bias_pct, 1) + " %)",
-       "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.relative_rmse_pct, 1) + " %)", "R² = " + fixed(s.r_squared, 3)},
-      HAlign::left);
+  const double x = frame.box.x0 + 2.5;
+  double y = frame.box.y0 + 2.2;
+  for (const auto& series : all) {
+    if (!series.name.empty()) {
+      draw_symbol(canvas, Symbol::disc, {x + 1, y + 1.5}, 1.8, series.color);
+      canvas.text({x + 3, y}, series.name, TextStyle{7.5, ink::text, true}.aligned(HAlign::left, VAlign::top));
+      y += 3.9;
+    }
+    const auto lines = statistics_of(series.pairs);
+    draw_statistics(canvas, {series.name.empty() ? x : x + 3, y}, lines, HAlign::left);
+    y += 3.9 * static_cast<double>(lines.size()) + 1.2;
+  }
 }
 
 struct ErrorClass {
@@ -91,9 +119,9 @@ std::vector<ErrorClass> error_classes(const Pairs& pairs, double class_cm) {
   return classes;
 }
 
-void draw_box(Canvas& canvas, const Frame& frame, double x, const std::vector<double>& errors) {
+void draw_box(Canvas& canvas, const Frame& frame, double x, const std::vector<double>& errors, const Color& color) {
   const double half = 0.26, q1 = quantile(errors, 0.25), q3 = quantile(errors, 0.75), reach = 1.5 * (q3 - q1);
-  const Stroke outline{ink::primary, 0.25};
+  const Stroke outline{color, 0.25};
   if (errors.size() >= 4) {
     const double lo = *std::lower_bound(errors.begin(), errors.end(), q1 - reach),
                  hi = *(std::upper_bound(errors.begin(), errors.end(), q3 + reach) - 1);
@@ -101,36 +129,40 @@ void draw_box(Canvas& canvas, const Frame& frame, double x, const std::vector<do
     canvas.line(frame.map(x, q3), frame.map(x, hi), outline);
     for (const double end : {lo, hi}) canvas.line(frame.map(x - half / 2, end), frame.map(x + half / 2, end), outline);
     const auto a = frame.map(x - half, q3), b = frame.map(x + half, q1);
-    canvas.rectangle({a.x(), a.y(), b.x(), b.y()}, mix(ink::paper, ink::primary, 0.18), outline);
+    canvas.rectangle({a.x(), a.y(), b.x(), b.y()}, mix(ink::paper, color, 0.18), outline);
   }
   const double median = quantile(errors, 0.5);
-  canvas.line(frame.map(x - half, median), frame.map(x + half, median), Stroke{ink::primary, 0.55});
+  canvas.line(frame.map(x - half, median), frame.map(x + half, median), Stroke{color, 0.55});
   std::vector<Eigen::Vector2d> dots;
   for (std::size_t i = 0; i < errors.size(); ++i)
     dots.push_back(frame.map(x + 0.13 * (static_cast<double>(i * 7 % 5) - 2) / 2, errors[i]));
   canvas.dots(dots, 0.8, ink::text.with_alpha(0.55));
 }
 
-void draw_boxes(Canvas& canvas, const std::vector<ErrorClass>& classes, double class_cm) {
+// Of the errors, so that panels beside each other have one.
+Interval error_range(const std::vector<std::vector<ErrorClass>>& panels) {
   double most = 0.5;
-  for (const auto& c : classes) most = std::max({most, std::abs(c.errors.front()), std::abs(c.errors.back())});
-  const Interval y = nice_interval({-1.08 * most, 1.08 * most}, 6);
-  const Frame frame{{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 3},
-                    {-0.5, static_cast<double>(classes.size()) - 0.5},
-                    y};
+  for (const auto& classes : panels)
+    for (const auto& c : classes) most = std::max({most, std::abs(c.errors.front()), std::abs(c.errors.back())});
+  return nice_interval({-1.08 * most, 1.08 * most}, 6);
+}
+
+void draw_boxes(Canvas& canvas, const Box& box, const std::vector<ErrorClass>& classes,
+                const std::vector<double>& starts, double class_cm, const Interval& y, const Color& color) {
+  const Frame frame{box, {-0.5, static_cast<double>(starts.size()) - 0.5}, y};
   AxesStyle axes{"Reference DBH class (cm)", "DBH error (cm)"};
   axes.x_axis = false;
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(frame.x.lo, 0), frame.map(frame.x.hi, 0), Stroke{ink::muted, 0.25});
-  for (std::size_t i = 0; i < classes.size(); ++i) {
+  for (std::size_t i = 0; i < starts.size(); ++i) {
     const double x = static_cast<double>(i);
-    draw_box(canvas, frame, x, classes[i].errors);
+    const auto c = std::ranges::find(classes, starts[i], &ErrorClass::lo_cm);
+    if (c != classes.end()) draw_box(canvas, frame, x, c->errors, color);
     const auto foot = frame.map(x, y.lo);
     canvas.line(foot, {foot.x(), foot.y() + 1.1}, Stroke{ink::axis, 0.22});
-    canvas.text({foot.x(), foot.y() + 2},
-                number_text(classes[i].lo_cm) + "–" + number_text(classes[i].lo_cm + class_cm),
+    canvas.text({foot.x(), foot.y() + 2}, number_text(starts[i]) + "–" + number_text(starts[i] + class_cm),
                 TextStyle{7.5}.aligned(HAlign::centre, VAlign::top));
-    canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(classes[i].errors.size()),
+    canvas.text({foot.x(), frame.box.y0 + 1}, "n = " + std::to_string(c == classes.end() ? 0 : c->errors.size()),
                 TextStyle{6.5, ink::muted}.aligned(HAlign::centre, VAlign::top));
   }
   draw_axes(canvas, frame, axes);
@@ -213,6 +245,10 @@ ErrorStatistics error_statistics(const std::vector<double>& estimate, const std:
 }
 
 Figure dbh_scatter(const Table& matches, double width_mm) {
+  return dbh_scatter(std::vector<MatchGroup>{{"", ink::primary, &matches}}, width_mm, {});
+}
+
+Figure dbh_scatter(const std::vector<MatchGroup>& groups, double width_mm, const std::string& against) {
   Figure figure{"dbh_scatter",
                 "Estimated against reference diameter",
                 "Diameter at breast height of every matched tree; dashed: perfect agreement.",
@@ -220,21 +256,48 @@ Figure dbh_scatter(const Table& matches, double width_mm) {
                 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
                 true,
                 {}};
-  figure.draw = [pairs = matched_pairs(matches)](Canvas& canvas) { draw_scatter(canvas, pairs); };
+  figure.draw = [all = series_of(groups),
+                 label = (against.empty() ? "Reference DBH (cm)" : "DBH of " + against + " (cm)")](Canvas& canvas) {
+    draw_scatter(canvas, all, label);
+  };
   return figure;
 }
 
 Figure dbh_error_boxes(const Table& matches, double width_mm, double class_cm) {
+  return dbh_error_boxes(std::vector<MatchGroup>{{"", ink::primary, &matches}}, width_mm, class_cm);
+}
+
+Figure dbh_error_boxes(const std::vector<MatchGroup>& groups, double width_mm, double class_cm) {
+  const double title_mm = groups.size() > 1 ? 5 : 0, panel_mm = 0.72 * width_mm + title_mm;
   Figure figure{"dbh_errors",
                 "Diameter error by class",
                 "Estimated minus reference diameter by class of reference diameter: median, quartiles, whiskers to 1.5 "
                 "times the distance between them, and every tree as a dot.",
                 width_mm,
-                0.72 * width_mm,
+                panel_mm * static_cast<double>(groups.size()),
                 true,
                 {}};
-  figure.draw = [classes = error_classes(matched_pairs(matches), class_cm), class_cm](Canvas& canvas) {
-    draw_boxes(canvas, classes, class_cm);
+  std::vector<std::vector<ErrorClass>> panels;
+  std::set<double> starts;
+  for (const auto& series : series_of(groups)) {
+    panels.push_back(error_classes(series.pairs, class_cm));
+    for (const auto& c : panels.back()) starts.insert(c.lo_cm);
+  }
+  std::vector<std::pair<std::string, Color>> titles;
+  for (const auto& g : groups) titles.emplace_back(g.name, g.color);
+  figure.draw = [panels = std::move(panels), starts = std::vector<double>(starts.begin(), starts.end()),
+                 titles = std::move(titles), class_cm, title_mm, panel_mm](Canvas& canvas) {
+    const auto y = error_range(panels);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      const double top = panel_mm * static_cast<double>(i);
+      if (title_mm > 0)
+        canvas.text({axis_space_left_mm, top + 1}, titles[i].first,
+                    TextStyle{8, ink::text, true}.aligned(HAlign::left, VAlign::top));
+      draw_boxes(
+          canvas,
+          {axis_space_left_mm, top + title_mm + 3, canvas.width_mm() - 3, top + panel_mm - axis_space_below_mm - 3},
+          panels[i], starts, class_cm, y, titles[i].second);
+    }
   };
   return figure;
 }

@@ -22,14 +22,39 @@ std::vector<Eigen::Vector2d> matched_errors(const Table& matches) {
   return errors;
 }
 
-void draw_errors(Canvas& canvas, const std::vector<Eigen::Vector2d>& errors_m) {
+struct ErrorSeries {
+  std::string name;
+  Color color, mean_color;
   std::vector<Eigen::Vector2d> cm;
+};
+
+void draw_cloud(Canvas& canvas, const Frame& frame, const ErrorSeries& series, const ErrorSpread& spread) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread.covariance);
+  const double k = std::sqrt(5.991) * frame.mm_per_unit_x();  // 95 % of a chi-square law with 2 degrees of freedom
+  const Eigen::Vector2d axis = eigen.eigenvectors().col(1);
+  const Eigen::Vector2d half = eigen.eigenvalues().cwiseMax(0).cwiseSqrt() * k;
+  canvas.ellipse(frame.map(spread.mean.x(), spread.mean.y()), half.y(), half.x(), std::atan2(axis.y(), axis.x()),
+                 series.mean_color.with_alpha(0.10), Stroke{series.mean_color, 0.3});
+  for (const auto& e : series.cm)
+    canvas.circle(frame.map(e.x(), e.y()), 0.75, series.color.with_alpha(0.65), Stroke{ink::paper, 0.1});
+  canvas.cross(frame.map(spread.mean.x(), spread.mean.y()), 1.2, Stroke{series.mean_color, 0.45});
+}
+
+std::vector<std::string> statistics_of(const ErrorSeries& series, const ErrorSpread& spread) {
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+  for (const auto& e : series.cm) squares += e.cwiseAbs2();
+  const double n = std::max<double>(1, static_cast<double>(series.cm.size()));
+  const Eigen::Vector2d rmse = (squares / n).cwiseSqrt();
+  return {"n = " + std::to_string(series.cm.size()),
+          "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
+          "RMSE = (" + fixed(rmse.x(), 1) + ", " + fixed(rmse.y(), 1) + ") cm",
+          "σ max = " + fixed(spread.max_sigma, 1) + " cm"};
+}
+
+void draw_errors(Canvas& canvas, const std::vector<ErrorSeries>& all) {
   double most = 1;
-  for (const auto& e : errors_m) {
-    cm.emplace_back(100 * e);
-    most = std::max(most, cm.back().cwiseAbs().maxCoeff());
-  }
-  const auto spread = error_spread(cm);
+  for (const auto& series : all)
+    for (const auto& e : series.cm) most = std::max(most, e.cwiseAbs().maxCoeff());
   const Interval range = nice_interval({-1.1 * most, 1.1 * most}, 6);
   const double side = canvas.width_mm() - axis_space_left_mm - 3;
   const Frame frame{{axis_space_left_mm, 3, axis_space_left_mm + side, 3 + side}, range, range};
@@ -37,35 +62,35 @@ void draw_errors(Canvas& canvas, const std::vector<Eigen::Vector2d>& errors_m) {
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(range.lo, 0), frame.map(range.hi, 0), Stroke{ink::muted, 0.2});
   canvas.line(frame.map(0, range.lo), frame.map(0, range.hi), Stroke{ink::muted, 0.2});
-  const auto clip_box = frame.box;
   {
-    const auto clip = canvas.clip(clip_box);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(spread.covariance);
-    const double k = std::sqrt(5.991) * frame.mm_per_unit_x();  // 95 % of a chi-square law with 2 degrees of freedom
-    const Eigen::Vector2d axis = eigen.eigenvectors().col(1);
-    const Eigen::Vector2d half = eigen.eigenvalues().cwiseMax(0).cwiseSqrt() * k;
-    canvas.ellipse(frame.map(spread.mean.x(), spread.mean.y()), half.y(), half.x(), std::atan2(axis.y(), axis.x()),
-                   ink::accent.with_alpha(0.10), Stroke{ink::accent, 0.3});
-    for (const auto& e : cm)
-      canvas.circle(frame.map(e.x(), e.y()), 0.75, ink::primary.with_alpha(0.65), Stroke{ink::paper, 0.1});
-    canvas.cross(frame.map(spread.mean.x(), spread.mean.y()), 1.2, Stroke{ink::accent, 0.45});
+    const auto clip = canvas.clip(frame.box);
+    for (const auto& series : all) draw_cloud(canvas, frame, series, error_spread(series.cm));
   }
   draw_axes(canvas, frame, axes);
-  double sx = 0, sy = 0;
-  for (const auto& e : cm) sx += e.x() * e.x(), sy += e.y() * e.y();
-  const double n = std::max<double>(1, static_cast<double>(cm.size()));
-  const std::vector<std::string> lines{
-      "n = " + std::to_string(cm.size()),
-      "mean = (" + fixed(spread.mean.x(), 1) + ", " + fixed(spread.mean.y(), 1) + ") cm",
-      "RMSE = (" + fixed(std::sqrt(sx / n), 1) + ", " + fixed(std::sqrt(sy / n), 1) + ") cm",
-      "σ max = " + fixed(spread.max_sigma, 1) + " cm"};
   double y = frame.box.y0 + 2.2;
-  for (const auto& line : lines) {
-    TextStyle style{7.5};
-    style.halo_mm = 0.4;
-    canvas.text({frame.box.x0 + 2.5, y}, line, style.aligned(HAlign::left, VAlign::top));
+  TextStyle style{7.5};
+  style.halo_mm = 0.4;
+  const auto write = [&](double x, const std::string& line) {
+    canvas.text({x, y}, line, style.aligned(HAlign::left, VAlign::top));
     y += 3.9;
+  };
+  const double x = frame.box.x0 + 2.5;
+  for (const auto& series : all) {
+    if (!series.name.empty()) {
+      draw_symbol(canvas, Symbol::disc, {x + 1, y + 1.5}, 1.8, series.color);
+      style.bold = true;
+      write(x + 3, series.name);
+      style.bold = false;
+    }
+    for (const auto& line : statistics_of(series, error_spread(series.cm)))
+      write(series.name.empty() ? x : x + 3, line);
+    y += 1.2;
   }
+}
+
+std::vector<Eigen::Vector2d> in_centimetres(std::vector<Eigen::Vector2d> errors_m) {
+  for (auto& e : errors_m) e *= 100;
+  return errors_m;
 }
 
 struct Walk {
@@ -176,6 +201,10 @@ ErrorSpread error_spread(const std::vector<Eigen::Vector2d>& errors) {
 }
 
 Figure position_errors(const Table& matches, double width_mm) {
+  return position_errors(std::vector<MatchGroup>{{"", ink::primary, &matches}}, width_mm);
+}
+
+Figure position_errors(const std::vector<MatchGroup>& groups, double width_mm) {
   Figure figure{"position_errors",
                 "Position errors of stems",
                 "Estimated minus reference position of every matched stem; cross: mean, ellipse: 95 % of a normal law "
@@ -184,7 +213,11 @@ Figure position_errors(const Table& matches, double width_mm) {
                 3 + (width_mm - axis_space_left_mm - 3) + axis_space_below_mm + 1,
                 true,
                 {}};
-  figure.draw = [errors = matched_errors(matches)](Canvas& canvas) { draw_errors(canvas, errors); };
+  std::vector<ErrorSeries> all;
+  for (const auto& g : groups)  // a series alone has its mean in another ink
+    all.push_back(
+        {g.name, g.color, groups.size() > 1 ? g.color : ink::accent, in_centimetres(matched_errors(*g.matches))});
+  figure.draw = [all = std::move(all)](Canvas& canvas) { draw_errors(canvas, all); };
   return figure;
 }
 

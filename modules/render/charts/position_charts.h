@@ -3,6 +3,7 @@
 
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
+#include "render/charts/match_group.h"
 #include "render/draw/figure.h"
 
 namespace bole::render {
@@ -10,6 +11,8 @@ namespace bole::render {
 // Position errors (estimate minus reference) of matched stems with their mean and covariance ellipse (95 % of a normal
 // law).
 Figure position_errors(const Table& matches, double width_mm);
+// Several series in one figure, each in its colour with its ellipse and statistics.
+Figure position_errors(const std::vector<MatchGroup>& groups, double width_mm);
 
 // Mean, covariance (divided by n, SPEC A11) and the square root of its largest eigenvalue.
 struct ErrorSpread {

@@ -109,6 +109,8 @@ struct Measure {
 class Section {
  public:
   Section(const Table& summary, bool poses_given) : poses_given_(poses_given) {
+    if (const auto it = summary.facts.find("published"); it != summary.facts.end())
+      published_heading_ += ": " + it->second;
     const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"),
                published = texts_or_empty(summary, "published");
     const auto value = numbers_or_nan(summary, "value");
@@ -141,11 +143,11 @@ class Section {
     return poses_given_ && of_the_walk && text == render::fixed(0, decimals) ? "given poses" : text;
   }
 
-  static std::string table_of(std::string_view title, const std::vector<std::vector<std::string>>& rows) {
+  std::string table_of(std::string_view title, const std::vector<std::vector<std::string>>& rows) const {
     if (rows.empty()) return {};
     const bool published = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return !row[3].empty(); });
     HtmlTable table{{{std::string(title)}, {"This run", true}, {"Unit"}}, rows, false};
-    if (published) table.columns.push_back({"Published", true});
+    if (published) table.columns.push_back({published_heading_, true});
     return table.html();
   }
 
@@ -224,6 +226,7 @@ class Section {
   std::vector<Measure> measures_;
   std::map<std::string, std::size_t> at_;
   bool poses_given_;
+  std::string published_heading_ = "Published";  // with the system and the plot
 };
 
 }  // namespace

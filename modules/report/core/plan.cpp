@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/markup.h"
-#include "render/charts/stem_map_content.h"
 #include "render/draw/furniture.h"
 #include "render/draw/labels.h"
+#include "render/maps/stem_map_content.h"
 #include "report/core/svg.h"
 
 namespace bole::report {

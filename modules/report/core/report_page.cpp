@@ -18,6 +18,7 @@
 #include "report/core/survey_facts.h"
 #include "report/core/terms.h"
 #include "report/core/view3d.h"
+#include "report/place_section.h"
 
 namespace bole::report {
 namespace {
@@ -119,9 +120,9 @@ std::optional<Judgement> judgement_of(const ReportContent& c, Report& told) {
 
 std::string navigation(const std::string& page) {
   constexpr std::pair<const char*, const char*> links[] = {
-      {"plot", "Values"}, {"check", "What to look at"}, {"stems", "Stems"},          {"slices", "Slices"},
-      {"view3d", "3-D"},  {"figures", "Figures"},       {"evaluation", "Reference"}, {"signature", "Signature"},
-      {"terms", "Words"}, {"run", "Appendix"}};
+      {"plot", "Values"},         {"place", "Place"}, {"check", "What to look at"}, {"stems", "Stems"},
+      {"slices", "Slices"},       {"view3d", "3-D"},  {"figures", "Figures"},       {"evaluation", "Reference"},
+      {"signature", "Signature"}, {"terms", "Words"}, {"run", "Appendix"}};
   std::string out = "<nav class=\"screen\">";
   for (const auto& [id, title] : links)
     if (page.find("<section id=\"" + std::string(id) + "\">") != std::string::npos)
@@ -151,6 +152,7 @@ std::string scripts(const ReportContent& c) {
 std::string report_html(const ReportContent& c, Report& told) {
   const OverviewContent first{c.title, survey_facts(c.data, c.record.get(), told), judgement_of(c, told)};
   std::string body = plot_section(c.data);
+  body += place_section(c.data, c.record.get());
   body += check_section(c.data, c.warnings, told);
   body += stems_section(c.data, told);
   body += slices_section(c.data);

@@ -58,14 +58,8 @@ std::string sensor(const SurveyData& d) {
   return {};
 }
 
-// The name of a coordinate reference system: the first text in quotes of its WKT.
-std::string crs_name(const std::string& wkt) {
-  const auto begin = wkt.find('"');
-  if (begin == std::string::npos) return {};
-  return wkt.substr(begin + 1, wkt.find('"', begin + 1) - begin - 1);
-}
-
 std::string coordinates(const SurveyData& d) {
+  if (d.place) return crs_name(d.place->crs_wkt) + "; x and y of the plot beside them";
   switch (d.axes) {
     case Axes::plot:
       return "of the plot: x east, y north, origin at the centre target";
@@ -88,6 +82,12 @@ std::string plot(const SurveyData& d) {
 }
 
 }  // namespace
+
+std::string crs_name(const std::string& wkt) {
+  const auto begin = wkt.find('"');
+  if (begin == std::string::npos) return {};
+  return wkt.substr(begin + 1, wkt.find('"', begin + 1) - begin - 1);
+}
 
 std::vector<std::pair<std::string, std::string>> survey_facts(const SurveyData& d, const RunRecord* record,
                                                               Report& told) {

@@ -16,4 +16,7 @@ namespace bole::report {
 std::vector<std::pair<std::string, std::string>> survey_facts(const SurveyData& data, const RunRecord* record,
                                                               Report& told);
 
+// The name of a coordinate reference system: the first text in quotes of its WKT; empty without one.
+std::string crs_name(const std::string& wkt);
+
 }  // namespace bole::report

@@ -143,6 +143,8 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const R
   set_fact(facts, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
   out.points.facts = facts;
   out.trajectory.facts = std::move(facts);
+  // Published figures are shown beside the results of the preset that they are of (evaluation.plot).
+  if (options.trajectory.empty()) out.trajectory.facts["preset"] = std::string(choice_name(options.preset));
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));

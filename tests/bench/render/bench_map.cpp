@@ -3,7 +3,7 @@
 
 #include "modules/render/small_survey.h"
 #include "render/charts/slice_sheet.h"
-#include "render/charts/stem_map.h"
+#include "render/maps/stem_map.h"
 #include "render/offscreen/offscreen.h"
 #include "render/scene/map_figure.h"
 #include "render/scene/thin.h"

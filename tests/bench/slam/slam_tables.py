@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-"""Tables 2 and 3 of the paper on improved LOAM (SPEC A) with published and measured figures side by side, and the ablation.
+"""Tables 2 and 3 of the paper on improved LOAM (SPEC A) in full, with published and measured figures side by side, and the
+ablation.
 
-Runs the pipeline forest_plot.json on simulated plots with each preset and prints medians over the seeds, and all trees of
-all plots pooled:
+Runs the pipeline forest_plot.json on simulated plots with each preset. Prints tables 2 and 3 for each plot and preset over all
+matched trees of all seeds and for all plots pooled, and walls, trajectories and detection as medians over the seeds. The
+published figures beside a preset are those of its own system (loam: LOAM, forest: improved LOAM); presets that the paper does not
+have get none:
 
   slam_tables.py --bole build/headless/bin/bole --work DIR --plots plot1 plot2 --presets true loam forest best --seeds 1 2 3
   slam_tables.py --bole ... --work DIR --scans SCANS --budget 60      (SCANS holds folders PLOT-SEED of `bole simulate`)
   slam_tables.py --bole ... --work DIR --plots demo --ablation forest
+  slam_tables.py --bole ... --work DIR --rate 5 --presets loam loam_paper forest forest_paper
 
 `true` is no preset: the map is made with the true poses, as the floor for walls and diameters.
+--rate 5 simulates the recording of the paper: 5 revolutions per second, 0.1 deg between two pulses of a laser. Scans and results
+of the two rates have names of their own.
 
 Every finished run stays in DIR as PLOT-SEED-NAME.json and is not run again. A call that was stopped, or whose time was up
 (--budget), prints the tables of what is there, and the next call goes on with what is not. Delete a .json to run it anew. Scans
@@ -30,42 +36,55 @@ import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 
-# Published: improved LOAM and plain LOAM (SPEC A).
+PLOTS = ["plot1", "plot2", "plot3", "plot4", "overall"]
+
+# Tables 2 and 3 as printed, rows by measure, columns as PLOTS. The program has the same in modules/evaluation/core/published.cpp; a
+# test compares both.
 PUBLISHED = {
-    "forest": {
-        "position_rmse_x": {"plot1": 0.087, "plot2": 0.060, "plot3": 0.100, "plot4": 0.062},
-        "position_rmse_y": {"plot1": 0.097, "plot2": 0.058, "plot3": 0.075, "plot4": 0.089},
-        "position_sigma_max": {"plot1": 0.077, "plot2": 0.066, "plot3": 0.098, "plot4": 0.089},
-        "dbh_bias": {"plot1": 0.25, "plot2": 0.65, "plot3": 0.28, "plot4": -0.08},
-        "dbh_rmse": {"plot1": 0.94, "plot2": 1.07, "plot3": 0.84, "plot4": 1.23},
+    "improved LOAM": {
+        "position_mean_x": [-0.048, 0.002, 0.027, 0.003, -0.004],
+        "position_mean_y": [-0.069, 0.008, -0.001, 0.022, -0.011],
+        "position_sigma_x": [0.073, 0.062, 0.096, 0.062, 0.081],
+        "position_sigma_y": [0.069, 0.059, 0.075, 0.086, 0.082],
+        "position_cov_xy": [-0.001, 0.001, -0.001, -0.001, 0.000],
+        "position_sigma_max": [0.077, 0.066, 0.098, 0.089, 0.082],
+        "position_rmse_x": [0.087, 0.060, 0.100, 0.062, 0.081],
+        "position_rmse_y": [0.097, 0.058, 0.075, 0.089, 0.083],
+        "dbh_bias": [0.25, 0.65, 0.28, -0.08, 0.25],
+        "dbh_relative_bias": [1.22, 2.42, 1.89, -0.59, 1.18],
+        "dbh_rmse": [0.94, 1.07, 0.84, 1.23, 1.03],
+        "dbh_relative_rmse": [4.87, 4.02, 5.64, 6.84, 5.53],
     },
-    "loam": {
-        "position_sigma_max": {"plot1": 0.112, "plot2": 0.148, "plot3": 0.114, "plot4": 0.129},
-        "dbh_bias": {"plot1": 2.47, "plot2": 2.62, "plot3": 1.89, "plot4": 2.58},
-        "dbh_rmse": {"plot1": 3.37, "plot2": 3.69, "plot3": 3.86, "plot4": 3.66},
+    "LOAM": {
+        "position_mean_x": [-0.101, -0.046, 0.027, -0.045, -0.040],
+        "position_mean_y": [-0.070, 0.002, 0.092, 0.038, 0.017],
+        "position_sigma_x": [0.084, 0.112, 0.110, 0.105, 0.113],
+        "position_sigma_y": [0.112, 0.148, 0.089, 0.127, 0.133],
+        "position_cov_xy": [0.001, -0.002, 0.002, 0.001, 0.003],
+        "position_sigma_max": [0.112, 0.148, 0.114, 0.129, 0.140],
+        "position_rmse_x": [0.132, 0.118, 0.114, 0.114, 0.120],
+        "position_rmse_y": [0.132, 0.144, 0.128, 0.133, 0.134],
+        "dbh_bias": [2.47, 2.62, 1.89, 2.58, 2.37],
+        "dbh_relative_bias": [12.80, 10.09, 12.46, 14.42, 12.59],
+        "dbh_rmse": [3.37, 3.69, 3.86, 3.66, 3.67],
+        "dbh_relative_rmse": [17.46, 14.48, 25.08, 20.70, 20.27],
     },
 }
 
-# All plots together.
-PUBLISHED_OVERALL = {
-    "forest": {"position_mean_x": -0.004, "position_mean_y": -0.011, "position_rmse_x": 0.081, "position_rmse_y": 0.083,
-               "position_sigma_max": 0.082, "dbh_bias": 0.25, "dbh_relative_bias": 1.18, "dbh_rmse": 1.03,
-               "dbh_relative_rmse": 5.53},
-    "loam": {"position_mean_x": -0.040, "position_mean_y": 0.017, "position_rmse_x": 0.120, "position_rmse_y": 0.134,
-             "position_sigma_max": 0.140, "dbh_bias": 2.37, "dbh_relative_bias": 12.59, "dbh_rmse": 3.67,
-             "dbh_relative_rmse": 20.27},
-}
+# Presets of slam.run that stand for a system of the paper.
+SYSTEM = {"forest": "improved LOAM", "forest_paper": "improved LOAM", "loam": "LOAM", "loam_paper": "LOAM"}
 
-POSITION = [("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m")]
-DIAMETER = [("dbh_bias", "DBH bias, cm"), ("dbh_rmse", "DBH RMSE, cm"), ("dbh_relative_rmse", "rel. RMSE, %"),
-            ("dbh_interval_coverage", "intervals that hold, %"), ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
+# Table 2 and table 3: measure, heading, decimals.
+TABLE_2 = [("trees", "trees", 0), ("position_mean_x", "mu x, m", 3), ("position_mean_y", "mu y, m", 3),
+           ("position_sigma_x", "sigma x, m", 3), ("position_sigma_y", "sigma y, m", 3),
+           ("position_cov_xy", "rho xy, m2", 4), ("position_sigma_max", "sigma max, m", 3),
+           ("position_rmse_x", "RMSE x, m", 3), ("position_rmse_y", "RMSE y, m", 3)]
+TABLE_3 = [("trees", "trees", 0), ("dbh_bias", "BIAS, cm", 2), ("dbh_relative_bias", "relBIAS, %", 2),
+           ("dbh_rmse", "RMSE, cm", 2), ("dbh_relative_rmse", "relRMSE, %", 2)]
+DIAMETER = [("dbh_interval_coverage", "intervals that hold, %"), ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
 TRACK = [("ate_rmse", "ATE, m"), ("completeness", "found, %"), ("correctness", "right, %"),
          ("loop_precision", "loop precision, %"), ("loop_pose_precision", "loop poses true, %"),
          ("loop_recall", "loop recall, %"), ("ms_per_frame", "ms/frame"), ("peak_mib", "peak, MiB")]
-OVERALL = [("trees", "trees found"), ("position_mean_x", "mean x, m"), ("position_mean_y", "mean y, m"),
-           ("position_rmse_x", "RMSE x, m"), ("position_rmse_y", "RMSE y, m"), ("position_sigma_max", "sigma max, m"),
-           ("dbh_bias", "DBH bias, cm"), ("dbh_relative_bias", "rel. bias, %"), ("dbh_rmse", "DBH RMSE, cm"),
-           ("dbh_relative_rmse", "rel. RMSE, %")]
 
 # One switch at a time against the preset.
 ABLATION = {
@@ -133,8 +152,13 @@ def write_whole(path, text):
     os.replace(part, path)
 
 
+def at_rate(arguments):
+    """What scans and results are called at a rate that is not the usual one."""
+    return "" if arguments.rate == 10 else f"-{arguments.rate}hz"
+
+
 def own_scan(arguments, plot, seed):
-    return arguments.work / f"scan-{plot}-{seed}"
+    return arguments.work / f"scan-{plot}-{seed}{at_rate(arguments)}"
 
 
 def simulated(arguments, plot, seed):
@@ -143,12 +167,14 @@ def simulated(arguments, plot, seed):
     for name in ([plot] if seed == arguments.seeds[0] else []) + [f"{plot}-{seed}"]:
         if name in given:
             return pathlib.Path(given[name])
-    if arguments.scans and (arguments.scans / f"{plot}-{seed}" / "trees.csv").exists():
-        return arguments.scans / f"{plot}-{seed}"
+    named = f"{plot}-{seed}{at_rate(arguments)}"
+    if arguments.scans and (arguments.scans / named / "trees.csv").exists():
+        return arguments.scans / named
     folder = own_scan(arguments, plot, seed)
     if not (folder / "trees.csv").exists():
         shutil.rmtree(folder, ignore_errors=True)
-        if not command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--out", folder],
+        if not command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate",
+                        arguments.rate, "--out", folder],
                        arguments.work / "simulate.log"):
             return None
     return folder
@@ -205,7 +231,7 @@ def figures(arguments, out, scan):
 
 def measured(arguments, plot, seed, name, options, clock):
     """The figures of one run; None when it failed."""
-    kept = arguments.work / f"{plot}-{seed}-{name.replace(' ', '_')}.json"
+    kept = arguments.work / f"{plot}-{seed}-{name.replace(' ', '_')}{at_rate(arguments)}.json"
     if not kept.exists():
         clock.begin()
         scan = simulated(arguments, plot, seed)
@@ -235,7 +261,8 @@ def median(runs, measure):
 
 
 def pooled(runs):
-    """Figures over all trees of all runs, as SPEC A11 (covariance divided by n)."""
+    """Tables 2 and 3 over all matched trees of these runs, as SPEC A11: covariance divided by n, relBIAS the mean of error /
+    reference."""
     errors = [e for r in runs if r for e in r.get("errors", [])]
     if not errors:
         return {}
@@ -249,15 +276,26 @@ def pooled(runs):
     def rms(values):
         return math.sqrt(sum(v * v for v in values) / n)
 
-    return {"trees": n, "position_mean_x": mean_x, "position_mean_y": mean_y, "position_rmse_x": rms(x),
-            "position_rmse_y": rms(y), "dbh_bias": sum(dbh) / n, "dbh_rmse": rms(dbh),
-            "position_sigma_max": math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy)),
-            "dbh_relative_bias": sum(relative) / n, "dbh_relative_rmse": rms(relative)}
+    return {"trees": n, "position_mean_x": mean_x, "position_mean_y": mean_y, "position_sigma_x": math.sqrt(xx),
+            "position_sigma_y": math.sqrt(yy), "position_cov_xy": xy, "position_rmse_x": rms(x), "position_rmse_y": rms(y),
+            "position_sigma_max": math.sqrt((xx + yy) / 2 + math.hypot((xx - yy) / 2, xy)), "dbh_bias": sum(dbh) / n,
+            "dbh_rmse": rms(dbh), "dbh_relative_bias": sum(relative) / n, "dbh_relative_rmse": rms(relative)}
 
 
-def cell(value, published=None):
-    text = "-" if value is None else f"{value:.3g}"
-    return text if published is None else f"{text} ({published:g})"
+def published(preset, measure, plot):
+    """Of the system that the preset stands for; None where the paper has no such figure."""
+    figures = PUBLISHED.get(SYSTEM.get(preset), {}).get(measure)
+    return figures[PLOTS.index(plot)] if figures and plot in PLOTS else None
+
+
+def cell(value):
+    return "-" if value is None else f"{value:.3g}"
+
+
+def both(value, decimals, printed):
+    """Measured, and published in brackets."""
+    text = "-" if value is None else f"{value:.{decimals}f}"
+    return text if printed is None else f"{text} ({printed:.{min(decimals, 3)}f})"
 
 
 def print_table(title, columns, rows):
@@ -281,6 +319,8 @@ def main():
     parser.add_argument("--scans", type=pathlib.Path, help="folder with scans that are there, named PLOT-SEED")
     parser.add_argument("--budget", type=float, default=0, metavar="MINUTES", help="begin no run that would end later")
     parser.add_argument("--loop-radius", type=float, default=3, help="metres within which a revisit is right")
+    parser.add_argument("--rate", type=int, choices=[5, 10], default=10,
+                        help="revolutions of the scanner per second: 10, or 5 as in the paper (0.1 deg between pulses)")
     parser.add_argument("--keep", action="store_true", help="keep the scans")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
@@ -316,19 +356,28 @@ def main():
     return 1 if any(r is None for of in runs.values() for r in of) else 0
 
 
-def print_tables(arguments, variants, runs):
-    seeds = f"median of {len(arguments.seeds)} seeds" if len(arguments.seeds) > 1 else f"seed {arguments.seeds[0]}"
-    for title, measures in [("Stem positions", POSITION), ("Diameters", DIAMETER), ("Trajectory, detection, time", TRACK)]:
-        rows = [(f"{plot}, {name}", [cell(median(r, m), PUBLISHED.get(name, {}).get(m, {}).get(plot)) for m, _ in measures])
-                for (plot, name), r in runs.items() if any(r)]
-        print_table(f"{title}: measured on simulated scans, {seeds} (published, field data)", [c for _, c in measures], rows)
+def paper_rows(variants, runs, plots, table):
+    """The rows of table 2 or 3: each plot with each preset, then all plots together."""
     rows = []
-    for name in variants:
-        figures_of_all = pooled([r for (_, n), of in runs.items() if n == name for r in of])
-        if figures_of_all:
-            published = PUBLISHED_OVERALL.get(name, {})
-            rows.append((name, [cell(figures_of_all[m], published.get(m)) for m, _ in OVERALL]))
-    print_table("Overall: all matched trees of all plots and seeds (published)", [c for _, c in OVERALL], rows)
+    for plot in [*plots, "overall"]:
+        for name in variants:
+            of = [r for (p, n), r_of in runs.items() if n == name and plot in (p, "overall") for r in r_of]
+            figures_of_all = pooled(of)
+            if figures_of_all and not (plot == "overall" and len(plots) < 2):
+                cells = [both(figures_of_all[m], decimals, published(name, m, plot)) for m, _, decimals in table]
+                rows.append((f"{plot}, {name}", cells))
+    return rows
+
+
+def print_tables(arguments, variants, runs):
+    seeds = f"{len(arguments.seeds)} seeds" if len(arguments.seeds) > 1 else f"seed {arguments.seeds[0]}"
+    scans = f"simulated scans at {arguments.rate} Hz, {seeds}"
+    for title, table in [("Table 2, stem positions", TABLE_2), ("Table 3, diameters", TABLE_3)]:
+        print_table(f"{title}: measured on {scans}, all matched trees (published for the same system, field data)",
+                    [c for _, c, _ in table], paper_rows(variants, runs, arguments.plots, table))
+    for title, measures in [("Walls and intervals", DIAMETER), ("Trajectory, detection, time", TRACK)]:
+        rows = [(f"{plot}, {name}", [cell(median(r, m)) for m, _ in measures]) for (plot, name), r in runs.items() if any(r)]
+        print_table(f"{title}: median of {scans}", [c for _, c in measures], rows)
 
 
 if __name__ == "__main__":

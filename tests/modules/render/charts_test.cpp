@@ -11,8 +11,8 @@
 #include "render/charts/dbh_charts.h"
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_sheet.h"
-#include "render/charts/stem_map.h"
 #include "render/charts/trajectory_charts.h"
+#include "render/maps/stem_map.h"
 
 namespace bole::render {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "modules/render/small_survey.h"
-#include "render/charts/raster_map.h"
 #include "render/charts/trajectory_charts.h"
+#include "render/maps/raster_map.h"
 #include "render/scene/map_figure.h"
 #include "render/scene/thin.h"
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <Eigen/Geometry>
+
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -11,6 +13,7 @@
 
 #include "../render/small_survey.h"
 #include "io/core/clouds/cloud_reader.h"
+#include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
 #include "report/exports.h"
 #include "report/stem_mesh.h"
@@ -133,6 +136,65 @@ TEST(Exports, TheProjectionOfTheStemsServesWithoutAMap) {
   EXPECT_EQ(data.crs_wkt(), "that of the map");
   data.axes = Axes::plot;
   EXPECT_EQ(data.crs_wkt(), "");
+}
+
+TEST(Exports, APlaceOnTheEarthIsInEveryFile) {
+  const auto s = testing_data::make_small_survey();
+  OGRSpatialReference utm;
+  ASSERT_EQ(utm.importFromEPSG(25832), OGRERR_NONE);
+  char* wkt = nullptr;
+  utm.exportToWkt(&wkt);
+  GlobalFrame frame;
+  frame.crs_wkt = wkt;
+  CPLFree(wkt);
+  frame.A_global_local = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  frame.shift_global = {563210.25, 5412345.5, 430};
+  frame.heights_known = true;
+  Table stems = s.stems;
+  set_facts(stems.facts, frame);
+  DataSet inputs;
+  inputs.set("stems", stems);
+  inputs.set("points", s.points);
+  inputs.set("dem", s.dem);
+  inputs.set("trajectory", s.trajectory);
+  const auto data = survey_data(inputs);
+  ASSERT_TRUE(data.place.has_value());
+  EXPECT_EQ(data.crs_wkt(), frame.crs_wkt);
+  const auto dir = std::filesystem::path(testing::TempDir()) / "bole_export_place";
+  std::filesystem::create_directories(dir);
+  Report report;
+  for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
+
+  const auto cloud = io::read_cloud(dir / "cloud.las").cloud;
+  EXPECT_EQ(cloud.axes, Axes::global);
+  EXPECT_THAT(cloud.crs_wkt, testing::HasSubstr("25832"));
+  EXPECT_LT((exact_position(cloud, 7) - frame.to_global(s.points.position(7))).norm(), 2e-4);
+  const auto dem = io::read_geotiff(dir / "dem.tif");
+  EXPECT_THAT(dem.crs_wkt, testing::HasSubstr("25832"));
+  const Eigen::Vector3d ground = frame.to_global({3, -2, s.dem.sample(3, -2)});
+  EXPECT_NEAR(dem.sample(ground.x(), ground.y()), ground.z(), 0.02);
+  const Eigen::Vector3d first =
+      frame.to_global({stems.numbers("x_m")[0], stems.numbers("y_m")[0], stems.numbers("z_m")[0]});
+  GDALAllRegister();
+  auto* package =
+      static_cast<GDALDataset*>(GDALOpenEx((dir / "plot.gpkg").c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+  ASSERT_NE(package, nullptr);
+  for (const char* name : {"stems", "trajectory"})
+    EXPECT_STREQ(package->GetLayerByName(name)->GetSpatialRef()->GetAuthorityCode(nullptr), "25832") << name;
+  const auto feature = OGRFeatureUniquePtr(package->GetLayerByName("stems")->GetNextFeature());
+  const auto* point = feature->GetGeometryRef()->toPoint();
+  EXPECT_NEAR(point->getX(), first.x(), 1e-9);
+  EXPECT_NEAR(point->getY(), first.y(), 1e-9);
+  EXPECT_NEAR(point->getZ(), first.z(), 1e-9);
+  GDALClose(package);
+  auto* json =
+      static_cast<GDALDataset*>(GDALOpenEx((dir / "stems.geojson").c_str(), GDAL_OF_VECTOR, nullptr, nullptr, nullptr));
+  ASSERT_NE(json, nullptr);
+  const auto there = OGRFeatureUniquePtr(json->GetLayer(0)->GetNextFeature());
+  EXPECT_NEAR(there->GetGeometryRef()->toPoint()->getX(), 9.86, 0.02);
+  EXPECT_NEAR(there->GetGeometryRef()->toPoint()->getY(), 48.86, 0.02);
+  GDALClose(json);
+  std::filesystem::remove_all(dir);
 }
 
 TEST(StemMesh, ATubeHasTheVolumeOfItsCone) {

@@ -102,6 +102,23 @@ TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {
   EXPECT_THROW(write_steering_report(DataSet(), options, folder.run), Error);
 }
 
+TEST(SteeringReport, PublishedFiguresStandInTheSameTable) {
+  Folder folder;
+  DataSet in;
+  in.set("summary",
+         table(std::pair("speed_km_h", Texts{"5"}), std::pair("line_mean_m", Numbers{-0.001}),
+               std::pair("line_sd_m", Numbers{0.0123}), std::pair("published_line_mean_m", Numbers{-0.0009}),
+               std::pair("published_line_sd_m", Numbers{0.0251}), std::pair("controller_sd_m", Numbers{0.008})));
+  SteeringReportOptions options;
+  options.figures = false;
+  write_steering_report(in, options, folder.run);
+  const auto page = text_of(folder.run.output_dir / "report.html");
+  EXPECT_THAT(page, HasSubstr("1.23 (2.51)"));
+  EXPECT_THAT(page, HasSubstr("\u22120.10 (\u22120.09)"));
+  EXPECT_THAT(page, HasSubstr("<td>0.80")) << "the controller has no published figure";
+  EXPECT_THAT(page, Not(HasSubstr("<h2>Published")));
+}
+
 TEST(SteeringReport, TheTrueDistanceIsToldWhereItIsKnown) {
   Folder folder;
   DataSet in;

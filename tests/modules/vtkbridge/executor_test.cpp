@@ -337,6 +337,25 @@ TEST_F(Executor, AFailureTakesOnlyWhatNeedsIt) {
   EXPECT_THAT(s["stages"][2]["error"].get<std::string>(), HasSubstr("stage 'b' gave no points"));
 }
 
+TEST_F(Executor, AStageWhoseInputsAllFailedIsSkipped) {
+  const auto glance = document(R"({"stages": [{"id": "a", "type": "toy.points", "options": {"count": 10}},
+    {"id": "b", "type": "toy.lift", "inputs": {"points": "a.points"}},
+    {"id": "g", "type": "toy.glance", "inputs": {"extra": "b.points"}},
+    {"id": "alone", "type": "toy.glance"}]})");
+  auto broken = glance;
+  broken.set("b.fail", "true");
+  EXPECT_EQ(run_pipeline(glance, settings_).exit_code, 0);
+  EXPECT_THAT(run_pipeline(broken, settings_).error, HasSubstr("the toy is broken"));
+  for (const auto& s : summary()["stages"]) {
+    if (s["id"] == "g") {
+      EXPECT_EQ(s["state"], "skipped");
+      EXPECT_THAT(s["error"].get<std::string>(), HasSubstr("all of its inputs failed"));
+    } else {
+      EXPECT_EQ(s["state"], s["id"] == "b" ? "failed" : "done") << s["id"];
+    }
+  }
+}
+
 TEST_F(Executor, AnOutputThatAStageDoesNotGiveIsNoInput) {
   std::string text = chain;
   const std::string maker =

@@ -217,6 +217,8 @@ inline void register_toys() {
   registry.add(std::move(sink));
   registry.add(stage_type("toy.nothing", {}, {cloud}, no_options(),
                           [](const DataSet&, const OptionSet&, const Run&) { return pipeline::StageResult(); }));
+  registry.add(stage_type("toy.glance", {{"extra", DataKind::cloud, "What there is.", true, {}}}, {}, no_options(),
+                          [](const DataSet&, const OptionSet&, const Run&) { return pipeline::StageResult(); }));
   registry.add(stage_type("toy.slow", {cloud}, {cloud}, no_options(), slow));
   registry.add(
       stage_type("toy.frames", {}, {{"frames", DataKind::frames, "Frames.", false, {}}}, no_options(), open_frames));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/document.h"
-#include "render/charts/row_map.h"
+#include "render/maps/row_map.h"
 #include "report/survey_figures.h"
 
 namespace bole::desktop {

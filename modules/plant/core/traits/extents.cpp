@@ -59,25 +59,6 @@ Points3 supported(const Points3& points, double spacing) {
   return out;
 }
 
-struct Sizes {
-  double top = 0, length = 0, width = 0;
-};
-
-Sizes sizes_of(const Points3& points) {
-  Sizes out;
-  out.top = points.front().z();
-  std::vector<Eigen::Vector2d> plan;
-  plan.reserve(points.size());
-  for (const auto& p : points) {
-    out.top = std::max(out.top, p.z());
-    plan.emplace_back(p.head<2>());
-  }
-  const auto rectangle = smallest_rectangle(plan);
-  out.length = rectangle.length;
-  out.width = rectangle.width;
-  return out;
-}
-
 // Points that can lie on the hull or at the top once noise of a few `reach` is added.
 Points3 outer(const Points3& points, double reach) {
   std::vector<bool> keep(points.size(), false);
@@ -133,15 +114,6 @@ Extent extrapolated(double raw, const std::array<std::vector<double>, added.size
   return out;
 }
 
-// Errors of the sides may also turn the rectangle.
-void take_scatter_of_rectangle(const std::vector<Eigen::Vector2d>& plan, Extents& extents) {
-  constexpr double patches_across = 16;  // about a leaf's tip
-  const double side_sd = std::hypot(extents.length.sd, extents.width.sd) / 2;
-  const auto scatter = rectangle_scatter(plan, side_sd, extents.rectangle.length / patches_across);
-  extents.length.sd = std::max(extents.length.sd, scatter.length);
-  extents.width.sd = std::max(extents.width.sd, scatter.width);
-}
-
 // The measured tip that is the outermost place in a direction, or null where that is a point of the cloud.
 const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction, double near) {
   const auto far = std::ranges::max_element(points, {}, [&](const Eigen::Vector3d& p) { return p.dot(direction); });
@@ -163,9 +135,33 @@ double usual_move(const std::vector<Tip>& tips) {
 
 }  // namespace
 
+void take_scatter_of_rectangle(const std::vector<Eigen::Vector2d>& plan, Extents& extents) {
+  constexpr double patches_across = 16;  // about a leaf's tip
+  const double side_sd = std::hypot(extents.length.sd, extents.width.sd) / 2;
+  const auto scatter = rectangle_scatter(plan, side_sd, extents.rectangle.length / patches_across);
+  extents.length.sd = std::max(extents.length.sd, scatter.length);
+  extents.width.sd = std::max(extents.width.sd, scatter.width);
+}
+
+PointSizes sizes_of(const Points3& points) {
+  PointSizes out;
+  if (points.empty()) return out;
+  out.top = points.front().z();
+  std::vector<Eigen::Vector2d> plan;
+  plan.reserve(points.size());
+  for (const auto& p : points) {
+    out.top = std::max(out.top, p.z());
+    plan.emplace_back(p.head<2>());
+  }
+  const auto rectangle = smallest_rectangle(plan);
+  out.length = rectangle.length;
+  out.width = rectangle.width;
+  return out;
+}
+
 void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach, Extents& extents) {
   const auto points = with_tips(plant, tips, reach);
-  const Sizes now = sizes_of(points);
+  const PointSizes now = sizes_of(points);
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : points) plan.emplace_back(p.head<2>());
   const auto rectangle = smallest_rectangle(plan);
@@ -215,7 +211,7 @@ Extents measure_extents(const Points3& plant, const Run& run) {
   out.noise = noise_of(points, out.spacing);
   const double reach = 7 * out.noise + 4 * out.spacing;
   const Points3 near = outer(points, reach);
-  const Sizes raw = sizes_of(near);
+  const PointSizes raw = sizes_of(near);
   std::vector<Eigen::Vector2d> plan;
   for (const auto& p : near) {
     plan.emplace_back(p.head<2>());
@@ -231,7 +227,7 @@ Extents measure_extents(const Points3& plant, const Run& run) {
       Points3 moved = near;
       const double sigma = out.noise * std::sqrt(added[k]);
       for (auto& p : moved) p += sigma * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
-      const Sizes s = sizes_of(moved);
+      const PointSizes s = sizes_of(moved);
       grown[0][k].push_back(s.top);
       grown[1][k].push_back(s.length);
       grown[2][k].push_back(s.width);
@@ -245,7 +241,7 @@ Extents measure_extents(const Points3& plant, const Run& run) {
     for (const auto& p : near)
       if (random.chance(0.5)) half.push_back(p);
     if (half.size() < 3) half = near;
-    const Sizes s = sizes_of(half);
+    const PointSizes s = sizes_of(half);
     lost[0] += (raw.top - s.top) / replicates;
     lost[1] += std::abs(raw.length - s.length) / replicates;
     lost[2] += std::abs(raw.width - s.width) / replicates;

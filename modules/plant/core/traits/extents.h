@@ -27,11 +27,20 @@ struct Extents {
   int sides_in_pictures = 0;  // of five (top, and four of the rectangle): those that pictures have measured
 };
 
+// The bare sizes of points, z up: the highest z, and the smallest rectangle in plan.
+struct PointSizes {
+  double top = 0, length = 0, width = 0;
+};
+PointSizes sizes_of(const Points3& points);
+
 // `plant`: metres, z up. Noise widens every extent, the more the denser the points. So the same noise is added again,
 // several times over, and what the extents gain by it is extrapolated back to none (SIMEX: Cook and Stefanski 1994,
 // quadratic in the variance). The scatter of that, what half of the
 // points would lose, and what the outermost points carry alone make the standard deviation.
 Extents measure_extents(const Points3& plant, const Run& run);
+
+// Widens the errors of both sides by what errors of the outline make of the rectangle, which they may turn.
+void take_scatter_of_rectangle(const std::vector<Eigen::Vector2d>& plan, Extents& extents);
 
 // Replaces every extent whose outermost places the pictures have measured. An extent with one side measured and the
 // other not keeps the correction for noise on that side.

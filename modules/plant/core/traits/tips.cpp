@@ -10,7 +10,7 @@
 #include <numbers>
 #include <optional>
 
-#include "base/statistics.h"
+#include "plant/core/traits/depth_picture.h"
 #include "plant/core/traits/picture_tone.h"
 
 namespace bole::plant {
@@ -23,9 +23,8 @@ constexpr double spread_px = 0.9;       // usual point spread of a picture with 
 constexpr double min_contrast = 0.03;   // of 0..1
 constexpr double min_explained = 0.6;   // share of the line's variance that one edge must explain
 constexpr std::size_t min_views = 4;
-constexpr double min_agreeing = 0.35;       // share of the views with an edge
-constexpr std::size_t max_hiding = 400000;  // points that are asked what hides a tip
-constexpr int block = 3;                    // pixels of a cell of the depth picture
+constexpr double min_agreeing = 0.35;  // share of the views with an edge
+constexpr int hiding_px = 3;           // between places of a line that are asked what hides them
 
 std::vector<Eigen::Vector3d> outward_directions() {
   std::vector<Eigen::Vector3d> out{Eigen::Vector3d::UnitZ()};
@@ -57,41 +56,6 @@ Tip tip_at(const Points3& plant, const PointGrid& grid, const Eigen::Vector3d& p
   const Eigen::Vector3d out = way.normalized();
   return {all + (point - all).dot(out) * out, out};
 }
-
-// What is nearest to the camera, in blocks of pixels.
-class DepthPicture {
- public:
-  DepthPicture(const CameraModel& camera, const Pose& T_camera_plant, const Points3& cloud, double spacing)
-      : columns_(camera.width / block + 1), rows_(camera.height / block + 1) {
-    nearest_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
-                    std::numeric_limits<float>::max());
-    const std::size_t stride = std::max<std::size_t>(1, cloud.size() / max_hiding);
-    for (std::size_t i = 0; i < cloud.size(); i += stride) {
-      const Eigen::Vector3d p = T_camera_plant * cloud[i];
-      const auto at = camera.project(p);
-      if (!at || !camera.contains(*at)) continue;
-      const double splat = 0.7 * spacing * std::abs(camera.fx) / p.z();
-      for (int y = cell(at->y() - splat, rows_); y <= cell(at->y() + splat, rows_); ++y)
-        for (int x = cell(at->x() - splat, columns_); x <= cell(at->x() + splat, columns_); ++x) {
-          auto& d = nearest_[index(x, y)];
-          d = std::min(d, static_cast<float>(p.z()));
-        }
-    }
-  }
-  bool hides(const Eigen::Vector2d& pixel, double depth) const {
-    return static_cast<double>(nearest_[index(cell(pixel.x(), columns_), cell(pixel.y(), rows_))]) < depth;
-  }
-
- private:
-  static int cell(double v, int count) {
-    return std::clamp(static_cast<int>(std::floor((v + 0.5) / block)), 0, count - 1);
-  }
-  std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
-  }
-  int columns_, rows_;
-  std::vector<float> nearest_;
-};
 
 // The line out of a tip in one picture.
 struct TipLine {
@@ -287,7 +251,7 @@ void measure_tips(const ViewSource& views, const Trajectory& poses, const Pose& 
         if (!line) continue;
         const double nearer = (T_camera_plant * tips[t].place).z() - 0.75 * search.reach;
         bool hidden = false;
-        for (double s = -line->half_px; s <= line->half_px && !hidden; s += block)
+        for (double s = -line->half_px; s <= line->half_px && !hidden; s += hiding_px)
           hidden = depth.hides(line->place + s * line->along, nearer);
         if (hidden) continue;
         const LineColors colors(*line, view.color, search.linear_light);

@@ -8,11 +8,9 @@
 
 #include "base/statistics.h"
 #include "plant/core/leaves/leaf_traits.h"
-#include "plant/core/surface/region.h"
-#include "plant/core/traits/extents.h"
 #include "plant/core/traits/picture_tone.h"
+#include "plant/core/traits/plant_size.h"
 #include "plant/core/traits/stem_fit.h"
-#include "plant/core/traits/tips.h"
 #include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
@@ -31,7 +29,6 @@ class Measurement {
 
   Traits all() {
     take_points();
-    run_.report(0.02, "height and breadth");
     measure_size();
     run_.report(0.2, "stem");
     measure_stem();
@@ -53,8 +50,10 @@ class Measurement {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Eigen::Vector3d p = T_plant_world_ * points.position(i);
       if (!p.allFinite()) continue;
-      if (part[i] == static_cast<std::int32_t>(Part::plant)) plant_.push_back(p);
-      if (part[i] != static_cast<std::int32_t>(Part::floater)) solid_.push_back(p);
+      const auto of = static_cast<Part>(part[i]);
+      if (of == Part::plant) plant_.push_back(p);
+      if (of != Part::plant && of != Part::floater) others_.push_back(p);
+      if (of != Part::floater) solid_.push_back(p);
     }
     if (plant_.size() < 20)
       throw bad_input("the cloud has " + std::to_string(plant_.size()) + " points of the plant", "at least 20",
@@ -64,101 +63,24 @@ class Measurement {
                    "The scale of the cloud is unknown: the columns in mm hold thousandths of its unit.");
   }
 
-  Interval interval(double value, double sd, double freedom = 1e6) const {
-    const double all = std::hypot(sd, options_.scale_sd / 100 * value);
-    const double half = student_975(freedom) * all;
-    return {value, std::max(0.0, value - half), value + half};
-  }
-
   void measure_size() {
-    extents_ = measure_extents(plant_, run_);
-    if (in_.views != nullptr && in_.poses != nullptr) measure_tips_in_pictures();
-    const double surface = scene_.scale_known ? options_.surface_sd : 0.002 * extents_.top.value;
-    // The top is one surface, the breadth lies between two.
-    const double slope_sd = scene_.soil_sd;
-    height_ = interval(extents_.top.value, std::hypot(std::hypot(extents_.top.sd, slope_sd), surface));
-    const double both = std::sqrt(2.0) * surface;
-    length_ = interval(extents_.length.value, std::hypot(extents_.length.sd, both));
-    width_ = interval(extents_.width.value, std::hypot(extents_.width.sd, both));
-    tell_what_is_cut();
-  }
-
-  // Whether next to no picture shows the place above the top: then the cloud ends there for that reason.
-  bool pictures_end_at_top() const {
-    if (in_.views == nullptr || in_.poses == nullptr) return false;
-    constexpr int min_views = 4;
-    const Eigen::Vector3d above = extents_.top_point + 0.02 * extents_.top.value * Eigen::Vector3d::UnitZ();
-    int shown = 0, views = 0;
-    for (const auto i : chosen_views()) {
-      const auto& camera = in_.views->camera(i).color;
-      const Pose T_camera_plant = (T_plant_world_ * *pose_of_view(*in_.poses, in_.views->time_s(i))).inverse();
-      const auto pixel = camera.project(T_camera_plant * above);
-      ++views;
-      if (pixel && camera.contains(*pixel)) ++shown;
-    }
-    return views >= 3 * min_views && shown < min_views;
-  }
-
-  // A cloud that ends at the border of what was reconstructed says nothing of the plant beyond.
-  void tell_what_is_cut() {
-    const auto& points = *in_.points;
-    constexpr int min_at_border = 20;
-    int above = pictures_end_at_top() ? min_at_border : 0, aside = 0;
-    const auto fact = points.facts.find(region_fact);
-    const auto region = fact == points.facts.end() ? std::nullopt : region_from_text(fact->second);
-    if (region) count_at_border(*region, above, aside);
-    if (above >= min_at_border) height_.high = nan;
-    if (aside >= min_at_border) length_.high = width_.high = nan;
-    if (above < min_at_border && aside < min_at_border) return;
-    const std::string what = above < min_at_border   ? "The breadth is that of a part"
-                             : aside < min_at_border ? "The height is that of a part"
-                                                     : "Height and breadth are those of a part";
-    report_.find(Severity::look, "plant_cut_off",
-                 "The plant reaches the border of what was reconstructed, or of the pictures. " + what +
-                     ": the value is a lower bound. Too few views see the rest; take views that show all of the "
-                     "plant, or give a larger region to plant.field.");
-  }
-
-  void count_at_border(const Region& region, int& above, int& aside) const {
-    const auto& points = *in_.points;
-    const double near = std::max(2 * extents_.spacing, 0.005 * extents_.top.value);
-    const auto& part = points.values<std::int32_t>(part_column);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (part[i] != static_cast<std::int32_t>(Part::plant)) continue;
-      const Eigen::Vector3d p = points.position(i);
-      for (int k = 0; k < 3; ++k)
-        for (const double side : {-1.0, 1.0}) {
-          if ((side < 0 ? p[k] - region.min[k] : region.max[k] - p[k]) > near) continue;
-          const double upwards = side * scene_.up[k];
-          if (upwards > -0.5) ++(upwards > 0.5 ? above : aside);
-        }
-    }
-  }
-
-  void measure_tips_in_pictures() {
-    TipSearch search;
-    search.reach = scene_.scale_known ? options_.tip_reach : 0.03 * extents_.top.value;
-    search.linear_light = options_.light != PictureLight::linear;
-    auto tips = outermost_tips(plant_, search.reach);
-    measure_tips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, chosen_views(), tips,
-                 run_.part(0.04, 0.2));
-    take_tips(plant_, tips, search.reach, extents_);
-    report_.counts["tips"] = static_cast<std::int64_t>(tips.size());
-    report_.counts["tips_in_pictures"] = std::ranges::count_if(tips, &Tip::measured);
-    report_.counts["sides_in_pictures"] = extents_.sides_in_pictures;
+    const bool pictures = in_.views != nullptr && in_.poses != nullptr;
+    size_ = measure_plant_size({in_, options_, scene_, T_plant_world_, plant_, solid_, others_,
+                                pictures ? chosen_views() : std::vector<std::uint32_t>{}},
+                               report_, run_.part(0.02, 0.2));
   }
 
   double stem_unit() const {  // 20 mm where the scale is known
-    return scene_.scale_known ? 0.02 : 0.06 * extents_.top.value;
+    return scene_.scale_known ? 0.02 : 0.06 * size_.extents.top.value;
   }
 
   void measure_stem() {
     const double height =
-        scene_.scale_known ? options_.stem_height : std::min(options_.stem_height, 0.1 * extents_.top.value);
+        scene_.scale_known ? options_.stem_height : std::min(options_.stem_height, 0.1 * size_.extents.top.value);
     stem_at_ = height;
     const double reach = std::max(0.9 * stem_unit(), 0.6 * options_.stretch);
-    cloud_stem_ =
-        stem_from_cloud(plant_, height, reach, std::max(0.1 * stem_unit(), 1.2 * extents_.spacing), 0.5 * stem_unit());
+    cloud_stem_ = stem_from_cloud(plant_, height, reach, std::max(0.1 * stem_unit(), 1.2 * size_.extents.spacing),
+                                  0.5 * stem_unit());
     if (!cloud_stem_) cloud_stem_ = stem_from_cloud(plant_, height, 3 * reach, 0.2 * stem_unit(), 0.7 * stem_unit());
     StemCurve axis;
     double guess = 0.12 * stem_unit(), shift = 0.3 * stem_unit();
@@ -229,7 +151,7 @@ class Measurement {
   }
 
   StripsFound find(const StripSearch& search, const std::vector<std::uint32_t>& which, double begin, double end) const {
-    return find_strips(*in_.views, *in_.poses, T_plant_world_, solid_, extents_.spacing, search, which,
+    return find_strips(*in_.views, *in_.poses, T_plant_world_, solid_, size_.extents.spacing, search, which,
                        run_.part(begin, end));
   }
 
@@ -293,7 +215,8 @@ class Measurement {
     const double systematic = std::sqrt(2.0) * edge_px / ppu;
     const double sd = std::hypot(fit_->standard_error, systematic, tone_doubt_ * fit_->diameter);
     // A wrong height of the soil is a wrong place on the taper.
-    stem_ = interval(fit_->diameter, std::hypot(sd, fit_->taper * scene_.soil_sd), std::max(fit_->freedom, 3.0));
+    stem_ = interval_of(fit_->diameter, std::hypot(sd, fit_->taper * scene_.soil_sd), options_.scale_sd,
+                        std::max(fit_->freedom, 3.0));
     stem_method_ = "contours";
     if (cloud_stem_ && 2 * cloud_stem_->radius < 0.6 * fit_->diameter)
       report_.find(Severity::look, "stem_methods_differ",
@@ -318,7 +241,7 @@ class Measurement {
     // A cloud of depth reads a thin stem too wide by an unknown amount, at most by its own excess over the noise: the
     // interval reaches from a small part of what it shows to a little more.
     const double d = 2 * cloud_stem_->radius;
-    const double noise = std::max({extents_.noise, extents_.spacing / 2, cloud_stem_->radius_sd});
+    const double noise = std::max({size_.extents.noise, size_.extents.spacing / 2, cloud_stem_->radius_sd});
     const double sharp = std::sqrt(std::max(d * d / 4 - noise * noise, d * d / 64)) * 2;
     stem_ = {sharp, std::max(0.0, std::min(0.35 * sharp, sharp - 4 * noise)), sharp + 2 * noise};
     stem_method_ = "cloud";
@@ -332,8 +255,8 @@ class Measurement {
     leaf_inputs_.plant = &plant_;
     leaf_inputs_.R_world_plant = T_plant_world_.linear().transpose();
     leaf_inputs_.unit = stem_unit();
-    leaf_inputs_.spacing = extents_.spacing;
-    leaf_inputs_.noise = extents_.noise;
+    leaf_inputs_.spacing = size_.extents.spacing;
+    leaf_inputs_.noise = size_.extents.noise;
     leaf_inputs_.max_gap = 0.8 * stem_unit();
     leaf_inputs_.scale_sd = options_.scale_sd / 100;
     leaves_ = measure_leaves(leaf_inputs_, run_.part(0.9, 1), report_);
@@ -347,15 +270,15 @@ class Measurement {
       const auto description = in_.views->description();  // "plant_07: 120 views, ..."
       row.plant_id = description.substr(0, description.find(':'));
     }
-    row.height = height_;
-    row.length = length_;
-    row.width = width_;
+    row.height = size_.height;
+    row.length = size_.length;
+    row.width = size_.width;
     row.stem = stem_;
     row.stem_height = stem_at_;
     row.stem_method = stem_method_;
     row.scale_known = scene_.scale_known;
     row.T_world_plant = T_plant_world_.inverse();
-    row.rectangle = extents_.rectangle;
+    row.rectangle = size_.extents.rectangle;
     out.traits = trait_table(row);
     put_trait_options(out.traits.facts, options_);
     add_leaf_columns(out.traits, leaves_, leaf_inputs_);
@@ -365,11 +288,11 @@ class Measurement {
     out.internodes = std::move(leaves_.internodes);
     out.branches = std::move(leaves_.branches);
     out.contours = contour_table(contours_, in_.views, fit_);
-    report_.metrics["height"] = {1000 * height_.value, Unit::millimetre};
-    report_.metrics["breadth_length"] = {1000 * length_.value, Unit::millimetre};
-    report_.metrics["breadth_width"] = {1000 * width_.value, Unit::millimetre};
+    report_.metrics["height"] = {1000 * size_.height.value, Unit::millimetre};
+    report_.metrics["breadth_length"] = {1000 * size_.length.value, Unit::millimetre};
+    report_.metrics["breadth_width"] = {1000 * size_.width.value, Unit::millimetre};
     if (std::isfinite(stem_.value)) report_.metrics["stem_diameter"] = {1000 * stem_.value, Unit::millimetre};
-    report_.metrics["noise"] = {1000 * extents_.noise, Unit::millimetre};
+    report_.metrics["noise"] = {1000 * size_.extents.noise, Unit::millimetre};
     report_.facts["stem_method"] = stem_method_;
     report_.message = size_sentence(row);
     out.report = std::move(report_);
@@ -384,9 +307,9 @@ class Measurement {
   Report report_;
   PlantScene scene_;
   Pose T_plant_world_ = Pose::Identity();
-  Points3 plant_, solid_;
-  Extents extents_;
-  Interval height_, length_, width_, stem_;
+  Points3 plant_, solid_, others_;
+  PlantSize size_;
+  Interval stem_;
   double stem_at_ = 0, tone_doubt_ = 0;  // tone_doubt_: of the diameter, as a share
   std::optional<CloudStem> cloud_stem_;
   std::optional<StemFit> fit_;

@@ -1,11 +1,11 @@
-#include "render/charts/stem_map.h"
+#include "render/maps/stem_map.h"
 
 #include <algorithm>
 
-#include "render/charts/stem_map_content.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
 #include "render/draw/labels.h"
+#include "render/maps/stem_map_content.h"
 
 namespace bole::render {
 namespace {

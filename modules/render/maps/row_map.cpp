@@ -1,4 +1,4 @@
-#include "render/charts/row_map.h"
+#include "render/maps/row_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/charts/raster_map.h"
+#include "render/maps/raster_map.h"
 
 #include <algorithm>
 #include <cmath>

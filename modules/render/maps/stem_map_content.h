@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "render/charts/stem_map.h"
 #include "render/draw/axes.h"
 #include "render/draw/color.h"
+#include "render/maps/stem_map.h"
 
 namespace bole::render {
 

@@ -1,4 +1,4 @@
-#include "render/charts/stem_map_content.h"
+#include "render/maps/stem_map_content.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,14 @@
+// Options of the comparison of runs: those of evaluation.plot that mean something there, and its own.
+#pragma once
+
+#include "evaluation/core/evaluation_options.h"
+
+namespace bole::evaluation {
+
+struct CompareOptions : EvaluationOptions {
+  double min_agreement_pct = 50;
+};
+
+const OptionTable& option_table(const CompareOptions*);
+
+}  // namespace bole::evaluation
