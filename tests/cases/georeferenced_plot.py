@@ -192,7 +192,7 @@ def main():
     out = options.work / "survey"
     settings = [f"scan.file={scan}/walk.pcap", f"georeference.file={control}", f"georeference.crs=EPSG:{EPSG}",
                 "plot.width=16", "plot.length=16", "report.figures=false", *options.set]
-    run([options.bole, "run", options.pipeline, "--out", out, *[w for s in settings for w in ("--set", s)]])
+    run([options.bole, "run", options.pipeline, "--out", out, "--set", "report.cloud_format=las", *[w for s in settings for w in ("--set", s)]])
 
     check = Check()
     stems = check_stems(check, out, rows(scan / "trees.csv"))

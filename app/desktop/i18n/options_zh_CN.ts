@@ -3767,6 +3767,14 @@
             <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
             <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
         </message>
+        <message>
+            <source>Write cloud.las.</source>
+            <translation>写出 cloud.las。</translation>
+        </message>
+        <message>
+            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>

@@ -215,7 +215,7 @@ def surveyed(bole, seed, work):
     (work / "walk.csv").write_text("x_m,y_m\n" + "".join(f"{x},{y}\n" for x, y in WALK))
     run(bole, "simulate", "--plot", work / "recipe.json", "--seed", seed, "--sensor", "vlp16", "--speed", 1.5, "--walk", work / "walk.csv", "--out", scan)
     run(bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--set", f"scan.file={scan / 'walk.pcap'}", "--set", f"plot.width={2 * HALF}",
-        "--set", f"plot.length={2 * HALF}", "--set", "report.figures=false", "--set", "report.page=false", "--no-cache", "--out", folder)
+        "--set", f"plot.length={2 * HALF}", "--set", "report.figures=false", "--set", "report.page=false", "--set", "report.cloud_format=las", "--no-cache", "--out", folder)
     crop(folder / "cloud.las")
     (scan / "walk.pcap").unlink()
     return folder
