@@ -53,12 +53,13 @@ class Comparison {
 
   RunsComparison compare() {
     for (auto& e : entries_) read_stems(e);
+    find_plots();
+    share_boundaries();
     for (auto& e : entries_) {
       run_.check_cancel();
       compare_with_reference(e);
       e.path = compare_paths(e.run.trajectory, e.run.reference_trajectory, e.run.name);
     }
-    find_plots();
     compare_pairs();
     return tables();
   }
@@ -166,6 +167,42 @@ class Comparison {
       if (name.empty()) name = fmt::format("stand {}", next);  // not "plot 1", which is one of the paper
     }
     for (std::size_t i = 0; i < entries_.size(); ++i) entries_[i].run.plot = names[groups.root(i)];
+  }
+
+  static bool same_rule(const CountingRule& a, const CountingRule& b) {
+    constexpr double tolerance = 0.01;  // metres and centimetres
+    const auto x = a.area.outline(), y = b.area.outline();
+    if (x.size() != y.size() || std::abs(a.min_dbh_cm - b.min_dbh_cm) > tolerance) return false;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if ((x[i] - y[i]).norm() > tolerance) return false;
+    return true;
+  }
+
+  static std::string rule_words(const CountingRule& rule) {
+    return fmt::format("{}, stems from {:g} cm", describe(rule.area), rule.min_dbh_cm);
+  }
+
+  // Runs of one plot are judged by the same trees: one that does not know its boundary takes that of another run.
+  void share_boundaries() {
+    std::map<std::string, const Entry*> first;
+    for (const auto& e : entries_)
+      if (e.run.rule) first.try_emplace(e.run.plot, &e);
+    for (auto& e : entries_) {
+      const auto it = first.find(e.run.plot);
+      if (it == first.end() || it->second == &e) continue;
+      const auto& other = it->second->run;
+      if (!e.run.rule) {
+        e.run.rule = other.rule;
+        out_.report.find(
+            Severity::note, "boundary_shared",
+            fmt::format("{} takes the boundary of {} ({})", e.run.name, other.name, rule_words(*other.rule)));
+      } else if (!same_rule(*e.run.rule, *other.rule)) {
+        look("boundaries_differ",
+             fmt::format(
+                 "{} and {} are of one plot and count other trees ({}; {}): their figures are not of the same trees",
+                 other.name, e.run.name, rule_words(*other.rule), rule_words(*e.run.rule)));
+      }
+    }
   }
 
   void compare_pairs() {

@@ -257,6 +257,22 @@ TEST(CompareRuns, TheBoundaryOfTheRunSaysWhichTreesCount) {
   EXPECT_EQ(found.groups.numbers("extra")[0], 0);
 }
 
+TEST(CompareRuns, RunsOfOnePlotAreJudgedByTheSameTrees) {
+  const auto truth = stand(1);
+  auto a = run_of("A", truth, &truth), b = run_of("B", truth, &truth);
+  a.rule = CountingRule{rectangle_area({0, 0}, 10, 10), 7.5};
+  const auto shared = compare({a, b});
+  EXPECT_EQ(shared.groups.numbers("reference_trees")[1], shared.groups.numbers("reference_trees")[0]);
+  EXPECT_LT(shared.groups.numbers("reference_trees")[1], 30);
+  EXPECT_THAT(codes(shared.report), testing::ElementsAre("boundary_shared"));
+  b.rule = a.rule;
+  EXPECT_THAT(codes(compare({a, b}).report), testing::IsEmpty());
+  b.rule = CountingRule{rectangle_area({0, 0}, 12, 10), 7.5};
+  EXPECT_THAT(text_of(compare({a, b}).report, "boundaries_differ"), HasSubstr("10 m × 10 m"));
+  b.rule = CountingRule{rectangle_area({0, 0}, 10, 10), 10};
+  EXPECT_THAT(codes(compare({a, b}).report), testing::ElementsAre("boundaries_differ"));
+}
+
 TEST(CompareRuns, AListWithOtherHeadingsIsReadByThem) {
   const auto truth = stand(1);
   auto run = run_of("A", truth, &truth);
