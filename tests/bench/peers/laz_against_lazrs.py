@@ -114,9 +114,9 @@ def judge_cloud(program, path, folder):
             bad.append(f"{path.name}: COPC")
         # Half of the box, and a level that is coarser.
         low, high = headers[0].mins, headers[0].maxs
-        # Between two steps of the grid, so that no point lies on an edge and rounding decides nothing.
-        steps_to_middle = np.floor((high - low) / 2 / headers[0].scales) + 0.5
-        half = laspy.copc.Bounds(mins=low - headers[0].scales / 2, maxs=low + steps_to_middle * headers[0].scales)
+        # A quarter of a step off the grid, so that no point lies on an edge and rounding decides nothing.
+        steps_to_middle = np.floor((high - low) / 2 / headers[0].scales) + 0.25
+        half = laspy.copc.Bounds(mins=low - headers[0].scales / 4, maxs=low + steps_to_middle * headers[0].scales)
         part = reader.query(bounds=half)
         steps = plain[:, :12].copy().view(np.int32)
         place = steps * headers[0].scales + headers[0].offsets

@@ -114,8 +114,9 @@ TEST(LazEncoder, NoLargerThanAnotherEncoder) {
                                            info.record_length);
     const auto ours = laz::make_packing(info.point_format, static_cast<std::size_t>(info.record_length), 50'000);
     std::size_t their_bytes = 0, our_bytes = 0;
-    for (const auto& chunk :
-         *laz::read_chunk_table(file.bytes(), info.data_offset, info.points, theirs, info.record_length)) {
+    const auto table = laz::read_chunk_table(file.bytes(), info.data_offset, info.points, theirs, info.record_length);
+    ASSERT_TRUE(table);
+    for (const auto& chunk : *table) {
       laz::ChunkDecoder decoder(theirs, info.record_length);
       const auto bytes = file.bytes().subspan(chunk.begin, chunk.end - chunk.begin);
       Records records{info.point_format, static_cast<std::size_t>(info.record_length), {}};

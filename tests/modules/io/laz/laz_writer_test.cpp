@@ -80,7 +80,7 @@ TEST(LazWriter, TheKindOfTimeIsKept) {
       write_cloud(dir / name, cloud);
       const auto info = las_info(dir / name);
       EXPECT_EQ(info.global_encoding, 16U | bit);
-      EXPECT_THAT(info.extra_columns, Not(testing::Contains("time")));
+      EXPECT_THAT(info.extra_columns, testing::Not(testing::Contains("time")));
       EXPECT_EQ(read_las(dir / name).facts.at(std::string(las::gps_time_fact)), kind);
       // Times of another clock are no GPS time.
       cloud.facts.erase(std::string(las::gps_time_fact));
@@ -136,7 +136,7 @@ TEST(LazWriter, CanBeCancelled) {
   for (const char* name : {"a.laz", "a.copc.laz"}) {
     std::stop_source stop;
     stop.request_stop();
-    Run run;
+    bole::Run run;
     run.cancel = stop.get_token();
     EXPECT_THROW(write_cloud(dir / name, cloud, run), Error);
     EXPECT_FALSE(std::filesystem::exists(dir / name));
