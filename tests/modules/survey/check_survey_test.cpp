@@ -70,13 +70,11 @@ TEST(CheckSurvey, AMissingQuarterSaysWalkAgain) {
 TEST(CheckSurvey, ALaneThatWasNotWalkedIsFound) {
   PlotSpoil spoil;
   spoil.no_lane = [](int lane) { return lane == 3; };  // at x = 5
-  CheckOptions o;
-  o.max_walk_gap = 3;
-  const auto check = checked(PlotMaker(6, spoil).make(), o);
+  const auto check = checked(PlotMaker(6, spoil).make());
   const auto row = row_of(check, "lane_not_walked");
   ASSERT_TRUE(row) << all_findings(check);
   EXPECT_NEAR(check.findings.numbers("x_m")[*row], 5, 1);
-  EXPECT_EQ(verdict(checked(PlotMaker(6).make(), o)), "sign") << "all lanes";
+  EXPECT_EQ(verdict(checked(PlotMaker(6).make())), "sign") << "all lanes";
 }
 
 TEST(CheckSurvey, PassesThatDoNotMeetAreFound) {

@@ -63,10 +63,19 @@ struct Heights {
     const auto bin = static_cast<std::size_t>((h + shown_band_m) / (2 * shown_band_m) * bins);
     if (bin < bins) ++count[bin], ++total;
   }
+  // Of the heights about the most frequent one: the feet of stems and herbs spread over the whole band, and the ground
+  // does not. Of equal ones the lowest.
   double quantile_cm(double q) const {
-    const double wanted = q * total;
-    double before = 0;
-    for (std::size_t i = 0; i < bins; ++i) {
+    constexpr std::size_t reach = 15;
+    std::size_t peak = 1;
+    const auto three = [&](std::size_t i) { return count[i - 1] + count[i] + count[i + 1]; };
+    for (std::size_t i = 1; i + 1 < bins; ++i)
+      if (three(i) > three(peak)) peak = i;
+    const std::size_t begin = peak > reach ? peak - reach : 0, end = std::min<std::size_t>(bins, peak + reach + 1);
+    double all = 0, before = 0;
+    for (std::size_t i = begin; i < end; ++i) all += count[i];
+    const double wanted = q * all;
+    for (std::size_t i = begin; i < end; ++i) {
       const double n = count[i];
       if (before + n >= wanted && n > 0)
         return 100 * shown_band_m * (2 * (static_cast<double>(i) + (wanted - before) / n) / bins - 1);
