@@ -1,9 +1,10 @@
-// Registers the stage of the module inventory.
+// Registers the stages of the module inventory.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "inventory/core/plot_values.h"
+#include "inventory/core/sample_plots.h"
 #include "inventory/core/value_tables.h"
 #include "pipeline/stage.h"
 
@@ -64,9 +65,37 @@ pipeline::StageResult run_plot_values(const DataSet& inputs, const OptionSet& se
   return result;
 }
 
+pipeline::StageType sample_stage() {
+  pipeline::StageType type;
+  type.name = "inventory.sample";
+  type.vtk_class = "vtkBoleSamplePlots";
+  type.title = "Sample a known stand";
+  type.help =
+      "Lays many circular sample plots of several sizes at random into a stand whose trees are all known, and compares "
+      "what they say with the truth: bias and scatter of stems and basal area per hectare. Four ways to treat the edge "
+      "of the stand stand side by side: ignored, plots that fit in only, the area inside, and mirrored plots (mirage).";
+  type.source = "Schmid-Haas (1969); Gregoire and Valentine (2008)";
+  type.inputs = {{"stems", DataKind::table, "All trees of the stand: x_m, y_m, dbh_cm.", false, {}},
+                 {"stand", DataKind::table, "The rectangle that is sampled, from survey.plot.", false, {}}};
+  type.outputs = {{"summary", DataKind::table, "A row per radius and treatment of the edge.", false, {}, true},
+                  {"plots", DataKind::table, "A row per sample plot.", false, {}}};
+  type.options = &option_table(static_cast<const SampleOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& set, const Run& run) {
+    auto study =
+        sample_plots(inputs.table("stems"), counting_rule(inputs.table("stand")), set.as<SampleOptions>(), run);
+    pipeline::StageResult result;
+    result.outputs.set("summary", std::move(study.summary));
+    result.outputs.set("plots", std::move(study.plots));
+    result.report = std::move(study.report);
+    return result;
+  };
+  return type;
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
+  registry.add(sample_stage());
   pipeline::StageType type;
   type.name = "inventory.plot_values";
   type.vtk_class = "vtkBolePlotValues";

@@ -9,6 +9,7 @@
 #include "base/option_text.h"
 #include "base/core/path_list.h"
 #include "base/user_path.h"
+#include "pipeline/skipped_stages.h"
 
 namespace bole::pipeline {
 namespace {
@@ -103,6 +104,25 @@ bool StageNode::skipped() const {
   });
 }
 
+namespace {
+
+// `behind`: how many stages the question has come through; more than there are is a circle, which in_order() reports.
+bool is_skipped(const PipelineDocument& document, const StageNode& node, std::size_t behind) {
+  if (!node.optional || behind > document.stages().size()) return false;
+  if (node.skipped()) return true;
+  return std::ranges::any_of(node.inputs, [&](const auto& joint) {
+    const Port* port = node.type->input(joint.first);
+    if (port == nullptr || port->optional) return false;
+    const auto& stages = document.stages();  // a joint that leads nowhere is reported by validate()
+    const auto from = std::ranges::find(stages, joint.second.substr(0, joint.second.find('.')), &StageNode::id);
+    return from != stages.end() && is_skipped(document, *from, behind + 1);
+  });
+}
+
+}  // namespace
+
+bool is_skipped(const PipelineDocument& document, const StageNode& node) { return is_skipped(document, node, 0); }
+
 SourcePort parse_source(std::string_view text) {
   const auto dot = text.find('.');
   if (dot == std::string_view::npos || dot == 0 || dot + 1 == text.size())
@@ -196,14 +216,14 @@ std::vector<const StageNode*> PipelineDocument::in_order() const {
     order.push_back(&node);
   };
   for (const auto& node : stages_) visit(node);
-  std::erase_if(order, [](const StageNode* node) { return node->skipped(); });
+  std::erase_if(order, [this](const StageNode* node) { return is_skipped(*this, *node); });
   return order;
 }
 
 std::map<std::string, SourcePort> PipelineDocument::joints(const StageNode& node) const {
   std::map<std::string, SourcePort> list;
   for (const auto& [port, text] : node.inputs)
-    if (const auto source = parse_source(text); !at(source.id).skipped()) list.emplace(port, source);
+    if (const auto source = parse_source(text); !is_skipped(*this, at(source.id))) list.emplace(port, source);
   return list;
 }
 

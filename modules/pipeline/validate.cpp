@@ -4,6 +4,7 @@
 
 #include "base/option_text.h"
 #include "base/core/path_list.h"
+#include "pipeline/skipped_stages.h"
 
 namespace bole::pipeline {
 namespace {
@@ -71,7 +72,7 @@ void check_joint(const PipelineDocument& document, const StageNode& node, const 
                                      "', which is not there; needed: one of " + (list.empty() ? "none" : list)});
     return;
   }
-  if (from.skipped() && !port->optional) {
+  if (is_skipped(document, from) && !port->optional) {
     problems.push_back({node.id, "input '" + port_name + "' takes from '" + from.id +
                                      "', which is skipped because its file is not given"});
     return;
@@ -121,7 +122,7 @@ std::vector<Problem> validate(const PipelineDocument& document) {
   }
   ArraysOf arrays(document);
   for (const auto& node : document.stages()) {
-    if (node.skipped()) continue;
+    if (is_skipped(document, node)) continue;
     for (const auto& [port, joint] : node.inputs) {
       try {
         check_joint(document, node, port, joint, circle.message.empty() ? &arrays : nullptr, problems);

@@ -91,6 +91,8 @@ class RowsReport {
         lines_(inputs.table("lines")),
         strays_(inputs.has("strays") ? &inputs.table("strays") : nullptr),
         edits_(inputs.has("edits") ? &inputs.table("edits") : nullptr),
+        pose_(inputs.has("pose") ? &inputs.table("pose") : nullptr),
+        marks_(inputs.has("marks") ? &inputs.table("marks") : nullptr),
         o_(options),
         run_(run),
         writer_(run) {}
@@ -100,6 +102,8 @@ class RowsReport {
     add_table("plants.csv", plants_);
     if (strays_ != nullptr) add_table("strays.csv", *strays_);
     if (edits_ != nullptr && edits_->rows() > 0) add_table("edits.csv", *edits_);
+    if (pose_ != nullptr) add_table("sensor_pose.csv", *pose_);
+    if (marks_ != nullptr) add_table("sensor_marks.csv", *marks_);
     const std::string crs = fact(rows_, "crs");
     const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
     writer_.write("rows.gpkg", [&](const auto& path) {
@@ -150,6 +154,7 @@ class RowsReport {
                              {"length_m", "length (m)"},
                              {"shape", "shape"}},
                             2});
+    add_pose();
     if (missing.rows() > 0)
       page_.tables.push_back({"Missing plants",
                               "",
@@ -174,6 +179,30 @@ class RowsReport {
     writer_.write("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
   }
 
+  void add_pose() {
+    if (pose_ != nullptr)
+      page_.tables.push_back({"Sensor",
+                              "Position and heading from marks, with standard errors. That of the heading is part of "
+                              "the angle of every row.",
+                              pose_,
+                              {{"x_m", "x (m)"},
+                               {"x_se_m", "standard error"},
+                               {"y_m", "y (m)"},
+                               {"y_se_m", "standard error"},
+                               {"z_m", "z (m)"},
+                               {"z_se_m", "standard error"},
+                               {"yaw_deg", "yaw (deg)"},
+                               {"yaw_se_deg", "standard error"},
+                               {"sigma0", "residuals over expected"}},
+                              3});
+    if (marks_ != nullptr)
+      page_.tables.push_back({"Marks",
+                              "Known minus adjusted position of each mark in metres.",
+                              marks_,
+                              {{"name", "mark"}, {"dx_m", "x"}, {"dy_m", "y"}, {"dz_m", "z"}, {"range_m", "range"}},
+                              3});
+  }
+
   Table missing_plants() const {
     std::vector<std::size_t> picked;
     const auto& state = plants_.texts("state");
@@ -183,7 +212,7 @@ class RowsReport {
   }
 
   const Table &rows_, &plants_, &lines_;
-  const Table *strays_, *edits_;
+  const Table *strays_, *edits_, *pose_, *marks_;
   const RowsReportOptions& o_;
   const Run& run_;
   ReportWriter writer_;
@@ -204,13 +233,16 @@ pipeline::StageType rows_report_stage() {
   type.help =
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "
       "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG "
-      "and PDF, edits.csv where a person changed something, and report.html with the tables and the map.";
+      "and PDF, edits.csv where a person changed something, sensor_pose.csv and sensor_marks.csv where the sensor was "
+      "resected, and report.html with the tables and the map.";
   type.source = "Bole";
   type.inputs = {{"rows", DataKind::table, "Rows with their ends and directions.", false, {}},
                  {"plants", DataKind::table, "Plants in their rows.", false, {}},
                  {"lines", DataKind::table, "Vertices of the guidance lines.", false, {}},
                  {"strays", DataKind::table, "Plants in no row.", true, {}},
-                 {"edits", DataKind::table, "What a person changed, from rows.edit.", true, {}}};
+                 {"edits", DataKind::table, "What a person changed, from rows.edit.", true, {}},
+                 {"pose", DataKind::table, "Pose of the sensor, from rows.resect.", true, {}},
+                 {"marks", DataKind::table, "Residuals of its marks.", true, {}}};
   type.options = &option_table(static_cast<const RowsReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

@@ -1,11 +1,12 @@
-// Registers report.plot, report.compare, report.rows and report.steering. They live in bole_report and not with the
-// stages of the core modules, because they draw.
+// Registers report.plot, report.compare, report.rows, report.steering, report.sample and report.plant. They live in
+// bole_report and not with the stages of the core modules, because they draw.
 #include "pipeline/result_names.h"
 #include "report/compare/compare_report.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/revisit_report.h"
 #include "report/rows_report.h"
+#include "report/sample_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
 
@@ -64,11 +65,17 @@ void register_result_names() {
                               "rows.geojson",
                               "rows.gpkg",
                               "runs.csv",
+                              "sample_plots.csv",
+                              "sample_summary.csv",
                               "scene.ply",
                               "sections.csv",
+                              "sensor_marks.csv",
+                              "sensor_pose.csv",
                               "slope.tif",
                               "steering_errors.csv",
                               "steering_gains.csv",
+                              "steering_headlands.csv",
+                              "steering_lines.csv",
                               "steering_log.csv",
                               "steering_passes.csv",
                               "steering_summary.csv",
@@ -123,6 +130,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(rows_report_stage());
   registry.add(revisit_report_stage());
   registry.add(steering_report_stage());
+  registry.add(sample_report_stage());
   registry.add(plant_report_stage());
   registry.add(compare_report_stage());
 }

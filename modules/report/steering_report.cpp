@@ -9,6 +9,7 @@
 
 #include "base/atomic_file.h"
 #include "cloud/table_columns.h"
+#include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
 #include "render/charts/steering_charts.h"
 #include "render/draw/axes.h"
@@ -35,13 +36,15 @@ namespace {
 struct File {
   const char *port, *name, *help;
 };
-constexpr std::array<File, 6> files{{
+constexpr std::array<File, 8> files{{
     {"summary", "steering_summary.csv", "Errors by speed, the published ones beside."},
     {"passes", "steering_passes.csv", "Errors by pass."},
     {"errors", "steering_errors.csv", "Errors by fix."},
     {"log", "steering_log.csv", "The log of the drive."},
     {"parameters", "steering_gains.csv", "Gains from tuning."},
     {"steps", "steering_tuning.csv", "Every try of the tuning."},
+    {"lines", "steering_lines.csv", "Guidance lines."},
+    {"headlands", "steering_headlands.csv", "Corners of the headlands."},
 }};
 
 // Hundredths of a millimetre are more than any receiver knows.
@@ -117,15 +120,28 @@ class SteeringReport {
           const auto& table = inputs_.table(file.port);
           io::write_table(path, table, decimals_of(table));
         });
+    if (inputs_.has("lines")) write_lines();
     if (o_.figures && inputs_.has("errors")) writer_.attempt("error curves", [&] { draw(); });
     if (writer_.files().empty() && writer_.report().warnings.empty())
       throw bad_input("report.steering has no input",
-                      "at least one of summary, passes, errors, log, parameters, steps");
+                      "at least one of summary, passes, errors, log, parameters, steps, lines");
     write_page();
     return writer_.finish();
   }
 
  private:
+  // For machines and maps, in longitude and latitude where the plane is known.
+  void write_lines() {
+    const auto& lines = inputs_.table("lines");
+    const auto crs = lines.facts.find("crs");
+    io::VectorLayer layer{
+        "ab_lines", io::GeometryKind::line, {}, lines, crs == lines.facts.end() ? std::string() : crs->second};
+    const auto ax = lines.numbers("a_x_m"), ay = lines.numbers("a_y_m"), bx = lines.numbers("b_x_m"),
+               by = lines.numbers("b_y_m");
+    for (std::size_t i = 0; i < lines.rows(); ++i) layer.shapes.push_back({{ax[i], ay[i], 0}, {bx[i], by[i], 0}});
+    writer_.write("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, layer); });
+  }
+
   void draw() {
     const auto& errors = inputs_.table("errors");
     writer_.save(render::tracking_error_curves(errors, o_.figure_width), {.dpi = o_.dpi});
@@ -170,7 +186,9 @@ class SteeringReport {
   }
 
   void write_page() {
-    page_.title = inputs_.has("parameters") ? "Tuning of the steering" : "Steering test";
+    page_.title = inputs_.has("parameters")                        ? "Tuning of the steering"
+                  : inputs_.has("lines") && !inputs_.has("passes") ? "Guidance lines"
+                                                                   : "Steering test";
     if (inputs_.has("passes"))
       page_.paragraphs.push_back(fmt::format("{} passes along their lines.", inputs_.table("passes").rows()));
     if (inputs_.has("summary")) add_errors();
@@ -183,6 +201,19 @@ class SteeringReport {
                  {"speed_km_h", "km/h"},
                  {"length_m", "length (m)"}},
                 spread_columns(), 2);
+    if (inputs_.has("lines"))
+      page_.tables.push_back({"Guidance lines",
+                              "In metres, from A to B; line 0 leads through A and B, line 1 is the next to its left. "
+                              "ab_lines.geojson holds them for machines and maps.",
+                              &inputs_.table("lines"),
+                              {{"line", "line"},
+                               {"part", "part"},
+                               {"a_x_m", "A x"},
+                               {"a_y_m", "A y"},
+                               {"b_x_m", "B x"},
+                               {"b_y_m", "B y"},
+                               {"length_m", "length"}},
+                              2});
     for (const auto& [port, title] : {std::pair{"parameters", "Gains"}, {"steps", "Tries"}})
       if (inputs_.has(port)) {
         Columns columns;
@@ -216,9 +247,10 @@ pipeline::StageType steering_report_stage() {
   type.vtk_class = "vtkBoleSteeringReport";
   type.title = "Write the steering test";
   type.help =
-      "Writes the errors of a steering test by speed, pass and fix, the log, the tuning, and the error curves as PNG, "
-      "SVG and PDF into the output folder, and report.html, one page with the tables and curves. Inputs that are not "
-      "connected are left out.";
+      "Writes the errors of a steering test by speed, pass and fix, the log, the tuning, guidance lines (also as "
+      "GeoJSON), and the error curves as PNG, SVG and PDF into the output folder, and report.html, one page with the "
+      "tables and curves. Errors stand beside those that the paper published. Inputs that are not connected are left "
+      "out.";
   type.source = "Bole";
   for (const auto& file : files) type.inputs.push_back({file.port, DataKind::table, file.help, true, {}});
   type.options = &option_table(static_cast<const SteeringReportOptions*>(nullptr));

@@ -3,6 +3,7 @@
 #include "rows/core/edits/apply_row_edits.h"
 #include "rows/core/frame/frame_filters.h"
 #include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/sensor_pose.h"
 #include "rows/core/rows/find_rows.h"
 #include "rows/core/rows/hedge_rows.h"
 
@@ -140,15 +141,47 @@ pipeline::StageType place() {
   type.title = "Place stems on the map";
   type.help =
       "Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position "
-      "and yaw of the sensor.";
+      "and yaw of the sensor: by hand, or from rows.resect, whose standard error of the heading then counts in the "
+      "directions of rows.";
   type.source = paper;
-  type.inputs = {{"stems", DataKind::table, "Centres in frame axes: x_m, y_m.", false, {}}};
+  type.inputs = {{"stems", DataKind::table, "Centres in frame axes: x_m, y_m.", false, {}},
+                 {"pose", DataKind::table, "Pose of the sensor, in place of the options.", true, {}}};
   type.outputs = {{"stems", DataKind::table, "The same in navigation axes.", false, {}}};
   type.options = &option_table(static_cast<const PlaceOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
     pipeline::StageResult result;
-    result.outputs.set("stems", place_stems(inputs.table("stems"), options.as<PlaceOptions>()));
+    const Table* pose = inputs.has("pose") ? &inputs.table("pose") : nullptr;
+    result.outputs.set("stems", place_stems(inputs.table("stems"), options.as<PlaceOptions>(), pose));
     result.report.message = std::to_string(inputs.table("stems").rows()) + " stems placed";
+    return result;
+  };
+  return type;
+}
+
+pipeline::StageType resect() {
+  pipeline::StageType type;
+  type.name = "rows.resect";
+  type.vtk_class = "vtkBoleResectSensor";
+  type.title = "Resect the sensor";
+  type.help =
+      "Finds position and heading of the sensor from marks of known position that the frame shows, with covariance "
+      "and residuals. Give the places where an antenna stood (E, F, G) and where the levelled frame shows it. Marks "
+      "that were mixed up, swapped axes and weak geometry are refused with the reason.";
+  type.source = paper;
+  type.inputs = {{"marks",
+                  DataKind::table,
+                  "name, x_m, y_m, z_m (known); seen_x_m, seen_y_m, seen_z_m (frame); range_m where measured.",
+                  false,
+                  {}}};
+  type.outputs = {{"pose", DataKind::table, "Position, yaw, standard errors and covariance.", false, {}, true},
+                  {"residuals", DataKind::table, "Known minus adjusted position of each mark.", false, {}, true}};
+  type.options = &option_table(static_cast<const ResectOptions*>(nullptr));
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
+    auto found = sensor_pose(inputs.table("marks"), options.as<ResectOptions>());
+    pipeline::StageResult result;
+    result.outputs.set("pose", std::move(found.pose));
+    result.outputs.set("residuals", std::move(found.residuals));
+    result.report = std::move(found.report);
     return result;
   };
   return type;
@@ -220,6 +253,7 @@ void add_frame_steps(pipeline::StageRegistry& registry) {
       "plants; 0 is no plant.",
       [](const PointCloud& c, const MeanShiftOptions& o, const Run& run) { return mean_shift(c, o, run); }));
   registry.add(trunks());
+  registry.add(resect());
   registry.add(place());
 }
 

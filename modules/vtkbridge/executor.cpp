@@ -16,6 +16,7 @@
 #include "base/option_text.h"
 #include "base/core/path_list.h"
 #include "pipeline/result_folder.h"
+#include "pipeline/skipped_stages.h"
 #include "vtkBoleStage.h"
 #include "vtkbridge/core_conversion.h"
 #include "vtkbridge/file_keys.h"
@@ -236,7 +237,7 @@ StageOutcome PipelineExecutor::run_stage_of(const pipeline::StageNode& node, con
   auto* const vtk_stage = stage(node.id);
   StageOutcome outcome;
   outcome.record = {node.id, node.type->name, option_records(*vtk_stage->GetOptions()), {}, false};
-  if (node.skipped()) {
+  if (pipeline::is_skipped(document_, node)) {
     outcome.record.report.message = "Skipped: no file is given.";
     return outcome;
   }

@@ -74,7 +74,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bole", required=True)
     parser.add_argument("--work", required=True, type=pathlib.Path)
-    parser.add_argument("--simulate", nargs=argparse.REMAINDER, help="arguments of bole simulate, to the end of the line; {scan} in --set is its folder")
+    parser.add_argument("--simulate", nargs=argparse.REMAINDER, help="arguments of --simulator, to the end of the line; {scan} in --set is its folder")
+    parser.add_argument("--simulator", default="simulate", help="the command of bole that simulates")
     parser.add_argument("--pipeline", required=True)
     parser.add_argument("--set", action="append", default=[])
     parser.add_argument("--expect", action="append", default=[])
@@ -89,7 +90,7 @@ def main():
     shutil.rmtree(args.work, ignore_errors=True)
     scan = args.work / "scan"
     if args.simulate:
-        run([args.bole, "simulate", *args.simulate, "--out", scan])
+        run([args.bole, args.simulator, *args.simulate, "--out", scan])
     command = [args.bole, "run", args.pipeline, "--out", args.work / "out", "--no-cache"]
     for assignment in args.set:
         command += ["--set", assignment.replace("{scan}", str(scan))]

@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "document/stage_operations.h"
 #include "document/stage_words.h"
+#include "pipeline/skipped_stages.h"
 
 namespace bole::desktop {
 namespace {
@@ -87,7 +88,7 @@ void PipelinePanel::show_problems() {
 void PipelinePanel::show_state(QTreeWidgetItem* item) {
   const QString id = id_of(item), problem = problems_.value(id);
   const State state = states_.value(id);
-  const bool skipped = session_.document().at(id.toStdString()).skipped();
+  const bool skipped = pipeline::is_skipped(session_.document(), session_.document().at(id.toStdString()));
   const bool cannot = !problem.isEmpty() && state.state != StageMark::running;
   item->setIcon(state_column, state_icon(cannot ? StageMark::warning : state.state, palette()));
   item->setText(state_column, cannot ? tr("cannot run") : skipped ? tr("skipped") : state_text(state.state));

@@ -18,6 +18,7 @@
 
 #include "base/core/path_list.h"
 #include "document/stage_words.h"
+#include "pipeline/skipped_stages.h"
 
 namespace bole::desktop {
 namespace {
@@ -190,7 +191,7 @@ void PropertiesPanel::show_notice(const pipeline::StageNode& stage) {
   QStringList lines;
   for (const auto& problem : pipeline::validate(session_.document()))
     if (problem.stage == stage.id) lines << QString::fromStdString(problem.message);
-  if (stage.skipped()) lines << tr("This stage runs when its file is given.");
+  if (pipeline::is_skipped(session_.document(), stage)) lines << tr("This stage runs when its file is given.");
   notice_->setText(lines.join("\n"));
   notice_->setVisible(!lines.isEmpty());
 }

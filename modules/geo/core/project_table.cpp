@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -100,16 +101,29 @@ double first_finite(const std::vector<double>& values) {
   return std::nan("");
 }
 
+// A chain that takes receivers of both kinds needs no second pipeline for those that give metres.
+Projected unchanged(const Table& table) {
+  Projected result{table, {}};
+  result.report.counts["points"] = static_cast<std::int64_t>(table.rows());
+  result.report.counts["projected"] = 0;
+  result.report.message = fmt::format("{} points have metres and no degrees: unchanged", table.rows());
+  return result;
+}
+
 }  // namespace
 
 Projected project_table(const Table& table, const ProjectOptions& o) {
   const bool forward = o.direction == ProjectDirection::to_plane;
+  const bool geodetic = table.has("latitude_deg") && table.has("longitude_deg");
+  const bool metres = (table.has("x_m") && table.has("y_m")) || (table.has("a_x_m") && table.has("a_y_m"));
+  if (forward && !geodetic && metres) return unchanged(table);
   const auto a = table.numbers(forward ? "latitude_deg" : "x_m"), b = table.numbers(forward ? "longitude_deg" : "y_m");
   const auto definition =
       forward ? plane_of(o, mean_longitude_deg(b), first_finite(a)) : plane_of(o, std::nan(""), std::nan(""));
   const TransverseMercator projection(definition);
 
-  std::vector<double> first(a.size(), std::nan("")), second = first;
+  std::vector<double> first(a.size(), std::nan("")), second = first, convergence = first;
+  double scale_error = 0;
   std::int64_t missing = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!std::isfinite(a[i]) || !std::isfinite(b[i])) {
@@ -121,6 +135,8 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
         const auto p = projection.forward({a[i], b[i], 0});
         first[i] = p.easting_m;
         second[i] = p.northing_m;
+        convergence[i] = p.convergence_deg;
+        scale_error = std::max(scale_error, std::abs(p.scale - 1));
       } else {
         const auto p = projection.inverse(a[i], b[i]);
         first[i] = p.latitude_deg;
@@ -135,12 +151,17 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
   result.table.set(forward ? "x_m" : "latitude_deg", std::move(first));
   result.table.set(forward ? "y_m" : "longitude_deg", std::move(second));
   if (forward) {
+    result.table.set("convergence_deg", std::move(convergence));
     result.table.facts["axes"] = "global";
     result.table.facts["crs"] = projection.wkt();
   }
   auto& r = result.report;
   r.counts["points"] = static_cast<std::int64_t>(a.size()) - missing;
+  r.counts["projected"] = r.counts["points"];
   r.counts["missing"] = missing;
+  if (forward) r.metrics["scale_error"] = {100 * scale_error, Unit::percent};
+  if (forward && (table.has("x_m") || table.has("y_m")))
+    r.warn("x_m and y_m of the table are replaced by those of its latitude and longitude");
   r.metrics["central_meridian"] = {definition.central_meridian_deg, Unit::degree};
   r.message = fmt::format("{} points, central meridian {:g} deg, {}", a.size() - static_cast<std::size_t>(missing),
                           definition.central_meridian_deg, definition.ellipsoid.name);

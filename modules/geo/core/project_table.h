@@ -41,8 +41,9 @@ struct Projected {
   Report report;
 };
 
-// to_plane: adds x_m (easting) and y_m (northing) to a table with latitude_deg and longitude_deg. All rows get the
-// plane of the mean longitude when no zone is given. to_geodetic: the reverse. Facts `axes` = global and `crs` = WKT
+// to_plane: adds x_m (easting), y_m (northing) and convergence_deg (bearing of grid north from true north) to a table
+// with latitude_deg and longitude_deg. All rows get the plane of the mean longitude when no zone is given. A table
+// without degrees that has x_m and y_m stays as it is. to_geodetic: the reverse. Facts `axes` = global and `crs` = WKT
 // go with the table to the plane. Rows with missing numbers stay missing and are counted. Throws Error{bad_input}.
 Projected project_table(const Table& table, const ProjectOptions& options);
 

@@ -20,14 +20,14 @@ Drive::Drive(const DriveOptions& options, double speed_km_h, const GuidanceLine&
       target_speed_m_s_(speed_km_h / 3.6),
       tractor_(options, field_line.yaw_rad, seed),
       receiver_(options, seed),
-      filter_(options),
+      navigator_(options, {options.antenna_forward, options.antenna_left, options.antenna_up}),
       pid_(options, gains_of(options, speed_km_h)),
       attitude_noise_(seed, attitude_stream),
       line_(field_line) {}
 
 void Drive::place(const Eigen::Vector2d& rear_axle_nav, double yaw_rad) {
   tractor_.place(rear_axle_nav, yaw_rad, target_speed_m_s_);
-  filter_.start(rear_axle_nav, target_speed_m_s_ * Eigen::Vector2d(std::cos(yaw_rad), std::sin(yaw_rad)));
+  navigator_.start(rear_axle_nav, target_speed_m_s_ * Eigen::Vector2d(std::cos(yaw_rad), std::sin(yaw_rad)));
 }
 
 void Drive::follow(const GuidanceLine& line) {
@@ -41,22 +41,20 @@ DriveSample Drive::observe() {
   s.time_s = time_s_;
   s.truth = tractor_.rear_axle();
   const auto attitude = tractor_.attitude();
-  const Eigen::Vector3d arm(o_.antenna_forward, o_.antenna_left, o_.antenna_up);
-  const Eigen::Vector2d antenna = s.truth + (attitude.R_nav_body() * arm).head<2>();
+  const Eigen::Vector2d antenna = s.truth + (attitude.R_nav_body() * navigator_.lever_arm_body()).head<2>();
   const auto noise = [&](double sd_deg) { return sd_deg * rad_per_deg * attitude_noise_.normal(); };
   geo::Attitude measured = attitude;
   measured.roll_rad += noise(o_.tilt_noise_deg);
   measured.pitch_rad += noise(o_.tilt_noise_deg);
   measured.yaw_rad += noise(o_.heading_noise_deg);
   s.yaw_rad = measured.yaw_rad;
-  if (const auto fix = receiver_.fix(antenna))
-    s.received = geo::control_point({fix->x(), fix->y(), 0}, measured, arm).head<2>();
-  if (!s.received)
-    filter_.set_velocity(tractor_.speed_m_s() * Eigen::Vector2d(std::cos(s.yaw_rad), std::sin(s.yaw_rad)));
-  filter_.step(dt_s_, s.received);
-  s.navigated = filter_.position();
+  std::optional<Eigen::Vector3d> fix;
+  if (const auto seen = receiver_.fix(antenna)) fix = Eigen::Vector3d(seen->x(), seen->y(), 0);
+  const auto navigated = navigator_.step(dt_s_, fix, measured, tractor_.speed_m_s());
+  s.received = navigated.received;
+  s.navigated = navigated.position;
   s.offset_m = line_.offset_m(s.navigated);
-  s.stopped = filter_.seconds_without_fix() > o_.max_outage;
+  s.stopped = navigator_.filter().seconds_without_fix() > o_.max_outage;
   return s;
 }
 

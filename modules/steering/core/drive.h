@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "steering/core/guidance_line.h"
-#include "steering/core/position_velocity_filter.h"
+#include "steering/core/navigator.h"
 #include "steering/core/preview_pid.h"
 #include "steering/core/receiver.h"
 #include "steering/core/tractor.h"
@@ -45,7 +45,7 @@ class Drive {
   double dt_s_, target_speed_m_s_;
   Tractor tractor_;
   Receiver receiver_;
-  PositionVelocityFilter filter_;
+  Navigator navigator_;
   PreviewPid pid_;
   Random attitude_noise_;
   GuidanceLine line_;

@@ -6,39 +6,30 @@
 #include <functional>
 #include <numbers>
 
+#include "steering/core/motion.h"
+
 namespace bole::steering {
 namespace {
 
 constexpr double look_m = 1.0;      // way over which the direction of motion is taken
 constexpr double off_line_s = 1.0;  // so long the way may turn off without ending a pass
 
-using Direction = std::optional<double>;  // yaw, radians; none at rest
-
-// Direction of motion at each sample, from the points about `look_m` before and behind.
-std::vector<Direction> directions(const Track& track) {
-  const auto& p = track.truth;
-  std::vector<Direction> yaw(p.size());
-  std::size_t back = 0, ahead = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    while (back + 1 < i && (p[i] - p[back + 1]).norm() >= look_m) ++back;
-    ahead = std::max(ahead, i);
-    while (ahead + 1 < p.size() && (p[ahead] - p[i]).norm() < look_m) ++ahead;
-    const Eigen::Vector2d d = p[ahead] - p[back];
-    if (d.norm() > 0.2 * look_m) yaw[i] = std::atan2(d.y(), d.x());
-  }
-  return yaw;
+// Direction of motion at each sample.
+std::vector<double> directions(const Track& track, const std::vector<std::int64_t>& segment) {
+  return motion_yaws(track.truth, segment, look_m, 0.2 * look_m);
 }
 
 struct Stretch {
   std::size_t first, last;
 };
 
-// Runs of samples that `fits` accepts, with short breaks bridged.
-std::vector<Stretch> stretches(const Track& track, const std::function<bool(std::size_t)>& fits) {
+// Runs of samples that `fits` accepts, with short breaks bridged; a gap ends them.
+std::vector<Stretch> stretches(const Track& track, const std::vector<std::int64_t>& segment,
+                               const std::function<bool(std::size_t)>& fits) {
   std::vector<Stretch> found;
   for (std::size_t i = 0; i < track.truth.size(); ++i) {
     if (!fits(i)) continue;
-    if (!found.empty() &&
+    if (!found.empty() && segment[found.back().last] == segment[i] &&
         (i == found.back().last + 1 || track.time_s[i] - track.time_s[found.back().last] <= off_line_s))
       found.back().last = i;
     else
@@ -52,12 +43,13 @@ double angle_between(double a, double b) { return std::abs(std::remainder(a - b,
 }  // namespace
 
 std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, const PassLimits& limits) {
-  const auto yaw = directions(track);
+  const auto segment = segments_between_gaps(track.time_s, limits.max_gap_s);
+  const auto yaw = directions(track, segment);
   std::vector<Pass> passes;
   for (const int direction : {1, -1}) {
     const double wanted = line.yaw_rad + (direction > 0 ? 0 : std::numbers::pi);
     for (const auto& s : stretches(
-             track, [&](std::size_t i) { return yaw[i] && angle_between(*yaw[i], wanted) < limits.max_angle_rad; })) {
+             track, segment, [&](std::size_t i) { return angle_between(yaw[i], wanted) < limits.max_angle_rad; })) {
       Pass pass{s.first, s.last, 0, direction};
       const auto way = [&](std::size_t i) { return direction * line.along_m(track.truth[i]); };
       const double begin = way(s.first), end = way(s.last);
@@ -76,13 +68,14 @@ std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, cons
 }
 
 std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimits& limits) {
-  const auto yaw = directions(track);
+  const auto segment = segments_between_gaps(track.time_s, limits.max_gap_s);
+  const auto yaw = directions(track, segment);
   Stretch best{0, 0};
   double best_m = 0;
   for (std::size_t i = 0; i < track.truth.size();) {
     std::size_t j = i;
-    while (yaw[i] && j + 1 < track.truth.size() && yaw[j + 1] &&
-           angle_between(*yaw[j + 1], *yaw[i]) < limits.max_angle_rad)
+    while (j + 1 < track.truth.size() && segment[j + 1] == segment[j] &&
+           angle_between(yaw[j + 1], yaw[i]) < limits.max_angle_rad)
       ++j;
     // The first of several of about the same length, for A is where the work began.
     if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m) {

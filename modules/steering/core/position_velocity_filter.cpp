@@ -62,6 +62,7 @@ void PositionVelocityFilter::step(double dt_s, const std::optional<Eigen::Vector
     update(*fix_nav);
   } else if ((doubted_s_ += dt_s) > o_.patience) {
     start(*fix_nav, velocity());
+    ++jumps_;
   }
 }
 

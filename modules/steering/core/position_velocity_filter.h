@@ -19,6 +19,9 @@ class PositionVelocityFilter {
   // One step of dt_s; without a fix it only predicts.
   void step(double dt_s, const std::optional<Eigen::Vector2d>& fix_nav);
 
+  // Standard deviation of the fixes to come, per axis, where it is not that of the options.
+  void set_position_sigma(double sigma_m) { o_.position_sigma = sigma_m; }
+
   // Dead reckoning: what wheels and heading say in place of the last velocity, for the time without fixes.
   void set_velocity(const Eigen::Vector2d& velocity_nav) {
     x_(1) = velocity_nav.x();
@@ -30,6 +33,7 @@ class PositionVelocityFilter {
   Eigen::Vector2d position_sigma() const;
   double seconds_without_fix() const { return without_fix_s_; }  // that was believed or doubted
   bool doubts() const { return doubted_s_ > 0; }
+  int jumps() const { return jumps_; }  // how often it began anew where the fixes stayed
 
  private:
   void predict(double dt_s);
@@ -39,6 +43,7 @@ class PositionVelocityFilter {
   Eigen::Vector4d x_ = Eigen::Vector4d::Zero();
   Eigen::Matrix4d P_ = Eigen::Matrix4d::Identity();
   double without_fix_s_ = 0, doubted_s_ = 0;
+  int jumps_ = 0;
 };
 
 }  // namespace bole::steering

@@ -11,6 +11,7 @@
 #include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
+#include "steering/core/same_plane.h"
 #include "steering/core/tracking_tables.h"
 
 namespace bole::steering {
@@ -25,7 +26,7 @@ const OptionTable& option_table(const ErrorOptions*) {
                                        {0.01, 100},
                                        "log",
                                        Tier::basic,
-                                       "Distance between neighbouring lines. log: as the log gives it."},
+                                       "Distance between neighbouring lines. log: as the log or the lines give it."},
       Number{"run_in",
              &S::run_in,
              Unit::metre,
@@ -51,6 +52,7 @@ const OptionTable& option_table(const ErrorOptions*) {
              {0.1, 40},
              Tier::advanced,
              "Step, km/h, by which measured speeds are grouped when the log does not give them."},
+      Number{"max_gap", &S::max_gap, Unit::second, {0.1, 3600}, Tier::advanced, "A longer step in time ends a pass."},
   });
   return table;
 }
@@ -113,7 +115,9 @@ GuidanceLine line_of(const Table* lines, const Drive& drive, const PassLimits& l
     const Eigen::Vector2d a(lines->numbers("a_x_m")[0], lines->numbers("a_y_m")[0]),
         b(lines->numbers("b_x_m")[0], lines->numbers("b_y_m")[0]), d = b - a;
     if (!(d.norm() > 0.1)) throw bad_input("A and B are the same place", "two points of the line");
-    return {a, std::atan2(d.y(), d.x())};
+    GuidanceLine line{a, std::atan2(d.y(), d.x())};
+    if (lines->has("line")) line.a -= lines->numbers("line")[0] * limits.row_width_m * line.left();
+    return line;
   }
   const auto line = longest_straight(drive.track, limits);
   if (!line)
@@ -178,14 +182,24 @@ void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimit
   }
 }
 
+// Of the log, else of the lines; 0 where neither says it.
+double row_width_of(const Table& log, const Table* lines) {
+  for (const Table* table : {&log, lines})
+    if (table != nullptr)
+      if (const auto it = table->facts.find("row_width_m"); it != table->facts.end())
+        return number_from_text(it->second).value_or(0);
+  return 0;
+}
+
 }  // namespace
 
 TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table* reference,
                                const ErrorOptions& options, const Run& run) {
   PassLimits limits{options.row_width.value_or(0), options.run_in, options.run_out, options.min_length,
                     radians(options.max_angle_deg)};
-  if (const auto it = log.facts.find("row_width_m"); !options.row_width && it != log.facts.end())
-    limits.row_width_m = number_from_text(it->second).value_or(0);
+  limits.max_gap_s = options.max_gap;
+  if (!options.row_width) limits.row_width_m = row_width_of(log, lines);
+  if (lines != nullptr) check_same_plane(log, *lines, "log and lines");
   const auto drives = drives_of(log, reference);
   std::vector<MeasuredPass> passes;
   for (std::size_t i = 0; i < drives.size(); ++i) {

@@ -18,6 +18,7 @@ struct ErrorOptions {
   double min_length = 20;
   double max_angle_deg = 10;
   double speed_step_km_h = 1;
+  double max_gap = 5;
 };
 
 const OptionTable& option_table(const ErrorOptions*);
@@ -31,8 +32,9 @@ struct TrackingErrors {
 
 // `log`: time_s, x_m, y_m as the controller navigated; run, speed_km_h where known. Where the tractor really was comes
 // from ref_x_m and ref_y_m of the log, else from `reference` (time_s, x_m, y_m: interpolated), else the log is taken
-// for the truth and the receiver's share is unknown. `lines`: a_x_m, a_y_m, b_x_m, b_y_m of the first line, else the
-// longest straight stretch of each run gives it.
+// for the truth and the receiver's share is unknown. `lines`: a_x_m, a_y_m, b_x_m, b_y_m of the first line, or of any
+// one whose column line counts row widths to the left of it (plan_lines); else the longest straight stretch of each run
+// gives it. The row width comes from the options, else from the fact row_width_m of the log or the lines.
 //   error_m       true distance from the line, positive left of the way driven;
 //   controller_m  navigated distance from the line: what the controller left; receiver_m = controller_m - error_m;
 //   adjacent_m    true distance from the neighbouring pass driven before, minus the row width.

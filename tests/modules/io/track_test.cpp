@@ -77,6 +77,40 @@ TEST(Nmea, WhatIsBadIsCountedAndPassedOver) {
   EXPECT_EQ(log.track.rows(), 1U);
 }
 
+// One receiver may speak as GN and as GP; two receivers in one log do not agree.
+TEST(Nmea, TwoTalkersOfAnEpochAreToldApart) {
+  const auto at = [](const char* talker, const char* time, const char* latitude) {
+    return sentence(std::string(talker) + "GGA," + time + "," + latitude + ",N,11321.30000,E,4,9,1.0,30,M,,M,,");
+  };
+  const auto text = at("GP", "080150.00", "2308.88200") + at("GN", "080150.00", "2308.88210") +  // 0.2 m
+                    at("GN", "080151.00", "2308.88200") + at("GP", "080151.00", "2308.90000") +  // 33 m
+                    at("GP", "080152.00", "2308.88200") + at("GP", "080153.00", "2308.88200");
+  const auto log = read_nmea(bytes_of(text));
+  ASSERT_EQ(log.track.rows(), 4U);
+  EXPECT_NEAR(log.track.numbers("latitude_deg")[0], 23 + 8.8821 / 60, 1e-12);
+  EXPECT_NEAR(log.track.numbers("latitude_deg")[1], 23 + 8.882 / 60, 1e-12);
+  EXPECT_EQ(log.counts.talkers.at("GN"), 2);
+  EXPECT_EQ(log.counts.talkers.at("GP"), 4);
+  EXPECT_EQ(log.counts.talkers_differ, 1);
+  const auto track = read_track(bytes_of(text), "two.nmea", {});
+  EXPECT_EQ(track.report.facts.at("talkers"), "GN GP");
+  ASSERT_EQ(track.report.findings.size(), 1U);
+  EXPECT_EQ(track.report.findings[0].code, "talkers_differ");
+}
+
+TEST(Track, TimesThatRunBackAreToldAndRefusedWhereTheyAreMost) {
+  std::string csv = "time_s,x_m,y_m\n";
+  for (int i = 0; i < 5; ++i) csv += std::to_string(100 + i) + ",1,2\n";
+  const auto some = read_track(bytes_of(csv + "50,1,2\n"), "t", {});
+  ASSERT_EQ(some.report.findings.size(), 1U);
+  EXPECT_EQ(some.report.findings[0].severity, Severity::look);
+  for (int i = 0; i < 9; ++i) csv += std::to_string(i) + ",1,2\n";  // the log of an earlier day behind it
+  const auto most = read_track(bytes_of(csv), "t", {});
+  ASSERT_EQ(most.report.findings.size(), 1U);
+  EXPECT_EQ(most.report.findings[0].code, "times_run_back");
+  EXPECT_EQ(most.report.findings[0].severity, Severity::refused);
+}
+
 struct RealLog {
   const char* name;
   std::int64_t gga, vtg, rmc, bad, without_fix;

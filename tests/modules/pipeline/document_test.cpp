@@ -98,6 +98,35 @@ TEST(Document, AnOptionalStageIsSkippedWhileItsFileIsNotGiven) {
   EXPECT_THAT(validate(document), IsEmpty());
 }
 
+// What only works on an optional file has nothing to do without it either, however many stages lie between.
+TEST(Document, StagesBehindASkippedOneAreSkippedWhereTheySayThatTheyMay) {
+  auto document = PipelineDocument::parse(R"({"stages": [
+    {"id": "reference", "type": "toy.read", "optional": true},
+    {"id": "height", "type": "toy.height", "optional": true, "inputs": {"points": "reference.points"}},
+    {"id": "again", "type": "toy.height", "optional": true, "inputs": {"points": "height.points"}},
+    {"id": "compare", "type": "toy.compare", "optional": true, "inputs": {"reference": "again.points"}}]})",
+                                          registry());
+  ASSERT_THAT(document.in_order(), SizeIs(1));  // its input is not required
+  EXPECT_EQ(document.in_order()[0]->id, "compare");
+  EXPECT_THAT(document.joints(document.at("compare")), IsEmpty());
+  EXPECT_THAT(validate(document), IsEmpty());
+  document.set("reference.file", "/");
+  EXPECT_THAT(document.in_order(), SizeIs(4));
+  EXPECT_THAT(document.joints(document.at("compare")), SizeIs(1));
+}
+
+TEST(Document, ACircleOfOptionalStagesIsReportedAndNotFollowed) {
+  const auto document = PipelineDocument::parse(R"({"stages": [
+    {"id": "a", "type": "toy.height", "optional": true, "inputs": {"points": "b.points"}},
+    {"id": "b", "type": "toy.height", "optional": true, "inputs": {"points": "a.points"}},
+    {"id": "c", "type": "toy.height", "optional": true, "inputs": {"points": "gone.points"}}]})",
+                                                registry());
+  std::string all;
+  for (const auto& p : validate(document)) all += p.message + "\n";
+  EXPECT_THAT(all, HasSubstr("takes its own output"));
+  EXPECT_THAT(all, HasSubstr("gone"));
+}
+
 TEST(Validate, FindsWhatCannotRun) {
   const auto problems_of = [](const std::string& text) {
     std::string all;

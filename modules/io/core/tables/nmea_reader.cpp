@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/no_number.h"
 #include "io/core/bytes/line_reader.h"
 
@@ -81,7 +82,15 @@ struct Epoch {
          speed = no_number, course = no_number, heading = no_number, sd_east = no_number, sd_north = no_number,
          sd_height = no_number;
   std::int64_t quality = 0, satellites = 0;
+  std::string talker;  // of its GGA
 };
+
+// Metres between two places of a degree or less; enough to tell two receivers from one.
+double about_metres_apart(double latitude_a, double longitude_a, double latitude_b, double longitude_b) {
+  constexpr double metres_per_deg = 111'200;
+  return metres_per_deg *
+         std::hypot(latitude_a - latitude_b, (longitude_a - longitude_b) * std::cos(radians(latitude_a)));
+}
 
 class Reader {
  public:
@@ -91,6 +100,7 @@ class Reader {
     const auto f = split_commas(body);
     if (f[0].size() < 5) return;
     const std::string type(f[0].substr(2));
+    talker_ = f[0].substr(0, 2);
     ++counts_.good;
     try {
       if (type == "GGA")
@@ -176,6 +186,12 @@ class Reader {
       ++counts_.without_fix;
       return;
     }
+    ++counts_.talkers[talker_];
+    if (!now_.talker.empty() && now_.talker != talker_) {
+      counts_.talkers_differ += about_metres_apart(now_.latitude, now_.longitude, latitude, longitude) > 1 ? 1 : 0;
+      if (talker_ != "GN") return;
+    }
+    now_.talker = talker_;
     now_.latitude = latitude;
     now_.longitude = longitude;
     now_.hdop = hdop;
@@ -195,6 +211,7 @@ class Reader {
       return;
     }
     if (std::isnan(now_.latitude)) {
+      ++counts_.talkers[talker_];
       now_.latitude = latitude;
       now_.longitude = longitude;
     }
@@ -230,6 +247,7 @@ class Reader {
   }
 
   NmeaCounts& counts_;
+  std::string talker_;  // of the sentence
   std::vector<Epoch> epochs_;
   Epoch now_;
   double days_ = 0, last_s_ = no_number;

@@ -15,10 +15,12 @@ struct NmeaCounts {
   std::map<std::string, std::int64_t> sentences;  // good ones, by type without the talker: "GGA"
   std::int64_t good = 0;                          // sentences with the right checksum, of any type
   std::int64_t bad_checksum = 0, without_checksum = 0;
-  std::int64_t malformed = 0;     // right checksum, but a field that cannot be read
-  std::int64_t without_fix = 0;   // GGA of quality 0, RMC that is not valid
-  std::int64_t out_of_order = 0;  // epochs that go back in time
-  std::int64_t other_bytes = 0;   // outside of sentences: binary messages, comments
+  std::int64_t malformed = 0;                   // right checksum, but a field that cannot be read
+  std::int64_t without_fix = 0;                 // GGA of quality 0, RMC that is not valid
+  std::int64_t out_of_order = 0;                // epochs that go back in time
+  std::int64_t other_bytes = 0;                 // outside of sentences: binary messages, comments
+  std::map<std::string, std::int64_t> talkers;  // positions (GGA, RMC) by talker: "GP" GPS alone, "GN" several systems
+  std::int64_t talkers_differ = 0;              // epochs whose GGA sentences of two talkers are more than a metre apart
 };
 
 struct NmeaLog {
@@ -32,8 +34,9 @@ struct NmeaLog {
   NmeaCounts counts;
 };
 
-// Reads GGA, RMC, VTG, GST and HDT of any talker. VTG and HDT belong to the epoch before them. Bad sentences are
-// counted and skipped; no content of a file is an error.
+// Reads GGA, RMC, VTG, GST and HDT of any talker. VTG and HDT belong to the epoch before them. Where two talkers give a
+// position for one epoch, that of GN (all systems together) counts, else the first. Bad sentences are counted and
+// skipped; no content of a file is an error.
 NmeaLog read_nmea(Bytes file, const Run& run = {});
 
 // Whether a file holds NMEA sentences, by its first 64 KiB.

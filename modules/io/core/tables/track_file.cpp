@@ -36,6 +36,15 @@ double seconds_of(double hhmmss) {
   return h < 24 && m < 60 && s < 61 && hhmmss >= 0 ? 3600 * h + 60 * m + s : no_number;
 }
 
+void tell_times_run_back(std::int64_t dropped, std::size_t kept, Report& report) {
+  const bool most = static_cast<std::size_t>(dropped) > kept;
+  report.find(
+      most ? Severity::refused : Severity::look, "times_run_back",
+      fmt::format("{} positions go back in time and are left out, {} are kept: look whether two logs were joined, "
+                  "or the clock was set",
+                  dropped, kept));
+}
+
 // Rows with a finite place whose times increase.
 Table in_order(const Table& t, const TrackOptions& o, Report& report) {
   const bool geodetic = t.has("latitude_deg") && t.has("longitude_deg");
@@ -61,6 +70,7 @@ Table in_order(const Table& t, const TrackOptions& o, Report& report) {
     kept.push_back(i);
   }
   report.counts["back_in_time"] = back;
+  if (back > 0) tell_times_run_back(back, kept.size(), report);
   report.counts["low_quality"] = low;
   return t.subset(kept);
 }
@@ -158,6 +168,19 @@ Table read_nmea_track(Bytes file, const std::string&, const TrackOptions&, Repor
                     "cannot be read",
                     bad, c.bad_checksum, c.without_checksum, c.malformed));
   if (c.without_fix > 0) report.warn(fmt::format("{} sentences report no fix", c.without_fix));
+  if (c.out_of_order > 0) tell_times_run_back(c.out_of_order, log.track.rows(), report);
+  std::string talkers;
+  for (const auto& [talker, count] : c.talkers) {
+    report.counts["talker_" + talker] = count;
+    talkers += (talkers.empty() ? "" : " ") + talker;
+  }
+  report.facts["talkers"] = talkers;
+  if (c.talkers_differ > 0)
+    report.find(
+        Severity::look, "talkers_differ",
+        fmt::format("{} epochs have positions of two talkers ({}) more than a metre apart: the log may hold two "
+                    "receivers. That of GN counts, else the first",
+                    c.talkers_differ, talkers));
   return std::move(log.track);
 }
 

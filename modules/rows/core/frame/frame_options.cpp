@@ -131,7 +131,7 @@ const OptionTable& option_table(const TrunkOptions*) {
 const OptionTable& option_table(const PlaceOptions*) {
   using S = PlaceOptions;
   static const OptionTable table = make_option_table<S>({
-      metres("x", &S::x, -1e8, 1e8, "Easting of the sensor, from resection or a receiver."),
+      metres("x", &S::x, -1e8, 1e8, "Easting of the sensor, from a receiver. Leave 0 where its marks are connected."),
       metres("y", &S::y, -1e8, 1e8, "Northing of the sensor."),
       degrees("yaw", &S::yaw_deg, -360, 360,
               "Angle from east to the x axis of the frame, towards north. 0 when y points north."),

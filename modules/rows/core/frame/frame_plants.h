@@ -22,7 +22,10 @@ PointCloud mean_shift(const PointCloud& frame, const MeanShiftOptions& options, 
 // `dense`: the same frame before it was thinned, levelled, the sensor at its origin; needed for centre = face.
 Table trunk_centres(const PointCloud& plants, const PointCloud* dense, const TrunkOptions& options, Report& report);
 
-// Centres moved from frame axes to navigation axes (x east, y north): turned by yaw, then shifted (eq. 4).
-Table place_stems(const Table& stems, const PlaceOptions& options);
+// Centres moved from frame axes to navigation axes (x east, y north): turned by yaw, then shifted (eq. 4). `pose`,
+// where it is given, takes the place of the options: one row of x_m, y_m, yaw_deg; its facts axes and crs go with the
+// stems, and the standard error of the yaw as the fact yaw_se_deg, which the directions of rows share. Throws
+// Error{bad_input} where both are given.
+Table place_stems(const Table& stems, const PlaceOptions& options, const Table* pose = nullptr);
 
 }  // namespace bole::rows

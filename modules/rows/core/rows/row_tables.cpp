@@ -4,6 +4,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "base/option_text.h"
 #include "base/statistics.h"
 
 namespace bole::rows {
@@ -33,8 +34,15 @@ Ids ids_of(const RowSet& set, const std::vector<int>& row_of) {
   return numbers;
 }
 
+constexpr const char* yaw_se_fact = "yaw_se_deg";  // of the axes of all stems: place_stems()
+
+double yaw_se_rad(const RowSet& set) {
+  const auto it = set.stems->facts.find(yaw_se_fact);
+  return it == set.stems->facts.end() ? 0 : radians(number_from_text(it->second).value_or(0));
+}
+
 void copy_facts(const RowSet& set, Table& table) {
-  for (const char* name : {"axes", "crs"})
+  for (const char* name : {"axes", "crs", yaw_se_fact})
     if (const auto it = set.stems->facts.find(name); it != set.stems->facts.end()) table.facts[name] = it->second;
 }
 
@@ -56,6 +64,7 @@ Table rows_table(const RowSet& set) {
   std::vector<std::string> shape;
   std::vector<int> index_in_block(set.rows.size());
   std::vector<double> to_next(set.rows.size(), no_number);
+  const double turn_se = yaw_se_rad(set), turn_half = student_975(1e6) * turn_se;
   for (const auto& b : set.blocks)
     for (std::size_t k = 0; k < b.rows.size(); ++k) {
       index_in_block[static_cast<std::size_t>(b.rows[k])] = static_cast<int>(k) + 1;
@@ -64,9 +73,10 @@ Table rows_table(const RowSet& set) {
   for (const int r : set.order) {
     const auto& row = set.rows[static_cast<std::size_t>(r)];
     const auto [a, b] = ends_of(set, row);
-    const double half = student_975(static_cast<double>(row.plants.size()) - 2) * row.line.angle_se_rad;
+    const double half =
+        std::hypot(student_975(static_cast<double>(row.plants.size()) - 2) * row.line.angle_se_rad, turn_half);
     angle.push_back(row.line.angle_rad / rad_per_deg);
-    se.push_back(row.line.angle_se_rad / rad_per_deg);
+    se.push_back(std::hypot(row.line.angle_se_rad, turn_se) / rad_per_deg);
     lo.push_back((row.line.angle_rad - half) / rad_per_deg);
     hi.push_back((row.line.angle_rad + half) / rad_per_deg);
     x0.push_back(a.x());
