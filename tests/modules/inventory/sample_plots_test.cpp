@@ -89,7 +89,9 @@ TEST(SamplePlots, ScatterFallsAsTheRootOfTheArea) {
              poisson = study.summary.numbers("stems_per_ha_poisson_sd_pct");
   const auto& edge = study.summary.texts("edge");
   for (std::size_t i = 0; i < sd.size(); ++i)
-    if (edge[i] == "inside") EXPECT_NEAR(sd[i] / poisson[i], 1, 0.2) << i;
+    if (edge[i] == "inside") {
+      EXPECT_NEAR(sd[i] / poisson[i], 1, 0.2) << i;
+    }
 }
 
 TEST(SamplePlots, ErrorsOfDistancesBiasSmallPlotsMost) {
@@ -101,7 +103,9 @@ TEST(SamplePlots, ErrorsOfDistancesBiasSmallPlotsMost) {
   const auto a = study.summary.numbers("stems_per_ha_mean"), b = exact.summary.numbers("stems_per_ha_mean"),
              r = study.summary.numbers("radius_m");
   for (std::size_t i = 0; i < a.size(); ++i)
-    if (edge[i] == "inside") EXPECT_NEAR(a[i] / b[i], std::pow((r[i] + 0.1) / r[i], 2), 0.012) << i;
+    if (edge[i] == "inside") {
+      EXPECT_NEAR(a[i] / b[i], std::pow((r[i] + 0.1) / r[i], 2), 0.012) << i;
+    }
 }
 
 // A stand that lies elsewhere and points elsewhere gives the same study.
