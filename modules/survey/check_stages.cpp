@@ -25,7 +25,7 @@ pipeline::StageResult run_check(const DataSet& inputs, const OptionSet& options,
   pipeline::StageResult result;
   result.outputs.set("findings", std::move(check.findings));
   result.outputs.set("cells", std::move(check.cells));
-  result.outputs.set("stems", std::move(check.stems));
+  result.outputs.set("stem_measures", std::move(check.stems));
   result.outputs.set("boundary", std::move(check.boundary));
   result.report = std::move(check.report);
   return result;
@@ -65,7 +65,7 @@ void register_check(pipeline::StageRegistry& registry) {
        .arrays = {},
        .in_summary = true},
       {"cells", DataKind::table, "The measures of every cell of the plot.", false, {}},
-      {"stems", DataKind::table, "Scatter about the bark and distance of the passes at each stem.", false, {}},
+      {"stem_measures", DataKind::table, "Scatter about the bark and distance of the passes at each stem.", false, {}},
       {"boundary", DataKind::table, "Trees on the boundary, in or out by the rule.", false, {}}};
   type.main_numbers = {"ground_unseen", "one_sided", "ground_pass_spread", "stem_pass_spread", "wall", "common_lean"};
   type.options = &option_table(static_cast<const CheckOptions*>(nullptr));

@@ -4,7 +4,7 @@
 
 # bole_registered_stages(OUT NAME): the list "stems.measure" "vtkBoleMeasureStems" "stems.edit" ... of a module.
 function(bole_registered_stages out name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/modules/${name}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/modules/${name}/*.cpp ${CMAKE_SOURCE_DIR}/modules/${name}/*/*.cpp)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources})
   set(stages "")
   foreach(source IN LISTS sources)

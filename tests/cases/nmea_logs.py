@@ -18,8 +18,8 @@ SKIPPED = 77  # what ctest takes for a skipped test
 # By log: options, what the run says where it ends without passes (else None), counts of stages, findings.
 EXPECTED = {
     "AMOD_AGL3080_20121104_134730.txt": (
-        ["errors.run_in=5", "errors.run_out=2"], None,
-        {"track": {"bad_checksum": 2, "talker_GP": None}, "navigate": {"quality_1": 559, "quality_2": 35, "quality_6": 28, "back_in_time": 0}},
+        ["errors.run_in=0", "errors.run_out=0"], None,
+        {"track": {"without_checksum": 2, "talker_GP": None}, "navigate": {"quality_1": 559, "quality_2": 35, "quality_6": 28, "back_in_time": 0}},
         {"poor_fixes", "fixes_too_poor", "no_lever_arm"}),
     "TrimbleR2SampleData.txt": ([], "straight stretch", {"navigate": {"quality_2": 25, "quality_5": 9}}, set()),
     "gpsd_hemi.log": ([], "straight stretch", {"track": {"without_fix": 194}, "navigate": {"fixes": 21}}, {"fixes_too_poor"}),

@@ -403,7 +403,7 @@ class RunningTest : public QObject {
     const auto verdict = editor->loops()->texts("verdict")[0];
     trigger(verdict == "accepted" ? "loop.refuse" : "loop.accept");
     const auto edits = option_text(window_->session().document().at("loops").options.get("edits"));
-    QVERIFY(edits.find("from_frame") != std::string::npos && edits.find("author") != std::string::npos);
+    QVERIFY(edits.find("from_frame") != std::string::npos && edits.find("\"time\"") != std::string::npos);
     QTRY_VERIFY_WITH_TIMEOUT(editor->loops()->texts("verdict")[0] != verdict, 60000);
     QCOMPARE(QString::fromStdString(editor->loops()->texts("state")[0]), QString("edited"));
     QCOMPARE(int(runner().jobs().back()->state), int(JobState::done));

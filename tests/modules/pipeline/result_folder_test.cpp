@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -19,6 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+
+// Of one test with its parameter: tests that run at the same time must not share it.
+std::string folder_name() {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::ranges::replace(name, '/', '_');
+  return "bole_" + name;
+}
 
 class ResultFolders : public testing::Test {
  protected:
@@ -65,8 +73,7 @@ class ResultFolders : public testing::Test {
     return count;
   }
 
-  const fs::path top_ = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name(),
-                 dir_ = top_ / "out";
+  const fs::path top_ = fs::path(testing::TempDir()) / folder_name(), dir_ = top_ / "out";
 };
 
 TEST_F(ResultFolders, ASurveyTakesThePlaceOfTheOneBefore) {

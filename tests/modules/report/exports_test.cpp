@@ -165,7 +165,7 @@ TEST(Exports, APlaceOnTheEarthIsInEveryFile) {
   Report report;
   for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
 
-  const auto cloud = io::read_cloud(dir / "cloud.las").cloud;
+  const auto cloud = io::read_cloud(dir / "cloud.laz").cloud;
   EXPECT_EQ(cloud.axes, Axes::global);
   EXPECT_THAT(cloud.crs_wkt, testing::HasSubstr("25832"));
   EXPECT_LT((exact_position(cloud, 7) - frame.to_global(s.points.position(7))).norm(), 2e-4);
