@@ -29,10 +29,6 @@ const pipeline::StageType& first_type(std::string_view what, Is is) {
 
 bool takes_edits(const pipeline::StageType& type) { return has_option(type, edits_option); }
 
-const pipeline::StageNode* stage_with_input(const pipeline::PipelineDocument& document, std::string_view port) {
-  return first_stage(document, [&](const pipeline::StageType& type) { return type.input(port) != nullptr; });
-}
-
 const pipeline::StageNode* stage_with_output(const pipeline::PipelineDocument& document, std::string_view port) {
   return first_stage(document, [&](const pipeline::StageType& type) { return type.output(port) != nullptr; });
 }
@@ -42,9 +38,17 @@ const pipeline::StageNode* editor_of(const pipeline::PipelineDocument& document,
       document, [&](const pipeline::StageType& type) { return takes_edits(type) && type.output(port) != nullptr; });
 }
 
-const pipeline::StageType& type_with_input(std::string_view port) {
-  return first_type("the input " + std::string(port),
-                    [&](const pipeline::StageType& type) { return type.input(port) != nullptr; });
+const pipeline::StageNode* stage_between(const pipeline::PipelineDocument& document, std::string_view input,
+                                         std::string_view output) {
+  return first_stage(document, [&](const pipeline::StageType& type) {
+    return type.input(input) != nullptr && type.output(output) != nullptr;
+  });
+}
+
+const pipeline::StageType& type_between(std::string_view input, std::string_view output) {
+  return first_type(
+      "the input " + std::string(input) + " and the output " + std::string(output),
+      [&](const pipeline::StageType& type) { return type.input(input) != nullptr && type.output(output) != nullptr; });
 }
 
 const pipeline::StageType& table_reader() {

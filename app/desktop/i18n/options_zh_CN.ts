@@ -1832,6 +1832,66 @@
             <source>Match frames</source>
             <translation>匹配帧数</translation>
         </message>
+        <message>
+            <source>Radii</source>
+            <translation>样圆半径</translation>
+        </message>
+        <message>
+            <source>Distance bias</source>
+            <translation>距离系统误差</translation>
+        </message>
+        <message>
+            <source>Distance sd</source>
+            <translation>距离标准差</translation>
+        </message>
+        <message>
+            <source>Mark sigma</source>
+            <translation>标志平面标准差</translation>
+        </message>
+        <message>
+            <source>Mark height sigma</source>
+            <translation>标志高程标准差</translation>
+        </message>
+        <message>
+            <source>Direction sigma</source>
+            <translation>方向标准差</translation>
+        </message>
+        <message>
+            <source>Tilt sigma</source>
+            <translation>调平标准差</translation>
+        </message>
+        <message>
+            <source>Max heading sigma</source>
+            <translation>航向标准误差上限</translation>
+        </message>
+        <message>
+            <source>Heading</source>
+            <translation>航向来源</translation>
+        </message>
+        <message>
+            <source>Heading offset</source>
+            <translation>航向偏置</translation>
+        </message>
+        <message>
+            <source>Accept</source>
+            <translation>采用的定位质量</translation>
+        </message>
+        <message>
+            <source>Overlap</source>
+            <translation>重叠宽度</translation>
+        </message>
+        <message>
+            <source>Lines left</source>
+            <translation>左侧行数</translation>
+        </message>
+        <message>
+            <source>Lines right</source>
+            <translation>右侧行数</translation>
+        </message>
+        <message>
+            <source>Headland passes</source>
+            <translation>地头行程数</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3768,12 +3828,152 @@
             <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
         </message>
         <message>
-            <source>Write cloud.las.</source>
-            <translation>写出 cloud.las。</translation>
-        </message>
-        <message>
             <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
             <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+        </message>
+        <message>
+            <source>Radii of the sample plots in metres, for instance "5 10 15".</source>
+            <translation>样地的半径（米），例如 "5 10 15"。</translation>
+        </message>
+        <message>
+            <source>Number of sample plots of each size. More plots give steadier means.</source>
+            <translation>每种大小的样地数。样地越多，均值越稳定。</translation>
+        </message>
+        <message>
+            <source>Seed of the places of the plots. The same seed gives the same plots.</source>
+            <translation>样地位置的随机种子。相同的种子给出相同的样地。</translation>
+        </message>
+        <message>
+            <source>Constant error of the distance from the centre of a plot to a tree. Negative: trees beyond the boundary count.</source>
+            <translation>样地中心到树木距离的固定误差。负值：边界外的树木也被计入。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the error of this distance from tree to tree.</source>
+            <translation>该距离误差在树与树之间的标准差。</translation>
+        </message>
+        <message>
+            <source>Draw the curves and write them as PNG, SVG and PDF.</source>
+            <translation>绘制曲线并保存为 PNG、SVG 和 PDF。</translation>
+        </message>
+        <message>
+            <source>Easting of the sensor, from a receiver. Leave 0 where its marks are connected.</source>
+            <translation>传感器的东坐标，来自接收机。连接标志时保持为 0。</translation>
+        </message>
+        <message>
+            <source>vectors: least squares over all coordinates of the marks as they are seen; ranges: the position from the ranges alone and the heading from directions, as in the paper.</source>
+            <translation>vectors：对标志的全部可见坐标作最小二乘；ranges：位置仅由距离求得，航向由方向求得，与论文相同。</translation>
+        </message>
+        <message>
+            <source>Roll of the sensor about its x axis. Leave 0 where the seen coordinates are levelled already.</source>
+            <translation>传感器绕其 x 轴的横滚角。可见坐标已调平时保持为 0。</translation>
+        </message>
+        <message>
+            <source>Pitch of the sensor about its y axis. Leave 0 where the seen coordinates are levelled already.</source>
+            <translation>传感器绕其 y 轴的俯仰角。可见坐标已调平时保持为 0。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of the known positions in plan.</source>
+            <translation>已知平面位置每轴的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the known heights.</source>
+            <translation>已知高程的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the range to a mark.</source>
+            <translation>到标志距离的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the direction to a mark.</source>
+            <translation>到标志方向的标准差。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the levelling, the same for all marks.</source>
+            <translation>调平的标准差，对所有标志相同。</translation>
+        </message>
+        <message>
+            <source>Largest standard error of the position in plan that is accepted.</source>
+            <translation>可接受的平面位置标准误差上限。</translation>
+        </message>
+        <message>
+            <source>Largest standard error of the heading that is accepted.</source>
+            <translation>可接受的航向标准误差上限。</translation>
+        </message>
+        <message>
+            <source>Distance between neighbouring lines. log: as the log or the lines give it.</source>
+            <translation>相邻导航线的间距。log：取日志或导航线给出的值。</translation>
+        </message>
+        <message>
+            <source>A longer step in time ends a pass.</source>
+            <translation>时间间隔更长时，行程结束。</translation>
+        </message>
+        <message>
+            <source>Distance of the antenna ahead of the control point (middle of the rear axle on the ground).</source>
+            <translation>天线在控制点（后轴中点在地面上的位置）前方的距离。</translation>
+        </message>
+        <message>
+            <source>Distance of the antenna to the left of the control point.</source>
+            <translation>天线在控制点左侧的距离。</translation>
+        </message>
+        <message>
+            <source>Height of the antenna above the control point. It counts where roll and pitch are known.</source>
+            <translation>天线高出控制点的高度。仅在横滚和俯仰已知时起作用。</translation>
+        </message>
+        <message>
+            <source>Heading that turns the lever arm: measured (two antennas or attitudes), course of the receiver, or direction of motion. auto: the first of these that a fix has.</source>
+            <translation>用于旋转杆臂的航向：measured（双天线或姿态）、course（接收机航迹向）或 motion（运动方向）。auto：定位点所具有的第一种。</translation>
+        </message>
+        <message>
+            <source>Angle by which the measured heading is turned clockwise from the vehicle's, as antennas mounted across it give.</source>
+            <translation>测得的航向相对车辆航向顺时针偏转的角度，例如天线横向安装时。</translation>
+        </message>
+        <message>
+            <source>Fix qualities that are used, as numbers of GGA sentences: 1 single, 2 differential, 4 RTK fixed, 5 RTK float.</source>
+            <translation>采用的定位质量，即 GGA 语句中的数字：1 单点，2 差分，4 RTK 固定，5 RTK 浮动。</translation>
+        </message>
+        <message>
+            <source>Standard deviation per axis of a fix. auto: as the receiver gives it, else by the fix quality, else 1 cm.</source>
+            <translation>定位点每轴的标准差。auto：取接收机给出的值，否则按定位质量，否则为 1 厘米。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the acceleration of the vehicle, m/s2. A larger value smooths less.</source>
+            <translation>车辆加速度的标准差（m/s2）。值越大，平滑越少。</translation>
+        </message>
+        <message>
+            <source>Distance from the prediction, in standard deviations, beyond which a fix is doubted.</source>
+            <translation>与预测位置的距离超过此标准差倍数的定位点被怀疑。</translation>
+        </message>
+        <message>
+            <source>Time for which doubted fixes are ignored. Then the filter starts again at the new position.</source>
+            <translation>忽略被怀疑定位点的时间。此后滤波器在新位置重新开始。</translation>
+        </message>
+        <message>
+            <source>The filter starts anew after a longer time without fixes.</source>
+            <translation>无定位点的时间更长时，滤波器重新开始。</translation>
+        </message>
+        <message>
+            <source>Width of the implement. none: only the line through A and B.</source>
+            <translation>机具宽度。none：只有通过 A 和 B 的一条线。</translation>
+        </message>
+        <message>
+            <source>Width that neighbouring passes share. Negative: a gap between them.</source>
+            <translation>相邻行程共有的宽度。负值：两者之间留有间隙。</translation>
+        </message>
+        <message>
+            <source>Lines to the left of A and B, where no boundary is given.</source>
+            <translation>未给出边界时，A、B 线左侧的线数。</translation>
+        </message>
+        <message>
+            <source>Lines to the right of A and B, where no boundary is given.</source>
+            <translation>未给出边界时，A、B 线右侧的线数。</translation>
+        </message>
+        <message>
+            <source>Width of the headland, in passes of the implement.</source>
+            <translation>地头的宽度，以机具行程数计。</translation>
+        </message>
+        <message>
+            <source>Shorter pieces of lines within a boundary are left out.</source>
+            <translation>边界内更短的线段略去。</translation>
         </message>
 </context>
     <context>
@@ -4636,6 +4836,38 @@
         <message>
             <source>two_step_guess</source>
             <translation>仅初始估计分两步</translation>
+        </message>
+        <message>
+            <source>vectors</source>
+            <translation>向量</translation>
+        </message>
+        <message>
+            <source>ranges</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>实测</translation>
+        </message>
+        <message>
+            <source>course</source>
+            <translation>航迹向</translation>
+        </message>
+        <message>
+            <source>motion</source>
+            <translation>运动方向</translation>
+        </message>
+        <message>
+            <source>laz</source>
+            <translation>LAZ</translation>
+        </message>
+        <message>
+            <source>las</source>
+            <translation>LAS</translation>
+        </message>
+        <message>
+            <source>copc</source>
+            <translation>COPC</translation>
         </message>
 </context>
 </TS>

@@ -211,6 +211,26 @@
             <source>Edit loop closures</source>
             <translation>编辑回环</translation>
         </message>
+        <message>
+            <source>Sample a known stand</source>
+            <translation>在已知林分中抽样</translation>
+        </message>
+        <message>
+            <source>Write the sample plots</source>
+            <translation>输出样圆抽样结果</translation>
+        </message>
+        <message>
+            <source>Resect the sensor</source>
+            <translation>传感器后方交会</translation>
+        </message>
+        <message>
+            <source>Navigate a recorded track</source>
+            <translation>解算记录的航迹</translation>
+        </message>
+        <message>
+            <source>Plan guidance lines</source>
+            <translation>规划导航线</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -251,8 +271,8 @@
             <translation>读取传感器的轨迹:TUM 和 KITTI 位姿、带列名行的文本(GeoSLAM ZEB、HDMapping 和 MANDEYE、CSV)以及 SBET。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.laz, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.laz、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.laz, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.laz、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、check.json 与 check.html(地图检查)、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
         </message>
         <message>
             <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, and report.html with the tables and the map.</source>
@@ -395,10 +415,6 @@
             <translation>确定样地在地球上的位置:由具有投影或大地坐标的控制点,或由中心坐标和方位角,或由行走时携带的 GNSS 接收机轨迹(同时求定时钟差和天线偏移)。旋转和平移按最小二乘平差,水平按控制高程整平;报告残差、标准差和粗差检验。单木和标靶得到东、北坐标,单木还得到点位标准差。报告按该坐标系写出文件。不能确定位置的控制点(点数不足、坐标轴互换、不同分带、距离不符)会被拒绝。没有控制点和中心坐标时,一切保持不变。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg,check.json 与 check.html(地图检查)、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
-        </message>
-        <message>
             <source>Checks a surveyed plot before somebody signs it: ground never seen, density and directions of view in every cell, places that were not walked, surfaces of different passes, scatter about the bark, loop closures against the final trajectory, common lean of the stems, targets, trees on the boundary, stems in each other, stems without ground or points, heights without tops, and upright structures without a stem. The verdict is sign, look or walk again, with the reasons and where to go. What an input is missing for is listed as not judged.</source>
             <translation>在签字之前检查整块样地:从未看到的地面,每个单元的点密度与观测方向,没有走到的地方,各次经过的表面是否重合,点相对树皮的离散,回环与最终轨迹是否一致,单木的共同倾斜,靶标,边界木,相互重叠的单木,没有地面或没有点的单木,没有看到树梢的树高,以及没有对应单木的直立结构。结论为签字,查看或重走,并给出理由和应去的地点。因缺少输入而无法判断的内容列为未判断。</translation>
         </message>
@@ -409,10 +425,6 @@
         <message>
             <source>Writes the comparison of two surveys of one plot into the output folder: growth.csv with every tree, growth_values.csv with the values of the stand, the map of what grew, came and went and the growth over the diameter as PNG, SVG and PDF, and report.html with all of it.</source>
             <translation>把同一样地两次调查的比较写入输出文件夹:growth.csv(每株树),growth_values.csv(林分数值),变化分布图和生长量图(PNG,SVG,PDF),以及包含全部内容的 report.html。</translation>
-        </message>
-        <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
         </message>
         <message>
             <source>Reads the output folders of bole run or bole survey, to compare them: stem tables, trajectories, boundaries, the reference that each was compared with, and how each was made (preset, options, scan). A folder needs stems.csv; what else is missing or damaged is reported.</source>
@@ -427,16 +439,44 @@
             <translation>将运行的比较写入输出文件夹：runs.csv、positions.csv 和 diameters.csv（改进 LOAM 论文的表 2 和表 3，旁列论文数值）、detection.csv、trajectories.csv、pairs.csv、compared_trees.csv、comparison.json、report.html，以及插图：点云上的轨迹、并列的横切面、位置图、位置误差、胸径及各径阶的胸径误差，既有合并的，也有逐个样地的。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
-        </message>
-        <message>
             <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
             <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、check.json 和 check.html(地图检查)、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+            <source>Converts latitude and longitude of a table to metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, UTM, or any transverse Mercator plane, with the exact projection. The definition of the plane stays with the table, so exports contain it. A table that has metres and no degrees stays as it is.</source>
+            <translation>将表中的经纬度转换为平面坐标（米）或反之：3 度和 6 度高斯-克吕格带、UTM 或任意横轴墨卡托平面，使用精确投影。平面的定义随表保存，因此导出文件中也包含它。只有米制坐标而没有经纬度的表保持不变。</translation>
+        </message>
+        <message>
+            <source>Lays many circular sample plots of several sizes at random into a stand whose trees are all known, and compares what they say with the truth: bias and scatter of stems and basal area per hectare. Four ways to treat the edge of the stand stand side by side: ignored, plots that fit in only, the area inside, and mirrored plots (mirage).</source>
+            <translation>在所有树木已知的林分中随机布设多种大小的圆形样地，并将其结果与真值比较：每公顷株数和断面积的偏差与离散程度。林分边缘的四种处理方法并列给出：忽略、仅布设完整样地、按林内面积、镜像样地（mirage）。</translation>
+        </message>
+        <message>
+            <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, sensor_pose.csv and sensor_marks.csv where the sensor was resected, and report.html with the tables and the map.</source>
+            <translation>将植株行写入输出文件夹：rows.csv、含缺株的 plants.csv、strays.csv、含导航线、A-B 线、植株和行外植株的 rows.gpkg、rows.geojson 和 ab_lines.geojson、行图（PNG、SVG 和 PDF）、有人修改时的 edits.csv、对传感器作后方交会时的 sensor_pose.csv 和 sensor_marks.csv，以及含表和图的 report.html。</translation>
+        </message>
+        <message>
+            <source>Writes what sample plots say about a known stand: tables by size and treatment of the edge, a row per plot, curves of bias and scatter, and report.html.</source>
+            <translation>输出样地在已知林分中的结果：按大小和边缘处理方法汇总的表、每个样地一行的表、偏差和离散程度曲线，以及 report.html。</translation>
+        </message>
+        <message>
+            <source>Writes the errors of a steering test by speed, pass and fix, the log, the tuning, guidance lines (also as GeoJSON), and the error curves as PNG, SVG and PDF into the output folder, and report.html, one page with the tables and curves. Errors stand beside those that the paper published. Inputs that are not connected are left out.</source>
+            <translation>将导航试验的误差（按速度、行程和定位点）、日志、整定结果、导航线（另存为 GeoJSON）以及误差曲线（PNG、SVG 和 PDF）写入输出文件夹，并生成 report.html，一页包含所有表和曲线。误差与论文发表的误差并列。未连接的输入略去。</translation>
+        </message>
+        <message>
+            <source>Moves plant centres from the axes of the frame to navigation axes, x east and y north, with the position and yaw of the sensor: by hand, or from rows.resect, whose standard error of the heading then counts in the directions of rows.</source>
+            <translation>将植株中心从帧坐标轴移到导航坐标轴（x 向东，y 向北），使用传感器的位置和航向：手动给出，或来自 rows.resect；后者的航向标准误差计入各行的方向。</translation>
+        </message>
+        <message>
+            <source>Finds position and heading of the sensor from marks of known position that the frame shows, with covariance and residuals. Give the places where an antenna stood (E, F, G) and where the levelled frame shows it. Marks that were mixed up, swapped axes and weak geometry are refused with the reason.</source>
+            <translation>由帧中可见的已知位置标志求传感器的位置和航向，并给出协方差和残差。请给出天线所在的各点（E、F、G）以及它在调平后的帧中的位置。标志弄混、坐标轴互换和几何条件过弱时会说明原因并拒绝。</translation>
+        </message>
+        <message>
+            <source>Brings recorded fixes from the antenna to the control point (lever arm and attitude) and filters them with the position-velocity Kalman filter that also steers the simulated tractor. The noise of each fix is that of the receiver or of its fix quality. Poor fixes, gaps, jumps and times that run back are counted and reported.</source>
+            <translation>将记录的定位点从天线归算到控制点（杆臂和姿态），并用与模拟拖拉机相同的位置-速度卡尔曼滤波器滤波。每个定位点的噪声取自接收机或其定位质量。质量差的点、间断、跳变和倒退的时间都会计数并报告。</translation>
+        </message>
+        <message>
+            <source>Lays parallel guidance lines through a field from A, B and the width of the implement, and headlands at their ends. With a boundary the lines fill the field and the headland runs along it.</source>
+            <translation>由 A、B 两点和机具宽度在田块中布设平行导航线，并在其两端布设地头。给出边界时，导航线布满田块，地头沿边界分布。</translation>
         </message>
 </context>
 </TS>

@@ -9,6 +9,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr const char* field_port = "reference_stems";  // of the evaluation
+constexpr const char* matches_port = "matches";        // it gives those
 constexpr const char* sections_port = "sections";      // of stages that measure diameters; rows have stems without
 
 pipeline::StageNode& in(pipeline::PipelineDocument& document, const std::string& id) {
@@ -25,13 +26,13 @@ void put(pipeline::StageNode& node, const std::string& option, const OptionValue
 pipeline::PipelineDocument with_field_list(const pipeline::PipelineDocument& document, const std::string& file,
                                            const FieldMapping& mapping, const std::string& align) {
   pipeline::PipelineDocument after = document;
-  if (stage_with_input(after, field_port) == nullptr) {
+  if (stage_between(after, field_port, matches_port) == nullptr) {
     if (stage_with_output(after, sections_port) == nullptr)
       throw bad_input("the pipeline measures no stems", "a stage that measures stems",
                       "Add one before you load field measurements");
-    after = with_stage(after, type_with_input(field_port)).document;
+    after = with_stage(after, type_between(field_port, matches_port)).document;
   }
-  const auto evaluate = stage_with_input(after, field_port)->id;
+  const auto evaluate = stage_between(after, field_port, matches_port)->id;
   const auto joint = in(after, evaluate).inputs.find(field_port);
   // The reader of the list: the one that the evaluation takes from, else a new one in front of it.
   std::string reader =
