@@ -285,7 +285,7 @@ TEST(EditLoops, StrikingOutEveryLoopOfARunGivesItsOdometryBack) {
       synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 270);
   auto options = with_preset(Preset::best);
   options.refine_iterations = 0;
-  options.neighbour_keyframes = 6;
+  options.neighbour_keyframes = 20;
   options.local_map = LocalMapKind::last;
   options.loop_path = 18;
   options.map_voxel = 0.1;

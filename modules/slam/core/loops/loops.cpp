@@ -29,7 +29,8 @@ std::string objection(const Keyframe& from, const LoopCandidate& c, const Regist
   // However similar: where registration puts it farther away, it is another place.
   const double apart = (from.T_map_keyframe.translation() - r.motion.T_map_end.translation()).norm();
   if (apart > settings.loop_radius - place_error)
-    return "the places are " + rounded(apart) + " m apart; loop_radius is " + rounded(settings.loop_radius) + " m";
+    return "the places are " + rounded(apart) + " m apart; at most " + rounded(settings.loop_radius - place_error) +
+           " m are allowed (loop_radius)";
   return {};
 }
 
