@@ -107,7 +107,7 @@ void add_run_of_all(CLI::App& parent) {
                                    "Inputs that run at the same time on this machine. Default: as many as fit into "
                                    "its processors and memory")
                       ->type_name("N")
-                      ->check(CLI::PositiveNumber.description(""));
+                      ->check(CLI::Range(1, 4096).description(""));
   auto* scheduler = command
                         ->add_option("--scheduler", args->scheduler,
                                      std::string("Run on the Dask cluster with this scheduler (tcp://HOST:8786, or the "
@@ -132,7 +132,7 @@ void add_run_of_all(CLI::App& parent) {
           ->add_option("--memory", args->memory,
                        "Memory for all workers of this machine together, GiB. Default: what is free, less a reserve")
           ->type_name("GIB")
-          ->check(CLI::PositiveNumber.description(""));
+          ->check(CLI::Range(0.1, 65536.0).description(""));
   scheduler->excludes(workers)->excludes(task)->excludes(memory)->excludes(engine);
   task->excludes(workers)->excludes(engine);
   command->callback([args] {

@@ -128,7 +128,7 @@ void add_run_flags(CLI::App& command, RunArguments& args) {
   command.add_flag("--no-cache", args.no_cache, "Run every stage, store nothing");
   command.add_option("--threads", args.threads, "Threads that work at the same time. Default: one per processor")
       ->type_name("N")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(CLI::Range(1, 4096).description(""));
   command
       .add_option("--end-with", args.end_with,
                   "Process that started this one: the run is killed when that ends in any way (campaigns use it)")
