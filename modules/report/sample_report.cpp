@@ -64,7 +64,8 @@ pipeline::StageResult write_sample_report(const DataSet& inputs, const SampleRep
   SimplePage page;
   page.title = "Sample plots";
   page.paragraphs.emplace_back(
-      "Circular sample plots at random places of a stand whose trees are all known. Edge, where a plot reaches beyond the "
+      "Circular sample plots at random places of a stand whose trees are all known. Edge, where a plot reaches beyond "
+      "the "
       "stand: ignore divides by its whole area; inside places plots that fit in only; area divides by the area inside; "
       "mirage counts trees again in the plot's mirror image.");
   page.tables.push_back(measure_table(summary, "Basal area", "basal_area_m2_per_ha", "m2/ha"));

@@ -18,12 +18,12 @@ SKIPPED = 77  # what ctest takes for a skipped test
 # By log: options, what the run says where it ends without passes (else None), counts of stages, findings.
 EXPECTED = {
     "AMOD_AGL3080_20121104_134730.txt": (
-        ["errors.run_in=0", "errors.run_out=0"], None,
-        {"track": {"without_checksum": 2, "talker_GP": None}, "navigate": {"quality_1": 559, "quality_2": 35, "quality_6": 28, "back_in_time": 0}},
+        ["errors.run_in=0", "errors.run_out=0", "errors.max_angle=20"], None,
+        {"track": {"without_checksum": 2, "talker_GP": None}, "navigate": {"quality_1": 559, "quality_2": 35, "quality_6": 28, "back_in_time": 0}, "errors": {"passes": 1}},
         {"poor_fixes", "fixes_too_poor", "no_lever_arm"}),
     "TrimbleR2SampleData.txt": ([], "straight stretch", {"navigate": {"quality_2": 25, "quality_5": 9}}, set()),
     "gpsd_hemi.log": ([], "straight stretch", {"track": {"without_fix": 194}, "navigate": {"fixes": 21}}, {"fixes_too_poor"}),
-    "gpsd_neo-m8n.log": ([], "straight stretch", {"track": {"bad_checksum": None}, "navigate": {"fixes": 23}}, {"fixes_too_poor"}),
+    "gpsd_neo-m8n.log": ([], "straight stretch", {"track": {"without_checksum": 2}, "navigate": {"fixes": 23}}, {"fixes_too_poor"}),
     "gpsd_nmea-rtk.log": (["navigate.accept=4"], "straight stretch", {"track": {"talker_GN": None, "talker_GP": None}, "navigate": {"fixes": 18, "poor_fixes": 104}}, {"poor_fixes"}),
 }
 

@@ -2053,7 +2053,7 @@
             <translation>尺度未知:大小为相对值。</translation>
         </message>
     </context>
-    <context>
+<context>
         <name>bole::desktop::LoopEditor</name>
         <message>
             <source>Loop closures</source>

@@ -345,10 +345,6 @@
             <translation>写出点云</translation>
         </message>
         <message>
-            <source>Cloud format</source>
-            <translation>点云格式</translation>
-        </message>
-        <message>
             <source>Figure set</source>
             <translation>图件范围</translation>
         </message>
@@ -1813,26 +1809,6 @@
             <translation>误差放大倍数</translation>
         </message>
         <message>
-            <source>Context distance</source>
-            <translation>场景描述距离</translation>
-        </message>
-        <message>
-            <source>Loop stretch</source>
-            <translation>回环配准的关键帧数</translation>
-        </message>
-        <message>
-            <source>Loop acceptance</source>
-            <translation>回环的接受条件</translation>
-        </message>
-        <message>
-            <source>Loop fitness</source>
-            <translation>回环最近点距离</translation>
-        </message>
-        <message>
-            <source>Match frames</source>
-            <translation>匹配帧数</translation>
-        </message>
-        <message>
             <source>Radii</source>
             <translation>样圆半径</translation>
         </message>
@@ -1891,6 +1867,30 @@
         <message>
             <source>Headland passes</source>
             <translation>地头行程数</translation>
+        </message>
+        <message>
+            <source>Cloud format</source>
+            <translation>点云格式</translation>
+        </message>
+        <message>
+            <source>Context distance</source>
+            <translation>场景描述距离</translation>
+        </message>
+        <message>
+            <source>Loop stretch</source>
+            <translation>回环配准的关键帧数</translation>
+        </message>
+        <message>
+            <source>Loop acceptance</source>
+            <translation>回环的接受条件</translation>
+        </message>
+        <message>
+            <source>Loop fitness</source>
+            <translation>回环最近点距离</translation>
+        </message>
+        <message>
+            <source>Match frames</source>
+            <translation>匹配帧数</translation>
         </message>
 </context>
     <context>
@@ -2216,12 +2216,8 @@
             <translation>写出 stems.csv 及其他表格、trajectory.tum、dem.tif 和 plot.gpkg。</translation>
         </message>
         <message>
-            <source>Write the map with all its columns: cloud.laz.</source>
-            <translation>写出包含全部属性列的点云:cloud.laz。</translation>
-        </message>
-        <message>
-            <source>laz: cloud.laz, compressed. las: cloud.las, for programs that do not read LAZ. copc: cloud.copc.laz, an octree of which programs load the part they show.</source>
-            <translation>laz:cloud.laz,压缩格式。las:cloud.las,供不能读取 LAZ 的程序使用。copc:cloud.copc.laz,八叉树,程序只加载要显示的部分。</translation>
+            <source>Write cloud.las.</source>
+            <translation>写出 cloud.las。</translation>
         </message>
         <message>
             <source>Draw the figures.</source>
@@ -3644,8 +3640,8 @@
             <translation>可接受的未见地面的最大连通面积。</translation>
         </message>
         <message>
-            <source>Distance from the walk that is accepted at the rim of the plot; three quarters of it between stretches of the walk. Farther places count as not walked when the rest of the plot was walked more closely.</source>
-            <translation>样地边缘可接受的离行走路线的距离;行走路线之间为其四分之三。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
         </message>
         <message>
             <source>Angle that the directions of view of a cell must span, or the cell counts as seen from one side.</source>
@@ -3792,46 +3788,6 @@
             <translation>位置图中误差的放大倍数。auto：放大到可以看清。</translation>
         </message>
         <message>
-            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory adjustment, with the inertial unit where the recording has one), inertial (the same, and only with an inertial unit), or to the letter of a paper: loam_paper, forest_paper, lego_loam_orchard_paper.</source>
-            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)惯性(inertial,与最佳相同,但必须有惯性单元),或严格按照论文:loam_paper、forest_paper、lego_loam_orchard_paper。</translation>
-        </message>
-        <message>
-            <source>Motion before registration: constant velocity, the frame matched as a whole against the last frame, or the motion within the frame matched point by point against the last frame.</source>
-            <translation>配准前的运动:匀速、将整帧与上一帧匹配,或将帧内运动逐点与上一帧匹配。</translation>
-        </message>
-        <message>
-            <source>Weight of a match: from the thickness of the surface and the range noise (thickness), from the covariances of the points by sensor and poses (priors), or without a robust kernel the same for all (equal) or with the covariance of every single point (conditions).</source>
-            <translation>匹配的权:由表面厚度和测距噪声得出(thickness),由传感器和位姿给出的点协方差得出(priors);或不用稳健核,全部等权(equal)或采用每个点各自的协方差(conditions)。</translation>
-        </message>
-        <message>
-            <source>All six unknowns from all features, or height, roll and pitch from planes and the rest from edges, always or only against the last frame (LeGO-LOAM; not with elastic frames).</source>
-            <translation>由全部特征求六个未知数;或由平面求高程、横滚和俯仰,由线特征求其余,始终如此或仅在与上一帧匹配时如此(LeGO-LOAM;不能用于弹性帧)。</translation>
-        </message>
-        <message>
-            <source>Sectors over which the distance of two scan contexts is the mean: those that both have, or all of them; a sector that one lacks then counts as different.</source>
-            <translation>两个场景描述(scan context)的距离取哪些扇区的平均:双方都有的扇区,或全部扇区;后者中一方缺少的扇区视为不同。</translation>
-        </message>
-        <message>
-            <source>Keyframes on each side of the earlier one that a loop closure is registered against. 0: that one alone.</source>
-            <translation>回环配准时,较早关键帧两侧各取的关键帧数。0:只用该帧。</translation>
-        </message>
-        <message>
-            <source>What makes a candidate a loop closure: points that agree at a place that the odometry allows (overlap), or similar scan contexts and near closest points (distance).</source>
-            <translation>候选成为回环的条件:点云在里程计允许的位置上一致(overlap),或场景描述相似且最近点距离小(distance)。</translation>
-        </message>
-        <message>
-            <source>Maximum distance between closest points (root mean square) of a loop closure that is accepted by distance.</source>
-            <translation>按距离接受的回环,其最近点之间的最大距离(均方根)。</translation>
-        </message>
-        <message>
-            <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
-            <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
-        </message>
-        <message>
-            <source>Distance from the walk that is accepted everywhere. Farther places count as not walked when the rest of the plot was walked more closely.</source>
-            <translation>处处可接受的离行走路线的距离。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
-        </message>
-        <message>
             <source>Radii of the sample plots in metres, for instance "5 10 15".</source>
             <translation>样地的半径（米），例如 "5 10 15"。</translation>
         </message>
@@ -3974,6 +3930,54 @@
         <message>
             <source>Shorter pieces of lines within a boundary are left out.</source>
             <translation>边界内更短的线段略去。</translation>
+        </message>
+        <message>
+            <source>Write the map with all its columns: cloud.laz.</source>
+            <translation>写出包含全部属性列的点云:cloud.laz。</translation>
+        </message>
+        <message>
+            <source>laz: cloud.laz, compressed. las: cloud.las, for programs that do not read LAZ. copc: cloud.copc.laz, an octree of which programs load the part they show.</source>
+            <translation>laz:cloud.laz,压缩格式。las:cloud.las,供不能读取 LAZ 的程序使用。copc:cloud.copc.laz,八叉树,程序只加载要显示的部分。</translation>
+        </message>
+        <message>
+            <source>Distance from the walk that is accepted at the rim of the plot; three quarters of it between stretches of the walk. Farther places count as not walked when the rest of the plot was walked more closely.</source>
+            <translation>样地边缘可接受的离行走路线的距离;行走路线之间为其四分之三。样地其余部分走得更密时,更远的地方算作没有走到。</translation>
+        </message>
+        <message>
+            <source>SLAM system: loam (baseline), forest (LOAM improved for forest plots), lego_loam (ground-aware baseline), orchard (plant rows and foliage), best (elastic frames and a final trajectory adjustment, with the inertial unit where the recording has one), inertial (the same, and only with an inertial unit), or to the letter of a paper: loam_paper, forest_paper, lego_loam_orchard_paper.</source>
+            <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)惯性(inertial,与最佳相同,但必须有惯性单元),或严格按照论文:loam_paper、forest_paper、lego_loam_orchard_paper。</translation>
+        </message>
+        <message>
+            <source>Motion before registration: constant velocity, the frame matched as a whole against the last frame, or the motion within the frame matched point by point against the last frame.</source>
+            <translation>配准前的运动:匀速、将整帧与上一帧匹配,或将帧内运动逐点与上一帧匹配。</translation>
+        </message>
+        <message>
+            <source>Weight of a match: from the thickness of the surface and the range noise (thickness), from the covariances of the points by sensor and poses (priors), or without a robust kernel the same for all (equal) or with the covariance of every single point (conditions).</source>
+            <translation>匹配的权:由表面厚度和测距噪声得出(thickness),由传感器和位姿给出的点协方差得出(priors);或不用稳健核,全部等权(equal)或采用每个点各自的协方差(conditions)。</translation>
+        </message>
+        <message>
+            <source>All six unknowns from all features, or height, roll and pitch from planes and the rest from edges, always or only against the last frame (LeGO-LOAM; not with elastic frames).</source>
+            <translation>由全部特征求六个未知数;或由平面求高程、横滚和俯仰,由线特征求其余,始终如此或仅在与上一帧匹配时如此(LeGO-LOAM;不能用于弹性帧)。</translation>
+        </message>
+        <message>
+            <source>Sectors over which the distance of two scan contexts is the mean: those that both have, or all of them; a sector that one lacks then counts as different.</source>
+            <translation>两个场景描述(scan context)的距离取哪些扇区的平均:双方都有的扇区,或全部扇区;后者中一方缺少的扇区视为不同。</translation>
+        </message>
+        <message>
+            <source>Keyframes on each side of the earlier one that a loop closure is registered against. 0: that one alone.</source>
+            <translation>回环配准时,较早关键帧两侧各取的关键帧数。0:只用该帧。</translation>
+        </message>
+        <message>
+            <source>What makes a candidate a loop closure: points that agree at a place that the odometry allows (overlap), or similar scan contexts and near closest points (distance).</source>
+            <translation>候选成为回环的条件:点云在里程计允许的位置上一致(overlap),或场景描述相似且最近点距离小(distance)。</translation>
+        </message>
+        <message>
+            <source>Maximum distance between closest points (root mean square) of a loop closure that is accepted by distance.</source>
+            <translation>按距离接受的回环,其最近点之间的最大距离(均方根)。</translation>
+        </message>
+        <message>
+            <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
+            <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
         </message>
 </context>
     <context>
@@ -4794,6 +4798,26 @@
             <translation>,</translation>
         </message>
         <message>
+            <source>vectors</source>
+            <translation>向量</translation>
+        </message>
+        <message>
+            <source>ranges</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>measured</source>
+            <translation>实测</translation>
+        </message>
+        <message>
+            <source>course</source>
+            <translation>航迹向</translation>
+        </message>
+        <message>
+            <source>motion</source>
+            <translation>运动方向</translation>
+        </message>
+        <message>
             <source>loam_paper</source>
             <translation>LOAM(论文)</translation>
         </message>
@@ -4836,26 +4860,6 @@
         <message>
             <source>two_step_guess</source>
             <translation>仅初始估计分两步</translation>
-        </message>
-        <message>
-            <source>vectors</source>
-            <translation>向量</translation>
-        </message>
-        <message>
-            <source>ranges</source>
-            <translation>距离</translation>
-        </message>
-        <message>
-            <source>measured</source>
-            <translation>实测</translation>
-        </message>
-        <message>
-            <source>course</source>
-            <translation>航迹向</translation>
-        </message>
-        <message>
-            <source>motion</source>
-            <translation>运动方向</translation>
         </message>
         <message>
             <source>laz</source>

@@ -208,10 +208,6 @@
             <translation>输出比较报告</translation>
         </message>
         <message>
-            <source>Edit loop closures</source>
-            <translation>编辑回环</translation>
-        </message>
-        <message>
             <source>Sample a known stand</source>
             <translation>在已知林分中抽样</translation>
         </message>
@@ -230,6 +226,10 @@
         <message>
             <source>Plan guidance lines</source>
             <translation>规划导航线</translation>
+        </message>
+        <message>
+            <source>Edit loop closures</source>
+            <translation>编辑回环</translation>
         </message>
 </context>
     <context>
@@ -271,8 +271,8 @@
             <translation>读取传感器的轨迹:TUM 和 KITTI 位姿、带列名行的文本(GeoSLAM ZEB、HDMapping 和 MANDEYE、CSV)以及 SBET。四元数会被归一化。KITTI 位姿没有时间,依次记为 0、1、2 等。无法使用的行视为错误,错误信息指出该行。</translation>
         </message>
         <message>
-            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.laz, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
-            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.laz、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、check.json 与 check.html(地图检查)、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
         </message>
         <message>
             <source>Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG and PDF, edits.csv where a person changed something, and report.html with the tables and the map.</source>
@@ -415,6 +415,10 @@
             <translation>确定样地在地球上的位置:由具有投影或大地坐标的控制点,或由中心坐标和方位角,或由行走时携带的 GNSS 接收机轨迹(同时求定时钟差和天线偏移)。旋转和平移按最小二乘平差,水平按控制高程整平;报告残差、标准差和粗差检验。单木和标靶得到东、北坐标,单木还得到点位标准差。报告按该坐标系写出文件。不能确定位置的控制点(点数不足、坐标轴互换、不同分带、距离不符)会被拒绝。没有控制点和中心坐标时,一切保持不变。</translation>
         </message>
         <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg,check.json 与 check.html(地图检查)、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
             <source>Checks a surveyed plot before somebody signs it: ground never seen, density and directions of view in every cell, places that were not walked, surfaces of different passes, scatter about the bark, loop closures against the final trajectory, common lean of the stems, targets, trees on the boundary, stems in each other, stems without ground or points, heights without tops, and upright structures without a stem. The verdict is sign, look or walk again, with the reasons and where to go. What an input is missing for is listed as not judged.</source>
             <translation>在签字之前检查整块样地:从未看到的地面,每个单元的点密度与观测方向,没有走到的地方,各次经过的表面是否重合,点相对树皮的离散,回环与最终轨迹是否一致,单木的共同倾斜,靶标,边界木,相互重叠的单木,没有地面或没有点的单木,没有看到树梢的树高,以及没有对应单木的直立结构。结论为签字,查看或重走,并给出理由和应去的地点。因缺少输入而无法判断的内容列为未判断。</translation>
         </message>
@@ -427,6 +431,10 @@
             <translation>把同一样地两次调查的比较写入输出文件夹:growth.csv(每株树),growth_values.csv(林分数值),变化分布图和生长量图(PNG,SVG,PDF),以及包含全部内容的 report.html。</translation>
         </message>
         <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, cloud.las, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、cloud.las、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
             <source>Reads the output folders of bole run or bole survey, to compare them: stem tables, trajectories, boundaries, the reference that each was compared with, and how each was made (preset, options, scan). A folder needs stems.csv; what else is missing or damaged is reported.</source>
             <translation>读取 bole run 或 bole survey 的输出文件夹以便比较：单木表、轨迹、样地边界、各自所用的参考数据，以及生成方式（预设、选项、扫描）。文件夹中必须有 stems.csv；其他缺失或损坏的内容会予以说明。</translation>
         </message>
@@ -437,10 +445,6 @@
         <message>
             <source>Writes a comparison of runs into the output folder: runs.csv, positions.csv and diameters.csv (tables 2 and 3 of the paper on improved LOAM, with its published figures beside), detection.csv, trajectories.csv, pairs.csv, compared_trees.csv, comparison.json, report.html, and the figures: paths on the cloud, slices side by side, map of positions, position errors, diameters and their errors by class, pooled and for each plot.</source>
             <translation>将运行的比较写入输出文件夹：runs.csv、positions.csv 和 diameters.csv（改进 LOAM 论文的表 2 和表 3，旁列论文数值）、detection.csv、trajectories.csv、pairs.csv、compared_trees.csv、comparison.json、report.html，以及插图：点云上的轨迹、并列的横切面、位置图、位置误差、胸径及各径阶的胸径误差，既有合并的，也有逐个样地的。</translation>
-        </message>
-        <message>
-            <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
-            <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
         </message>
         <message>
             <source>Converts latitude and longitude of a table to metres of a plane or back: Gauss-Krueger zones of 3 and 6 degrees, UTM, or any transverse Mercator plane, with the exact projection. The definition of the plane stays with the table, so exports contain it. A table that has metres and no degrees stays as it is.</source>
@@ -477,6 +481,14 @@
         <message>
             <source>Lays parallel guidance lines through a field from A, B and the width of the implement, and headlands at their ends. With a boundary the lines fill the field and the headland runs along it.</source>
             <translation>由 A、B 两点和机具宽度在田块中布设平行导航线，并在其两端布设地头。给出边界时，导航线布满田块，地头沿边界分布。</translation>
+        </message>
+        <message>
+            <source>Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the boundary, reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.laz, dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the stem table with plan, slices and a 3-D view, figures, comparison with a reference, and how it was made with every option and the time and memory of each stage. Inputs that are not connected are left out.</source>
+            <translation>将调查结果写入输出文件夹:stems.csv 及其他表格、plot.csv(样地边界)、reference_trees.csv 和 reference_trajectory.tum(所用的参考数据)、survey.xlsx、trajectory.tum、plot_values.csv、diameter_classes.csv、height_curve.csv、tree_values.csv、loops.csv、odometry.csv、loop_candidates.csv、pose_graph.csv、cloud.laz、dem.tif、slope.tif、chm.tif、plot.gpkg、stems.geojson、check.json 与 check.html(地图检查)、单木实体模型(OBJ、PLY、VTP)、图件、带到样地填写的 tally.html,以及 report.html:一个包含全部内容的页面,有调查对象、可否签字、样地指标、需要查看的树木、单木表及其平面图、横切面和三维视图、图件、与参考数据的比较,以及处理过程,列出每个步骤的全部参数、耗时和内存。未连接的输入将被省略。</translation>
+        </message>
+        <message>
+            <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
+            <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
         </message>
 </context>
 </TS>

@@ -7,10 +7,19 @@
 
 namespace bole::steering {
 
-std::vector<std::int64_t> segments_between_gaps(const std::vector<double>& time_s, double max_gap_s) {
+namespace {
+
+constexpr double max_speed_m_s = 15;
+
+}  // namespace
+
+std::vector<std::int64_t> segments_between_gaps(const std::vector<double>& time_s,
+                                                const std::vector<Eigen::Vector2d>& at, double max_gap_s) {
   std::vector<std::int64_t> segment(time_s.size(), 1);
-  for (std::size_t i = 1; i < time_s.size(); ++i)
-    segment[i] = segment[i - 1] + (time_s[i] - time_s[i - 1] > max_gap_s ? 1 : 0);
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double dt = time_s[i] - time_s[i - 1];
+    segment[i] = segment[i - 1] + (dt > max_gap_s || (at[i] - at[i - 1]).norm() > max_speed_m_s * dt ? 1 : 0);
+  }
   return segment;
 }
 

@@ -241,13 +241,21 @@ class Log {
   std::vector<std::string> state_;
 };
 
-Eigen::Vector2d first_velocity(const std::vector<AntennaFix>& fixes, std::size_t i) {
+struct Velocity {
+  Eigen::Vector2d m_s = Eigen::Vector2d::Zero();
+  double sigma_m_s = 1;
+};
+
+// By the fixes of the next second in the same segment.
+Velocity first_velocity(const std::vector<AntennaFix>& fixes, std::size_t i) {
   std::size_t j = i;
   while (j + 1 < fixes.size() && fixes[j + 1].segment == fixes[i].segment &&
          fixes[j].time_s - fixes[i].time_s < start_look_s)
     ++j;
-  if (j == i) return Eigen::Vector2d::Zero();
-  return (fixes[j].antenna_nav - fixes[i].antenna_nav) / (fixes[j].time_s - fixes[i].time_s);
+  if (j == i) return {};
+  const double dt = fixes[j].time_s - fixes[i].time_s;
+  return {(fixes[j].antenna_nav - fixes[i].antenna_nav) / dt,
+          std::max(1.0, std::hypot(fixes[i].sigma_m, fixes[j].sigma_m) / dt)};
 }
 
 void check_columns(const Table& track) {
@@ -323,6 +331,10 @@ Filtered filter_fixes(const std::vector<AntennaFix>& fixes, const TrackAttitudes
   filter_options.gate = o.gate;
   filter_options.patience = o.patience;
   Navigator navigator(filter_options, {o.antenna_forward, o.antenna_left, o.antenna_up});
+  const auto start = [&](const Eigen::Vector2d& position, std::size_t i) {
+    const auto velocity = first_velocity(fixes, i);
+    navigator.start(position, velocity.m_s, velocity.sigma_m_s);
+  };
   Filtered f;
   const AntennaFix* last = nullptr;
   for (std::size_t i = 0; i < fixes.size(); ++i) {
@@ -342,11 +354,13 @@ Filtered filter_fixes(const std::vector<AntennaFix>& fixes, const TrackAttitudes
     NavigatedPoint point;
     if (last == nullptr || last->segment != fix.segment) {
       f.gaps += last != nullptr && last->run == fix.run ? 1 : 0;
-      point.received = navigator.reduced(antenna, attitude);
-      point.position = *point.received;
-      navigator.start(point.position, first_velocity(fixes, i));
+      point.received = point.position = navigator.reduced(antenna, attitude);
+      start(point.position, i);
     } else {
+      const int jumps = navigator.filter().jumps();
       point = navigator.step(fix.time_s - last->time_s, antenna, attitude);
+      // The old velocity may be as wrong as the old position was.
+      if (navigator.filter().jumps() > jumps) start(point.position, i);
     }
     last = &fix;
     f.sigmas.push_back(fix.sigma_m);

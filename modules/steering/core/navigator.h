@@ -21,8 +21,9 @@ class Navigator {
   Navigator(const FilterOptions& filter, const Eigen::Vector3d& lever_arm_body)
       : filter_(filter), lever_arm_body_(lever_arm_body) {}
 
-  void start(const Eigen::Vector2d& control_point_nav, const Eigen::Vector2d& velocity_nav) {
-    filter_.start(control_point_nav, velocity_nav);
+  void start(const Eigen::Vector2d& control_point_nav, const Eigen::Vector2d& velocity_nav,
+             double velocity_sigma_m_s = 1) {
+    filter_.start(control_point_nav, velocity_nav, velocity_sigma_m_s);
   }
 
   // Where the control point is by one fix alone.

@@ -11,8 +11,9 @@
 namespace bole::steering {
 namespace {
 
-constexpr double look_m = 1.0;      // way over which the direction of motion is taken
-constexpr double off_line_s = 1.0;  // so long the way may turn off without ending a pass
+constexpr double look_m = 1.0;          // way over which the direction of motion is taken
+constexpr std::size_t min_samples = 5;  // fewer say nothing about a pass
+constexpr double off_line_s = 1.0;      // so long the way may turn off without ending a pass
 
 // Direction of motion at each sample.
 std::vector<double> directions(const Track& track, const std::vector<std::int64_t>& segment) {
@@ -43,7 +44,7 @@ double angle_between(double a, double b) { return std::abs(std::remainder(a - b,
 }  // namespace
 
 std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, const PassLimits& limits) {
-  const auto segment = segments_between_gaps(track.time_s, limits.max_gap_s);
+  const auto segment = segments_between_gaps(track.time_s, track.truth, limits.max_gap_s);
   const auto yaw = directions(track, segment);
   std::vector<Pass> passes;
   for (const int direction : {1, -1}) {
@@ -55,7 +56,7 @@ std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, cons
       const double begin = way(s.first), end = way(s.last);
       while (pass.first < s.last && way(pass.first) - begin < limits.run_in_m) ++pass.first;
       while (pass.last > pass.first && end - way(pass.last) < limits.run_out_m) --pass.last;
-      if (way(pass.last) - way(pass.first) < limits.min_length_m) continue;
+      if (way(pass.last) - way(pass.first) < limits.min_length_m || pass.last - pass.first + 1 < min_samples) continue;
       double offset = 0;
       for (std::size_t i = pass.first; i <= pass.last; ++i) offset += line.offset_m(track.truth[i]);
       offset /= static_cast<double>(pass.last - pass.first + 1);
@@ -68,7 +69,7 @@ std::vector<Pass> find_passes(const Track& track, const GuidanceLine& line, cons
 }
 
 std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimits& limits) {
-  const auto segment = segments_between_gaps(track.time_s, limits.max_gap_s);
+  const auto segment = segments_between_gaps(track.time_s, track.truth, limits.max_gap_s);
   const auto yaw = directions(track, segment);
   Stretch best{0, 0};
   double best_m = 0;
@@ -78,7 +79,7 @@ std::optional<GuidanceLine> longest_straight(const Track& track, const PassLimit
            angle_between(yaw[j + 1], yaw[i]) < limits.max_angle_rad)
       ++j;
     // The first of several of about the same length, for A is where the work began.
-    if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m) {
+    if (const double m = (track.truth[j] - track.truth[i]).norm(); m > 1.05 * best_m && j - i + 1 >= min_samples) {
       best_m = m;
       best = {i, j};
     }

@@ -20,7 +20,7 @@ struct PassLimits {
   double run_in_m = 30, run_out_m = 3;
   double min_length_m = 20;
   double max_angle_rad = 0.17;
-  double max_gap_s = 5;  // a longer step in time ends a pass: what was driven in it is unknown
+  double max_gap_s = 5;  // a longer step in time ends a pass, as a jump does: what was driven in it is unknown
 };
 
 struct Pass {

@@ -14,10 +14,11 @@ const Observation& H() {
 
 }  // namespace
 
-void PositionVelocityFilter::start(const Eigen::Vector2d& position_nav, const Eigen::Vector2d& velocity_nav) {
+void PositionVelocityFilter::start(const Eigen::Vector2d& position_nav, const Eigen::Vector2d& velocity_nav,
+                                   double velocity_sigma_m_s) {
   x_ << position_nav.x(), velocity_nav.x(), position_nav.y(), velocity_nav.y();
-  const double r = o_.position_sigma * o_.position_sigma;
-  P_ = Eigen::Vector4d(r, 1, r, 1).asDiagonal();
+  const double r = o_.position_sigma * o_.position_sigma, v = velocity_sigma_m_s * velocity_sigma_m_s;
+  P_ = Eigen::Vector4d(r, v, r, v).asDiagonal();
   without_fix_s_ = doubted_s_ = 0;
 }
 

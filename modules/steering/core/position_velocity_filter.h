@@ -15,7 +15,7 @@ class PositionVelocityFilter {
  public:
   explicit PositionVelocityFilter(const FilterOptions& options) : o_(options) {}
 
-  void start(const Eigen::Vector2d& position_nav, const Eigen::Vector2d& velocity_nav);
+  void start(const Eigen::Vector2d& position_nav, const Eigen::Vector2d& velocity_nav, double velocity_sigma_m_s = 1);
   // One step of dt_s; without a fix it only predicts.
   void step(double dt_s, const std::optional<Eigen::Vector2d>& fix_nav);
 

@@ -191,6 +191,24 @@ double row_width_of(const Table& log, const Table* lines) {
   return 0;
 }
 
+// Without a row width all passes count as driven on one line.
+void tell_unknown_rows(const std::vector<MeasuredPass>& passes, double row_width_m, Report& report) {
+  constexpr double same_line_m = 1;
+  if (row_width_m > 0) return;
+  double farthest = 0;
+  for (const auto& p : passes) {
+    double mean = 0;
+    for (const auto& s : p.samples) mean += s.error_m / static_cast<double>(p.samples.size());
+    farthest = std::max(farthest, std::abs(mean));
+  }
+  if (farthest > same_line_m)
+    report.find(
+        Severity::look, "row_width_unknown",
+        fmt::format("passes lie up to {:.1f} m beside the line, and no row width says which line they followed: "
+                    "their errors count from that one line. Set row_width",
+                    farthest));
+}
+
 }  // namespace
 
 TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table* reference,
@@ -220,6 +238,7 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
         "no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', "
         "or a log with "
         "ref_x_m and ref_y_m)");
+  tell_unknown_rows(passes, limits.row_width_m, result.report);
   const auto all = overall(passes);
   result.report.metrics["line_sd"] = {all.line.sd, Unit::metre};
   result.report.metrics["line_max"] = {all.line.max, Unit::metre};

@@ -180,6 +180,29 @@ TEST(NavigateTrack, TellsPoorFixesGapsJumpsAndTimesThatRunBack) {
     EXPECT_TRUE(has_finding(n.report, code)) << code;
 }
 
+// A receiver that finds its satellites again wanders off for some seconds: the filter takes neither place nor speed of
+// that for good. (A walk of a real log went on at 22 m/s.)
+TEST(NavigateTrack, ForgetsAVelocityThatWasWrong) {
+  std::vector<double> t, x, y;
+  for (int i = 0; i < 120; ++i) {
+    t.push_back(i < 40 ? i : i + 30);  // a gap of half a minute
+    const double lost = i >= 40 && i < 46 ? 20.0 * (46 - i) : 0;
+    x.push_back(1.2 * t.back() + lost);
+    y.push_back(-2 * lost);
+  }
+  Table track;
+  track.set("time_s", t);
+  track.set("x_m", x);
+  track.set("y_m", y);
+  track.set("quality", std::vector<std::int64_t>(t.size(), 1));
+  const auto n = navigate_track(track, nullptr, {}, {});
+  const auto speed = n.log.numbers("speed_m_s"), nx = n.log.numbers("x_m");
+  for (std::size_t i = 70; i < speed.size(); ++i) {
+    EXPECT_LT(speed[i], 2.5) << i;
+    EXPECT_NEAR(nx[i], x[i], 4) << i;
+  }
+}
+
 TEST(NavigateTrack, RefusesWhatIsNoTrack) {
   auto r = recording(0);
   r.track.set("quality", std::vector<std::int64_t>(600, 6));
@@ -216,6 +239,23 @@ TEST(NavigateTrack, ALogWithoutAnyQualityIsTakenAsSingleFixes) {
   EXPECT_TRUE(has_finding(navigate_track(r.track, nullptr, {}, {}).report, "quality_unknown"));
 }
 
+// A receiver that jumps over the field has driven no pass.
+TEST(TrackingErrors, AJumpIsNoPass) {
+  std::vector<double> t, x;
+  for (int i = 0; i < 300; ++i) {
+    t.push_back(i);
+    x.push_back(i % 100 < 60 ? 0.5 * (i % 7) : 30.0 * (i % 5));  // about a place, then 30 m from second to second
+  }
+  Table log;
+  log.set("time_s", t);
+  log.set("x_m", x);
+  log.set("y_m", std::vector<double>(t.size(), 0.0));
+  ErrorOptions o;
+  o.run_in = 0;
+  o.run_out = 0;
+  EXPECT_THAT(error_of([&] { tracking_errors(log, nullptr, nullptr, o, {}); }), HasSubstr("no straight stretch"));
+}
+
 // What was driven in a gap is unknown: two passes the same way on different lines do not become one.
 TEST(TrackingErrors, AGapEndsAPass) {
   std::vector<double> t, x, y;
@@ -230,8 +270,10 @@ TEST(TrackingErrors, AGapEndsAPass) {
   log.set("x_m", x);
   log.set("y_m", y);
   ErrorOptions o;
+  EXPECT_TRUE(has_finding(tracking_errors(log, nullptr, nullptr, o, {}).report, "row_width_unknown"));
   o.row_width = 2.5;
   const auto e = tracking_errors(log, nullptr, nullptr, o, {});
+  EXPECT_FALSE(has_finding(e.report, "row_width_unknown"));
   ASSERT_EQ(e.passes.rows(), 2U);
   EXPECT_EQ(e.passes.integers("row"), (std::vector<std::int64_t>{0, 2}));
   EXPECT_LT(e.passes.numbers("line_max_m")[1], 1e-6);
