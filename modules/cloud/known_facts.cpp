@@ -35,6 +35,7 @@ std::span<const FactInfo* const> known_facts() {
                                   &facts::range_noise,
                                   &facts::clock,
                                   &facts::poses,
+                                  &facts::level_sigma,
                                   &facts::breast_height,
                                   &facts::kind,
                                   &facts::height_reference,
