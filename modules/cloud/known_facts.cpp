@@ -10,6 +10,7 @@
 #include "base/option_text.h"
 #include "cloud/first_sight.h"
 #include "cloud/height_facts.h"
+#include "cloud/whole_cloud.h"
 
 namespace bole {
 inline namespace cloud {
@@ -39,6 +40,9 @@ std::span<const FactInfo* const> known_facts() {
                                   &facts::kind,
                                   &facts::height_reference,
                                   &facts::terrain,
+                                  &facts::whole_origin,
+                                  &facts::whole_low,
+                                  &facts::whole_spacing,
                                   &facts::axes,
                                   &facts::crs};
   return all;

@@ -5,7 +5,7 @@ import os
 import sqlite3
 import sys
 
-from . import client, merging, planning, states
+from . import client, planning, states
 from .errors import CANCELLED, CampaignError, bad_input
 from .memory import machine_gib
 
@@ -48,7 +48,7 @@ def run(request):
 
 def print_status(request):
     found = kept_plan(request["out"])
-    rows = sorted(states.rows_of(found), key=states.badness)
+    rows = sorted(found.rows(), key=states.badness)
     if request.get("json"):
         print(json.dumps({"title": found.title, "folder": str(found.out), "counts": states.counts_of(rows), "inputs": rows}, indent=1))
         return 0
@@ -64,7 +64,7 @@ def print_status(request):
 def merge_results(request):
     found = kept_plan(request["out"])
     with client.only_client(found.out):
-        rows, notes = merging.merge(found)
+        rows, notes = found.merge()
     client.print_end(found, rows, notes)
     return states.exit_code_of(rows)
 

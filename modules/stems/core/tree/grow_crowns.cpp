@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/statistics.h"
+#include "cloud/whole_cloud.h"
 #include "stems/core/tree/crown_cells.h"
 #include "stems/core/tree/tree_axis.h"
 
@@ -219,8 +220,8 @@ CrownGrowth grow_crowns(const std::vector<Stem>& stems, const PointCloud& points
     low[k] = std::max(low[k], static_cast<double>(cloud_low[k]));
     high[k] = std::min(high[k], static_cast<double>(cloud_high[k]) + 0.01);
   }
-  // Cells lie by a stem, so that a cloud that is moved as a whole has the same crowns.
-  const Eigen::Vector3d& anchor = stems.front().breast_height;
+  // Cells begin where the whole cloud does, so that one that is moved, or a part of it, has the same crowns.
+  const Eigen::Vector3d anchor = grid_anchor(points, run);
   low = anchor.array() + cell_m * ((low - anchor) / cell_m).array().floor();
   const CrownCells cells(points, low, high, cell_m, bottom_m, run);
   const auto claims = Growth(stems, options, run).grow(cells);
