@@ -11,6 +11,7 @@
 #include "cloud/first_sight.h"
 #include "cloud/height_facts.h"
 #include "cloud/whole_cloud.h"
+#include "cloud/whole_size.h"
 
 namespace bole {
 inline namespace cloud {
@@ -43,6 +44,7 @@ std::span<const FactInfo* const> known_facts() {
                                   &facts::whole_origin,
                                   &facts::whole_low,
                                   &facts::whole_spacing,
+                                  &facts::whole_points,
                                   &facts::axes,
                                   &facts::crs};
   return all;

@@ -138,7 +138,7 @@ class Run:
         try:
             workers, self.room = start_workers(self.request, len(self.waiting))
             self._fit_to(workers)
-            print(f"{of} inputs, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
+            print(f"{self.plan.named(self.waiting[0], of)}, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
                   + (f", {self.room.gib:.1f} GiB)" if self.room else ")"), flush=True)
             self._loop(workers, interrupts)
             return interrupts.asked
@@ -231,8 +231,8 @@ def print_end(of_plan, rows, notes):
     for row in sorted(rows, key=states.badness):
         if row["state"] != "done":
             print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['error']}")
-    print(f"{len(rows)} inputs: {states.in_words(states.counts_of(rows))}")
-    print(f"Results are in {of_plan.out}: stems.csv, campaign.gpkg, campaign.html", flush=True)
+    print(f"{len(rows)} {of_plan.rows_are}: {states.in_words(states.counts_of(rows))}")
+    print(f"Results are in {of_plan.out}: {', '.join(of_plan.results)}", flush=True)
 
 
 def run_task(of_plan, request):

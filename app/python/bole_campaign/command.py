@@ -57,7 +57,7 @@ def print_status(request):
         stems = "" if row["stems"] is None else row["stems"]
         seconds, peak = ("" if row[name] is None else format(row[name], form) for name, form in (("seconds", ".1f"), ("peak_mib", ".0f")))
         print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['verdict']:<8} {stems:>6} {seconds:>9} {peak:>7} {row['attempts']:>5}  {row['error']}")
-    print(f"{len(rows)} inputs: {states.in_words(states.counts_of(rows))}")
+    print(f"{len(rows)} {found.rows_are}: {states.in_words(states.counts_of(rows))}")
     return 0
 
 

@@ -52,6 +52,12 @@ class Plan:
         self.out.mkdir(parents=True, exist_ok=True)
         folders.write_json(self.out / "plan.json", {"format": 1, "title": self.title, "tables": self.tables, "retries": self.retries, "tasks": self.tasks})
 
+    rows_are, results = "inputs", ("stems.csv", "campaign.gpkg", "campaign.html")
+
+    def named(self, task, count):
+        """What is about to run, in words."""
+        return f"{count} inputs"
+
     def phases(self):
         """The tasks that may run side by side; those of the next phase need the results of the one before."""
         yield self.tasks

@@ -39,6 +39,11 @@ class TilePlan(planning.Plan):
         self._read = (None, [])  # tiles.csv, by its stamp
         self.numbered = None  # of the last merge: {tile: {tree_id in it: number}}
 
+    rows_are, results = "tiles and steps", ("stems.csv", "campaign.gpkg", "campaign.html", "terrain.vrt", "tiles")
+
+    def named(self, task, count):
+        return task["phase"] + (f": {count} tiles" if task["phase"] in OF_TILES else "")
+
     @staticmethod
     def of_campaign(campaign, out, program, version):
         info = {name: getattr(campaign, name) for name in INFO}

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "cloud/occupied_cells.h"
 #include "cloud/whole_cloud.h"
+#include "cloud/whole_size.h"
 #include "io/core/las/crs_unit.h"
 #include "io/core/las/las_facts.h"
 #include "io/core/tiles/record_stream.h"
@@ -204,6 +205,9 @@ class Cutter {
     for (auto& text : warnings) out_.report.warn(std::move(text));
     spacing_m_ = occupied_ ? spacing_of(std::move(*occupied_), spacing_cell_) : finest_spacing_m;
     set_whole(facts, whole(), spacing_m_);
+    std::uint64_t points = 0;
+    for (const auto& [place, tile] : tiles_) points += tile.core_points;
+    facts[std::string(facts::whole_points.key)] = std::to_string(points);
     if (options_.breast_height) set_fact(facts, facts::breast_height, *options_.breast_height);
     return facts;
   }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/error.h"
 #include "base/no_number.h"
@@ -13,9 +15,17 @@ namespace {
 
 std::string drift_column(std::size_t k) { return fmt::format("drift_{}", k); }
 
+// A column of empty cells alone is read from a file as words.
+std::vector<double> numbers_in(const Table& table, const std::string& name) {
+  const auto* values = table.find(name);
+  const auto* words = values == nullptr ? nullptr : std::get_if<std::vector<std::string>>(values);
+  const bool nothing = words != nullptr && std::ranges::all_of(*words, [](const auto& w) { return w.empty(); });
+  return nothing ? std::vector<double>(words->size(), no_number) : table.numbers(name);
+}
+
 // The only row of a table of priors.
 double single(const Table& table, const char* name) {
-  const auto values = table.numbers(name);
+  const auto values = numbers_in(table, name);
   if (values.size() != 1)
     throw bad_input(fmt::format("the table of priors has {} rows", values.size()), "one", "stems.pool_priors makes it");
   return values.front();
@@ -61,13 +71,13 @@ Table evidence_table(const std::vector<StemEvidence>& stems) {
 }
 
 std::vector<StemEvidence> evidence_in(const Table& table) {
-  const auto x = table.numbers("x_m"), y = table.numbers("y_m"), offset = table.numbers("range_offset_m"),
-             offset_sd = table.numbers("range_offset_sd_m"), noise = table.numbers("noise_m");
+  const auto x = numbers_in(table, "x_m"), y = numbers_in(table, "y_m"), offset = numbers_in(table, "range_offset_m"),
+             offset_sd = numbers_in(table, "range_offset_sd_m"), noise = numbers_in(table, "noise_m");
   std::vector<StemEvidence> out(x.size());
   for (std::size_t i = 0; i < out.size(); ++i)
     out[i] = {{x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i]}, noise[i]};
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k) {
-    const auto values = table.numbers(drift_column(k));
+    const auto values = numbers_in(table, drift_column(k));
     for (std::size_t i = 0; i < out.size(); ++i) {
       if (std::isnan(values[i])) continue;
       if (!out[i].drift) out[i].drift.emplace();
