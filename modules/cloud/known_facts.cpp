@@ -31,22 +31,11 @@ void check(const Facts& facts, const FactInfo& info) {
 }  // namespace
 
 std::span<const FactInfo* const> known_facts() {
-  static constexpr std::array all{&facts::sensor,
-                                  &facts::beam_divergence,
-                                  &facts::beam_aperture,
-                                  &facts::range_noise,
-                                  &facts::clock,
-                                  &facts::poses,
-                                  &facts::breast_height,
-                                  &facts::kind,
-                                  &facts::height_reference,
-                                  &facts::terrain,
-                                  &facts::whole_origin,
-                                  &facts::whole_low,
-                                  &facts::whole_spacing,
-                                  &facts::whole_points,
-                                  &facts::axes,
-                                  &facts::crs};
+  static constexpr std::array all{
+      &facts::sensor,       &facts::beam_divergence, &facts::beam_aperture, &facts::range_noise,      &facts::clock,
+      &facts::poses,        &facts::breast_height,   &facts::kind,          &facts::height_reference, &facts::terrain,
+      &facts::whole_origin, &facts::whole_low,       &facts::whole_spacing, &facts::whole_points,     &facts::axes,
+      &facts::crs};
   return all;
 }
 

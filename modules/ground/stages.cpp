@@ -39,7 +39,8 @@ void register_stages(pipeline::StageRegistry& registry) {
       "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
       "middle of the band and not along its lower edge or the top of the grass. "
       "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any "
-      "ground point the model has no value and points there have no height (NaN). Where a terrain is connected, heights are "
+      "ground point the model has no value and points there have no height (NaN). Where a terrain is connected, "
+      "heights are "
       "counted from that.";
   type.source =
       "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, "

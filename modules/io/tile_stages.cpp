@@ -21,8 +21,10 @@ pipeline::StageType cut_stage() {
   type.vtk_class = "vtkBoleCutCloud";
   type.title = "Cut a cloud into tiles";
   type.help =
-      "Cuts a cloud of any size into overlapping files, one for each tile, and writes them with a list, tiles.csv, into "
-      "the output folder. Points keep all their fields and their order. Each file says where the whole cloud begins and "
+      "Cuts a cloud of any size into overlapping files, one for each tile, and writes them with a list, tiles.csv, "
+      "into "
+      "the output folder. Points keep all their fields and their order. Each file says where the whole cloud begins "
+      "and "
       "how dense it is, so that terrain and stems of a tile are searched in the same cells as in the whole.";
   type.source = "Bole";
   type.outputs = {{"tiles", DataKind::table, "A row per tile: name, file, core, number of points.", false, {}}};
@@ -51,9 +53,17 @@ std::optional<Eigen::AlignedBox2d> window_in(const std::string& text) {
 pipeline::StageType read_raster_stage() {
   using S = ReadRasterOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"file", &S::file, TextKind::input_path, {}, Tier::basic,
+      Option<S, std::string>{"file",
+                             &S::file,
+                             TextKind::input_path,
+                             {},
+                             Tier::basic,
                              "Raster to read: GeoTIFF with square cells, or a GDAL VRT of several (.vrt)."},
-      Option<S, std::string>{"bounds", &S::bounds, TextKind::plain, {}, Tier::advanced,
+      Option<S, std::string>{"bounds",
+                             &S::bounds,
+                             TextKind::plain,
+                             {},
+                             Tier::advanced,
                              "Part to read: xmin,ymin,xmax,ymax in the coordinates of the file. Empty: all."},
   });
   pipeline::StageType type;

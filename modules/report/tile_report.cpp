@@ -17,7 +17,11 @@ namespace bole::report {
 const OptionTable& option_table(const TileReportOptions*) {
   using S = TileReportOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"core", &S::core, TextKind::plain, {}, Tier::basic,
+      Option<S, std::string>{"core",
+                             &S::core,
+                             TextKind::plain,
+                             {},
+                             Tier::basic,
                              "Core of the tile: xmin,ymin,xmax,ymax. Terrain and points outside of it are left to the "
                              "tiles beside. Empty: everything."},
       Option<S, bool>{"cloud", &S::cloud, Tier::basic, "Write the points with all their columns: cloud.laz."},
@@ -44,8 +48,7 @@ PointCloud points_in(const PointCloud& points, const io::CloudBounds& core, cons
 Raster cells_in(const Raster& raster, const io::CloudBounds& core) {
   const auto range = [&](double low, double high, double origin, int n) {
     const auto edge = [&](double v) {
-      return static_cast<int>(
-          std::clamp(std::ceil((v - origin) / raster.cell_m - 0.5), 0.0, static_cast<double>(n)));
+      return static_cast<int>(std::clamp(std::ceil((v - origin) / raster.cell_m - 0.5), 0.0, static_cast<double>(n)));
     };
     return std::pair(edge(low), edge(high));
   };

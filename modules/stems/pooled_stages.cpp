@@ -19,7 +19,8 @@ pipeline::StageType evidence_stage() {
   t.title = "Evidence of the stems";
   t.help =
       "The first look of stems.measure, with the same options: finds stems and gives for each what it says about the "
-      "errors that all stems share (spread of passes and views, range offset, noise of the ranges). Run it on parts of a "
+      "errors that all stems share (spread of passes and views, range offset, noise of the ranges). Run it on parts of "
+      "a "
       "cloud, and pool the rows of all parts with stems.pool_priors.";
   t.source = "Bole";
   t.inputs = measure_ports();
@@ -39,19 +40,21 @@ pipeline::StageType evidence_stage() {
 }
 
 pipeline::StageType pool_stage() {
-  static const OptionTable table = make_option_table<PoolOptions>({Option<PoolOptions, double>{
-      "range_offset_sd",
-      &PoolOptions::range_offset_sd,
-      Unit::metre,
-      {1e-6, 0.1},
-      Tier::expert,
-      "Standard deviation expected of the range offset, as in stems.measure. A larger value lets the stems say more."}});
+  static const OptionTable table = make_option_table<PoolOptions>(
+      {Option<PoolOptions, double>{"range_offset_sd",
+                                   &PoolOptions::range_offset_sd,
+                                   Unit::metre,
+                                   {1e-6, 0.1},
+                                   Tier::expert,
+                                   "Standard deviation expected of the range offset, as in stems.measure. A larger "
+                                   "value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =
-      "Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the evidence "
+      "Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the "
+      "evidence "
       "of all likeliest, the mean range offset and the middle noise. stems.measure takes the row in place of what it "
       "would learn from its own stems.";
   t.source = "Bole";
@@ -64,8 +67,7 @@ pipeline::StageType pool_stage() {
     pipeline::StageResult result;
     result.report.counts["stems"] = static_cast<std::int64_t>(stems.size());
     result.report.message = fmt::format("priors of {} stems", stems.size());
-    if (priors.drift)
-      result.report.metrics["drift_between_passes"] = {100 * priors.drift->pass_sd_m, Unit::centimetre};
+    if (priors.drift) result.report.metrics["drift_between_passes"] = {100 * priors.drift->pass_sd_m, Unit::centimetre};
     if (priors.range_offset)
       result.report.metrics["range_offset"] = {100 * priors.range_offset->mean_m, Unit::centimetre};
     result.outputs.set("priors", priors_table(priors, stems.size()));

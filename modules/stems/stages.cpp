@@ -50,12 +50,13 @@ pipeline::StageType measure_stage() {
   t.version = 7;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
-  t.inputs.push_back({"priors",
-                      DataKind::table,
-                      "What all stems say of a cloud that this one is a part of, from stems.pool_priors: taken in place "
-                      "of what is learnt from the stems.",
-                      true,
-                      {}});
+  t.inputs.push_back(
+      {"priors",
+       DataKind::table,
+       "What all stems say of a cloud that this one is a part of, from stems.pool_priors: taken in place "
+       "of what is learnt from the stems.",
+       true,
+       {}});
   t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},

@@ -313,8 +313,7 @@ GroundModel ground_of(const PointCloud& cloud, const Raster& terrain, const Grou
   for (float& v : model.filled.values) v = std::isnan(v) ? missing : 0.0F;
   model.height_above_ground = heights_above(cloud, model.dem, run);
   model.classification = classify(cloud, model.height_above_ground, scales);
-  const auto below =
-      std::ranges::count_if(model.height_above_ground, [](float height) { return !std::isnan(height); });
+  const auto below = std::ranges::count_if(model.height_above_ground, [](float height) { return !std::isnan(height); });
   if (below == 0)
     throw bad_input(fmt::format("the terrain given lies below none of {} points", cloud.size()),
                     "a terrain model of the same place, in the same coordinates", "Check the file of the terrain");

@@ -138,7 +138,8 @@ class SeedFinder {
 }  // namespace
 
 CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m, const Eigen::Vector2d& anchor) {
-  shape_ = shape_over(points, cell_m, anchor, [](const LowPoint& p) -> Eigen::Vector2d { return p.position.head<2>(); });
+  shape_ =
+      shape_over(points, cell_m, anchor, [](const LowPoint& p) -> Eigen::Vector2d { return p.position.head<2>(); });
   keys_.reserve(points.size());
   for (const auto& p : points)
     keys_.push_back(

@@ -353,10 +353,11 @@ class Survey {
     tell_priors(priors, pooled_->drift.has_value(), takes_offset);
     priors.learnt = pooled_->drift || pooled_->range_offset;
     if (pooled_->drift && pooled_->drift->pass_sd_m >= min_drift_to_align_m)
-      out_.report.find(Severity::look, "passes_not_aligned",
-                       fmt::format("passes of the walk disagree by {:.1f} cm. In a part of a cloud they are not brought "
-                                   "together: diameters are of all passes as they lie",
-                                   100 * pooled_->drift->pass_sd_m));
+      out_.report.find(
+          Severity::look, "passes_not_aligned",
+          fmt::format("passes of the walk disagree by {:.1f} cm. In a part of a cloud they are not brought "
+                      "together: diameters are of all passes as they lie",
+                      100 * pooled_->drift->pass_sd_m));
   }
 
   void tell_priors(const ProjectPriors& priors, bool drift, bool range_offset) {

@@ -21,7 +21,7 @@ struct RejectedStem {
 };
 
 struct StemSurvey {
-  std::vector<Stem> stems;  // ids from 1, from north to south, west to east where level
+  std::vector<Stem> stems;       // ids from 1, from north to south, west to east where level
   std::vector<TopVerdict> tops;  // by stem
   std::vector<RejectedStem> rejected;
   PointCloud points;  // input with tree_id and stem

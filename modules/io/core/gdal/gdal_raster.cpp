@@ -124,7 +124,8 @@ Raster read_geotiff(const std::filesystem::path& path, const std::optional<Eigen
   int has_no_data = FALSE;
   const auto no_data = static_cast<float>(band.GetNoDataValue(&has_no_data));
   for (int iy = raster.ny - 1; iy >= 0; --iy) {
-    if (band.RasterIO(GF_Read, cells_read.column, cells_read.row + iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) != CE_None)
+    if (band.RasterIO(GF_Read, cells_read.column, cells_read.row + iy, raster.nx, 1, row.data(), raster.nx, 1,
+                      GDT_Float32, 0, 0) != CE_None)
       throw bad_input(fmt::format("'{}': row {} cannot be read: {}", path.string(), iy, errors.last()), "a whole file");
     if (has_no_data != FALSE) std::ranges::replace(row, no_data, std::numeric_limits<float>::quiet_NaN());
     raster.values.insert(raster.values.end(), row.begin(), row.end());

@@ -188,7 +188,8 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
         middle[k] =
             steps_of_origin((*origin)[axis], box.min[k], box.max[k], scale[axis], offset[axis]).value_or(middle[k]);
       cloud.origin[axis] = offset[axis] + middle[k] * scale[axis];
-      if (std::int64_t{box.max[k]} - middle[k] > max_exact_steps || std::int64_t{middle[k]} - box.min[k] > max_exact_steps)
+      if (std::int64_t{box.max[k]} - middle[k] > max_exact_steps ||
+          std::int64_t{middle[k]} - box.min[k] > max_exact_steps)
         *exact = false;
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions_.size(), 1 << 16),

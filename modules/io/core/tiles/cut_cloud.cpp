@@ -142,7 +142,8 @@ class Cutter {
       std::array<std::int32_t, 3> v{};
       for (std::size_t k = 0; k < 3; ++k) v[k] = las::load<std::int32_t>(records + 4 * k) + s.shift[k];
       const Eigen::Vector2d p = position(v).head<2>();
-      for (std::size_t k = 0; k < 3; ++k) box_.min[k] = std::min(box_.min[k], v[k]), box_.max[k] = std::max(box_.max[k], v[k]);
+      for (std::size_t k = 0; k < 3; ++k)
+        box_.min[k] = std::min(box_.min[k], v[k]), box_.max[k] = std::max(box_.max[k], v[k]);
       const Eigen::Array2i cell = ((p - spacing_corner_) / spacing_cell_).array().floor().cast<int>();
       if (occupied_ && (cell >= 0).all() && cell.x() < occupied_->nx() && cell.y() < occupied_->ny())
         occupied_->occupy(cell.x(), cell.y());
@@ -193,8 +194,8 @@ class Cutter {
       const double scale = first().scale[axis], offset = first().offset[axis];
       const std::int32_t middle = las::grid_middle(box_.min[k], box_.max[k], scale, offset);
       out.origin[axis] = offset + middle * scale;
-      out.low[axis] = static_cast<double>(
-          static_cast<float>(static_cast<double>(std::int64_t{box_.min[k]} - middle) * scale));
+      out.low[axis] =
+          static_cast<double>(static_cast<float>(static_cast<double>(std::int64_t{box_.min[k]} - middle) * scale));
     }
     return out;
   }
@@ -295,18 +296,42 @@ class Cutter {
 const OptionTable& option_table(const CutOptions*) {
   using S = CutOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"files", &S::files, TextKind::input_path, {path_separator}, Tier::basic,
+      Option<S, std::string>{"files",
+                             &S::files,
+                             TextKind::input_path,
+                             {path_separator},
+                             Tier::basic,
                              "Point cloud to cut: LAS, LAZ or COPC files of one cloud, separated by commas."},
-      Option<S, double>{"tile", &S::tile_m, Unit::metre, {1.0, 10000.0}, Tier::basic,
+      Option<S, double>{"tile",
+                        &S::tile_m,
+                        Unit::metre,
+                        {1.0, 10000.0},
+                        Tier::basic,
                         "Side of the core of a tile. Larger tiles repeat fewer points and take more memory."},
-      Option<S, double>{"buffer", &S::buffer_m, Unit::metre, {0.0, 1000.0}, Tier::basic,
+      Option<S, double>{"buffer",
+                        &S::buffer_m,
+                        Unit::metre,
+                        {0.0, 1000.0},
+                        Tier::basic,
                         "Width of the strip around a core whose points belong to the tile too. It should be wider than "
                         "a crown."},
-      Option<S, double>{"shift_x", &S::shift_x, Unit::metre, {-10000.0, 10000.0}, Tier::advanced,
+      Option<S, double>{"shift_x",
+                        &S::shift_x,
+                        Unit::metre,
+                        {-10000.0, 10000.0},
+                        Tier::advanced,
                         "Shift of the grid of tiles to the east. Cores begin at multiples of tile plus this."},
-      Option<S, double>{"shift_y", &S::shift_y, Unit::metre, {-10000.0, 10000.0}, Tier::advanced,
+      Option<S, double>{"shift_y",
+                        &S::shift_y,
+                        Unit::metre,
+                        {-10000.0, 10000.0},
+                        Tier::advanced,
                         "Shift of the grid of tiles to the north."},
-      Option<S, std::optional<double>>{"breast_height", &S::breast_height, Unit::metre, {0.1, 5.0}, "auto",
+      Option<S, std::optional<double>>{"breast_height",
+                                       &S::breast_height,
+                                       Unit::metre,
+                                       {0.1, 5.0},
+                                       "auto",
                                        Tier::advanced,
                                        "Height above ground at which diameters are measured, noted in the tiles. auto: "
                                        "as the files say, else 1.3 m."},

@@ -82,9 +82,8 @@ std::uint64_t stream_packed(Bytes whole_file, const LasInfo& info, const Run& ru
 
 void for_each_records(Bytes file, const LasInfo& info, const Run& run, Report& report, const RecordsFunction& f) {
   const auto done = info.compressed ? stream_packed(file, info, run, f) : stream_plain(file, info, run, f);
-  note_missing_points(
-      report, info.points, done,
-      fmt::format("{} of {} points read: the file ends early or is damaged there", done, info.points));
+  note_missing_points(report, info.points, done,
+                      fmt::format("{} of {} points read: the file ends early or is damaged there", done, info.points));
 }
 
 }  // namespace bole::io::las

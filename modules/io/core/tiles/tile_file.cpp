@@ -31,8 +31,8 @@ VlrList records_for(Bytes source, const LasInfo& info, const Facts& facts) {
   return vlrs;
 }
 
-std::vector<std::uint8_t> header_for(Bytes source, const LasInfo& info, const VlrList& vlrs,
-                                     const TileStatistics& s, bool packed) {
+std::vector<std::uint8_t> header_for(Bytes source, const LasInfo& info, const VlrList& vlrs, const TileStatistics& s,
+                                     bool packed) {
   const std::size_t size = load<std::uint16_t>(&source[94]);
   std::vector<std::uint8_t> h(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(size));
   store(&h[96], static_cast<std::uint32_t>(size + vlrs.bytes().size()));

@@ -26,8 +26,8 @@ std::vector<std::uint32_t> indices_between(const PointCloud& points, float botto
 
 // Where the cells begin: at the least coordinates of the whole cloud, so that they lie the same on the stems wherever
 // the cloud is moved to, whatever the ground says of points at the edge of the layer, and in a part of the cloud.
-// Coordinates of files lie on a lattice, of a millimetre or a part of it; a little off it no point lies on the border of
-// two cells, where rounding would decide.
+// Coordinates of files lie on a lattice, of a millimetre or a part of it; a little off it no point lies on the border
+// of two cells, where rounding would decide.
 constexpr double off_lattice_m = 0.000037;
 
 }  // namespace

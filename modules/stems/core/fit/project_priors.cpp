@@ -13,7 +13,8 @@ namespace bole::stems {
 namespace {
 
 // Grids of standard deviations in metres. Poses wander by little between views of one pass.
-constexpr std::array<double, drift_pass_steps> pass_sds{0.0005, 0.001, 0.002, 0.003, 0.0045, 0.0065, 0.01, 0.015, 0.02, 0.03, 0.05};
+constexpr std::array<double, drift_pass_steps> pass_sds{0.0005, 0.001, 0.002, 0.003, 0.0045, 0.0065,
+                                                        0.01,   0.015, 0.02,  0.03,  0.05};
 constexpr std::array<double, drift_view_steps> view_sds{0.0005, 0.001, 0.0015, 0.002, 0.003, 0.0045, 0.0065, 0.01};
 
 // Mean and spread of the offset under a normal likelihood and the prior of mean_range_offset, by quadrature: the mode

@@ -39,7 +39,8 @@ class CanopyTop {
       }
     }
     if (!(low.array() <= high.array()).all()) return;
-    corner_ = aligned_corner(low.cast<double>(), grid_anchor(points, run).head<2>(), static_cast<double>(cell_)).cast<float>();
+    corner_ = aligned_corner(low.cast<double>(), grid_anchor(points, run).head<2>(), static_cast<double>(cell_))
+                  .cast<float>();
     const Eigen::Vector2f extent = high - corner_;
     while ((std::floor(extent.x() / cell_) + 1) * (std::floor(extent.y() / cell_) + 1) > max_cells) cell_ *= 2;
     nx_ = static_cast<int>(extent.x() / cell_) + 1;
