@@ -61,6 +61,7 @@ void register_result_names() {
                               "reference_trees.csv",
                               "rejected.csv",
                               "report.html",
+                              "row_matches.csv",
                               "rows.csv",
                               "rows.geojson",
                               "rows.gpkg",

@@ -8,7 +8,7 @@
 
 #include "base/angles.h"
 #include "base/transform.h"
-#include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/place_stems.h"
 #include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
