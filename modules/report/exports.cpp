@@ -135,11 +135,11 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.trajectory); }});
   if (o.tables && d.trajectory != nullptr && d.place)
-    exports.push_back({"trajectory_global.csv", [&d](const auto& path, const Run&, Report&) {
-                         const io::Decimals decimals{
-                             {"time_s", 6}, {"easting_m", 4}, {"northing_m", 4}, {"height_m", 4}, {"z_m", 4}};
-                         io::write_table(path, global_path(*d.trajectory, *d.place), decimals);
-                       }});
+    exports.push_back(
+        {"trajectory_global.csv", [&d](const auto& path, const Run&, Report&) {
+           const io::Decimals decimals{{"time_s", 6}, {"easting_m", 4}, {"northing_m", 4}, {"height_m", 4}, {"z_m", 4}};
+           io::write_table(path, global_path(*d.trajectory, *d.place), decimals);
+         }});
   const auto add_raster = [&](const char* file, const Raster* raster) {
     if (o.tables && raster != nullptr)
       exports.push_back({file, [raster, &d](const auto& path, const Run& run, Report&) {

@@ -110,7 +110,8 @@ std::string stems_ply(const std::vector<render::StemShape>& stems) {
     first += t.points.size();
   }
   return fmt::format(
-             "ply\nformat ascii 1.0\ncomment stems as tapered tubes, metres, axes of the stem table (x_m, y_m, z_m)\nelement vertex {}\nproperty double "
+             "ply\nformat ascii 1.0\ncomment stems as tapered tubes, metres, axes of the stem table (x_m, y_m, "
+             "z_m)\nelement vertex {}\nproperty double "
              "x\nproperty double y\nproperty double z\nelement face {}\nproperty list uchar int "
              "vertex_indices\nproperty int tree_id\nend_header\n",
              first, count) +

@@ -167,14 +167,15 @@ class ComparisonTables {
                                  with_reference, pairs_.size());
     if (!any && pairs_.empty())
       out_.report.find(Severity::look, "nothing_compared",
-           "there is nothing to compare: no run has a reference, and no two runs are of one plot. Give "
-           "reference_trees.file, or runs of the same plot");
+                       "there is nothing to compare: no run has a reference, and no two runs are of one plot. Give "
+                       "reference_trees.file, or runs of the same plot");
     else if (!any)
       report.find(Severity::note, "no_reference",
                   "no run has a reference: the figures are differences between runs, and no errors");
     else if (with_reference < runs_.size())
-      out_.report.find(Severity::look, "runs_without_reference", fmt::format("{} of {} runs have no reference and are in no table of errors",
-                                                 runs_.size() - with_reference, runs_.size()));
+      out_.report.find(Severity::look, "runs_without_reference",
+                       fmt::format("{} of {} runs have no reference and are in no table of errors",
+                                   runs_.size() - with_reference, runs_.size()));
     if (runs_.size() == 1)
       report.find(Severity::note, "one_run", "one run is compared with its reference only: no other is named");
   }

@@ -41,7 +41,9 @@ Plan plan_view(const Trajectory& path) {
 LoopRow row_of(const LoopRun& run) {
   LoopRow row{run.name, run.note, run.color, plan_view(run.path), {}, {}, run.map.corner, run.map.opposite()};
   if (run.map.width > 0) row.map = density_image(run.map, 20);
-  const auto covered = [&](double t) { return t >= run.path.poses.front().time_s && t <= run.path.poses.back().time_s; };
+  const auto covered = [&](double t) {
+    return t >= run.path.poses.front().time_s && t <= run.path.poses.back().time_s;
+  };
   if (!run.path.poses.empty())
     for (const auto& [from, to] : run.loops)
       if (covered(from) && covered(to))
@@ -122,8 +124,10 @@ Figure loop_sheet(const std::vector<LoopRun>& runs, const Trajectory& reference,
   figure.name = "loop_closure";
   figure.title = "Path and map with their loop closures";
   figure.caption = fmt::format(
-      "Left: the path of each run from above{}; green lines join the two places of each loop closure. Right: the map of "
-      "the run in the square of the left panel, {:.1f} m wide, where the paths of the first two runs are furthest apart; "
+      "Left: the path of each run from above{}; green lines join the two places of each loop closure. Right: the map "
+      "of "
+      "the run in the square of the left panel, {:.1f} m wide, where the paths of the first two runs are furthest "
+      "apart; "
       "the darker, the more points between 0.5 and 2.5 m above the ground (all points where heights are not known).",
       sheet.reference.empty() ? "" : " over the reference (grey)", 2 * window.reach_m);
   figure.width_mm = width_mm;

@@ -16,9 +16,9 @@ struct LoopRun {
   std::string name;
   std::string note;  // beside the name: "12 loop closures, ATE 3.1 cm"
   Color color;
-  Trajectory path;                              // in the axes of the sheet
-  std::vector<std::pair<double, double>> loops; // times of the two places that each closure joins, seconds
-  PlanDensity map;                              // of the window, in the axes of the sheet; empty: no cloud
+  Trajectory path;                               // in the axes of the sheet
+  std::vector<std::pair<double, double>> loops;  // times of the two places that each closure joins, seconds
+  PlanDensity map;                               // of the window, in the axes of the sheet; empty: no cloud
 };
 
 // The square that the maps show.

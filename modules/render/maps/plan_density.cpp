@@ -33,8 +33,8 @@ Image density_image(const PlanDensity& plan, double darkest) {
   Image image{plan.width, plan.height, {}};
   for (int y = plan.height - 1; y >= 0; --y)
     for (int x = 0; x < plan.width; ++x) {
-      const double n = plan.points[static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.width) +
-                                    static_cast<std::size_t>(x)];
+      const double n =
+          plan.points[static_cast<std::size_t>(y) * static_cast<std::size_t>(plan.width) + static_cast<std::size_t>(x)];
       const double t = std::min(1.0, std::log1p(n) / std::log1p(std::max(1.0, dense)));
       const auto grey = static_cast<std::uint8_t>(std::lround(255 - (255 - darkest) * t));
       image.rgba.insert(image.rgba.end(), {grey, grey, grey, 255});

@@ -31,8 +31,8 @@ ObliqueView::ObliqueView(const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, c
   constexpr double inf = std::numeric_limits<double>::infinity();
   Eigen::Vector2d low(inf, inf), high(-inf, -inf);
   for (int corner = 0; corner < 8; ++corner) {
-    const Eigen::Vector2d p = flat({corner & 1 ? hi.x() : lo.x(), corner & 2 ? hi.y() : lo.y(),
-                                    corner & 4 ? hi.z() : lo.z()});
+    const Eigen::Vector2d p =
+        flat({corner & 1 ? hi.x() : lo.x(), corner & 2 ? hi.y() : lo.y(), corner & 4 ? hi.z() : lo.z()});
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }

@@ -73,8 +73,7 @@ PlantCloud plant_cloud(const PointCloud& cloud, const ViewBox& box, std::size_t 
   PlantCloud out{{}, box.lo, box.hi};
   const auto* plant = plant_numbers(cloud);
   for (const auto i : sampled_in(cloud, box, most))
-    out.points.push_back(
-        {cloud.position(i), plant != nullptr && (*plant)[i] > 0 ? id_color((*plant)[i]) : other_ink});
+    out.points.push_back({cloud.position(i), plant != nullptr && (*plant)[i] > 0 ? id_color((*plant)[i]) : other_ink});
   return out;
 }
 

@@ -106,8 +106,8 @@ void draw_truth_plan(Canvas& canvas, const TruthContent& c, const Box& box, cons
   draw_axes(canvas, frame, axes);
 }
 
-const LegendEntry found_plant{Symbol::cross, found_ink, "plant found"},
-    found_row{Symbol::line, found_ink, "row found"}, true_plant{Symbol::ring, reference_ink, "reference plant"},
+const LegendEntry found_plant{Symbol::cross, found_ink, "plant found"}, found_row{Symbol::line, found_ink, "row found"},
+    true_plant{Symbol::ring, reference_ink, "reference plant"},
     true_row{Symbol::dashed_line, reference_ink, "reference row"};
 
 }  // namespace
@@ -153,11 +153,12 @@ Figure rows_over_reference(const RowTruth& truth, const PointCloud* cloud, doubl
   Figure figure;
   figure.name = "rows_over_reference";
   figure.title = "Rows over the reference";
-  figure.caption = std::string(with_cloud ? "a: the points of the levelled frame, coloured by height (x right, y ahead, z "
-                                            "up); b: "
-                                          : "") +
-                   "plants and rows that were found (blue) over those of the reference (red), with the error of each "
-                   "row's angle.";
+  figure.caption =
+      std::string(with_cloud ? "a: the points of the levelled frame, coloured by height (x right, y ahead, z "
+                               "up); b: "
+                             : "") +
+      "plants and rows that were found (blue) over those of the reference (red), with the error of each "
+      "row's angle.";
   figure.width_mm = width_mm;
   figure.height_mm = title_mm + plan_height_mm + axis_space_below_mm + 2 + 2 * legend_line_mm + list_mm + 1;
   PlantCloud points;
@@ -183,12 +184,12 @@ Figure rows_over_reference(const RowTruth& truth, const PointCloud* cloud, doubl
       draw_found(canvas, frame, c, true);
     });
     const double below = box.y1 + axis_space_below_mm + 2;
-    const double used = draw_legend_row(canvas, {box.x0 - 1.5, below}, plan_mm + 1.5,
-                                        {found_plant, found_row, true_plant, true_row});
+    const double used =
+        draw_legend_row(canvas, {box.x0 - 1.5, below}, plan_mm + 1.5, {found_plant, found_row, true_plant, true_row});
     if (c.errors.empty()) return;
     const TextStyle style{7, ink::text};
-    canvas.text({box.x0, below + used + legend_line_mm / 2}, "Angle, found minus reference:",
-                style.aligned(HAlign::left, VAlign::middle));
+    canvas.text({box.x0, below + used + legend_line_mm / 2},
+                "Angle, found minus reference:", style.aligned(HAlign::left, VAlign::middle));
     draw_list(canvas, {box.x0, below + used + legend_line_mm}, plan_mm, c.errors, ink::text);
   };
   return figure;

@@ -1,6 +1,6 @@
 // The figures of a comparison of runs, those of the paper on improved LOAM: paths on the cloud (figure 8), slices side
-// by side (9), positions (10), position errors (11), diameters (12) and their errors by class (13); and that of the paper
-// on orchard mapping: path and map with their loop closures (4).
+// by side (9), positions (10), position errors (11), diameters (12) and their errors by class (13); and that of the
+// paper on orchard mapping: path and map with their loop closures (4).
 #pragma once
 
 #include <functional>

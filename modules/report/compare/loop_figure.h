@@ -17,9 +17,9 @@ struct ComparedRunPath {
 
 bool any_loops(const CompareData& data, const std::vector<std::size_t>& runs);
 
-// The first four runs below each other. `reference` may be empty. `common_axes`: the paths and clouds are in the axes of
-// one plot; else each is aligned with the reference, or with the first run where there is none. Reads of each cloud the
-// part that is drawn. Needs two paths.
+// The first four runs below each other. `reference` may be empty. `common_axes`: the paths and clouds are in the axes
+// of one plot; else each is aligned with the reference, or with the first run where there is none. Reads of each cloud
+// the part that is drawn. Needs two paths.
 render::Figure loop_figure(const CompareData& data, std::vector<ComparedRunPath> paths, const Trajectory& reference,
                            bool common_axes, double width_mm, const Run& run);
 

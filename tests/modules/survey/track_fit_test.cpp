@@ -103,7 +103,8 @@ Held held_with(double constant_s, double outlier_share, int seeds) {
     held.turn += std::abs(wrapped(fit.turn_rad - truth.turn_rad)) <= 1.96 * fit.turn_se_rad ? 1 : 0;
     const Eigen::Vector3d centre =
         truth.shift + Eigen::AngleAxisd(truth.turn_rad, Eigen::Vector3d::UnitZ()) * fit.centre_local;
-    for (int k = 0; k < 2; ++k) held.place += std::abs((fit.centre_global - centre)(k)) <= 1.96 * fit.shift_se_m ? 1 : 0;
+    for (int k = 0; k < 2; ++k)
+      held.place += std::abs((fit.centre_global - centre)(k)) <= 1.96 * fit.shift_se_m ? 1 : 0;
     held.places += 2;
     if (seed == 0)
       printf("se: clock %.2f s, turn %.2f deg, place %.2f m, lever %.2f m; %.1f fixes count as one\n",

@@ -41,8 +41,7 @@ void FaceFinder::uncover(std::vector<FoundTrunk>& trunks) {
     for (const auto& near : seen) {
       const double near_range = near.centre.norm(), near_half = near.diameter_cm / 200 / near_range;
       if (near_range > range - 2 * usual) continue;
-      const double apart =
-          std::remainder(bearing - std::atan2(near.centre.x(), near.centre.y()), 2 * std::numbers::pi);
+      const double apart = std::remainder(bearing - std::atan2(near.centre.x(), near.centre.y()), 2 * std::numbers::pi);
       if (std::abs(std::abs(apart) - near_half - r / range) > 0.3 * usual / range) continue;
       // The hidden part lies towards the nearer trunk.
       const Eigen::Vector2d ahead = t.centre / range, right(ahead.y(), -ahead.x());
@@ -67,7 +66,8 @@ std::vector<FoundTrunk> FaceFinder::distinct(std::vector<FoundTrunk> trunks) con
   return kept;
 }
 
-std::vector<Eigen::Vector3d> FaceFinder::about(const Eigen::Vector2d& at, double reach_m, double low_m, double high_m) const {
+std::vector<Eigen::Vector3d> FaceFinder::about(const Eigen::Vector2d& at, double reach_m, double low_m,
+                                               double high_m) const {
   std::vector<Eigen::Vector3d> points;
   const Eigen::Vector3f centre =
       Eigen::Vector3d(at.x() - dense_.origin.x(), at.y() - dense_.origin.y(), 0).cast<float>();

@@ -16,7 +16,7 @@ struct FoundTrunk {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
   double diameter_cm = std::numeric_limits<double>::quiet_NaN();
   std::int64_t plant = 0, layers = 0;
-  std::int64_t points = 0;              // that the centre rests on
+  std::int64_t points = 0;               // that the centre rests on
   std::vector<Eigen::Vector3d> shown{};  // points of the trunk; with leaves among them where a face was fitted
 };
 

@@ -113,15 +113,15 @@ class ControlChooser {
   void judge_bearing() {
     if (!out_.known || points_.size() < 2) return;
     const auto fit = fit_plan(pairs());
-    const double off = wrapped(out_.known->turn_rad - fit.turn_rad), sd = std::hypot(out_.known->sd_rad, fit.turn_se_rad);
+    const double off = wrapped(out_.known->turn_rad - fit.turn_rad),
+                 sd = std::hypot(out_.known->sd_rad, fit.turn_se_rad);
     constexpr double limit = 3.3;
     if (std::abs(off) <= limit * sd) return;
-    report_.find(
-        Severity::look, "bearing_contradicts",
-        fmt::format("the bearing differs by {:+.2f} deg from the direction of the control points (standard "
-                    "deviation {:.2f} deg) and is not used. Check declination, its sign, and which point is "
-                    "which",
-                    degrees(off), degrees(sd)));
+    report_.find(Severity::look, "bearing_contradicts",
+                 fmt::format("the bearing differs by {:+.2f} deg from the direction of the control points (standard "
+                             "deviation {:.2f} deg) and is not used. Check declination, its sign, and which point is "
+                             "which",
+                             degrees(off), degrees(sd)));
     out_.known.reset();
   }
 
@@ -143,8 +143,8 @@ class ControlChooser {
           others += fmt::format("{}'{}'", others.empty() ? "" : ", ", points_[rows[static_cast<std::size_t>(k)]].name);
         out_.notes[row] = "does not fit";
         report_.find(Severity::look, "control_blunder_unclear",
-                         said + ", but an error of " + others +
-                             " would explain it as well: too few points to tell. Measure them again, or add one");
+                     said + ", but an error of " + others +
+                         " would explain it as well: too few points to tell. Measure them again, or add one");
         return;
       }
       const bool leave_out = o_.leave_out_blunders;

@@ -28,8 +28,8 @@ struct ChosenControl {
   bool stated = false;             // the standard deviations of the points are given
 };
 
-// `bearing_target_rad`: as LocalPlot. What does not fit becomes a finding in `report`. Throws Error{bad_input} where the
-// points carry no direction: too few, all at one place, mirrored.
+// `bearing_target_rad`: as LocalPlot. What does not fit becomes a finding in `report`. Throws Error{bad_input} where
+// the points carry no direction: too few, all at one place, mirrored.
 ChosenControl choose_control(const std::vector<ControlPoint>& points, const geo::ProjectedCrs& crs,
                              double bearing_target_rad, const GeoreferenceOptions& options, Report& report);
 

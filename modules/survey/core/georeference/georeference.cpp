@@ -143,7 +143,7 @@ class Placing {
     const Eigen::Vector3d scale(fit_.scale, fit_.scale, 1);
     frame.A_global_local = scale.asDiagonal() * turn * level;
     frame.centre_local = control_.level.heights ? control_.level.heights->centre_local
-                                        : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
+                                                : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
     const Eigen::Vector2d at = fit_.to_global(frame.centre_local.head<2>());
     frame.shift_global = {at.x(), at.y(), control_.level.heights ? control_.level.heights->centre_height_m : 0};
     frame.heights_known = control_.level.heights.has_value();
