@@ -12,7 +12,7 @@
 namespace bole::render {
 namespace {
 
-struct Mark {
+struct TreeMark {
   Eigen::Vector2d at, reference;  // of an extra tree: twice its place
   bool extra = false;
 };
@@ -20,7 +20,7 @@ struct Mark {
 struct MarkSeries {
   std::string name;
   Color color;
-  std::vector<Mark> marks;
+  std::vector<TreeMark> marks;
 };
 
 struct PositionMap {

@@ -9,15 +9,15 @@ namespace {
 
 // A row with its residual as the last column.
 using Whole = Eigen::Matrix<double, track_unknowns + 1, 1>;
-using Sums = Eigen::Matrix<double, track_unknowns + 1, track_unknowns + 1>;
+using RowSums = Eigen::Matrix<double, track_unknowns + 1, track_unknowns + 1>;
 
 struct Process {
   double time_constant_s = 1, white_share = 0;
 };
 
-// Sums of products of rows that were made independent, in units of the errors' variance.
+// RowSums of products of rows that were made independent, in units of the errors' variance.
 struct WhiteSums {
-  Sums plan = Sums::Zero(), heights = Sums::Zero();
+  RowSums plan = RowSums::Zero(), heights = RowSums::Zero();
   double log_variance = 0;  // of the plan: log determinant of the correlation
   double observations = 0;  // of the plan
 };
@@ -28,7 +28,7 @@ class AxisFilter {
   explicit AxisFilter(const Process& process) : p_(process), variance_(1 - process.white_share) {}
 
   // Adds the innovation of `row` to `sums`; returns the logarithm of its variance.
-  double add(const Whole& row, double time_s, Sums& sums) {
+  double add(const Whole& row, double time_s, RowSums& sums) {
     if (began_) {
       const double keep = std::exp(-std::max(0.0, time_s - last_s_) / p_.time_constant_s);
       mean_ *= keep;
@@ -85,7 +85,7 @@ Answer answer_of(const WhiteSums& sums, double sd_m, const TrackPriorInformation
   const double w = 1 / (sd_m * sd_m);
   const TrackMatrix known = prior.weight.asDiagonal();
   const TrackVector pull = prior.weight.cwiseProduct(prior.residual);
-  const auto solve = [&](const Sums& all) {
+  const auto solve = [&](const RowSums& all) {
     const TrackMatrix normal = w * all.topLeftCorner<n, n>() + known;
     return std::pair(Eigen::LDLT<TrackMatrix>(normal), TrackVector(w * all.topRightCorner<n, 1>() + pull));
   };
