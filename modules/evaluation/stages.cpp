@@ -187,10 +187,11 @@ pipeline::StageResult evaluate_row_tables(const DataSet& in, const OptionSet& se
   pipeline::StageResult result;
   copy_metrics(found.summary, result.report);
   const auto& kind = found.rows.texts("kind");
-  const auto count = [&](const char* name) {
-    return result.report.counts[name] = std::ranges::count(kind, std::string(name));
+  const auto count = [&](const char* name, const char* of) {
+    return result.report.counts[name] = std::ranges::count(kind, std::string(of));
   };
-  const auto matched = count("matched"), missed = count("missed"), extra = count("false");
+  const auto matched = count("rows_matched", "matched"), missed = count("rows_missed", "missed"),
+             extra = count("rows_false", "false");
   if (matched == 0)
     result.report.warn(
         "no row matches a reference row: are both in the same axes? Place the frame (place.x, place.y, place.yaw, or "

@@ -15,7 +15,7 @@ const PointCloud* cloud_or_null(const DataSet& inputs, const char* port) {
   return inputs.has(port) ? &inputs.cloud(port) : nullptr;
 }
 
-bool north_known(const Table& rows) {
+bool rows_north_known(const Table& rows) {
   const auto axes = rows.facts.find("axes");
   return axes == rows.facts.end() || axes->second == "plot" || axes->second == "global";
 }
@@ -34,7 +34,7 @@ std::vector<pipeline::Port> rows_figure_ports() {
 }
 
 std::vector<RowsFigure> rows_figures(const DataSet& in, double width_mm) {
-  const bool north = north_known(in.table("rows"));
+  const bool north = rows_north_known(in.table("rows"));
   std::vector<RowsFigure> figures;
   const render::RowMapData map{&in.table("rows"), &in.table("plants"), &in.table("lines"), table_or_null(in, "strays"),
                                north};

@@ -31,11 +31,26 @@ namespace {
 
 // Tenths of a millimetre and thousandths of a degree.
 const io::Decimals& row_decimals() {
-  static const io::Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
-                              {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
-                              {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
-                              {"to_next_m", 4},    {"length_m", 3},     {"rms_m", 4},     {"sagitta_m", 3},
-                              {"across_m", 4}};
+  static const io::Decimals d{{"x_m", 4},
+                              {"y_m", 4},
+                              {"x0_m", 4},
+                              {"y0_m", 4},
+                              {"x1_m", 4},
+                              {"y1_m", 4},
+                              {"angle_deg", 4},
+                              {"angle_se_deg", 4},
+                              {"angle_lo_deg", 4},
+                              {"angle_hi_deg", 4},
+                              {"spacing_m", 4},
+                              {"spacing_sd_m", 4},
+                              {"to_next_m", 4},
+                              {"length_m", 3},
+                              {"rms_m", 4},
+                              {"sagitta_m", 3},
+                              {"across_m", 4},
+                              {"ref_angle_deg", 4},
+                              {"angle_error_deg", 4},
+                              {"shared", 3}};
   return d;
 }
 

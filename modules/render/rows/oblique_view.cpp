@@ -13,7 +13,7 @@ namespace {
 
 // The observer stands to the left of the middle and looks ahead, a little from above.
 const double view_azimuth_rad = radians(24), view_elevation_rad = radians(24);
-constexpr double left_space_mm = 9, right_space_mm = 10, below_space_mm = 8, above_space_mm = 2;
+constexpr double left_space_mm = 6, right_space_mm = 7, below_space_mm = 6, above_space_mm = 2.5;
 constexpr double number_pt = 6, label_pt = 6.5;
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace bole::render {
 namespace {
 
 constexpr std::size_t max_panel_points = 6000;
-constexpr double gap_mm = 4, title_space_mm = 5.5, dot_size_mm = 0.35;
+constexpr double gap_mm = 4, title_space_mm = 5.5, dot_size_mm = 0.4;
+constexpr double space_shape = 0.7, plan_shape = 0.86;  // height over width of panels in space, and beside plans
 
 struct SpacePanel {
   std::string title;
@@ -74,7 +75,7 @@ void draw_plan(Canvas& canvas, const PlanPanel& panel, const Box& box, bool nort
     const auto clip = canvas.clip(frame.box);
     for (const auto& p : panel.trunk_points) canvas.circle(frame.map(p.at.x(), p.at.y()), 0.2, p.color);
     draw_planned_rows(canvas, frame, panel.rows, {ink::primary});
-    for (const auto& p : panel.plants) canvas.cross(frame.map(p.x(), p.y()), 0.9, Stroke{ink::accent, 0.35});
+    for (const auto& p : panel.plants) canvas.cross(frame.map(p.x(), p.y()), 0.9, Stroke{ink::text, 0.35});
   }
   draw_axes(canvas, frame, axes);
 }
@@ -85,7 +86,8 @@ Figure row_steps_sheet(const RowSteps& steps, double width_mm) {
   if (!steps.complete())
     throw bad_input("a step from the frame to the rows is not connected",
                     "region, cleaned, clusters, trunk points, centres, plants and lines");
-  const double panel_mm = (width_mm - 2 * gap_mm) / 3, height_mm = 0.86 * panel_mm;
+  const double panel_mm = (width_mm - 2 * gap_mm) / 3, upper_mm = space_shape * panel_mm,
+               lower_mm = plan_shape * panel_mm;
   Figure figure;
   figure.name = "row_steps";
   figure.title = "From the frame to the rows";
@@ -95,14 +97,14 @@ Figure row_steps_sheet(const RowSteps& steps, double width_mm) {
       "with the centre of each plant; f: least-squares lines of the rows through the centres. a to e in the axes of "
       "the frame (x right, y ahead, z up), f in those of the rows. At most 6000 points of each panel are drawn.";
   figure.width_mm = width_mm;
-  figure.height_mm = 2 * (height_mm + title_space_mm) + gap_mm;
-  figure.draw = [sheet = sheet_of(steps), panel_mm, height_mm](Canvas& canvas) {
+  figure.height_mm = upper_mm + lower_mm + 2 * title_space_mm + gap_mm;
+  figure.draw = [sheet = sheet_of(steps), panel_mm, upper_mm, lower_mm](Canvas& canvas) {
     for (std::size_t k = 0; k < 6; ++k) {
       const double x = static_cast<double>(k % 3) * (panel_mm + gap_mm),
-                   y = static_cast<double>(k / 3) * (height_mm + title_space_mm + gap_mm);
+                   y = k < 3 ? 0 : upper_mm + title_space_mm + gap_mm;
       const auto& title = k < 4 ? sheet.space[k].title : sheet.plan[k - 4].title;
       const double top = y + draw_panel_title(canvas, {x, y}, std::string(1, static_cast<char>('a' + k)), title);
-      const Box box{x, top, x + panel_mm, top + height_mm};
+      const Box box{x, top, x + panel_mm, top + (k < 3 ? upper_mm : lower_mm)};
       if (k < 4)
         draw_space(canvas, sheet.space[k], box);
       else

@@ -174,7 +174,7 @@ Figure rows_over_reference(const RowTruth& truth, const PointCloud* cloud, doubl
     if (with_cloud) {
       draw_panel_title(canvas, {0, 0}, "a", "Points");
       draw_panel_title(canvas, {x, 0}, "b", "Rows");
-      const ObliqueView view(points.lo, points.hi, {0, title_mm, panel_mm, title_mm + plan_height_mm});
+      const ObliqueView view(points.lo, points.hi, {0, title_mm, panel_mm, canvas.height_mm()});
       view.draw_axes(canvas);
       view.draw_points(canvas, points.points, 0.3);
     }

@@ -69,7 +69,7 @@ pipeline::StageResult evaluated_rows(double turn_rad, double shift_m) {
 
 TEST_F(EvaluationStage, RowsAreJudgedByTheirAngles) {
   const auto result = evaluated_rows(0.02, 0);
-  EXPECT_EQ(result.report.counts.at("matched"), 2);
+  EXPECT_EQ(result.report.counts.at("rows_matched"), 2);
   EXPECT_NEAR(result.report.metrics.at("angle_error_mean").value, 0.02 * 180 / M_PI, 1e-6);
   EXPECT_EQ(result.outputs.table("lines").rows(), 4U) << "two ends of two rows";
   EXPECT_EQ(result.outputs.table("matches").rows(), 2U);

@@ -184,9 +184,9 @@ TEST_F(CompareReport, LoopClosuresAreShownWhereARunHasSome) {
   if (keep_) options.dpi = 150;
   const auto result = compare(options, "plot1,plot1");
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
-  const auto figure = contents(run_.output_dir / "figures/loop_closure.svg");
+  const auto figure = file_text(run_.output_dir / "figures/loop_closure.svg");
   ASSERT_FALSE(figure.empty());
-  EXPECT_THAT(contents(run_.output_dir / "report.html"), HasSubstr("green lines join the two places"));
+  EXPECT_THAT(file_text(run_.output_dir / "report.html"), HasSubstr("green lines join the two places"));
   // Two pictures: the maps of both runs, from their clouds.
   std::size_t pictures = 0;
   for (auto at = figure.find("<image"); at != std::string::npos; at = figure.find("<image", at + 1)) ++pictures;

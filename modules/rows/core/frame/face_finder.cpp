@@ -26,7 +26,12 @@ std::optional<FoundTrunk> FaceFinder::find(std::int32_t plant, const Eigen::Vect
   const auto fit = fit_trunk_face(near, strip.at, widest_, o_.range_sigma);
   // Too few points may remain visible behind a nearer trunk.
   if (!fit) return FoundTrunk{strip.at, 0, plant, strip.layers, std::ssize(near), std::move(near)};
-  return FoundTrunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points, std::move(near)};
+  FoundTrunk trunk{fit->centre, 200 * fit->radius_m, plant, strip.layers, fit->points};
+  // Of what is near: without the leaves around it and the ground at its foot.
+  const double reach = fit->radius_m + 2 * o_.range_sigma;
+  for (const auto& p : near)
+    if (p.z() > strip.low_m + o_.layer_height && (p.head<2>() - fit->centre).norm() < reach) trunk.shown.push_back(p);
+  return trunk;
 }
 
 void FaceFinder::uncover(std::vector<FoundTrunk>& trunks) {

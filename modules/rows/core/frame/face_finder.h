@@ -17,7 +17,7 @@ struct FoundTrunk {
   double diameter_cm = std::numeric_limits<double>::quiet_NaN();
   std::int64_t plant = 0, layers = 0;
   std::int64_t points = 0;               // that the centre rests on
-  std::vector<Eigen::Vector3d> shown{};  // points of the trunk; with leaves among them where a face was fitted
+  std::vector<Eigen::Vector3d> shown{};  // points of the trunk, for figures
 };
 
 // Looks for trunks in `dense`: the levelled frame, the sensor at its origin. Keeps a reference to it.

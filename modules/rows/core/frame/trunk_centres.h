@@ -10,7 +10,7 @@ namespace bole::rows {
 
 struct FoundTrunks {
   Table stems;        // tree_id, x_m, y_m, layers, points, diameter_cm (NaN for centre = mean)
-  PointCloud points;  // those of the trunks, with the column `plant`; of a fitted face with what hangs before it
+  PointCloud points;  // those of the trunks, with the column `plant`; where a face was fitted, those near it
 };
 
 // Each plant is cut into layers; layers whose extents along x and y are within d_x and d_y are trunk
