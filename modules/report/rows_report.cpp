@@ -8,19 +8,19 @@
 #include "base/atomic_file.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
-#include "render/maps/row_map.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/report_writer.h"
+#include "report/rows_figures.h"
 
 namespace bole::report {
 
 const OptionTable& option_table(const RowsReportOptions*) {
   using S = RowsReportOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the row map and write it as PNG, SVG and PDF."},
+      Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures and write them as PNG, SVG and PDF."},
       Option<S, double>{
-          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the map."},
+          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the figures."},
       Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG."},
       OnlyIf{"figures", {"true"}, {"figure_width", "dpi"}},
   });
@@ -31,11 +31,26 @@ namespace {
 
 // Tenths of a millimetre and thousandths of a degree.
 const io::Decimals& row_decimals() {
-  static const io::Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
-                              {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
-                              {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
-                              {"to_next_m", 4},    {"length_m", 3},     {"rms_m", 4},     {"sagitta_m", 3},
-                              {"across_m", 4}};
+  static const io::Decimals d{{"x_m", 4},
+                              {"y_m", 4},
+                              {"x0_m", 4},
+                              {"y0_m", 4},
+                              {"x1_m", 4},
+                              {"y1_m", 4},
+                              {"angle_deg", 4},
+                              {"angle_se_deg", 4},
+                              {"angle_lo_deg", 4},
+                              {"angle_hi_deg", 4},
+                              {"spacing_m", 4},
+                              {"spacing_sd_m", 4},
+                              {"to_next_m", 4},
+                              {"length_m", 3},
+                              {"rms_m", 4},
+                              {"sagitta_m", 3},
+                              {"across_m", 4},
+                              {"ref_angle_deg", 4},
+                              {"angle_error_deg", 4},
+                              {"shared", 3}};
   return d;
 }
 
@@ -86,13 +101,15 @@ io::VectorLayer ab_layer(const Table& rows, const std::string& crs) {
 class RowsReport {
  public:
   RowsReport(const DataSet& inputs, const RowsReportOptions& options, const Run& run)
-      : rows_(inputs.table("rows")),
+      : in_(inputs),
+        rows_(inputs.table("rows")),
         plants_(inputs.table("plants")),
         lines_(inputs.table("lines")),
         strays_(inputs.has("strays") ? &inputs.table("strays") : nullptr),
         edits_(inputs.has("edits") ? &inputs.table("edits") : nullptr),
         pose_(inputs.has("pose") ? &inputs.table("pose") : nullptr),
         marks_(inputs.has("marks") ? &inputs.table("marks") : nullptr),
+        matches_(inputs.has("matches") ? &inputs.table("matches") : nullptr),
         o_(options),
         run_(run),
         writer_(run) {}
@@ -104,6 +121,7 @@ class RowsReport {
     if (edits_ != nullptr && edits_->rows() > 0) add_table("edits.csv", *edits_);
     if (pose_ != nullptr) add_table("sensor_pose.csv", *pose_);
     if (marks_ != nullptr) add_table("sensor_marks.csv", *marks_);
+    if (matches_ != nullptr) add_table("row_matches.csv", *matches_);
     const std::string crs = fact(rows_, "crs");
     const auto guidance = guidance_layer(rows_, lines_, crs), ab = ab_layer(rows_, crs);
     writer_.write("rows.gpkg", [&](const auto& path) {
@@ -113,7 +131,9 @@ class RowsReport {
     });
     writer_.write("rows.geojson", [&](const auto& path) { io::write_geojson(path, guidance); });
     writer_.write("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, ab); });
-    if (o_.figures) writer_.attempt("row map", [&] { draw(); });
+    if (o_.figures)
+      for (const auto& figure : rows_figures(in_, o_.figure_width))
+        writer_.attempt(figure.what, [&] { writer_.save(figure.make(), {.dpi = o_.dpi}); });
     write_page();
     return writer_.finish();
   }
@@ -121,12 +141,6 @@ class RowsReport {
  private:
   void add_table(const std::string& file, const Table& table) {
     writer_.write(file, [&](const auto& path) { io::write_table(path, table, row_decimals()); });
-  }
-
-  void draw() {
-    const auto axes = fact(rows_, "axes");
-    const bool north_known = axes.empty() || axes == "plot" || axes == "global";
-    writer_.save(render::row_map({&rows_, &plants_, &lines_, strays_, north_known}, o_.figure_width), {.dpi = o_.dpi});
   }
 
   void write_page() {
@@ -154,6 +168,7 @@ class RowsReport {
                              {"length_m", "length (m)"},
                              {"shape", "shape"}},
                             2});
+    add_matches();
     add_pose();
     if (missing.rows() > 0)
       page_.tables.push_back({"Missing plants",
@@ -177,6 +192,21 @@ class RowsReport {
     page_.pictures = writer_.pictures();
     page_.warnings = page_warnings(run_.record.get(), writer_.report());
     writer_.write("report.html", [&](const auto& path) { write_text_file(path, simple_page_html(page_)); });
+  }
+
+  void add_matches() {
+    if (matches_ != nullptr)
+      page_.tables.push_back({"Comparison with the reference",
+                              "Angles to due east in degrees: of the row, of the least-squares line through its "
+                              "reference plants, and the first minus the second.",
+                              matches_,
+                              {{"kind", "result"},
+                               {"row_id", "row"},
+                               {"ref_id", "reference row"},
+                               {"angle_deg", "angle"},
+                               {"ref_angle_deg", "reference angle"},
+                               {"angle_error_deg", "error"}},
+                              2});
   }
 
   void add_pose() {
@@ -211,8 +241,9 @@ class RowsReport {
     return plants_.subset(picked);
   }
 
+  const DataSet& in_;
   const Table &rows_, &plants_, &lines_;
-  const Table *strays_, *edits_, *pose_, *marks_;
+  const Table *strays_, *edits_, *pose_, *marks_, *matches_;
   const RowsReportOptions& o_;
   const Run& run_;
   ReportWriter writer_;
@@ -234,7 +265,8 @@ pipeline::StageType rows_report_stage() {
       "Writes plant rows into the output folder: rows.csv, plants.csv with the missing plants, strays.csv, rows.gpkg "
       "with guidance lines, A-B lines, plants and strays, rows.geojson and ab_lines.geojson, the row map as PNG, SVG "
       "and PDF, edits.csv where a person changed something, sensor_pose.csv and sensor_marks.csv where the sensor was "
-      "resected, and report.html with the tables and the map.";
+      "resected, row_matches.csv where the rows were evaluated, and report.html with the tables and figures. With the "
+      "steps of a frame it draws them on one sheet, with reference plants the rows beside and over theirs.";
   type.source = "Bole";
   type.inputs = {{"rows", DataKind::table, "Rows with their ends and directions.", false, {}},
                  {"plants", DataKind::table, "Plants in their rows.", false, {}},
@@ -243,6 +275,8 @@ pipeline::StageType rows_report_stage() {
                  {"edits", DataKind::table, "What a person changed, from rows.edit.", true, {}},
                  {"pose", DataKind::table, "Pose of the sensor, from rows.resect.", true, {}},
                  {"marks", DataKind::table, "Residuals of its marks.", true, {}}};
+  for (auto& port : rows_figure_ports()) type.inputs.push_back(std::move(port));
+  type.version = 2;
   type.options = &option_table(static_cast<const RowsReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

@@ -13,9 +13,9 @@ struct RowsReportOptions {
 
 const OptionTable& option_table(const RowsReportOptions*);
 
-// Writes rows.csv, plants.csv, strays.csv, edits.csv, rows.gpkg, rows.geojson, ab_lines.geojson, the row map and
-// report.html into run.output_dir. What cannot be written becomes a warning. Throws Error{bad_input} without an output
-// folder, Error{cancelled}.
+// Writes rows.csv, plants.csv, strays.csv, edits.csv, rows.gpkg, rows.geojson, ab_lines.geojson, row_matches.csv, the
+// figures and report.html into run.output_dir. What cannot be written becomes a warning. Throws Error{bad_input}
+// without an output folder, Error{cancelled}.
 pipeline::StageResult write_rows_report(const DataSet& inputs, const RowsReportOptions& options, const Run& run);
 
 pipeline::StageType rows_report_stage();

@@ -2240,12 +2240,8 @@
             <translation>写出 report.html。</translation>
         </message>
         <message>
-            <source>Draw the row map and write it as PNG, SVG and PDF.</source>
-            <translation>绘制种植行图并写成 PNG、SVG 和 PDF。</translation>
-        </message>
-        <message>
-            <source>Width of the map.</source>
-            <translation>图的宽度。</translation>
+            <source>Maximum distance between a plant and its reference plant.</source>
+            <translation>植株与其参考植株之间的最大距离。</translation>
         </message>
         <message>
             <source>Resolution of the PNG.</source>

@@ -10,63 +10,10 @@
 #include <vector>
 
 #include "steering/core/guidance_line.h"
+#include "steering/core/plan_tables.h"
 #include "steering/core/same_plane.h"
 
 namespace bole::steering {
-
-const OptionTable& option_table(const PlanOptions*) {
-  using S = PlanOptions;
-  using Number = Option<S, double>;
-  using Count = Option<S, int>;
-  static const OptionTable table = make_option_table<S>(
-      {
-          Option<S, std::optional<double>>{"width",
-                                           &S::width,
-                                           Unit::metre,
-                                           {0.1, 100},
-                                           "none",
-                                           Tier::basic,
-                                           "Width of the implement. none: only the line through A and B."},
-          Number{"overlap",
-                 &S::overlap,
-                 Unit::metre,
-                 {-10, 50},
-                 Tier::basic,
-                 "Width that neighbouring passes share. Negative: a gap between them."},
-          Count{"lines_left",
-                &S::lines_left,
-                Unit::none,
-                {0, 10000},
-                Tier::basic,
-                "Lines to the left of A and B, where no boundary is given."},
-          Count{"lines_right",
-                &S::lines_right,
-                Unit::none,
-                {0, 10000},
-                Tier::basic,
-                "Lines to the right of A and B, where no boundary is given."},
-          Count{"headland_passes",
-                &S::headland_passes,
-                Unit::none,
-                {0, 100},
-                Tier::basic,
-                "Width of the headland, in passes of the implement."},
-          Number{"min_length",
-                 &S::min_length,
-                 Unit::metre,
-                 {0, 1000},
-                 Tier::advanced,
-                 "Shorter pieces of lines within a boundary are left out."},
-          Unless{"width", {"none"}, {"overlap", "lines_left", "lines_right", "headland_passes"}},
-      },
-      [](const S& o) {
-        if (o.width && !(o.overlap < *o.width))
-          throw bad_input(
-              "an overlap of " + number_text(o.overlap) + " m and a width of " + number_text(*o.width) + " m",
-              "an overlap below the width");
-      });
-  return table;
-}
 
 namespace {
 
@@ -123,61 +70,6 @@ Geometry polygon_of(const Table& t, const Eigen::Vector2d& origin) {
   if (!(polygon->get_Area() > 1e-3)) throw bad_input("the boundary encloses no area", "corners of a field");
   return polygon;
 }
-
-class Lines {
- public:
-  void add(std::int64_t line, std::int64_t part, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    line_.push_back(line);
-    part_.push_back(part);
-    const double values[] = {a.x(), a.y(), b.x(), b.y(), (b - a).norm()};
-    for (std::size_t i = 0; i < std::size(values); ++i) columns_[i].push_back(values[i]);
-  }
-  std::size_t size() const { return line_.size(); }
-  double length_m() const {
-    double sum = 0;
-    for (const double l : columns_[4]) sum += l;
-    return sum;
-  }
-  Table table() && {
-    Table t;
-    t.set("line", std::move(line_));
-    t.set("part", std::move(part_));
-    for (std::size_t i = 0; i < std::size(names); ++i) t.set(names[i], std::move(columns_[i]));
-    return t;
-  }
-
- private:
-  static constexpr const char* names[] = {"a_x_m", "a_y_m", "b_x_m", "b_y_m", "length_m"};
-  std::vector<std::int64_t> line_, part_;
-  std::vector<double> columns_[std::size(names)];
-};
-
-class Headlands {
- public:
-  void add(std::int64_t headland, const char* ring, const std::vector<Eigen::Vector2d>& corners) {
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      headland_.push_back(headland);
-      ring_.emplace_back(ring);
-      number_.push_back(static_cast<std::int64_t>(i) + 1);
-      x_.push_back(corners[i].x());
-      y_.push_back(corners[i].y());
-    }
-  }
-  Table table() && {
-    Table t;
-    t.set("headland", std::move(headland_));
-    t.set("ring", std::move(ring_));
-    t.set("number", std::move(number_));
-    t.set("x_m", std::move(x_));
-    t.set("y_m", std::move(y_));
-    return t;
-  }
-
- private:
-  std::vector<std::int64_t> headland_, number_;
-  std::vector<std::string> ring_;
-  std::vector<double> x_, y_;
-};
 
 std::vector<Eigen::Vector2d> corners_of(const OGRLinearRing& ring, const Eigen::Vector2d& origin) {
   std::vector<Eigen::Vector2d> corners;
@@ -237,7 +129,7 @@ Field field_of(const Table& boundary, const Eigen::Vector2d& origin, double head
 
 // Without a spacing the line through A and B alone.
 void plan_within(const Field& field, const GuidanceLine& ab, std::optional<double> spacing_m, double min_length_m,
-                 const Run& run, Lines& lines, const Eigen::Vector2d& origin) {
+                 const Run& run, LineTable& lines, const Eigen::Vector2d& origin) {
   double min_offset = 1e300, max_offset = -1e300, min_along = 1e300, max_along = -1e300;
   for (const auto* polygon : polygons_of(*field.whole))
     for (const auto& p : corners_of(*polygon->getExteriorRing(), Eigen::Vector2d::Zero())) {
@@ -271,7 +163,7 @@ void plan_within(const Field& field, const GuidanceLine& ab, std::optional<doubl
 }
 
 // Rings along the boundary: the field without its work area.
-void ring_headland(const Field& field, const Eigen::Vector2d& origin, Headlands& headlands) {
+void ring_headland(const Field& field, const Eigen::Vector2d& origin, HeadlandTable& headlands) {
   if (!(field.headland_m > 0)) return;
   for (const auto* p : polygons_of(*field.whole)) headlands.add(1, "outer", corners_of(*p->getExteriorRing(), origin));
   for (const auto* p : polygons_of(*field.work)) headlands.add(1, "inner", corners_of(*p->getExteriorRing(), origin));
@@ -279,7 +171,7 @@ void ring_headland(const Field& field, const Eigen::Vector2d& origin, Headlands&
 
 // Rectangles beyond A and beyond B, as wide as all passes.
 void end_headlands(const GuidanceLine& ab, double length_m, double headland_m, const PlanOptions& o,
-                   Headlands& headlands) {
+                   HeadlandTable& headlands) {
   if (!(headland_m > 0)) return;
   const double half = *o.width / 2, spacing_m = *o.width - o.overlap;
   const double left = o.lines_left * spacing_m + half, right = -o.lines_right * spacing_m - half;
@@ -303,7 +195,7 @@ class QuietGdal {
 
 // Lines and headland of a field, in large coordinates about A so that they cost no digits.
 void plan_field(const Table& boundary, const GuidanceLine& ab, std::optional<double> spacing_m, double headland_m,
-                double min_length_m, const Run& run, Lines& lines, Headlands& headlands, Report& report) {
+                double min_length_m, const Run& run, LineTable& lines, HeadlandTable& headlands, Report& report) {
   const QuietGdal quiet;
   const Field field = field_of(boundary, ab.a, headland_m);
   plan_within(field, {Eigen::Vector2d::Zero(), ab.yaw_rad}, spacing_m, min_length_m, run, lines, ab.a);
@@ -325,8 +217,8 @@ LinePlan plan_lines(const Table& ab_table, const Table* boundary, const PlanOpti
   const GuidanceLine ab = line_through(a, b);
   const std::optional<double> spacing = o.width ? std::optional(*o.width - o.overlap) : std::nullopt;
   const double headland = o.headland_passes * o.width.value_or(0);
-  Lines lines;
-  Headlands headlands;
+  LineTable lines;
+  HeadlandTable headlands;
   LinePlan plan;
   if (boundary != nullptr) {
     check_same_plane(ab_table, *boundary, "A, B and the boundary");

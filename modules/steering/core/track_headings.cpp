@@ -15,7 +15,7 @@ namespace bole::steering {
 namespace {
 
 constexpr double min_speed_m_s = 0.5;  // a course of less is noise
-constexpr double look_m = 1.0;         // over which the direction of motion is taken
+constexpr double motion_look_m = 1.0;  // over which the direction of motion is taken
 constexpr double max_step_s = 1.0;     // between two measured attitudes
 
 // Angles of a table of attitudes at any time; NaN outside it and in its gaps.
@@ -63,7 +63,7 @@ std::vector<double> motion_of(const std::vector<AntennaFix>& fixes) {
     at.push_back(fix.antenna_nav);
     segment.push_back(fix.segment);
   }
-  return motion_yaws(at, segment, look_m, look_m);
+  return motion_yaws(at, segment, motion_look_m, motion_look_m);
 }
 
 // Nothing for the heading of a fix: that of the nearest one in its segment which has it.
