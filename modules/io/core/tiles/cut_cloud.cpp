@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_bytes_in_memory = std::size_t{256} << 20;
 constexpr double max_spacing_cells = 4e8;
+constexpr std::size_t max_tiles = 100'000;
 
 struct SourceFile {
   fs::path path;
@@ -76,6 +77,10 @@ class Cutter {
  public:
   Cutter(const CutOptions& options, const fs::path& folder, const Run& run)
       : options_(options), folder_(folder), run_(run) {
+    if (options.buffer_m > options.tile_m)
+      throw bad_input(
+          fmt::format("the buffer of {:g} m is wider than the tile of {:g} m", options.buffer_m, options.tile_m),
+          "a tile that is at least as wide as its buffer", "Set tile to several times buffer");
     for (const auto& path : split_paths(options.files)) sources_.push_back(open_source(path));
     for (auto& s : sources_) align(s, sources_.front());
     grid_ = {options.tile_m, options.buffer_m, {options.shift_x, options.shift_y}};
@@ -144,9 +149,9 @@ class Cutter {
       const Eigen::Vector2d p = position(v).head<2>();
       for (std::size_t k = 0; k < 3; ++k)
         box_.min[k] = std::min(box_.min[k], v[k]), box_.max[k] = std::max(box_.max[k], v[k]);
-      const Eigen::Array2i cell = ((p - spacing_corner_) / spacing_cell_).array().floor().cast<int>();
+      const Eigen::Array2d cell = ((p - spacing_corner_) / spacing_cell_).array().floor();
       if (occupied_ && (cell >= 0).all() && cell.x() < occupied_->nx() && cell.y() < occupied_->ny())
-        occupied_->occupy(cell.x(), cell.y());
+        occupied_->occupy(static_cast<int>(cell.x()), static_cast<int>(cell.y()));
       const TilePlace own = grid_.at(p);
       grid_.for_each_over(p, [&](const TilePlace& place) { put(place, place == own, v, records); });
     }
@@ -166,7 +171,13 @@ class Cutter {
   // Points that follow one another mostly lie in the same few tiles.
   Tile& tile_at(const TilePlace& place) {
     auto& recent = recent_[static_cast<std::size_t>(place.column & 3) * 4 + static_cast<std::size_t>(place.row & 3)];
-    if (recent.second == nullptr || !(recent.first == place)) recent = {place, &tiles_[place]};
+    if (recent.second == nullptr || !(recent.first == place)) {
+      recent = {place, &tiles_[place]};
+      if (tiles_.size() > max_tiles)
+        throw bad_input(fmt::format("the points lie in more than {} tiles of {:g} m", max_tiles, options_.tile_m),
+                        "tiles that fit the cloud",
+                        "Set tile to a larger side; bole info shows how far the cloud reaches");
+    }
     return *recent.second;
   }
 
@@ -292,52 +303,6 @@ class Cutter {
 };
 
 }  // namespace
-
-const OptionTable& option_table(const CutOptions*) {
-  using S = CutOptions;
-  static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"files",
-                             &S::files,
-                             TextKind::input_path,
-                             {path_separator},
-                             Tier::basic,
-                             "Point cloud to cut: LAS, LAZ or COPC files of one cloud, separated by commas."},
-      Option<S, double>{"tile",
-                        &S::tile_m,
-                        Unit::metre,
-                        {1.0, 10000.0},
-                        Tier::basic,
-                        "Side of the core of a tile. Larger tiles repeat fewer points and take more memory."},
-      Option<S, double>{"buffer",
-                        &S::buffer_m,
-                        Unit::metre,
-                        {0.0, 1000.0},
-                        Tier::basic,
-                        "Width of the strip around a core whose points belong to the tile too. It should be wider than "
-                        "a crown."},
-      Option<S, double>{"shift_x",
-                        &S::shift_x,
-                        Unit::metre,
-                        {-10000.0, 10000.0},
-                        Tier::advanced,
-                        "Shift of the grid of tiles to the east. Cores begin at multiples of tile plus this."},
-      Option<S, double>{"shift_y",
-                        &S::shift_y,
-                        Unit::metre,
-                        {-10000.0, 10000.0},
-                        Tier::advanced,
-                        "Shift of the grid of tiles to the north."},
-      Option<S, std::optional<double>>{"breast_height",
-                                       &S::breast_height,
-                                       Unit::metre,
-                                       {0.1, 5.0},
-                                       "auto",
-                                       Tier::advanced,
-                                       "Height above ground at which diameters are measured, noted in the tiles. auto: "
-                                       "as the files say, else 1.3 m."},
-  });
-  return table;
-}
 
 CutCloud cut_cloud(const CutOptions& options, const fs::path& folder, const Run& run) {
   return Cutter(options, folder, run).cut();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -33,7 +34,10 @@ struct TileGrid {
   }
 
  private:
-  int index(double v, double begin) const { return static_cast<int>(std::floor((v - begin) / tile_m)); }
+  // Coordinates of a broken header must not leave the numbers of tiles.
+  int index(double v, double begin) const {
+    return static_cast<int>(std::clamp(std::floor((v - begin) / tile_m), -1e9, 1e9));
+  }
 };
 
 inline std::string tile_name(const TilePlace& place) {
