@@ -5,7 +5,7 @@
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/revisit_report.h"
-#include "report/rows_report.h"
+#include "report/rows/rows_report.h"
 #include "report/sample_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"

@@ -152,7 +152,10 @@ function(bole_tests name)
   target_compile_definitions(${name}_tests PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
   bole_precompile(${name}_tests TEST)
   bole_unity(${name}_tests)
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+  # Two builds that are tested at once must not write into the same files.
+  set(files ${CMAKE_BINARY_DIR}/tests/tmp)
+  file(MAKE_DIRECTORY ${files})
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT "TMPDIR=${files};TEST_TMPDIR=${files}")
 endfunction()
 
 # bole_benchmark(NAME [LINK target...]) : a Google Benchmark program from NAME.cpp, run by `./do bench`.

@@ -54,7 +54,7 @@ def cell_of(folder):
 
 
 def join_terrain(plan, tiles):
-    """terrain.vrt: the cores side by side. Their cells are those of one grid (cloud/whole_cloud.h)."""
+    """terrain.vrt: the cores side by side. Their cells are those of one grid (cloud/core/whole/whole_cloud.h)."""
     placed = [(t, raster) for t in tiles if (raster := raster_of(plan.done(f"{t['name']}.ground")))]
     cell = placed[0][1][2]
     left, top = min(r[0] for _, r in placed), max(r[1] + r[4] * cell for _, r in placed)

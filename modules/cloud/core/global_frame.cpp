@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/option_text.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole {
 inline namespace cloud {

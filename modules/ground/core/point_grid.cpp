@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "base/option.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole::ground {
 namespace {

@@ -30,8 +30,8 @@ struct GridShape {
 
 // The smallest grid of that cell size over all finite points. It begins at the corner of the points (and not at a
 // multiple of the cell size), so that a cloud that is moved takes its grid along and gets the same terrain; in a part
-// of a cloud (cloud/whole_cloud.h) its cells are those of the whole. Throws Error{bad_input} when no point is finite or
-// the grid would have more than 100 million cells.
+// of a cloud (cloud/core/whole/whole_cloud.h) its cells are those of the whole. Throws Error{bad_input} when no point
+// is finite or the grid would have more than 100 million cells.
 GridShape grid_over(const PointCloud& cloud, double cell_m);
 bool fits_grid(const PointCloud& cloud, double cell_m);  // not too many cells
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/option.h"
-#include "cloud/occupied_cells.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/occupied_cells.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "ground/core/point_grid.h"
 
 namespace bole::ground {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "ground/core/local_plane.h"
 
 namespace bole::ground {

@@ -9,7 +9,7 @@
 #include "cloud/table.h"
 #include "geo/core/attitude.h"
 #include "steering/core/navigator.h"
-#include "steering/core/track_headings.h"
+#include "steering/core/track/track_headings.h"
 
 namespace bole::steering {
 

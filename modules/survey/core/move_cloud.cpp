@@ -3,7 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole::survey {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "report/check_files.h"
 #include "report/revisit_report.h"
-#include "report/rows_report.h"
+#include "report/rows/rows_report.h"
 #include "report/steering_report.h"
 
 namespace bole::report {
@@ -110,14 +110,12 @@ DataSet frame_with_rows() {
   DataSet in;
   const Integers ids{1, 1, 1, 2, 2, 2};
   const Numbers x{-0.7, -0.7, -0.7, 0.8, 0.8, 0.8}, y{2, 2.9, 3.8, 2, 2.9, 3.8};
-  in.set("rows",
-         table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{90, 90}),
-               std::pair("x0_m", Numbers{-0.7, 0.8}), std::pair("y0_m", Numbers{2, 2}),
-               std::pair("x1_m", Numbers{-0.7, 0.8}), std::pair("y1_m", Numbers{3.8, 3.8}),
-               std::pair("plants", Integers{3, 3})));
-  in.set("plants",
-         table(std::pair("row_id", ids), std::pair("number", Integers{1, 2, 3, 1, 2, 3}), std::pair("x_m", x),
-               std::pair("y_m", y), std::pair("state", Texts(6, "present"))));
+  in.set("rows", table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{90, 90}),
+                       std::pair("x0_m", Numbers{-0.7, 0.8}), std::pair("y0_m", Numbers{2, 2}),
+                       std::pair("x1_m", Numbers{-0.7, 0.8}), std::pair("y1_m", Numbers{3.8, 3.8}),
+                       std::pair("plants", Integers{3, 3})));
+  in.set("plants", table(std::pair("row_id", ids), std::pair("number", Integers{1, 2, 3, 1, 2, 3}), std::pair("x_m", x),
+                         std::pair("y_m", y), std::pair("state", Texts(6, "present"))));
   const auto lines = table(std::pair("row_id", Integers{1, 1, 2, 2}), std::pair("x_m", Numbers{-0.7, -0.7, 0.8, 0.8}),
                            std::pair("y_m", Numbers{2, 3.8, 2, 3.8}));
   in.set("lines", lines);
@@ -128,10 +126,9 @@ DataSet frame_with_rows() {
   in.set("centres", table(std::pair("x_m", x), std::pair("y_m", y)));
   in.set("reference", table(std::pair("row_id", ids), std::pair("x_m", x), std::pair("y_m", y)));
   in.set("reference_lines", lines);
-  in.set("matches",
-         table(std::pair("kind", Texts{"matched", "matched"}), std::pair("row_id", Texts{"1", "2"}),
-               std::pair("ref_id", Texts{"1", "2"}), std::pair("angle_deg", Numbers{90.25, 90}),
-               std::pair("ref_angle_deg", Numbers{90, 90}), std::pair("angle_error_deg", Numbers{0.25, 0})));
+  in.set("matches", table(std::pair("kind", Texts{"matched", "matched"}), std::pair("row_id", Texts{"1", "2"}),
+                          std::pair("ref_id", Texts{"1", "2"}), std::pair("angle_deg", Numbers{90.25, 90}),
+                          std::pair("ref_angle_deg", Numbers{90, 90}), std::pair("angle_error_deg", Numbers{0.25, 0})));
   return in;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 
 namespace bole::io {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/verdict.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/copc/copc_nodes.h"

@@ -10,9 +10,9 @@
 
 #include "base/core/path_list.h"
 #include "base/error.h"
-#include "cloud/occupied_cells.h"
-#include "cloud/whole_cloud.h"
-#include "cloud/whole_size.h"
+#include "cloud/core/whole/occupied_cells.h"
+#include "cloud/core/whole/whole_cloud.h"
+#include "cloud/core/whole/whole_size.h"
 #include "io/core/las/crs_unit.h"
 #include "io/core/las/las_facts.h"
 #include "io/core/tiles/record_stream.h"

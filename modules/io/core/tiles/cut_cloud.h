@@ -27,7 +27,8 @@ struct CutCloud {
 };
 
 // Writes NAME.laz for every tile whose core holds points into `folder`: the records as they are in the files, in their
-// order, of the core and the buffer around it. Each file says of which cloud it is a part (cloud/whole_cloud.h).
+// order, of the core and the buffer around it. Each file says of which cloud it is a part
+// (cloud/core/whole/whole_cloud.h).
 //
 // Memory is taken for 256 MiB of points, whatever the size of the files; disk, while it works, for the records of all
 // tiles uncompressed. Throws Error{bad_input} for files of other formats, that differ in their records or coordinate

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cloud/whole_size.h"
+#include "cloud/core/whole/whole_size.h"
 
 namespace bole::stems {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole::stems {
 namespace {

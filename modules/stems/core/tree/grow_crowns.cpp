@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "base/statistics.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "stems/core/tree/crown_cells.h"
 #include "stems/core/tree/tree_axis.h"
 

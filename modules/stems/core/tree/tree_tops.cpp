@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/statistics.h"
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "stems/core/tree/tree_axis.h"
 
 namespace bole::stems {

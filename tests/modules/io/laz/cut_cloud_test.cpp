@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "io/core/las/las_reader.h"
 #include "io/core/las/las_writer.h"
 #include "modules/io/io_test_tools.h"

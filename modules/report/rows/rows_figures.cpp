@@ -1,4 +1,4 @@
-#include "report/rows_figures.h"
+#include "report/rows/rows_figures.h"
 
 #include "render/maps/row_map.h"
 #include "render/rows/row_steps.h"

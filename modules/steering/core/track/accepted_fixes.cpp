@@ -1,4 +1,4 @@
-#include "steering/core/accepted_fixes.h"
+#include "steering/core/track/accepted_fixes.h"
 
 #include <fmt/format.h>
 

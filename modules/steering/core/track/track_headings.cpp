@@ -1,4 +1,4 @@
-#include "steering/core/track_headings.h"
+#include "steering/core/track/track_headings.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "steering/core/navigate_track.h"
+#include "steering/core/track/navigate_track.h"
 
 namespace bole::steering {
 

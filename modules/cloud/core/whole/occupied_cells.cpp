@@ -1,4 +1,4 @@
-#include "cloud/occupied_cells.h"
+#include "cloud/core/whole/occupied_cells.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,7 +5,7 @@
 
 #include "cloud/table.h"
 #include "geo/core/attitude.h"
-#include "steering/core/navigate_track.h"
+#include "steering/core/track/navigate_track.h"
 
 namespace bole::steering {
 

@@ -1,4 +1,4 @@
-#include "report/rows_report.h"
+#include "report/rows/rows_report.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/report_writer.h"
-#include "report/rows_figures.h"
+#include "report/rows/rows_figures.h"
 
 namespace bole::report {
 

@@ -1,4 +1,4 @@
-#include "steering/core/navigate_track.h"
+#include "steering/core/track/navigate_track.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 
 #include "base/angles.h"
 #include "base/statistics.h"
-#include "steering/core/accepted_fixes.h"
 #include "steering/core/navigation_log.h"
 #include "steering/core/navigator.h"
-#include "steering/core/track_headings.h"
+#include "steering/core/track/accepted_fixes.h"
+#include "steering/core/track/track_headings.h"
 
 namespace bole::steering {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cloud/table.h"
-#include "steering/core/navigate_track.h"
-#include "steering/core/track_headings.h"
+#include "steering/core/track/navigate_track.h"
+#include "steering/core/track/track_headings.h"
 
 namespace bole::steering {
 

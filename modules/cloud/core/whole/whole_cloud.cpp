@@ -1,4 +1,4 @@
-#include "cloud/whole_cloud.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 #include <fmt/format.h>
 
