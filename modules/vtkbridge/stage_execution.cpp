@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include "base/content_hash.h"
-#include "base/option_text.h"
 #include "base/core/path_list.h"
+#include "base/option_text.h"
 #include "base/verdict.h"
 #include "base/version.h"
 #include "cloud/large_cloud.h"
@@ -45,7 +45,9 @@ pipeline::StageResult run_now(const pipeline::StageType& type, const OptionSet& 
   DataSet data;
   for (const auto& [port, lazy] : inputs)
     if (lazy) data.set(port, lazy->get());
-  pipeline::StageResult result = pipeline::run_stage(type, data, options, run);
+  const auto given = data.all().find(given_port);
+  pipeline::StageResult result = given == data.all().end() ? pipeline::run_stage(type, data, options, run)
+                                                           : pipeline::take_data(type, given->second, options, run);
   lay_clouds_on_file(result, run);
   leave_memory(data), leave_memory(result.outputs);
   return result;
