@@ -59,7 +59,7 @@ except ImportError as error:
                 self.assertEqual(told.returncode, 0, told.stderr)
                 first, second = told.stdout.splitlines()
                 self.assertRegex(first, r"^(sign|look) False \d+$")  # arrays alone need numpy
-                self.assertRegex(second, rf"^\d+$|^numpy is not installed for this Python, and arrays need it: \S+ -m pip install numpy$")
+                self.assertRegex(second, r"^\d+$|^numpy is not installed for this Python, and arrays need it: \S+ -m pip install numpy$")
 
     def test_other_versions_say_why(self):
         other = {version: place for place, version, abi in pythons() if abi != BUILD["ABI"] and tuple(map(int, version.split("."))) >= (3, 8)}

@@ -25,8 +25,8 @@ def view(array):
         return numpy.array([array.GetValue(i) for i in range(array.GetNumberOfValues())], dtype=object)
     components = array.GetNumberOfComponents()
     if array.GetNumberOfTuples() == 0:
-        kinds = {"f": "float32", "d": "float64", "q": "int64", "i": "int32", "H": "uint16", "B": "uint8"}
-        empty = numpy.empty(0 if components == 1 else (0, components), dtype=kinds.get(memoryview(array).format, "float64"))
+        kind = next((name for name, vtk_class in CLASSES.items() if vtk_class == array.GetClassName()), "float64")
+        empty = numpy.empty(0 if components == 1 else (0, components), dtype=kind)
         empty.flags.writeable = False
         return empty
     values = numpy.asarray(memoryview(array))
@@ -61,7 +61,10 @@ def _columns(value, what):
     array = numpy.asarray(value)
     if array.dtype.names:
         return {name: array[name] for name in array.dtype.names}
-    raise BadInput(f"{what} is an array of the type {array.dtype} and the shape {array.shape}; needed: columns with names (a dict of arrays, a structured array, a data frame)")
+    raise BadInput(
+        f"{what} is an array of the type {array.dtype} and the shape {array.shape}; "
+        "needed: columns with names (a dict of arrays, a structured array, a data frame)"
+    )
 
 
 def _positions(value, what):
@@ -105,7 +108,9 @@ def cloud_to_vtk(value, what):
     cloud.SetPoints(points)
     for name, column in columns.items():
         if column.ndim != 1 or len(column) != len(positions) or column.dtype.kind not in "fiub":
-            raise BadInput(f"{what}: the column '{name}' has the type {column.dtype} and the shape {column.shape}; needed: {len(positions)} numbers, one for each point")
+            raise BadInput(
+                f"{what}: the column '{name}' has the type {column.dtype} and the shape {column.shape}; needed: {len(positions)} numbers, one for each point"
+            )
         cloud.GetPointData().AddArray(_to_vtk(column, name, owners))
     cloud.bole_owners = owners
     return cloud
@@ -118,7 +123,8 @@ def table_to_vtk(value, what):
     owners, table, rows = [], _vtk("vtkTable")(), None
     for name, column in _columns(value, what).items():
         if column.ndim != 1 or (rows is not None and len(column) != rows):
-            raise BadInput(f"{what}: the column '{name}' has the shape {column.shape}; needed: one value for each of {rows} rows" if rows is not None else f"{what}: the column '{name}' has the shape {column.shape}; needed: one value for each row")
+            needed = "one value for each row" if rows is None else f"{rows} values, as the column before has"
+            raise BadInput(f"{what}: the column '{name}' has the shape {column.shape}; needed: {needed}")
         rows = len(column)
         if column.dtype.kind in "fiub":
             table.AddColumn(_to_vtk(column, name, owners))

@@ -55,9 +55,12 @@ def page_of(declaration):
         for heading, text in entries:
             lines.extend([heading, wrapped(text, initial_indent="    ", subsequent_indent="    ")])
 
-    for key, title in (("inputs", "Inputs"), ("outputs", "Outputs")):
-        section(title, [(f"{p['name']} : {p['kind']}{', optional' if key == 'inputs' and p['optional'] else ''}{' (' + ', '.join(p['arrays']) + ')' if p['arrays'] else ''}", p["help"])
-                        for p in declaration[key]])
+    def port(declared, optional):
+        arrays = f" ({', '.join(declared['arrays'])})" if declared["arrays"] else ""
+        return f"{declared['name']} : {declared['kind']}{', optional' if optional else ''}{arrays}", declared["help"]
+
+    section("Inputs", [port(p, p["optional"]) for p in declaration["inputs"]])
+    section("Outputs", [port(p, False) for p in declaration["outputs"]])
     section("Options", [(f"{o['name']} : {facts_of(o)}", help_of(o)) for o in declaration["options"]])
     if declaration["source"]:
         lines.extend(["", f"Source: {declaration['source']}"])

@@ -5,6 +5,7 @@ import html
 import pathlib
 
 from . import _arrays, _native
+from ._errors import of_code
 
 
 class Points(collections.abc.Mapping):
@@ -200,6 +201,8 @@ class Result:
         number = stage.FindOutputPort(port) if stage else -1
         if number < 0:
             raise KeyError(f"this run has no output '{place}'; needed: one of {', '.join(self.outputs)}")
+        if stage.GetExitCode() != 0:  # what was stored of it cannot be read any more
+            raise of_code(stage.GetExitCode(), stage.GetErrorText())
         return stage.GetOutputDataObject(number)
 
     @property
@@ -226,7 +229,8 @@ class Result:
         return "\n".join([f"{name + ':':<10} {value}" for name, value in self._facts()] + [f"  {text}" for text in told])
 
     def _repr_html_(self):
-        rows = "".join(f"<tr><th style='text-align:left'>{html.escape(name)}</th><td style='text-align:left'>{html.escape(value)}</td></tr>" for name, value in self._facts())
+        left = " style='text-align:left'"
+        rows = "".join(f"<tr><th{left}>{html.escape(name)}</th><td{left}>{html.escape(value)}</td></tr>" for name, value in self._facts())
         items = "".join(f"<li>{html.escape(f['severity'])}: {html.escape(f['text'])}</li>" for f in self.findings if f["severity"] != "note")
         link = f"<p><a href='{html.escape(self.report.resolve().as_uri())}'>report.html</a></p>" if self.report else ""
         return f"<table>{rows}</table><ul>{items}</ul>{link}"

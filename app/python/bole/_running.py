@@ -18,13 +18,17 @@ _one_at_a_time = threading.Lock()
 _left = []  # pipelines of runs that nobody waits for any more
 
 
+def _is_list_of_paths(value):
+    return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(v, (str, os.PathLike)) for v in value)
+
+
 def text_of(value, name):
     """A value of an option as the command line takes it. Lists of texts are lists of paths."""
     if hasattr(value, "item") and getattr(value, "ndim", None) == 0:
         value = value.item()  # a number of numpy
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
-    if isinstance(value, (list, tuple)) and value and all(isinstance(v, (str, os.PathLike)) for v in value):
+    if _is_list_of_paths(value):
         value = ",".join(map(os.fspath, value))
     if isinstance(value, tuple):
         value = list(value)
@@ -62,7 +66,7 @@ class _Inputs:
                 self.set(f"{name}.{option}", option_value)
             return None
         path_option = next((o["name"] for o in stage["options"] if o["type"] == "path"), None)
-        is_path = isinstance(value, (str, os.PathLike)) or (isinstance(value, (list, tuple)) and value and all(isinstance(v, (str, os.PathLike)) for v in value))
+        is_path = isinstance(value, (str, os.PathLike)) or _is_list_of_paths(value)
         if is_path and path_option:
             return self.set(f"{name}.{path_option}", value)
         if is_path or taker is None:
@@ -127,12 +131,15 @@ def _outcome(pipeline, out):
     if code == 0:
         result = Result(pipeline, summary, folder)
         if result.finished_early:
-            raise PartialOutput("the run was asked to finish early: the result is not complete; needed: a run to its end", result=result, summary=summary,
-                                findings=result.findings, results=result.folder)
+            raise PartialOutput(
+                "the run was asked to finish early: the result is not complete; needed: a run to its end",
+                result=result, summary=summary, findings=result.findings, results=result.folder,
+            )
         return result
     if code == 3:
         kept = pipeline.GetSurveyKept()
-        raise Cancelled("the run was cancelled. " + (f"The results before are still in {out}, unchanged" if kept else "There are no results"), summary=summary, survey_kept=kept)
+        told = f"The results before are still in {out}, unchanged" if kept else "There are no results"
+        raise Cancelled(f"the run was cancelled. {told}", summary=summary, survey_kept=kept)
     raise _errors.of_code(code, text, summary=summary, findings=(summary or {}).get("findings", []), results=_errors.path_or_none(folder),
                           survey_kept=pipeline.GetSurveyKept())
 

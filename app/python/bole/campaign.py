@@ -10,6 +10,7 @@ as campaign.json in the folder of the campaign. Throws BadInput and Failed; Ctrl
 """
 
 import json
+import os
 import pathlib
 
 import bole_campaign
@@ -33,10 +34,8 @@ def _place(document, out):
 
 
 def _asked(function, *arguments, **more):
-    import os
-
     with translated():
-        os.environ.setdefault("BOLE_PROGRAM", _native.program())
+        os.environ.setdefault("BOLE_PROGRAM", _native.program())  # the engine starts the program of this package
         return function(*arguments, **more)
 
 
@@ -57,7 +56,8 @@ def run(document, out, workers=None, scheduler=None, task=None, memory_gib=None,
 
     Returns the exit code of `bole campaign run`: 0 done, 1 work is missing or went wrong, 2 inputs are bad, 3 cancelled, 4 finished early.
     """
-    return _asked(bole_campaign.run, _place(document, out), out, workers=workers, scheduler=scheduler, task=task, memory_gib=memory_gib, engine=engine, retry=retry)
+    asked = {"workers": workers, "scheduler": scheduler, "task": task, "memory_gib": memory_gib, "engine": engine, "retry": retry}
+    return _asked(bole_campaign.run, _place(document, out), out, **asked)
 
 
 def status(out):

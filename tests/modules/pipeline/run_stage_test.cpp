@@ -61,7 +61,7 @@ TEST_F(RunStage, DataInMemoryGoToStagesThatTakeThem) {
   EXPECT_THAT(error_of([&] { take_data(slice, cloud, options, {}); }),
               HasSubstr("toy.slice: the stage takes no data from memory; needed: a file"));
   StageType reader = registry.at("toy.read");
-  reader.take = [](const Data& given, const OptionSet&, const Run&) {
+  reader.take = [](const Data& given, const OptionSet&, const bole::Run&) {
     StageResult result;
     result.outputs.set("points", given);
     return result;
