@@ -264,6 +264,8 @@ class Options(InFolder):
         self.assertTrue(caught.exception.needed)
         with self.assertRaisesRegex(bole.BadInput, "needed"):
             bole.run("forest_plot", slam={"preset": object()})
+        with self.assertRaisesRegex(bole.BadInput, "slam is str.*needed: a dict of its options: "):
+            bole.run("forest_plot", slam="loam")  # no reader: a text is not the path of its trajectory
 
     def test_pipelines_that_there_are_not(self):
         with self.assertRaisesRegex(bole.BadInput, "Did you mean forest_plot"):

@@ -162,7 +162,7 @@ class Outputs(collections.abc.Mapping):
         return len(self._places)
 
     def __repr__(self):
-        return f"<{self._kind}s: {', '.join(self._places) or 'none'}>"
+        return f"<{self._kind}: {', '.join(self._places) or 'none'}>"
 
 
 class Result:

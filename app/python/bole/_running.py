@@ -65,7 +65,8 @@ class _Inputs:
             for option, option_value in value.items():
                 self.set(f"{name}.{option}", option_value)
             return None
-        path_option = next((o["name"] for o in stage["options"] if o["type"] == "path"), None)
+        reads = not stage["inputs"]
+        path_option = next((o["name"] for o in stage["options"] if reads and o["type"] == "path"), None)
         is_path = isinstance(value, (str, os.PathLike)) or _is_list_of_paths(value)
         if is_path and path_option:
             return self.set(f"{name}.{path_option}", value)
