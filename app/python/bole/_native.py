@@ -9,7 +9,7 @@ import sys
 
 from . import _build
 
-HERE = pathlib.Path(__file__).resolve().parent
+HERE = pathlib.Path(os.path.abspath(__file__)).parent  # not resolve(): in a build the modules are links to the sources
 
 
 def is_program():
