@@ -32,7 +32,7 @@ class Stages(unittest.TestCase):
             words = " ".join(page.split())
             self.assertIn(" ".join(declared["help"].split()), words)
             for option in declared["options"]:
-                line = next(line for line in page.splitlines() if line.startswith(f"{option['name']} : "))
+                line = next(line for line in page.partition("\nOptions\n")[2].splitlines() if line.startswith(f"{option['name']} : "))
                 self.assertIn(" ".join(option["help"].split()), words, f"{name}.{option['name']}")
                 for fact in (option["unit"], *(f"{option[key]:.15g}" for key in ("min", "max") if key in option), *(option.get("choices", ()) if option["type"] == "choice" else ())):
                     self.assertIn(fact, line, f"{name}.{option['name']}")

@@ -20,8 +20,8 @@ __version__ = _build.VERSION
 
 _native.find_engine()
 # `python3 -m bole` hands over to the program, which needs neither this Python nor VTK.
-if not _native.is_program():
-    globals().update(_native.load())
+_classes = {} if _native.is_program() else _native.load()
+globals().update(_classes)
 
 from . import campaign
 from ._documents import pipelines, stages
@@ -31,5 +31,5 @@ from ._running import run
 
 __all__ = [
     "BadInput", "BadOption", "BoleError", "Cancelled", "Failed", "PartialOutput", "Points", "Raster", "Result", "campaign", "pipelines", "run", "stages",
-    *(name for name in globals() if name.startswith("vtkBole")),
+    *_classes,
 ]

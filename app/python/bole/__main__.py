@@ -4,13 +4,16 @@ import os
 import sys
 
 from . import _native
-from ._errors import translated
+from ._errors import Failed, translated
 
 
 def main():
     with translated():
         program = _native.program()
-    os.execv(program, [program, *sys.argv[1:]])
+    try:
+        os.execv(program, [program, *sys.argv[1:]])
+    except OSError as error:
+        raise Failed(f"cannot start the program '{program}' ({error.strerror}); needed: its place. Set the environment variable BOLE_PROGRAM") from None
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ def help_of(option):
 
 def page_of(declaration):
     """The docstring of a stage."""
-    wrapped = functools.partial(textwrap.fill, width=100)
+    wrapped = functools.partial(textwrap.fill, width=100, break_on_hyphens=False, break_long_words=False)
     lines = [f"{declaration['type']}: {declaration['title']}", "", wrapped(declaration["help"])]
 
     def section(title, entries):

@@ -168,7 +168,8 @@ class Outputs(collections.abc.Mapping):
 class Result:
     """What a run gave.
 
-    stems         the stems that the report shows: a pandas DataFrame (without pandas: a dict of numpy arrays), columns as in stems.csv
+    stems         the stems that the report shows: a pandas DataFrame (without pandas: a dict of numpy arrays), columns as in stems.csv,
+                  but for `counted`: tables["tree_values"] has the trees that count
     points        the points after the last stage that hands them on: Points, views without a copy
     tables        all tables by "stage.port" or by port: result.tables["plot_values"]
     clouds        all clouds, rasters: all grids (terrain model), trajectories: all paths
