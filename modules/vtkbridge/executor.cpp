@@ -104,7 +104,10 @@ std::string stamps_of_input(const OptionSet& options) {
 void note_unwritten_outputs(RunOutcome& outcome) {
   for (const auto& stage : outcome.stages)
     for (const auto& finding : stage.record.report.findings)
-      if (finding.code == finding_code::output_not_written) note_first_error(outcome, 1, finding.text);
+      if (finding.code == finding_code::output_not_written)
+        note_first_error(outcome, static_cast<int>(ExitCode::failed), finding.text);
+      else if (finding.code == finding_code::input_not_usable)
+        note_first_error(outcome, static_cast<int>(ExitCode::bad_input), finding.text);
 }
 
 // An input of which a part is missing ends the run, unless that was accepted.

@@ -166,7 +166,8 @@ StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& o
     if (!final_dir.empty()) move_paths(execution.files, run.output_dir, final_dir);
   }
   const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish() &&
-                     !has_finding(result.report, finding_code::output_not_written);
+                     !has_finding(result.report, finding_code::output_not_written) &&
+                     !has_finding(result.report, finding_code::input_not_usable);
   for (const auto& [port, data] : result.outputs.all())
     execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
   if (cache && whole) {

@@ -8,7 +8,7 @@ import socket
 import time
 import uuid
 
-from . import attempt, cluster, folders, geopackage, merging, page, planning, states
+from . import attempt, cluster, costs, folders, geopackage, merging, page, planning, states
 from .errors import CANCELLED, FINISHED_EARLY, bad_input, failure
 from .local import LocalWorkers
 from .memory import machine_gib, processors
@@ -92,6 +92,7 @@ class Run:
     def __init__(self, of_plan, request):
         self.plan, self.request = of_plan, request
         self.page_written = 0.0
+        self.costs = costs.Costs(len(of_plan.tasks))
         self.crashes, self.losses, self.waiting, self.at_work = {}, {}, [], {}
 
     def run(self):
@@ -106,23 +107,27 @@ class Run:
             self.plan.keep()
             ledger = geopackage.Ledger(self.plan.out / "campaign.gpkg")
             try:
-                return self._run_with(ledger)
+                code = self._run_with(ledger)
+                self.costs.note(self.plan.out, code)
+                return code
             finally:
                 ledger.close()
 
     def _run_with(self, ledger):
-        looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in self.plan.tasks]
-        self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
-        self.ledger = ledger
-        self.rows = {row["input_id"]: row for row in states.rows_of(self.plan)}
-        ledger.write_inputs(list(self.rows.values()))
+        with self.costs.phase("plan"):
+            looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in self.plan.tasks]
+            self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
+            self.ledger = ledger
+            self.rows = {row["input_id"]: row for row in states.rows_of(self.plan)}
+            ledger.write_inputs(list(self.rows.values()))
         asked = 0
         if self.waiting:
             asked = self._run_waiting(len(looked))
         if asked >= 2:
             print(f"Cancelled. What was done before is kept in {self.plan.out}", flush=True)
             return CANCELLED
-        rows, notes = merging.merge(self.plan, ledger)
+        with self.costs.phase("merge"):
+            rows, notes = merging.merge(self.plan, ledger)
         print_end(self.plan, rows, notes)
         return FINISHED_EARLY if asked == 1 and any(row["state"] in ("missing", "changed") for row in rows) else states.exit_code_of(rows)
 
@@ -130,11 +135,14 @@ class Run:
         interrupts = Interrupts(self.plan.out)
         workers = None
         try:
-            workers, self.room = start_workers(self.request, len(self.waiting))
+            with self.costs.phase("start"):
+                workers, self.room = start_workers(self.request, len(self.waiting))
+            self.costs.workers, self.costs.engine = workers.workers, workers.name
             self._fit_to(workers)
             print(f"{of} inputs, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
                   + (f", {self.room.gib:.1f} GiB)" if self.room else ")"), flush=True)
-            self._loop(workers, interrupts)
+            with self.costs.phase("work"):
+                self._loop(workers, interrupts)
             return interrupts.asked
         except BaseException:
             interrupts.stop_file.touch()
@@ -165,9 +173,12 @@ class Run:
                 self._show({**self.rows[task["id"]], "state": "running"})
                 if self.room:
                     self.room.take(task)
+                self.costs.attempts += 1
                 workers.start({**task, **files, "retry": self.request.get("retry", False)})
             self.progress.draw(len(self.at_work))
-            for spec, result in workers.finished(WAIT_S):
+            with self.costs.phase("wait"):
+                ended = workers.finished(WAIT_S)
+            for spec, result in ended:
                 self._take(self.at_work.pop(spec["id"]), result)
             if interrupts.asked >= 2:
                 cancel_began = cancel_began or time.monotonic()
