@@ -63,6 +63,13 @@ class Cancelled(_Told, KeyboardInterrupt):
     exit_code = 3
 
 
+class NoSuchName(KeyError):
+    """A result has nothing of this name. Its text is a sentence, which KeyError would show in quotes."""
+
+    def __str__(self):
+        return str(self.args[0])
+
+
 OF_CODE = {1: Failed, 2: BadInput, 3: Cancelled, 4: PartialOutput}
 
 

@@ -18,7 +18,7 @@ class Silent:
         """Called a few times a second."""
 
     def end(self, word):
-        """Called once: "done", "cancelled" or "failed"."""
+        """Called once: "done", "finished early", "cancelled" or "failed"."""
 
 
 class Function(Silent):

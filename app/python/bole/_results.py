@@ -5,7 +5,7 @@ import html
 import pathlib
 
 from . import _arrays, _native
-from ._errors import of_code
+from ._errors import NoSuchName, of_code
 
 
 class Points(collections.abc.Mapping):
@@ -68,7 +68,7 @@ class Points(collections.abc.Mapping):
         if name not in self._names:
             from bole_campaign.errors import did_you_mean
 
-            raise KeyError(f"there is no array '{name}'; needed: one of {', '.join(self._names)}. {did_you_mean(name, self._names)}".rstrip())
+            raise NoSuchName(f"there is no array '{name}'; needed: one of {', '.join(self._names)}. {did_you_mean(name, self._names)}".rstrip())
         return _arrays.view(self.vtk.GetPointData().GetArray(name))
 
     def __iter__(self):
@@ -150,7 +150,7 @@ class Outputs(collections.abc.Mapping):
             from bole_campaign.errors import did_you_mean
 
             near = did_you_mean(name, self._places)
-            raise KeyError(f"this run has no {self._kind} '{name}'; needed: one of {', '.join(self._places) or 'none'}" + (f". {near}" if near else ""))
+            raise NoSuchName(f"this run has no {self._kind} '{name}'; needed: one of {', '.join(self._places) or 'none'}" + (f". {near}" if near else ""))
         if place not in self._kept:
             self._kept[place] = MAKERS[self._kind](self._result.vtk(place))
         return self._kept[place]
@@ -201,7 +201,7 @@ class Result:
         stage = self._pipeline.GetStage(stage_id)
         number = stage.FindOutputPort(port) if stage else -1
         if number < 0:
-            raise KeyError(f"this run has no output '{place}'; needed: one of {', '.join(self.outputs)}")
+            raise NoSuchName(f"this run has no output '{place}'; needed: one of {', '.join(self.outputs)}")
         if stage.GetExitCode() != 0:  # what was stored of it cannot be read any more
             raise of_code(stage.GetExitCode(), stage.GetErrorText())
         return stage.GetOutputDataObject(number)

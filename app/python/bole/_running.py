@@ -124,6 +124,13 @@ def _wait(pipeline, shown, finishes):
             raise
 
 
+def _word(pipeline):
+    if pipeline.GetExitCode() == 0:
+        early = json.loads(pipeline.GetSummaryJSON() or "{}").get("exit_code") == PartialOutput.exit_code
+        return "finished early" if early else "done"
+    return "cancelled" if pipeline.GetExitCode() == Cancelled.exit_code else "failed"
+
+
 def _outcome(pipeline, out):
     """The result, or the error that the run ended with."""
     code, text = pipeline.GetExitCode(), pipeline.GetErrorText()
@@ -197,7 +204,7 @@ def run(pipeline, out=None, *, set=None, force=False, accept_partial=False, cach
         try:
             native.Start()
             _wait(native, shown, on_interrupt == "finish")
-            word = {0: "done", 3: "cancelled"}.get(native.GetExitCode(), "failed")
+            word = _word(native)
         finally:
             shown.end(word)
     return _outcome(native, out)

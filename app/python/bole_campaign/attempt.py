@@ -150,7 +150,8 @@ def run_in(spec, folder, handle):
     key = keys.key_of(parts)
     folders.note_attempt(folder, event="begin", attempt=record["attempt"], key=key, time=record["started"], host=record["host"], pid=os.getpid())
     with open(attempt / "log.txt", "wb") as log:
-        child = subprocess.Popen(command_of(spec, attempt), stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=[handle])
+        # Of its own session: Ctrl-C on a terminal goes to all processes of a group, and the client alone decides what it means.
+        child = subprocess.Popen(command_of(spec, attempt), stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=[handle], start_new_session=True)
         # A program that asks for far more than declared is told so by the system before the machine suffers.
         hard = int(1.5 * spec["memory_gib"] * GIB) + GIB
         try:
