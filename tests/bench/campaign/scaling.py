@@ -2,7 +2,7 @@
 """What more workers give a campaign: measured with 1 and 2 on this machine, computed for more from a ledger.
 
     scaling.py measure --bole BOLE --work DIR --cloud plot.las     1 and 2 workers in turn, beside the programs alone
-    scaling.py idle    --bole BOLE --work DIR                      240 inputs whose program does nothing: the cost of the engine
+    scaling.py idle    --bole BOLE --work DIR --survey SURVEY      240 inputs whose program only copies a survey: the cost of the engine
     scaling.py paper   CAMPAIGN [--costs CAMPAIGN]                 1 to 1000 workers on paper
 
 `paper` takes the times of the tasks from campaign.gpkg, and from attempts.jsonl and runs.jsonl what the engine took (of CAMPAIGN, or of
@@ -48,8 +48,9 @@ class Ledger:
             sys.exit(f"{folder}: no run has done any work; needed: a campaign that ran to its end")
         self.wall, self.cpu = self.run["wall_s"], self.run["cpu_s"]
         self.workers, inputs = self.run["workers"], self.run["inputs"]
-        # All that the client does but wait; while it waits, a scheduler in its process may work (Dask).
-        self.client = (self.wall["work"] - self.wall["wait"] + self.cpu["wait"]) / self.run["attempts"]
+        # All that the client does but wait. While it waits, the scheduler of Dask works in its process.
+        scheduler = self.cpu["wait"] if self.run["engine"].startswith("Dask") else 0.0
+        self.client = (self.wall["work"] - self.wall["wait"] + scheduler) / self.run["attempts"]
         self.before_and_after = (self.wall["plan"] + self.wall["merge"]) / inputs
         self.gap = max(self._gap(folder), self.client)
 
@@ -159,13 +160,15 @@ def measure(args):
 
 
 def idle(args):
-    """A campaign of a program that does nothing, for `paper --costs`."""
+    """A campaign of a program that does next to nothing, for `paper --costs`."""
     args.work.mkdir(parents=True, exist_ok=True)
     nothing = args.work / "nothing"
-    nothing.write_text(f"#!/bin/sh\n[ \"$1\" = run ] && exit 0\nexec {args.bole} \"$@\"\n")
+    files = " ".join(str(args.survey / name) for name in ("stems.csv", "plot.gpkg", "summary.json")) if args.survey else ""
+    work = f'exec cp {files} "$4"' if files else "exit 0"  # bole run DOCUMENT --out FOLDER ...
+    nothing.write_text(f'#!/bin/sh\nif [ "$1" = run ]; then {work}; fi\nexec {args.bole} "$@"\n')
     nothing.chmod(0o755)
     document = args.work / "nothing.json"
-    document.write_text(json.dumps({"pipeline": "forest_plot", "tables": [], "inputs": [{"id": str(i), "set": {"scan.file": "none"}} for i in range(args.plots)]}))
+    document.write_text(json.dumps({"pipeline": "forest_plot", "tables": ["stems.csv"] if args.survey else [], "inputs": [{"id": str(i), "set": {"scan.file": "none"}} for i in range(args.plots)]}))
     out = args.work / f"nothing-{args.engine}-{int(time.time())}"
     engine = pathlib.Path(__file__).resolve().parents[3] / "app" / "python"
     code = f"import sys; sys.path.insert(0, {str(engine)!r}); import bole_campaign; bole_campaign.run({str(document)!r}, {str(out)!r}, workers=2, engine={args.engine!r})"
@@ -194,7 +197,7 @@ def main():
     command.add_argument("--side", type=float, default=8, help="of the squares of the cloud, metres")
     command.add_argument("--seed", type=int, default=1)
     command.add_argument("--rounds", type=int, default=3)
-    verb("idle", idle, 240)
+    verb("idle", idle, 240).add_argument("--survey", type=lambda p: pathlib.Path(p).resolve(), help="folder of a survey that every input gives, to be put together")
     command = verb("paper", paper, 0)
     command.add_argument("campaign")
     command.add_argument("--costs")
